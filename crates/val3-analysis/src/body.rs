@@ -1,0 +1,198 @@
+//! The code of a program as plain data: statements and expressions without trivia.
+
+mod constant;
+mod lower;
+
+pub use constant::Constant;
+
+use rowan::TextRange;
+use smol_str::SmolStr;
+use val3_lang::operators::{BinaryOp, UnaryOp};
+use val3_syntax::view::View;
+
+use crate::db::{Db, File};
+use crate::items::parse;
+
+/// An expression of a body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ExprId(u32);
+
+/// The code of one program.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Body {
+    exprs: Vec<(Expr, TextRange)>,
+    /// The statements between `begin` and `end`.
+    pub block: Vec<Stmt>,
+}
+
+/// A statement and where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stmt {
+    /// What it does.
+    pub kind: StmtKind,
+    /// Where it stands.
+    pub range: TextRange,
+}
+
+/// The kinds of statements.
+#[derive(Debug, Clone, PartialEq)]
+pub enum StmtKind {
+    /// `if` and each `elseIf` with its block, then `else`.
+    If {
+        /// Condition and block of `if` and of each `elseIf`.
+        arms: Vec<(Option<ExprId>, Vec<Stmt>)>,
+        /// The block of `else`.
+        otherwise: Option<Vec<Stmt>>,
+    },
+    /// `while`
+    While {
+        /// The condition.
+        condition: Option<ExprId>,
+        /// The block.
+        block: Vec<Stmt>,
+    },
+    /// `do … until`
+    Do {
+        /// The block.
+        block: Vec<Stmt>,
+        /// The condition.
+        condition: Option<ExprId>,
+    },
+    /// `for`
+    For {
+        /// The counter.
+        counter: Option<ExprId>,
+        /// The value behind `=`.
+        start: Option<ExprId>,
+        /// The value behind `to`.
+        stop: Option<ExprId>,
+        /// The value behind `step`.
+        step: Option<ExprId>,
+        /// The block.
+        block: Vec<Stmt>,
+    },
+    /// `switch`
+    Switch {
+        /// The value that is compared.
+        selector: Option<ExprId>,
+        /// Values and block of each `case`; no values for `default`.
+        cases: Vec<(Vec<ExprId>, Vec<Stmt>)>,
+    },
+    /// `return`
+    Return,
+    /// `call program(…)`
+    Call(ExprId),
+    /// `taskCreate` or `taskCreateSync`
+    TaskCreate {
+        /// It is `taskCreateSync`.
+        synchronous: bool,
+        /// What stands behind the keyword: name, priority or period, overrun flag, call.
+        arguments: Vec<ExprId>,
+    },
+    /// `? expression`
+    Print(ExprId),
+    /// `target = value`; the value of a chain is an [`Expr::Assign`].
+    Assign {
+        /// The left side.
+        target: ExprId,
+        /// The right side.
+        value: ExprId,
+    },
+    /// An expression alone.
+    Expr(ExprId),
+    /// A line that could not be read.
+    Error,
+}
+
+/// The kinds of expressions.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Expr {
+    /// It could not be read.
+    Missing,
+    /// A number.
+    Number(f64),
+    /// A string, without quotes and with entity references replaced.
+    String(SmolStr),
+    /// `true` or `false`
+    Bool(bool),
+    /// A name.
+    Name(SmolStr),
+    /// `library:item`
+    Path {
+        /// The library identifier.
+        library: SmolStr,
+        /// The item.
+        item: SmolStr,
+    },
+    /// `( … )`
+    Paren(ExprId),
+    /// `-x`, `!x`
+    Unary(UnaryOp, ExprId),
+    /// `a + b`
+    Binary(BinaryOp, ExprId, ExprId),
+    /// `a = b` as a value.
+    Assign(ExprId, ExprId),
+    /// `base[…]`
+    Index(ExprId, Box<[ExprId]>),
+    /// `base.field`
+    Field {
+        /// What stands before the dot.
+        base: ExprId,
+        /// The field.
+        field: SmolStr,
+        /// Where the field stands.
+        range: TextRange,
+    },
+    /// `callee(…)`
+    Call(ExprId, Box<[ExprId]>),
+    /// `{…}`; `None` where a value is left out.
+    Struct(Box<[Option<ExprId>]>),
+}
+
+/// The code of the program in `file`.
+#[salsa::tracked(lru = 256, no_eq)]
+pub fn body(db: &dyn Db, file: File) -> Body {
+    lower::lower(View::root(parse(db, file).green()))
+}
+
+impl Body {
+    /// An expression.
+    pub fn expr(&self, id: ExprId) -> &Expr {
+        self.exprs.get(id.0 as usize).map_or(&Expr::Missing, |(expr, _)| expr)
+    }
+
+    /// Where an expression stands.
+    pub fn range(&self, id: ExprId) -> TextRange {
+        self.exprs.get(id.0 as usize).map_or_else(TextRange::default, |(_, range)| *range)
+    }
+
+    /// Every expression, inner ones before outer ones.
+    pub fn exprs(&self) -> impl Iterator<Item = (ExprId, &Expr, TextRange)> {
+        (0u32..).zip(&self.exprs).map(|(index, (expr, range))| (ExprId(index), expr, *range))
+    }
+
+    /// The number of expressions.
+    pub fn len(&self) -> usize {
+        self.exprs.len()
+    }
+
+    /// There is no expression.
+    pub fn is_empty(&self) -> bool {
+        self.exprs.is_empty()
+    }
+
+    /// The expression without the parentheses around it.
+    pub fn peel(&self, mut id: ExprId) -> ExprId {
+        while let Expr::Paren(inner) = self.expr(id) {
+            id = *inner;
+        }
+        id
+    }
+}
+
+impl ExprId {
+    /// The place of the expression in [`Body::exprs`].
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}

@@ -1,0 +1,199 @@
+//! Fathers: the reference frame of a point or frame, the base tool of a tool (9.4 to 9.6).
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_lang::builtins;
+use val3_lang::types::{BaseType, Container};
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use super::{DataCheck, show_size_of};
+use crate::items::data;
+use crate::items::project::{DataItem, fields};
+use crate::near::nearest;
+use crate::problem::ProblemKind;
+use crate::ty::Base;
+use crate::xml::{Attribute, Element};
+
+/// One step of a reference: a name and what stands in brackets behind it.
+struct Step {
+    name: String,
+    index: Option<String>,
+}
+
+impl DataCheck<'_> {
+    /// `fatherId="fTray[0]"`, `fatherId="tSlot["a"].fFrame[0]"`.
+    pub(super) fn father(&mut self, found: Attribute<'_>, expected: BaseType) {
+        let text = found.text().into_owned();
+        let shown = SmolStr::from(text.as_str());
+        if text.trim().is_empty() {
+            return;
+        }
+        if text.split_once(':').is_some_and(|(library, _)| !library.contains('"')) {
+            return self.report(found.range, ProblemKind::FatherInLibrary { father: shown });
+        }
+        match self.resolve(&text) {
+            Resolved::Silent => {}
+            Resolved::Missing(near) => self.report(found.range, ProblemKind::FatherMissing { father: shown, near }),
+            Resolved::OutOfRange(size) => self.report(found.range, ProblemKind::FatherIndex { father: shown, size }),
+            Resolved::Base(base) => self.father_kind(found.range, shown, expected, base),
+        }
+    }
+
+    fn father_kind(&mut self, range: TextRange, father: SmolStr, expected: BaseType, found: Base) {
+        if !found.same_as(Base::of(expected)) {
+            let (expected, found) = (expected.name().into(), found.display(self.db));
+            self.report(range, ProblemKind::FatherKind { father, expected, found });
+        }
+    }
+
+    fn resolve(&self, reference: &str) -> Resolved {
+        let Some(steps) = steps(reference) else { return Resolved::Missing(None) };
+        let mut steps = steps.iter();
+        let Some(first) = steps.next() else { return Resolved::Missing(None) };
+        let Some(item) = self.item(&first.name) else { return self.built_in(&first.name) };
+        let (mut item, mut step) = (item, first);
+        loop {
+            if let Some(size) = out_of_range(item, step) {
+                return Resolved::OutOfRange(size);
+            }
+            let Some(next) = steps.next() else { return Resolved::Base(item.base) };
+            let Base::User(project) = item.base else {
+                return if item.base == Base::Unknown { Resolved::Silent } else { Resolved::Missing(None) };
+            };
+            let fields = fields(self.db, project);
+            let Some(field) = fields.get(next.name.as_str()) else {
+                return Resolved::Missing(nearest(&next.name, fields.keys().map(SmolStr::as_str)));
+            };
+            (item, step) = (field, next);
+        }
+    }
+
+    fn built_in(&self, name: &str) -> Resolved {
+        if let Some(builtin) = builtins::find(name).filter(|builtin| builtin.is_variable) {
+            return Resolved::Base(Base::of(builtin.ty));
+        }
+        if self.items.lacks_data {
+            return Resolved::Silent;
+        }
+        let fathers = self.items.data.iter().filter(|(_, item)| {
+            matches!(item.base.builtin(), Some(BaseType::Frame | BaseType::Tool))
+        });
+        let names = fathers.map(|(name, _)| name.as_str()).chain(["world", "flange"]);
+        Resolved::Missing(nearest(name, names))
+    }
+
+    /// `<fFather alias name fatherIndex>` of the old dialect; a father may live in a library there.
+    pub(super) fn old_fathers(&mut self, element: Element<'_>) {
+        let Some((base, _)) = BaseType::from_file_name(element.name()) else { return };
+        let Some(expected) = base.father() else { return };
+        for father in element.elements().filter(|inner| inner.name().ends_with("Father")) {
+            let Some(name) = father.attribute("name").filter(|name| !name.raw.is_empty()) else { continue };
+            if father.value("alias").is_some_and(|alias| !alias.is_empty()) {
+                continue;
+            }
+            let shown = SmolStr::from(name.text());
+            match self.resolve(&name.text()) {
+                Resolved::Missing(near) => self.report(name.range, ProblemKind::FatherMissing { father: shown, near }),
+                Resolved::Base(found) => self.father_kind(name.range, shown, expected, found),
+                Resolved::OutOfRange(_) | Resolved::Silent => {}
+            }
+        }
+    }
+
+    /// Frames and tools that are each other's fathers. Each circle is reported once, at its first value in the file.
+    pub(super) fn father_circles(&mut self, view: View<'_>) {
+        let links = links(view);
+        let mut state: FxHashMap<&str, bool> = FxHashMap::default();
+        for (start, _) in &links.order {
+            let mut path: Vec<&str> = Vec::new();
+            let mut at = start.as_str();
+            while let Some((father, _)) = links.father.get(at) {
+                if state.insert(at, true).is_some() {
+                    break;
+                }
+                path.push(at);
+                at = father;
+            }
+            if let Some(from) = path.iter().position(|node| *node == at) {
+                self.circle(&links, path.get(from..).unwrap_or(&[]));
+            }
+        }
+    }
+
+    fn circle(&mut self, links: &Links, nodes: &[&str]) {
+        let first = nodes.iter().min_by_key(|node| links.father.get(**node).map(|(_, range)| range.start()));
+        let Some((_, range)) = first.and_then(|node| links.father.get(*node)) else { return };
+        let chain: Vec<SmolStr> = nodes.iter().chain(nodes.first()).map(|node| bare(node)).collect();
+        self.report(*range, ProblemKind::FatherCircle { chain });
+    }
+}
+
+/// `fTray[0]` of a single value reads better as `fTray`.
+fn bare(node: &str) -> SmolStr {
+    node.strip_suffix("[0]").unwrap_or(node).into()
+}
+
+enum Resolved {
+    Base(Base),
+    Missing(Option<SmolStr>),
+    OutOfRange(SmolStr),
+    /// Something else is wrong, or missing.
+    Silent,
+}
+
+fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
+    let Container::Array { dims: 1 } = item.decl.container else { return None };
+    let index: u32 = step.index.as_ref()?.trim().parse().ok()?;
+    let size = item.decl.sizes.first()?;
+    (index >= *size).then(|| show_size_of(&item.decl))
+}
+
+/// Splits `tSlot["a"].fFrame[0]` into its steps; `None` where it is no reference.
+fn steps(reference: &str) -> Option<Vec<Step>> {
+    let mut steps = Vec::new();
+    let mut rest = reference.trim();
+    loop {
+        let end = rest.find(['[', '.']).unwrap_or(rest.len());
+        let (name, behind) = rest.split_at(end);
+        let name = name.trim().to_owned();
+        if name.is_empty() {
+            return None;
+        }
+        let (index, behind) = match behind.strip_prefix('[') {
+            Some(inner) => {
+                let (index, behind) = inner.split_once(']')?;
+                (Some(index.to_owned()), behind)
+            }
+            None => (None, behind),
+        };
+        steps.push(Step { name, index });
+        match behind.trim_start().strip_prefix('.') {
+            Some(next) => rest = next,
+            None => return behind.trim().is_empty().then_some(steps),
+        }
+    }
+}
+
+/// Which value hangs on which: `name[key]` to `name[key]`, with the place of the reference.
+struct Links {
+    father: FxHashMap<String, (String, TextRange)>,
+    order: Vec<(String, TextRange)>,
+}
+
+fn links(view: View<'_>) -> Links {
+    let mut links = Links { father: FxHashMap::default(), order: Vec::new() };
+    for element in data::elements(view).filter(|element| element.name() == "Data") {
+        let is_father = matches!(element.value("type").as_deref(), Some("frame" | "tool"));
+        let Some(name) = element.value("name").filter(|_| is_father) else { continue };
+        for value in element.elements() {
+            let (Some(key), Some(father)) = (value.value("key"), value.attribute("fatherId")) else { continue };
+            let node = format!("{name}[{key}]");
+            let reference = father.text().replace('"', "");
+            let reference = if reference.contains('[') { reference } else { format!("{reference}[0]") };
+            links.order.push((node.clone(), father.range));
+            links.father.entry(node).or_insert((reference, father.range));
+        }
+    }
+    links
+}

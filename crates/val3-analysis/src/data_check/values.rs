@@ -1,0 +1,174 @@
+//! `<Value>` and `<Field>`: keys, attributes and nested values.
+
+use rustc_hash::FxHashSet;
+use smol_str::{SmolStr, format_smolstr};
+use val3_lang::enumerations;
+use val3_lang::types::{AttributeValue, BaseType, Container, attribute, attributes};
+
+use super::{DataCheck, show_sizes};
+use crate::items::data::container;
+use crate::items::project::{DataItem, fields};
+use crate::near::nearest;
+use crate::problem::ProblemKind;
+use crate::ty::{Base, brackets};
+use crate::xml::{Attribute, Element};
+
+impl DataCheck<'_> {
+    /// The values of a variable or field. No `sizes`: the size is not known.
+    pub(super) fn values(&mut self, element: Element<'_>, base: Base, container: Container, sizes: &[u32]) {
+        let mut seen = FxHashSet::default();
+        for value in element.elements() {
+            if value.name() != "Value" {
+                let kind =
+                    ProblemKind::UnexpectedElement { name: value.name().into(), parent: element.name().into() };
+                self.report(value.name_range(), kind);
+                continue;
+            }
+            match value.attribute("key") {
+                None => self.missing(value, "key"),
+                Some(key) => self.key(key, container, sizes, &mut seen),
+            }
+            match base {
+                Base::Builtin(ty, arm) => self.attributes(value, ty, arm),
+                Base::User(_) => self.fields(value, base),
+                Base::Unknown => {}
+            }
+        }
+    }
+
+    fn key(&mut self, key: Attribute<'_>, container: Container, sizes: &[u32], seen: &mut FxHashSet<String>) {
+        let text = key.text().into_owned();
+        let shown = SmolStr::from(text.as_str());
+        match container {
+            Container::Collection if text.is_empty() => {
+                return self.report(key.range, ProblemKind::InvalidKey { key: shown, dims: 0 });
+            }
+            Container::Collection => {}
+            Container::Array { .. } | Container::Element => {
+                let indexes: Option<Vec<u32>> = text.split(',').map(|index| index.trim().parse().ok()).collect();
+                let dims = sizes.len().max(1);
+                match indexes {
+                    Some(indexes) if sizes.is_empty() || indexes.len() == dims => {
+                        if indexes.iter().zip(sizes).any(|(index, size)| index >= size) {
+                            let size = show_sizes(sizes);
+                            return self.report(key.range, ProblemKind::KeyOutOfRange { key: shown, size });
+                        }
+                    }
+                    _ => return self.report(key.range, ProblemKind::InvalidKey { key: shown, dims }),
+                }
+            }
+        }
+        if !seen.insert(text) {
+            self.report(key.range, ProblemKind::DuplicateKey { key: shown });
+        }
+    }
+
+    /// The attributes of a value of a built-in type.
+    fn attributes(&mut self, value: Element<'_>, ty: BaseType, arm: Option<val3_lang::types::Arm>) {
+        let arm = arm.or(self.items.arm);
+        for found in value.attributes() {
+            if found.name == "key" || found.name.starts_with("xmlns") || found.name.starts_with("xsi:") {
+                continue;
+            }
+            match attribute(ty, arm, found.name) {
+                Some(known) => self.attribute_value(found, ty, known.value),
+                None => {
+                    let near = nearest(found.name, attributes(ty, arm).iter().map(|attribute| attribute.name));
+                    let kind = ProblemKind::UnknownValueAttribute {
+                        ty: ty.name().into(),
+                        attribute: found.name.into(),
+                        near,
+                    };
+                    self.report(found.name_range, kind);
+                }
+            }
+        }
+    }
+
+    fn attribute_value(&mut self, found: Attribute<'_>, ty: BaseType, wanted: AttributeValue) {
+        let text = found.text();
+        let expected = match wanted {
+            AttributeValue::Truth if !matches!(text.trim(), "true" | "false") => "`true` or `false`".into(),
+            AttributeValue::Number if !is_number(&text) => "a number".into(),
+            AttributeValue::Choice(choice) if enumerations::find_in_file(choice, text.trim()).is_none() => choices(choice),
+            AttributeValue::Father(father) => return self.father(found, father),
+            AttributeValue::Link => return self.link(found, ty),
+            _ => return,
+        };
+        let value = SmolStr::from(text.as_ref());
+        let kind =
+            ProblemKind::InvalidValue { ty: ty.name().into(), attribute: found.name.into(), value, expected };
+        self.report(found.range, kind);
+    }
+
+    /// The `<Field>`s of a value of a user type.
+    fn fields(&mut self, value: Element<'_>, base: Base) {
+        let Base::User(project) = base else { return };
+        let known = fields(self.db, project);
+        for field in value.elements() {
+            if field.name() != "Field" {
+                let kind = ProblemKind::UnexpectedElement { name: field.name().into(), parent: "Value".into() };
+                self.report(field.name_range(), kind);
+                continue;
+            }
+            let Some(name) = field.attribute("name") else {
+                self.missing(field, "name");
+                continue;
+            };
+            match known.get(name.text().as_ref()) {
+                Some(item) => self.known_field(field, name, base, item),
+                None => {
+                    let near = nearest(&name.text(), known.keys().map(SmolStr::as_str));
+                    let kind = ProblemKind::UnknownUserField {
+                        ty: base.display(self.db),
+                        field: name.text().as_ref().into(),
+                        near,
+                    };
+                    self.report(name.range, kind);
+                }
+            }
+        }
+    }
+
+    fn known_field(&mut self, field: Element<'_>, name: Attribute<'_>, owner: Base, item: &DataItem) {
+        let (found, sizes) = container(field);
+        let written = field.value("type").unwrap_or_default();
+        let built_in = BaseType::from_file_name(&written).map(|(base, arm)| Base::Builtin(base, arm));
+        let same_base = match (built_in, item.base) {
+            (Some(written), Base::Builtin(..)) => written.same_as(item.base),
+            _ => true,
+        };
+        let same_container = (found == Container::Collection) == (item.decl.container == Container::Collection);
+        if !same_base || !same_container {
+            let kind = ProblemKind::UserFieldType {
+                ty: owner.display(self.db),
+                field: name.text().as_ref().into(),
+                expected: format_smolstr!("{}{}", item.decl.type_name, brackets_unless_single(item.decl.container)),
+                found: format_smolstr!("{written}{}", brackets_unless_single(found)),
+            };
+            return self.report(name.range, kind);
+        }
+        let sound = self.size(field);
+        self.values(field, item.base, found, if sound { &sizes } else { &[] });
+    }
+}
+
+fn brackets_unless_single(container: Container) -> &'static str {
+    match container {
+        Container::Array { dims: 1 } => "",
+        other => brackets(other),
+    }
+}
+
+fn is_number(text: &str) -> bool {
+    text.trim().parse::<f64>().is_ok_and(f64::is_finite)
+}
+
+/// The values of an enumeration, as files spell them.
+fn choices(ty: BaseType) -> SmolStr {
+    let names: Vec<String> = enumerations::values(ty).map(|value| format!("`{}`", value.file_name)).collect();
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format_smolstr!("{} or {last}", rest.join(", ")),
+        _ => names.concat().into(),
+    }
+}

@@ -1,0 +1,103 @@
+//! Types: what every expression of a program is, and what does not fit.
+
+mod access;
+mod arguments;
+pub(crate) mod calls;
+mod expressions;
+mod fit;
+mod literals;
+mod names;
+mod statements;
+mod value;
+
+use rowan::TextRange;
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_lang::types::Arm;
+
+use crate::body::{Body, ExprId, body};
+use crate::db::{Db, File, Project};
+use crate::items::program::header;
+use crate::items::project::{Items, items};
+use crate::problem::{Place, Problem, ProblemKind, Related, Role};
+use crate::ty::{Base, Ty};
+
+/// What the analysis knows about the code of one program.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Inference {
+    types: Vec<Ty>,
+    /// What is wrong, in the order of the statements.
+    pub problems: Vec<Problem>,
+}
+
+impl Inference {
+    /// The type of an expression; a whole container keeps its container.
+    pub fn ty(&self, id: ExprId) -> Ty {
+        self.types.get(id.index()).copied().unwrap_or(Ty::UNKNOWN)
+    }
+}
+
+/// Infers the types of the program in `file` as a part of `project`.
+#[salsa::tracked(lru = 256)]
+pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
+    let body = body(db, file);
+    let mut infer = Infer::new(db, project, file, body);
+    infer.block(&body.block);
+    Inference { types: infer.types, problems: infer.problems }
+}
+
+/// The walk over one body.
+struct Infer<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    file: File,
+    body: &'db Body,
+    items: &'db Items,
+    /// Parameters and locals.
+    scope: FxHashMap<&'db str, value::Value>,
+    types: Vec<Ty>,
+    problems: Vec<Problem>,
+}
+
+impl<'db> Infer<'db> {
+    fn new(db: &'db dyn Db, project: Project, file: File, body: &'db Body) -> Self {
+        let items = items(db, project);
+        let header = header(db, file);
+        let scope = names::scope(items, header);
+        let types = vec![Ty::UNKNOWN; body.len()];
+        Self { db, project, file, body, items, scope, types, problems: Vec::new() }
+    }
+
+    fn arm(&self) -> Option<Arm> {
+        self.items.arm
+    }
+
+    fn place(&self, range: TextRange) -> Place {
+        Place { file: self.file, range }
+    }
+
+    /// Reports a fault at an expression.
+    fn report(&mut self, id: ExprId, kind: ProblemKind) {
+        self.report_at(self.body.range(id), kind, None);
+    }
+
+    /// Reports a fault at an expression and names the place of a declaration.
+    fn report_with(&mut self, id: ExprId, kind: ProblemKind, role: Role, declared: Option<Place>) {
+        self.report_at(self.body.range(id), kind, declared.map(|place| Related { place, role }));
+    }
+
+    fn report_at(&mut self, range: TextRange, kind: ProblemKind, related: Option<Related>) {
+        let place = self.place(range);
+        self.problems.push(Problem { kind, place, related: related.into_iter().collect() });
+    }
+
+    fn set_type(&mut self, id: ExprId, ty: Ty) {
+        if let Some(slot) = self.types.get_mut(id.index()) {
+            *slot = ty;
+        }
+    }
+
+    fn show(&self, base: Base) -> SmolStr {
+        base.display(self.db)
+    }
+}

@@ -1,0 +1,200 @@
+//! Indexes, fields and items of libraries.
+
+use rowan::TextRange;
+use smol_str::SmolStr;
+use val3_lang::types::{self, BaseType, Container};
+
+use super::Infer;
+use super::names::data_value;
+use super::value::{Form, Value, Variable};
+use crate::body::ExprId;
+use crate::db::Project;
+use crate::items::declarations;
+use crate::items::project::{fields, items};
+use crate::near::nearest;
+use crate::problem::{NameKind, Place, ProblemKind, Related, Role};
+use crate::ty::Base;
+
+impl Infer<'_> {
+    /// `base[indexes]`
+    pub(super) fn index(&mut self, base: ExprId, indexes: &[ExprId]) -> Value {
+        let value = self.expr(base);
+        let found: Vec<Base> = indexes.iter().map(|index| self.element(*index)).collect();
+        if value.is_unknown() {
+            return Value::UNKNOWN;
+        }
+        let Form::Whole(variable) = &value.form else {
+            return self.index_not_allowed(base, &value);
+        };
+        match variable.container {
+            Container::Element => return self.index_not_allowed(base, &value),
+            Container::Array { dims } => self.array_index(base, &value, variable, dims, indexes, &found),
+            Container::Collection => self.key(base, &value, indexes, &found),
+        }
+        Value { base: value.base, form: Form::Indexed { of: variable.container } }
+    }
+
+    fn index_not_allowed(&mut self, base: ExprId, value: &Value) -> Value {
+        let (name, ty) = (self.text(base), value.ty().display(self.db));
+        let declared = self.declared(value, &name);
+        self.report_with(base, ProblemKind::IndexNotAllowed { name, ty, callee: None }, Role::Declared, declared);
+        Value::UNKNOWN
+    }
+
+    fn array_index(
+        &mut self,
+        base: ExprId,
+        value: &Value,
+        variable: &Variable,
+        dims: u8,
+        indexes: &[ExprId],
+        found: &[Base],
+    ) {
+        let name = self.text(base);
+        if indexes.len() != usize::from(dims) {
+            let declared = self.declared(value, &name);
+            let kind = ProblemKind::IndexCount { name, expected: usize::from(dims), found: indexes.len() };
+            return self.report_with(base, kind, Role::Declared, declared);
+        }
+        for (position, (&index, &found)) in indexes.iter().zip(found).enumerate() {
+            if !found.same_as(Base::of(BaseType::Num)) {
+                self.wrong_index(index, &name, "num", found);
+            } else if let Some(number) = self.body.number(index) {
+                let size = variable.fixed.as_ref().and_then(|sizes| sizes.get(position)).copied();
+                self.bounds(index, &name, number, size);
+            }
+        }
+    }
+
+    /// A constant index: below zero is always wrong, above the size only where the size cannot change.
+    fn bounds(&mut self, id: ExprId, name: &SmolStr, number: f64, size: Option<u32>) {
+        // Indexes are rounded to the nearest whole number (2.5.3).
+        let index = (number + 0.5).floor() as i64;
+        let too_large = size.is_some_and(|size| index >= i64::from(size));
+        if index < 0 || too_large {
+            let size = size.map_or(0, |size| size as usize);
+            self.report(id, ProblemKind::IndexOutOfBounds { name: name.clone(), index, size });
+        }
+    }
+
+    fn key(&mut self, base: ExprId, value: &Value, indexes: &[ExprId], found: &[Base]) {
+        let name = self.text(base);
+        match (indexes, found) {
+            ([key], [base]) => {
+                if !base.same_as(Base::of(BaseType::String)) {
+                    self.wrong_index(*key, &name, "string", *base);
+                }
+            }
+            _ => {
+                let declared = self.declared(value, &name);
+                let kind = ProblemKind::IndexCount { name, expected: 1, found: indexes.len() };
+                self.report_with(base, kind, Role::Declared, declared);
+            }
+        }
+    }
+
+    fn wrong_index(&mut self, id: ExprId, name: &SmolStr, expected: &'static str, found: Base) {
+        let found = self.show(found);
+        let kind = ProblemKind::IndexType { name: name.clone(), expected: SmolStr::new_static(expected), found };
+        self.report(id, kind);
+    }
+
+    /// `base.field`
+    pub(super) fn field(&mut self, base: ExprId, field: &SmolStr, range: TextRange) -> Value {
+        let value = self.expr(base);
+        if value.lacks_index() {
+            self.index_missing(base, &value);
+            return Value::UNKNOWN;
+        }
+        match value.base {
+            Base::Unknown => Value::UNKNOWN,
+            Base::User(project) => self.user_field(project, value.base, field, range),
+            Base::Builtin(ty, arm) => {
+                let arm = arm.or(self.arm());
+                match types::field(ty, arm, field) {
+                    Some(found) => self.part(&value, Base::Builtin(found.ty, arm.filter(|_| found.ty.depends_on_arm()))),
+                    None => {
+                        let names = types::fields(ty, arm).iter().map(|field| field.name);
+                        let near = nearest(field, names);
+                        self.unknown_field(value.base, field, near, range, None)
+                    }
+                }
+            }
+        }
+    }
+
+    /// A field of a built-in type: a part of a variable, or of a computed value.
+    fn part(&self, whole: &Value, base: Base) -> Value {
+        match whole.form {
+            Form::Computed => Value::computed(base),
+            _ => Value { base, form: Form::Indexed { of: Container::Element } },
+        }
+    }
+
+    fn user_field(&mut self, project: Project, base: Base, field: &SmolStr, range: TextRange) -> Value {
+        let fields = fields(self.db, project);
+        if let Some(item) = fields.get(field) {
+            return data_value(item);
+        }
+        let near = nearest(field, fields.keys().map(SmolStr::as_str));
+        let private = items(self.db, project).data.get(field).and_then(|item| declarations::data(self.db, item.file, field));
+        self.unknown_field(base, field, near, range, private)
+    }
+
+    fn unknown_field(
+        &mut self,
+        base: Base,
+        field: &SmolStr,
+        near: Option<SmolStr>,
+        range: TextRange,
+        private: Option<Place>,
+    ) -> Value {
+        let kind = ProblemKind::UnknownField { ty: self.show(base), field: field.clone(), near };
+        self.report_at(range, kind, private.map(|place| Related { place, role: Role::Declared }));
+        Value::UNKNOWN
+    }
+
+    /// `library:item` as a value.
+    pub(super) fn path(&mut self, id: ExprId, library: &SmolStr, item: &SmolStr) -> Value {
+        let Some(interface) = self.interface(id, library) else { return Value::UNKNOWN };
+        let items = items(self.db, interface);
+        match items.data.get(item) {
+            Some(found) if found.decl.public => data_value(found),
+            Some(found) => {
+                let place = declarations::data(self.db, found.file, item);
+                let kind = self.private_item(library, item, NameKind::Data);
+                self.report_with(id, kind, Role::Declared, place);
+                Value::UNKNOWN
+            }
+            None if items.programs.contains_key(item) => {
+                let name = self.text(id);
+                self.report(id, ProblemKind::NotAValue { name, is: NameKind::Program });
+                Value::UNKNOWN
+            }
+            None if items.lacks_data => Value::UNKNOWN,
+            None => {
+                let public = items.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name.as_str());
+                let near = nearest(item, public);
+                let (alias, item) = (library.clone(), item.clone());
+                let place = declarations::library(self.db, self.project, library);
+                let kind = ProblemKind::LibraryItemUnknown { alias, item, what: NameKind::Data, near };
+                self.report_with(id, kind, Role::Interface, place);
+                Value::UNKNOWN
+            }
+        }
+    }
+
+    pub(super) fn private_item(&self, library: &SmolStr, item: &SmolStr, what: NameKind) -> ProblemKind {
+        ProblemKind::LibraryItemPrivate { alias: library.clone(), item: item.clone(), what }
+    }
+
+    /// The interface behind a library identifier; `None` where it is not known, which is reported once.
+    pub(super) fn interface(&mut self, id: ExprId, library: &SmolStr) -> Option<Project> {
+        if let Some(found) = self.items.libraries.get(library) {
+            return found.interface;
+        }
+        let near = nearest(library, self.items.libraries.keys().map(SmolStr::as_str));
+        self.report(id, ProblemKind::UnknownLibrary { alias: library.clone(), near });
+        None
+    }
+}

@@ -1,0 +1,133 @@
+//! Choosing the form of a callee that the arguments suit, or saying which argument suits none.
+
+use smol_str::SmolStr;
+use val3_lang::instruction::Shape;
+
+use super::Infer;
+use super::fit::{Argument, Formal, Formals, Misfit};
+use crate::body::ExprId;
+use crate::problem::{Place, ProblemKind, Role};
+
+/// A callee with all its forms.
+pub(super) struct Callee<'a> {
+    /// As the code writes it.
+    pub(super) name: SmolStr,
+    pub(super) forms: Vec<Formals<'a>>,
+    /// Its syntax lines.
+    pub(super) lines: Vec<SmolStr>,
+    /// Where it is declared.
+    pub(super) declared: Option<Place>,
+}
+
+/// The argument that keeps a form from suiting.
+#[derive(Clone, Copy)]
+struct Miss<'a> {
+    position: usize,
+    formal: Formal<'a>,
+    misfit: Misfit,
+}
+
+impl Infer<'_> {
+    /// Matches the arguments against the forms; the index of the form that suits, or was most likely meant.
+    pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> Option<usize> {
+        let arguments: Vec<Argument> = args.iter().map(|id| self.argument(*id)).collect();
+        let candidates: Vec<(usize, Formals<'_>)> =
+            callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len()).collect();
+        if candidates.is_empty() {
+            self.literals_alone(&arguments);
+            self.argument_count(call, args.len(), callee);
+            return None;
+        }
+        let misses: Vec<(usize, Option<Miss<'_>>)> =
+            candidates.iter().map(|(index, form)| (*index, self.first_miss(&arguments, *form))).collect();
+        if let Some((index, _)) = misses.iter().find(|(_, miss)| miss.is_none()) {
+            self.literals(&arguments, callee.forms.get(*index).copied());
+            return Some(*index);
+        }
+        self.report_miss(&arguments, &misses, callee);
+        misses.first().map(|(index, _)| *index)
+    }
+
+    fn first_miss<'a>(&self, arguments: &[Argument], form: Formals<'a>) -> Option<Miss<'a>> {
+        arguments.iter().enumerate().find_map(|(position, argument)| {
+            let formal = form.get(position)?;
+            self.misfit(argument, formal).map(|misfit| Miss { position, formal, misfit })
+        })
+    }
+
+    /// Types the `{…}` among the arguments by the parameters they are for.
+    fn literals(&mut self, arguments: &[Argument], form: Option<Formals<'_>>) {
+        for (position, argument) in arguments.iter().enumerate() {
+            if argument.literal.is_some() {
+                let expected = form.and_then(|form| form.get(position)).and_then(|formal| formal.base);
+                self.expr_as(argument.id, expected);
+            }
+        }
+    }
+
+    /// Types what is between braces without knowing what the braces are for.
+    fn literals_alone(&mut self, arguments: &[Argument]) {
+        for argument in arguments.iter().filter(|argument| argument.literal.is_some()) {
+            self.expr_as(argument.id, Some(crate::ty::Base::Unknown));
+        }
+    }
+
+    fn argument_count(&mut self, call: ExprId, found: usize, callee: &Callee<'_>) {
+        let mut expected: Vec<usize> = callee.forms.iter().map(|form| form.len()).collect();
+        expected.sort_unstable();
+        expected.dedup();
+        let kind = ProblemKind::ArgumentCount {
+            callee: callee.name.clone(),
+            expected,
+            found,
+            forms: callee.lines.clone(),
+        };
+        self.report_with(call, kind, Role::Declared, callee.declared);
+    }
+
+    /// Reports the argument that stops the forms which suit furthest.
+    fn report_miss(&mut self, arguments: &[Argument], misses: &[(usize, Option<Miss<'_>>)], callee: &Callee<'_>) {
+        let furthest = misses.iter().filter_map(|(_, miss)| miss.as_ref()).map(|miss| miss.position).max();
+        let best: Vec<&Miss<'_>> =
+            misses.iter().filter_map(|(_, miss)| miss.as_ref()).filter(|miss| Some(miss.position) == furthest).collect();
+        // A wrong container or a constant says more than a wrong type of another form.
+        let chosen = best.iter().find(|miss| miss.misfit != Misfit::Type).or(best.first());
+        let Some(&&miss) = chosen else { return };
+        let others: Vec<Argument> =
+            arguments.iter().enumerate().filter(|(at, _)| *at != miss.position).map(|(_, other)| other.clone()).collect();
+        self.literals_alone(&others);
+        let Some(argument) = arguments.get(miss.position) else { return };
+        if argument.literal.is_some() && miss.misfit == Misfit::Type {
+            let expected = if best.len() == 1 { miss.formal.base } else { None };
+            self.expr_as(argument.id, expected);
+            return;
+        }
+        let mut expected: Vec<SmolStr> = best.iter().map(|miss| self.show_formal(miss.formal)).collect();
+        expected.dedup();
+        let kind = self.miss_kind(argument, miss, expected, callee);
+        self.report_with(argument.id, kind, Role::Declared, callee.declared);
+    }
+
+    fn miss_kind(&self, argument: &Argument, miss: Miss<'_>, expected: Vec<SmolStr>, callee: &Callee<'_>) -> ProblemKind {
+        let (name, parameter) = (callee.name.clone(), SmolStr::from(miss.formal.name));
+        let found = argument.value.ty().display(self.db);
+        let base = self.show(argument.value.base);
+        let text = self.text(argument.id);
+        match miss.misfit {
+            Misfit::Type if miss.formal.shape == Shape::Value || miss.formal.shape == Shape::Reference => {
+                ProblemKind::ArgumentType { callee: name, parameter, expected, found: base }
+            }
+            Misfit::Type => ProblemKind::ArgumentType { callee: name, parameter, expected, found },
+            Misfit::Arm => {
+                ProblemKind::WrongArm { found: base, expected: expected.first().cloned().unwrap_or_default() }
+            }
+            Misfit::Constant => ProblemKind::VariableExpected { callee: name, parameter },
+            Misfit::Container => {
+                let expected = expected.first().cloned().unwrap_or_default();
+                ProblemKind::ContainerMismatch { callee: name, parameter, expected, found }
+            }
+            Misfit::IndexMissing => ProblemKind::IndexMissing { name: text, ty: found },
+            Misfit::IndexNotAllowed => ProblemKind::IndexNotAllowed { name: text, ty: found, callee: Some(name) },
+        }
+    }
+}

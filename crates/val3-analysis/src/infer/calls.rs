@@ -1,0 +1,308 @@
+//! Calls of instructions and programs, and the creation of tasks.
+
+use rowan::TextRange;
+use smol_str::{SmolStr, format_smolstr};
+use val3_lang::add_on::AddOnOverload;
+use val3_lang::instruction::{Availability, Class, Instruction};
+use val3_lang::instructions;
+use val3_lang::types::BaseType;
+
+use super::Infer;
+use super::arguments::Callee;
+use super::fit::Formals;
+use super::value::Value;
+use crate::body::{Expr, ExprId};
+use crate::db::Project;
+use crate::items::declarations;
+use crate::items::project::{Signature, items, signature};
+use crate::near::nearest;
+use crate::problem::{NameKind, ProblemKind, Role};
+use crate::ty::{Base, Ty, brackets};
+
+/// What a call of an instruction comes to.
+struct Called {
+    /// `None` for no value.
+    result: Option<Base>,
+    class: Class,
+}
+
+impl Infer<'_> {
+    /// A call where its value is needed.
+    pub(super) fn call_value(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Value {
+        match self.call(id, callee, args) {
+            Some(Called { result: Some(base), .. }) => Value::computed(base),
+            Some(Called { result: None, .. }) => {
+                let callee = self.text(callee);
+                self.report(id, ProblemKind::NoValue { callee });
+                Value::UNKNOWN
+            }
+            None => Value::UNKNOWN,
+        }
+    }
+
+    /// A call alone on its line: it must act.
+    pub(super) fn instruction_stmt(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) {
+        if let Some(called) = self.call(id, callee, args) {
+            self.set_type(id, called.result.map_or(Ty::UNKNOWN, Ty::element));
+            if called.class == Class::Function {
+                self.report(id, ProblemKind::NoEffect);
+            }
+        }
+    }
+
+    /// Any call of an instruction; `None` where something is wrong with it.
+    fn call(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) -> Option<Called> {
+        match self.body.expr(callee) {
+            Expr::Name(name) => {
+                let name = name.clone();
+                self.instruction(id, callee, &name, None, args)
+            }
+            Expr::Path { library, item } => {
+                let (library, item) = (library.clone(), item.clone());
+                let known = self.items.libraries.contains_key(&library);
+                if !known {
+                    self.interface(callee, &library);
+                    self.arguments_alone(args);
+                    return None;
+                }
+                self.instruction(id, callee, &item, Some(&library), args)
+            }
+            _ => {
+                self.expr(callee);
+                self.arguments_alone(args);
+                None
+            }
+        }
+    }
+
+    fn arguments_alone(&mut self, args: &[ExprId]) {
+        for arg in args {
+            self.expr_as(*arg, Some(Base::Unknown));
+        }
+    }
+
+    fn instruction(
+        &mut self,
+        id: ExprId,
+        callee: ExprId,
+        name: &SmolStr,
+        library: Option<&SmolStr>,
+        args: &[ExprId],
+    ) -> Option<Called> {
+        if name.starts_with('$') {
+            return self.add_on_instruction(id, callee, name, library.is_some(), args);
+        }
+        let found = instructions::find(name)
+            .filter(|found| found.overloads.iter().any(|form| form.on_library == library.is_some()));
+        match found {
+            Some(instruction) => self.known_instruction(id, callee, instruction, library.is_some(), args),
+            None => {
+                self.arguments_alone(args);
+                self.unknown_instruction(callee, name, library);
+                None
+            }
+        }
+    }
+
+    fn known_instruction(
+        &mut self,
+        id: ExprId,
+        callee: ExprId,
+        instruction: &'static Instruction,
+        on_library: bool,
+        args: &[ExprId],
+    ) -> Option<Called> {
+        let forms: Vec<_> = instruction.overloads.iter().filter(|form| form.on_library == on_library).collect();
+        let lines = forms.iter().map(|form| form.signature(instruction.name).into()).collect();
+        let formals = forms.iter().map(|form| Formals::Instruction(form.params)).collect();
+        let name = self.text(callee);
+        let chosen = self.arguments(id, args, &Callee { name, forms: formals, lines, declared: None });
+        let form = chosen.and_then(|index| forms.get(index)).or_else(|| self.sole(&forms))?;
+        let result = form.result.map(|ty| Base::Builtin(ty, self.arm().filter(|_| ty.depends_on_arm())));
+        Some(Called { result, class: form.class })
+    }
+
+    /// The form whose result and class hold even though the arguments fit none.
+    fn sole<'f, T>(&self, forms: &'f [T]) -> Option<&'f T> {
+        forms.first().filter(|_| forms.len() == 1)
+    }
+
+    fn unknown_instruction(&mut self, callee: ExprId, name: &SmolStr, library: Option<&SmolStr>) {
+        let is = match library {
+            None if self.items.programs.contains_key(name) => Some(NameKind::Program),
+            None => self.variable_kind(name),
+            Some(library) => {
+                let interface = self.items.libraries.get(library).and_then(|item| item.interface);
+                let is_program = |project: Project| items(self.db, project).programs.contains_key(name);
+                interface.is_some_and(is_program).then_some(NameKind::Program)
+            }
+        };
+        let near = nearest(name, instructions::all().iter().map(|instruction| instruction.name));
+        let near = if is.is_some() { None } else { near };
+        self.report(callee, ProblemKind::UnknownInstruction { name: self.text(callee), near, is });
+    }
+
+    /// An instruction that only an add-on has: its table in the cell decides.
+    fn add_on_instruction(
+        &mut self,
+        id: ExprId,
+        callee: ExprId,
+        name: &SmolStr,
+        on_library: bool,
+        args: &[ExprId],
+    ) -> Option<Called> {
+        let db = self.db;
+        let tables = self.project.cell(db).map(|cell| cell.config(db).add_ons.as_slice()).unwrap_or_default();
+        let function = tables.iter().find_map(|table| table.find(name));
+        let Some(function) = function else {
+            self.arguments_alone(args);
+            let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
+                Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
+                _ => None,
+            });
+            self.report(callee, ProblemKind::MissingAddOn { name: name.clone(), add_on });
+            return None;
+        };
+        let forms: Vec<&AddOnOverload> =
+            function.overloads.iter().filter(|form| form.on_library == on_library).collect();
+        let lines = forms.iter().map(|form| add_on_line(name, form)).collect();
+        let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
+        let callee = Callee { name: self.text(callee), forms: formals, lines, declared: None };
+        let chosen = self.arguments(id, args, &callee);
+        let form = chosen.and_then(|index| forms.get(index)).or_else(|| self.sole(&forms))?;
+        let result = form.result.map(|ty| Base::Builtin(ty, self.arm().filter(|_| ty.depends_on_arm())));
+        Some(Called { result, class: form.class })
+    }
+
+    /// `call program(…)`
+    pub(super) fn call_stmt(&mut self, call: ExprId) {
+        let Expr::Call(callee, args) = self.body.expr(call) else { return };
+        match self.program(*callee) {
+            Some((project, file)) => {
+                let signature = signature(self.db, project, file);
+                let callee = Callee {
+                    name: self.text(*callee),
+                    forms: vec![Formals::Program(&signature.params)],
+                    lines: vec![self.syntax_line(signature)],
+                    declared: declarations::program(self.db, file),
+                };
+                self.arguments(call, args, &callee);
+            }
+            None => self.arguments_alone(args),
+        }
+    }
+
+    /// The program that is called; `None` where it is not known, which is reported.
+    fn program(&mut self, callee: ExprId) -> Option<(Project, crate::db::File)> {
+        match self.body.expr(callee) {
+            Expr::Name(name) => {
+                if let Some(file) = self.items.programs.get(name) {
+                    return Some((self.project, *file));
+                }
+                if self.items.may_have_program(name) {
+                    return None;
+                }
+                let is = self.variable_kind(name).or_else(|| instructions::find(name).map(|_| NameKind::Instruction));
+                let near = nearest(name, self.items.programs.keys().map(SmolStr::as_str));
+                let near = if is.is_some() { None } else { near };
+                self.report(callee, ProblemKind::UnknownProgram { name: name.clone(), near, is });
+                None
+            }
+            Expr::Path { library, item } => self.library_program(callee, &library.clone(), &item.clone()),
+            _ => None,
+        }
+    }
+
+    fn library_program(&mut self, id: ExprId, library: &SmolStr, item: &SmolStr) -> Option<(Project, crate::db::File)> {
+        let interface = self.interface(id, library)?;
+        let items = items(self.db, interface);
+        let programs = &items.programs;
+        match programs.get(item) {
+            None if items.may_have_program(item) => None,
+            Some(file) if signature(self.db, interface, *file).public => Some((interface, *file)),
+            Some(file) => {
+                let place = declarations::program(self.db, *file);
+                let kind = self.private_item(library, item, NameKind::Program);
+                self.report_with(id, kind, Role::Declared, place);
+                None
+            }
+            None => {
+                let near = nearest(item, programs.keys().map(SmolStr::as_str));
+                let kind = ProblemKind::LibraryItemUnknown {
+                    alias: library.clone(),
+                    item: item.clone(),
+                    what: NameKind::Program,
+                    near,
+                };
+                let place = declarations::library(self.db, self.project, library);
+                self.report_with(id, kind, Role::Interface, place);
+                None
+            }
+        }
+    }
+
+    /// `pick(num x_nCount, string& x_sName)`
+    fn syntax_line(&self, signature: &Signature) -> SmolStr {
+        syntax_line(self.db, signature)
+    }
+
+    /// `taskCreate name, priority, program(…)` and `taskCreateSync name, period, overrun, program(…)` (5.10).
+    pub(super) fn task_create(&mut self, range: TextRange, synchronous: bool, arguments: &[ExprId]) {
+        let (name, wanted): (_, &[_]) = if synchronous {
+            ("taskCreateSync", &[("sName", BaseType::String), ("nPeriod", BaseType::Num), ("bOverrun", BaseType::Bool)])
+        } else {
+            ("taskCreate", &[("sName", BaseType::String), ("nPriority", BaseType::Num)])
+        };
+        for (&id, &(parameter, ty)) in arguments.iter().zip(wanted) {
+            self.task_argument(name, id, parameter, ty);
+        }
+        let Some(&call) = arguments.get(wanted.len()) else { return };
+        if matches!(self.body.expr(call), Expr::Call(..)) {
+            return self.call_stmt(call);
+        }
+        self.expr_as(call, Some(Base::Unknown));
+        if !self.problems.iter().any(|problem| range.contains_range(problem.place.range)) {
+            let expected = vec![SmolStr::new_static("program(…)")];
+            let found = SmolStr::new_static("value");
+            let kind = ProblemKind::ArgumentType { callee: name.into(), parameter: "program".into(), expected, found };
+            self.report(call, kind);
+        }
+    }
+
+    fn task_argument(&mut self, callee: &'static str, id: ExprId, parameter: &'static str, ty: BaseType) {
+        let value = self.expr_as(id, Some(Base::of(ty)));
+        let (callee, parameter) = (SmolStr::new_static(callee), SmolStr::new_static(parameter));
+        if value.lacks_index() {
+            self.index_missing(id, &value);
+        } else if !value.base.same_as(Base::of(ty)) {
+            let (expected, found) = (vec![ty.name().into()], self.show(value.base));
+            self.report(id, ProblemKind::ArgumentType { callee, parameter, expected, found });
+        } else if ty == BaseType::Bool && !value.is_variable() {
+            self.report(id, ProblemKind::VariableExpected { callee, parameter });
+        }
+    }
+}
+
+/// `num $fileOpen(string s1, num& n2[])`
+fn add_on_line(name: &str, form: &AddOnOverload) -> SmolStr {
+    let params: Vec<String> = form.params.iter().map(|param| {
+        let ty = param.ty.map_or("any type", BaseType::name);
+        let reference = if param.shape.is_by_reference() { "&" } else { "" };
+        format!("{ty}{reference} {}", param.name)
+    }).collect();
+    let result = form.result.map_or("void", BaseType::name);
+    format_smolstr!("{result} {name}({})", params.join(", "))
+}
+
+/// A program as a programmer writes its head: `pick(num x_nCount, string& x_sName[])`.
+pub(crate) fn syntax_line(db: &dyn crate::db::Db, signature: &Signature) -> SmolStr {
+    let params: Vec<String> = signature
+        .params
+        .iter()
+        .map(|param| {
+            let reference = if param.by_reference { "&" } else { "" };
+            format!("{}{reference} {}{}", param.base.display(db), param.name, brackets(param.container))
+        })
+        .collect();
+    format_smolstr!("{}({})", signature.name, params.join(", "))
+}

@@ -1,0 +1,190 @@
+//! Expressions: each has one function, which yields its value and reports what does not fit.
+
+use smol_str::SmolStr;
+use val3_lang::operators::{self, BinaryOp, UnaryOp};
+use val3_lang::types::BaseType;
+
+use super::Infer;
+use super::value::Value;
+use crate::body::{Expr, ExprId};
+use crate::problem::ProblemKind;
+use crate::ty::Base;
+
+/// The longest string, in bytes of UTF-8 (3.4.1).
+const STRING_LIMIT: usize = 128;
+
+impl<'db> Infer<'db> {
+    /// The value of an expression whose type nothing around it tells.
+    pub(super) fn expr(&mut self, id: ExprId) -> Value {
+        self.expr_as(id, None)
+    }
+
+    /// The value of an expression where `expected` is needed: `{…}` takes its type from there.
+    pub(super) fn expr_as(&mut self, id: ExprId, expected: Option<Base>) -> Value {
+        let body = self.body;
+        let value = match body.expr(id) {
+            Expr::Missing => Value::UNKNOWN,
+            Expr::Number(_) => Value::of(BaseType::Num),
+            Expr::Bool(_) => Value::of(BaseType::Bool),
+            Expr::String(text) => self.string(id, text),
+            Expr::Name(name) => self.name(id, name),
+            Expr::Path { library, item } => self.path(id, library, item),
+            Expr::Paren(inner) => Value::computed(self.element_as(*inner, expected)),
+            Expr::Unary(op, operand) => self.unary(id, *op, *operand),
+            Expr::Binary(op, left, right) => self.binary(id, *op, *left, *right),
+            Expr::Assign(target, value) => Value::computed(self.assign(*target, *value)),
+            Expr::Index(base, indexes) => self.index(*base, indexes),
+            Expr::Field { base, field, range } => self.field(*base, field, *range),
+            Expr::Call(callee, args) => self.call_value(id, *callee, args),
+            Expr::Struct(values) => self.literal(id, values, expected),
+        };
+        self.set_type(id, value.ty());
+        value
+    }
+
+    /// The type of an expression that is read as one value.
+    pub(super) fn element(&mut self, id: ExprId) -> Base {
+        self.element_as(id, None)
+    }
+
+    /// As [`Infer::element`], with the type that is needed.
+    pub(super) fn element_as(&mut self, id: ExprId, expected: Option<Base>) -> Base {
+        let value = self.expr_as(id, expected);
+        if value.lacks_index() {
+            self.index_missing(id, &value);
+            return Base::Unknown;
+        }
+        value.base
+    }
+
+    pub(super) fn index_missing(&mut self, id: ExprId, value: &Value) {
+        let name = self.text(id);
+        let declared = self.declared(value, &name);
+        let ty = value.ty().display(self.db);
+        self.report_with(id, ProblemKind::IndexMissing { name, ty }, crate::problem::Role::Declared, declared);
+    }
+
+    fn string(&mut self, id: ExprId, text: &str) -> Value {
+        if text.len() > STRING_LIMIT {
+            self.report(id, ProblemKind::StringTooLong { bytes: text.len() });
+        }
+        Value::of(BaseType::String)
+    }
+
+    fn unary(&mut self, id: ExprId, op: UnaryOp, operand: ExprId) -> Value {
+        let base = self.element(operand);
+        match base {
+            Base::Unknown => Value::UNKNOWN,
+            Base::Builtin(ty, arm) if operators::unary(op, ty).is_some() => {
+                let result = operators::unary(op, ty).map_or(Base::Unknown, |ty| Base::Builtin(ty, arm));
+                Value::computed(result)
+            }
+            _ => {
+                let (op, right) = (SmolStr::new_static(op.symbol()), self.show(base));
+                self.report(id, ProblemKind::OperatorType { op, left: None, right });
+                Value::UNKNOWN
+            }
+        }
+    }
+
+    fn binary(&mut self, id: ExprId, op: BinaryOp, left: ExprId, right: ExprId) -> Value {
+        let (left_base, right_base) = self.operands(left, right);
+        let result = match (left_base, right_base) {
+            (Base::Unknown, _) | (_, Base::Unknown) => return unknown_result(op),
+            (Base::Builtin(a, arm), Base::Builtin(b, _)) if a != b || left_base.same_as(right_base) => {
+                operators::binary(op, a, b).map(|ty| Base::Builtin(ty, arm.filter(|_| ty.depends_on_arm())))
+            }
+            // Whether user types can be compared, no source tells.
+            (Base::User(a), Base::User(b)) if a == b && is_equality(op) => Some(Base::of(BaseType::Bool)),
+            _ => None,
+        };
+        if let Some(base) = result {
+            return Value::computed(base);
+        }
+        let (found_left, found_right) = (self.show(left_base), self.show(right_base));
+        let op_text = SmolStr::new_static(op.symbol());
+        self.report(id, ProblemKind::OperatorType { op: op_text, left: Some(found_left), right: found_right });
+        unknown_result(op)
+    }
+
+    /// The types of two operands; `{…}` on one side takes the type of the other.
+    fn operands(&mut self, left: ExprId, right: ExprId) -> (Base, Base) {
+        if self.is_literal(left) {
+            let right = self.element(right);
+            return (self.element_as(left, Some(right)), right);
+        }
+        let left = self.element(left);
+        let expected = if self.is_literal(right) { Some(left) } else { None };
+        (left, self.element_as(right, expected))
+    }
+
+    /// The expression is `{…}`.
+    pub(super) fn is_literal(&self, id: ExprId) -> bool {
+        matches!(self.body.expr(self.body.peel(id)), Expr::Struct(_))
+    }
+
+    /// `target = value`; the type of the value.
+    pub(super) fn assign(&mut self, target: ExprId, value: ExprId) -> Base {
+        let place = self.expr(target);
+        if !place.is_variable() {
+            self.element(value);
+            self.report(target, ProblemKind::NotAssignable);
+            return place.base;
+        }
+        if place.lacks_index() {
+            self.index_missing(target, &place);
+            self.element(value);
+            return Base::Unknown;
+        }
+        let base = self.element_as(value, Some(place.base));
+        if !self.assignable(place.base, base) {
+            let (target, found) = (self.show(place.base), self.show(base));
+            let kind = match (place.base, base) {
+                (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => {
+                    ProblemKind::WrongArm { found, expected: target }
+                }
+                _ => ProblemKind::AssignmentType { target, value: found },
+            };
+            self.report(value, kind);
+        }
+        place.base
+    }
+
+    /// A value of type `value` may be assigned to a variable of type `target`.
+    pub(super) fn assignable(&self, target: Base, value: Base) -> bool {
+        match (target, value) {
+            (Base::Unknown, _) | (_, Base::Unknown) => true,
+            (Base::Builtin(BaseType::Dio, _), Base::Builtin(BaseType::Dio, _)) => {
+                self.items.version.assigns_dio_to_dio()
+            }
+            (Base::Builtin(a, _), Base::Builtin(b, _)) if a != b => operators::assignment(a, b),
+            (Base::Builtin(a, _), Base::Builtin(b, _)) if !operators::assignment(a, b) => false,
+            _ => target.same_as(value),
+        }
+    }
+
+    /// A variable as the code writes it, without indexes.
+    pub(super) fn text(&self, id: ExprId) -> SmolStr {
+        match self.body.expr(id) {
+            Expr::Name(name) => name.clone(),
+            Expr::Path { library, item } => smol_str::format_smolstr!("{library}:{item}"),
+            Expr::Field { base, field, .. } => smol_str::format_smolstr!("{}.{field}", self.text(*base)),
+            Expr::Index(base, _) | Expr::Paren(base) | Expr::Call(base, _) => self.text(*base),
+            _ => SmolStr::default(),
+        }
+    }
+}
+
+fn is_equality(op: BinaryOp) -> bool {
+    matches!(op, BinaryOp::Equal | BinaryOp::NotEqual)
+}
+
+/// What an operator yields where an operand is not known: comparisons and logic always yield `bool`.
+fn unknown_result(op: BinaryOp) -> Value {
+    match op {
+        BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Remainder => {
+            Value::UNKNOWN
+        }
+        _ => Value::of(BaseType::Bool),
+    }
+}

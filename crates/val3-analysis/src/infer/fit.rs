@@ -1,0 +1,195 @@
+//! Whether an argument suits a parameter (2.6).
+
+use smol_str::{SmolStr, format_smolstr};
+use val3_lang::add_on::AddOnParam;
+use val3_lang::instruction::Shape;
+use val3_lang::operators;
+use val3_lang::types::Container;
+
+use super::Infer;
+use super::value::{Form, Value};
+use crate::body::{Expr, ExprId};
+use crate::items::project::Param;
+use crate::ty::{Base, brackets};
+
+/// A parameter of an instruction, an add-on instruction or a program.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Formal<'a> {
+    pub(super) name: &'a str,
+    /// `None` takes any type.
+    pub(super) base: Option<Base>,
+    pub(super) shape: Shape,
+    /// A parameter of the old dialect, which does not tell an element by reference from an array.
+    pub(super) loose: bool,
+}
+
+/// The parameters of one form of a callee.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Formals<'a> {
+    Instruction(&'a [val3_lang::instruction::Param]),
+    AddOn(&'a [AddOnParam]),
+    Program(&'a [Param]),
+}
+
+impl<'a> Formals<'a> {
+    pub(super) fn len(self) -> usize {
+        match self {
+            Self::Instruction(params) => params.len(),
+            Self::AddOn(params) => params.len(),
+            Self::Program(params) => params.len(),
+        }
+    }
+
+    pub(super) fn get(self, index: usize) -> Option<Formal<'a>> {
+        match self {
+            Self::Instruction(params) => params.get(index).map(|param| Formal {
+                name: param.name,
+                base: param.ty.map(Base::of),
+                shape: param.shape,
+                loose: false,
+            }),
+            Self::AddOn(params) => params.get(index).map(|param| Formal {
+                name: &param.name,
+                base: param.ty.map(Base::of),
+                shape: param.shape,
+                loose: false,
+            }),
+            Self::Program(params) => params.get(index).map(of_program),
+        }
+    }
+}
+
+fn of_program(param: &Param) -> Formal<'_> {
+    let shape = match param.container {
+        Container::Element if param.by_reference => Shape::Reference,
+        Container::Element => Shape::Value,
+        Container::Array { dims } => Shape::Array { dims },
+        Container::Collection => Shape::Collection,
+    };
+    Formal { name: &param.name, base: Some(param.base), shape, loose: param.loose }
+}
+
+/// An argument, looked at once and matched against every form.
+#[derive(Debug, Clone)]
+pub(super) struct Argument {
+    pub(super) id: ExprId,
+    /// The number of values of a `{…}`, whose type depends on the parameter.
+    pub(super) literal: Option<usize>,
+    pub(super) value: Value,
+}
+
+/// Why an argument does not suit a parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Misfit {
+    Type,
+    /// A position of another arm.
+    Arm,
+    /// A variable is needed.
+    Constant,
+    /// Another container is needed.
+    Container,
+    /// The index or key is missing.
+    IndexMissing,
+    /// The whole container is needed.
+    IndexNotAllowed,
+}
+
+impl Infer<'_> {
+    /// Looks at an argument; `{…}` waits for the parameter it is for.
+    pub(super) fn argument(&mut self, id: ExprId) -> Argument {
+        if let Expr::Struct(values) = self.body.expr(self.body.peel(id)) {
+            return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
+        }
+        Argument { id, literal: None, value: self.expr(id) }
+    }
+
+    /// What keeps `argument` from suiting `formal`.
+    pub(super) fn misfit(&self, argument: &Argument, formal: Formal<'_>) -> Option<Misfit> {
+        if let Some(values) = argument.literal {
+            return self.literal_misfit(values, formal);
+        }
+        let value = &argument.value;
+        if value.is_unknown() {
+            return None;
+        }
+        if formal.shape != Shape::Value && !value.is_variable() {
+            return Some(self.type_misfit(value, formal).unwrap_or(Misfit::Constant));
+        }
+        self.container_misfit(value, formal).or_else(|| self.type_misfit(value, formal))
+    }
+
+    fn literal_misfit(&self, values: usize, formal: Formal<'_>) -> Option<Misfit> {
+        match formal.base {
+            Some(base) if !self.literal_suits(values, base) => Some(Misfit::Type),
+            _ if formal.shape != Shape::Value => Some(Misfit::Constant),
+            Some(_) => None,
+            None => Some(Misfit::Type),
+        }
+    }
+
+    fn type_misfit(&self, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
+        let base = formal.base?;
+        if base.same_as(value.base) {
+            return None;
+        }
+        match (base, value.base) {
+            (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => Some(Misfit::Arm),
+            // The state of an input is read where a truth value is needed.
+            (Base::Builtin(a, _), Base::Builtin(b, _))
+                if formal.shape == Shape::Value && operators::reads_as_bool(a) && operators::reads_as_bool(b) =>
+            {
+                (a == val3_lang::types::BaseType::Dio).then_some(Misfit::Type)
+            }
+            _ => Some(Misfit::Type),
+        }
+    }
+
+    fn container_misfit(&self, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
+        let container = value.container();
+        match formal.shape {
+            Shape::Value | Shape::Reference => value.lacks_index().then_some(Misfit::IndexMissing),
+            Shape::Array { dims: 1 } if formal.loose => value.lacks_index().then_some(Misfit::Container),
+            Shape::Array { dims: 1 } => match (&value.form, container) {
+                (Form::Indexed { of: Container::Array { dims: 2.. } }, _) => Some(Misfit::Container),
+                (_, Container::Array { dims: 2.. } | Container::Collection) => Some(Misfit::Container),
+                _ => None,
+            },
+            Shape::Array { .. } => whole(value, formal.shape, |found| Shape::Array { dims: dims(found) } == formal.shape),
+            Shape::Collection => whole(value, formal.shape, |found| found == Container::Collection),
+            Shape::Whole => match &value.form {
+                Form::Indexed { of: Container::Array { dims: 2.. } | Container::Collection } => Some(Misfit::IndexNotAllowed),
+                _ => None,
+            },
+            Shape::Slot | Shape::ProgramCall => None,
+        }
+    }
+
+    /// The parameter's type as a programmer writes it.
+    pub(super) fn show_formal(&self, formal: Formal<'_>) -> SmolStr {
+        let base = formal.base.map_or(SmolStr::new_static("any type"), |base| self.show(base));
+        let container = match formal.shape {
+            Shape::Array { dims } => Container::Array { dims },
+            Shape::Collection => Container::Collection,
+            _ => Container::Element,
+        };
+        format_smolstr!("{base}{}", brackets(container))
+    }
+}
+
+fn dims(container: Container) -> u8 {
+    match container {
+        Container::Array { dims } => dims,
+        Container::Element | Container::Collection => 0,
+    }
+}
+
+/// A container passed as a whole: named without an index (2.6.3).
+fn whole(value: &Value, shape: Shape, suits: impl Fn(Container) -> bool) -> Option<Misfit> {
+    match &value.form {
+        Form::Indexed { of } if suits(*of) => Some(Misfit::IndexNotAllowed),
+        Form::Whole(variable) if suits(variable.container) => None,
+        // In the old dialect an array of several dimensions looks like any other.
+        Form::Whole(variable) if variable.loose && shape != Shape::Collection => None,
+        _ => Some(Misfit::Container),
+    }
+}

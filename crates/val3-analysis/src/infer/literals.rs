@@ -1,0 +1,78 @@
+//! `{…}`: the values of a structure, which takes its type from where it stands (2.4.2).
+
+use val3_lang::types::{self, BaseType};
+
+use super::Infer;
+use super::value::Value;
+use crate::body::ExprId;
+use crate::problem::ProblemKind;
+use crate::ty::Base;
+
+impl Infer<'_> {
+    /// `{values}` where `expected` is needed.
+    pub(super) fn literal(&mut self, id: ExprId, values: &[Option<ExprId>], expected: Option<Base>) -> Value {
+        let fields = match expected {
+            Some(Base::Builtin(ty, arm)) => types::fields(ty, arm.or(self.arm())),
+            _ => &[],
+        };
+        match expected {
+            Some(base @ Base::Builtin(ty, _)) if !fields.is_empty() => {
+                self.fields_of(id, base, ty, fields, values);
+                Value::computed(base)
+            }
+            Some(base @ (Base::User(_) | Base::Unknown)) => {
+                self.inner_values(values);
+                Value::computed(base)
+            }
+            other => {
+                self.inner_values(values);
+                let expected = other.map(|base| self.show(base));
+                self.report(id, ProblemKind::LiteralWithoutType { expected });
+                Value::UNKNOWN
+            }
+        }
+    }
+
+    /// The values are looked at for their own faults only.
+    fn inner_values(&mut self, values: &[Option<ExprId>]) {
+        for value in values.iter().flatten() {
+            self.element_as(*value, Some(Base::Unknown));
+        }
+    }
+
+    fn fields_of(
+        &mut self,
+        id: ExprId,
+        base: Base,
+        ty: BaseType,
+        fields: &[types::Field],
+        values: &[Option<ExprId>],
+    ) {
+        if values.len() > fields.len() {
+            self.inner_values(values);
+            let (expected, found) = (fields.len(), values.len());
+            return self.report(id, ProblemKind::LiteralFieldCount { ty: self.show(base), expected, found });
+        }
+        for (field, value) in fields.iter().zip(values) {
+            let Some(value) = *value else { continue };
+            let wanted = Base::of(field.ty);
+            let found = self.element_as(value, Some(wanted));
+            if !self.assignable(wanted, found) {
+                let (expected, found) = (self.show(wanted), self.show(found));
+                let ty = ty.name().into();
+                self.report(value, ProblemKind::LiteralFieldType { ty, field: field.name.into(), expected, found });
+            }
+        }
+    }
+
+    /// `{values}` could be a value of `base`, as far as the number of its values tells.
+    pub(super) fn literal_suits(&self, values: usize, base: Base) -> bool {
+        match base {
+            Base::Unknown | Base::User(_) => true,
+            Base::Builtin(ty, arm) => {
+                let fields = types::fields(ty, arm.or(self.arm())).len();
+                fields > 0 && values <= fields
+            }
+        }
+    }
+}

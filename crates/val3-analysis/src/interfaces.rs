@@ -1,0 +1,121 @@
+//! Libraries against the interfaces they are loaded under (6.2, 6.3, 6.6).
+//!
+//! An identifier names an interface. Any library may be loaded under it, as long as what the program uses of the
+//! interface is there, public, and of the same kind.
+
+mod compare;
+mod usage;
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+
+use crate::db::{Db, File, Project};
+use crate::items::declarations;
+use crate::items::project::{find_project, folder, items, program_files};
+use crate::paths::{self, Target};
+use crate::problem::{Place, Problem, ProblemKind};
+
+pub use usage::{Load, LoadedPath, Uses, uses};
+
+/// What is wrong with the libraries of a project.
+pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
+    let items = items(db, project);
+    if items.libraries.is_empty() {
+        return Vec::new();
+    }
+    let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
+    let mut check = Interfaces { db, project, programs, problems: Vec::new() };
+    let mut aliases: Vec<&SmolStr> = items.libraries.keys().collect();
+    aliases.sort_unstable();
+    for alias in aliases {
+        check.never_loaded(alias);
+        check.loads(alias);
+    }
+    check.problems
+}
+
+struct Interfaces<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    programs: Vec<(File, &'db Uses)>,
+    problems: Vec<Problem>,
+}
+
+impl Interfaces<'_> {
+    /// An identifier that is used, is not loaded with the application, and is loaded by no program.
+    fn never_loaded(&mut self, alias: &SmolStr) {
+        let autoload = items(self.db, self.project).libraries.get(alias).is_none_or(|item| item.autoload);
+        let loaded = self.programs.iter().any(|(_, uses)| uses.loads.iter().any(|load| load.alias == *alias));
+        let used = self.programs.iter().any(|(_, uses)| uses.items.iter().any(|(used, _)| used == alias));
+        if autoload || loaded || !used {
+            return;
+        }
+        if let Some(place) = declarations::library(self.db, self.project, alias) {
+            let kind = ProblemKind::LibraryNeverLoaded { alias: alias.clone() };
+            self.problems.push(Problem { kind, place, related: Vec::new() });
+        }
+    }
+
+    /// Every library that a program loads under the identifier by a path it spells out.
+    fn loads(&mut self, alias: &SmolStr) {
+        let mut compared = FxHashSet::default();
+        let loads: Vec<(File, Load)> = self
+            .programs
+            .iter()
+            .flat_map(|(file, uses)| uses.loads.iter().map(|load| (*file, load.clone())))
+            .filter(|(_, load)| load.alias == *alias)
+            .collect();
+        for (file, load) in loads {
+            let place = Place { file, range: load.range };
+            for library in self.candidates(place, &load.path) {
+                if compared.insert(library) {
+                    self.compare(alias, library, place);
+                }
+            }
+        }
+    }
+
+    fn candidates(&mut self, place: Place, path: &LoadedPath) -> Vec<Project> {
+        let db = self.db;
+        match path {
+            LoadedPath::Unknown => Vec::new(),
+            LoadedPath::Prefix(prefix) => self.projects_from(prefix),
+            LoadedPath::Whole(path) => {
+                if let Some(found) = find_project(db, self.project, path) {
+                    return vec![found];
+                }
+                let target = paths::project(folder(db, self.project), self.project.disk(db).as_deref(), path);
+                if target != Target::Elsewhere {
+                    let kind = ProblemKind::LibLoadPath { path: path.clone() };
+                    self.problems.push(Problem { kind, place, related: Vec::new() });
+                }
+                Vec::new()
+            }
+        }
+    }
+
+    /// The projects whose folder begins as the code says: `"Disk://parts/part" + sName`.
+    fn projects_from(&self, prefix: &str) -> Vec<Project> {
+        let db = self.db;
+        let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
+        let disk = self.project.disk(db).as_deref();
+        let Target::Path(probe) = paths::project(folder(db, self.project), disk, &format!("{start}/x.pjx")) else {
+            return Vec::new();
+        };
+        let start = probe.parent().map(|start| start.as_str().to_lowercase()).unwrap_or_default();
+        let partial = partial.to_lowercase();
+        let sources = crate::db::Sources::get(db);
+        let mut found: Vec<(&String, Project)> = sources
+            .projects(db)
+            .iter()
+            .filter(|(key, _)| {
+                let rest = key.strip_prefix(&start).and_then(|rest| rest.strip_prefix('/'));
+                // `partbox/partbox.pjx`: the folder itself, no deeper one.
+                rest.is_some_and(|rest| rest.starts_with(&partial) && rest.matches('/').count() == 1)
+            })
+            .map(|(key, project)| (key, *project))
+            .collect();
+        found.sort_unstable_by_key(|(key, _)| *key);
+        found.into_iter().map(|(_, project)| project).collect()
+    }
+}

@@ -1,0 +1,158 @@
+//! One library against one interface.
+
+use smol_str::{SmolStr, format_smolstr};
+
+use super::Interfaces;
+use crate::db::Project;
+use crate::infer::calls::syntax_line;
+use crate::items::declarations;
+use crate::items::project::{DataItem, Items, Signature, items, signature};
+use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::ty::brackets;
+
+/// An item of an interface, and where its counterpart is looked for.
+struct Pair<'a> {
+    alias: &'a SmolStr,
+    library: &'a SmolStr,
+    item: &'a SmolStr,
+    what: NameKind,
+    /// Where the library is loaded.
+    load: Place,
+    /// Where the interface declares the item.
+    interface: Option<Place>,
+}
+
+impl Interfaces<'_> {
+    /// Reports what `library` lacks of the interface of `alias`; `load` is where it is loaded.
+    pub(super) fn compare(&mut self, alias: &SmolStr, library: Project, load: Place) {
+        let db = self.db;
+        let interface = items(db, self.project).libraries.get(alias).and_then(|item| item.interface);
+        let Some(interface) = interface.filter(|interface| *interface != library) else { return };
+        let (wanted, offered) = (items(db, interface), items(db, library));
+        let library_name: SmolStr = library.manifest(db).path(db).file_stem().unwrap_or("").into();
+        for item in self.needed(alias) {
+            let pair = |what, interface| Pair { alias, library: &library_name, item: &item, what, load, interface };
+            if let Some(data) = wanted.data.get(&item).filter(|data| data.decl.public) {
+                let place = declarations::data(db, data.file, &item);
+                self.data(&pair(NameKind::Data, place), data, offered);
+            } else if let Some(&file) = wanted.programs.get(&item) {
+                let signature = signature(db, interface, file);
+                if signature.public {
+                    let place = declarations::program(db, file);
+                    self.program(&pair(NameKind::Program, place), signature, library, offered);
+                }
+            }
+        }
+    }
+
+    /// The items that programs use without testing beforehand whether they are there. A library that lacks others
+    /// is loaded; the controller only says so with code 11.
+    fn needed(&self, alias: &SmolStr) -> Vec<SmolStr> {
+        let guarded = |item: &SmolStr| {
+            self.programs.iter().any(|(_, uses)| uses.guarded.contains(&(alias.clone(), item.clone())))
+        };
+        let used = self.programs.iter().flat_map(|(_, uses)| &uses.items);
+        let mut needed: Vec<SmolStr> = used
+            .filter(|(library, item)| library == alias && !guarded(item))
+            .map(|(_, item)| item.clone())
+            .collect();
+        needed.sort_unstable();
+        needed.dedup();
+        needed
+    }
+
+    fn data(&mut self, pair: &Pair<'_>, wanted: &DataItem, offered: &Items) {
+        let Some(found) = offered.data.get(pair.item) else {
+            if !offered.lacks_data {
+                self.missing(pair);
+            }
+            return;
+        };
+        let there = declarations::data(self.db, found.file, pair.item);
+        // Sizes may differ: instructions change them.
+        let same = wanted.base.same_as(found.base) && wanted.decl.container == found.decl.container;
+        if !found.decl.public {
+            self.private(pair, there);
+        } else if !same {
+            self.different(pair, data_line(wanted, pair.item), data_line(found, pair.item), there);
+        }
+    }
+
+    fn program(&mut self, pair: &Pair<'_>, wanted: &Signature, library: Project, offered: &Items) {
+        let db = self.db;
+        let Some(&file) = offered.programs.get(pair.item) else {
+            if !offered.may_have_program(pair.item) {
+                self.missing(pair);
+            }
+            return;
+        };
+        let found = signature(db, library, file);
+        let there = declarations::program(db, file);
+        if !found.public {
+            self.private(pair, there);
+        } else if !same_parameters(wanted, found) {
+            self.different(pair, syntax_line(db, wanted), syntax_line(db, found), there);
+        }
+    }
+
+    fn missing(&mut self, pair: &Pair<'_>) {
+        let kind = ProblemKind::ImplementationMissing {
+            alias: pair.alias.clone(),
+            library: pair.library.clone(),
+            item: pair.item.clone(),
+            what: pair.what,
+        };
+        self.push(kind, pair, None);
+    }
+
+    fn private(&mut self, pair: &Pair<'_>, there: Option<Place>) {
+        let kind = ProblemKind::ImplementationPrivate {
+            alias: pair.alias.clone(),
+            library: pair.library.clone(),
+            item: pair.item.clone(),
+            what: pair.what,
+        };
+        self.push(kind, pair, there);
+    }
+
+    fn different(&mut self, pair: &Pair<'_>, expected: SmolStr, found: SmolStr, there: Option<Place>) {
+        let kind = ProblemKind::ImplementationDifferent {
+            alias: pair.alias.clone(),
+            library: pair.library.clone(),
+            item: pair.item.clone(),
+            what: pair.what,
+            expected,
+            found,
+        };
+        self.push(kind, pair, there);
+    }
+
+    fn push(&mut self, kind: ProblemKind, pair: &Pair<'_>, there: Option<Place>) {
+        let interface = pair.interface.map(|place| Related { place, role: Role::Interface });
+        let there = there.map(|place| Related { place, role: Role::Implementation });
+        let related = interface.into_iter().chain(there).collect();
+        self.problems.push(Problem { kind, place: pair.load, related });
+    }
+}
+
+/// Names may differ; types, containers and passing may not.
+fn same_parameters(wanted: &Signature, found: &Signature) -> bool {
+    wanted.params.len() == found.params.len()
+        && wanted.params.iter().zip(&found.params).all(|(a, b)| {
+            let same_passing = a.container == b.container && a.by_reference == b.by_reference;
+            a.base.same_as(b.base) && (a.loose || b.loose || same_passing)
+        })
+}
+
+/// `num nSize[3]`
+fn data_line(item: &DataItem, name: &str) -> SmolStr {
+    let ty = &item.decl.type_name;
+    match item.decl.sizes.as_slice() {
+        [1] => format_smolstr!("{ty} {name}"),
+        [] => format_smolstr!("{ty} {name}{}", brackets(item.decl.container)),
+        sizes => {
+            let sizes: Vec<String> = sizes.iter().map(u32::to_string).collect();
+            format_smolstr!("{ty} {name}[{}]", sizes.join(", "))
+        }
+    }
+}

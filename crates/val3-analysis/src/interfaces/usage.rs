@@ -1,0 +1,103 @@
+//! What a program does with library identifiers.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_lang::instructions;
+use val3_lang::operators::BinaryOp;
+use val3_syntax::TextRange;
+
+use crate::body::{Body, Expr, ExprId, body};
+use crate::db::{Db, File};
+
+/// The items of libraries that a program uses, and the libraries it loads.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Uses {
+    /// Identifier and item of every `library:item`, instructions on the identifier left out.
+    pub items: FxHashSet<(SmolStr, SmolStr)>,
+    /// Items that a test guards: `isDefined(library:item)`, `library:libExist("item")`.
+    pub guarded: FxHashSet<(SmolStr, SmolStr)>,
+    /// Every `library:libLoad(…)`.
+    pub loads: Vec<Load>,
+}
+
+/// A `library:libLoad(…)`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Load {
+    /// The identifier.
+    pub alias: SmolStr,
+    /// What is known of the path.
+    pub path: LoadedPath,
+    /// Where the path stands.
+    pub range: TextRange,
+}
+
+/// What the code tells about the path of a library.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum LoadedPath {
+    /// All of it.
+    Whole(SmolStr),
+    /// How it begins.
+    Prefix(SmolStr),
+    /// Nothing.
+    Unknown,
+}
+
+/// What the program in `file` does with library identifiers.
+#[salsa::tracked]
+pub fn uses(db: &dyn Db, file: File) -> Uses {
+    let body = body(db, file);
+    let mut uses = Uses::default();
+    for (_, expr, _) in body.exprs() {
+        match expr {
+            Expr::Path { library, item } if instructions::find(item).is_none() => {
+                uses.items.insert((library.clone(), item.clone()));
+            }
+            Expr::Call(callee, args) => call(body, *callee, args, &mut uses),
+            _ => {}
+        }
+    }
+    uses
+}
+
+fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut Uses) {
+    match (body.expr(callee), args.first()) {
+        (Expr::Path { library, item }, Some(first)) if item == instructions::LIB_LOAD => {
+            let load = Load { alias: library.clone(), path: path(body, *first), range: body.range(*first) };
+            uses.loads.push(load);
+        }
+        (Expr::Path { library, item }, Some(first)) if item == instructions::LIB_EXIST => {
+            if let Some(symbol) = body.string(*first) {
+                let symbol = symbol.strip_suffix("()").unwrap_or(&symbol);
+                uses.guarded.insert((library.clone(), symbol.into()));
+            }
+        }
+        (Expr::Name(name), Some(first)) if name == instructions::IS_DEFINED => {
+            if let Expr::Path { library, item } = body.expr(root(body, *first)) {
+                uses.guarded.insert((library.clone(), item.clone()));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// What an element or field is a part of.
+fn root(body: &Body, mut id: ExprId) -> ExprId {
+    while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
+        id = *base;
+    }
+    id
+}
+
+fn path(body: &Body, id: ExprId) -> LoadedPath {
+    if let Some(text) = body.string(id) {
+        return LoadedPath::Whole(text);
+    }
+    let mut at = body.peel(id);
+    while let Expr::Binary(BinaryOp::Add, left, _) = body.expr(at) {
+        at = body.peel(*left);
+        if let Some(text) = body.string(at) {
+            return LoadedPath::Prefix(text);
+        }
+    }
+    LoadedPath::Unknown
+}

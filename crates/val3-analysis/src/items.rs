@@ -1,0 +1,35 @@
+//! What files declare: names, types, containers, access. Bodies of programs cannot change any of it.
+//!
+//! Items hold no ranges, so that an edit elsewhere in a file leaves them equal; `declarations` finds the place of
+//! an item when a message needs it.
+
+pub mod data;
+pub mod declarations;
+pub mod manifest;
+pub mod program;
+pub mod project;
+
+use val3_syntax::Parse;
+
+use crate::db::{Db, File};
+
+/// The tree of a file. Only the most recent ones are kept; they are cheap to make again.
+#[salsa::tracked(lru = 256, no_eq)]
+pub fn parse(db: &dyn Db, file: File) -> Parse {
+    val3_syntax::parse(file.text(db))
+}
+
+/// `true` and `false` as files write them.
+pub(crate) fn flag(text: &str) -> Option<bool> {
+    match text.trim() {
+        "true" => Some(true),
+        "false" => Some(false),
+        _ => None,
+    }
+}
+
+/// The `size` attribute: one to three dimensions separated by blanks.
+pub fn sizes(text: &str) -> Option<Vec<u32>> {
+    let sizes: Option<Vec<u32>> = text.split_ascii_whitespace().map(|size| size.parse().ok()).collect();
+    sizes.filter(|sizes| (1..=3).contains(&sizes.len()))
+}

@@ -1,0 +1,77 @@
+//! What a `.dtx` declares: global data, or the fields of a user type.
+
+use smol_str::SmolStr;
+use val3_lang::types::Container;
+use val3_syntax::view::View;
+
+use super::{flag, parse, sizes};
+use crate::db::{Db, File};
+use crate::xml::{self, Element};
+
+/// One global variable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DataDecl {
+    /// The name.
+    pub name: SmolStr,
+    /// The type as written in the file (`jointRx`, `Slot`).
+    pub type_name: SmolStr,
+    /// How its values are stored. A single value is an array of size 1.
+    pub container: Container,
+    /// Sizes of the dimensions at the start; empty for a collection.
+    pub sizes: Vec<u32>,
+    /// Other projects may use it.
+    pub public: bool,
+}
+
+/// Reads a `.dtx` of either dialect. Elements without a name or type are left out.
+#[salsa::tracked]
+pub fn data(db: &dyn Db, file: File) -> Vec<DataDecl> {
+    let parse = parse(db, file);
+    elements(View::root(parse.green())).filter_map(declaration).collect()
+}
+
+/// The elements that declare data, in order, those without a name included.
+pub(crate) fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
+    let root = xml::root(file);
+    let new = root.into_iter().flat_map(|root| root.list("Datas", "Data"));
+    let old = root.filter(|root| root.name() == "dataList").into_iter().flat_map(|root| {
+        root.elements().filter(|section| section.name().ends_with("Section")).flat_map(Element::elements)
+    });
+    new.chain(old)
+}
+
+/// What an element declares.
+pub(crate) fn declaration(element: Element<'_>) -> Option<DataDecl> {
+    let name = SmolStr::from(element.value("name")?);
+    if element.name() == "Data" { new_declaration(element, name) } else { Some(old_declaration(element, name)) }
+}
+
+fn new_declaration(element: Element<'_>, name: SmolStr) -> Option<DataDecl> {
+    let type_name = SmolStr::from(element.value("type")?);
+    let (container, sizes) = container(element);
+    let public = element.value("access").is_some_and(|access| access.trim() == "public");
+    Some(DataDecl { name, type_name, container, sizes, public })
+}
+
+/// Container and sizes of a `<Data>`, `<Field>` or `<Local>`. An unreadable size counts as one value.
+pub(crate) fn container(element: Element<'_>) -> (Container, Vec<u32>) {
+    if element.value("xsi:type").is_some_and(|kind| kind.trim() == "collection") {
+        return (Container::Collection, Vec::new());
+    }
+    let sizes = element.value("size").and_then(|text| sizes(&text)).unwrap_or_else(|| vec![1]);
+    (Container::Array { dims: u8::try_from(sizes.len()).unwrap_or(1) }, sizes)
+}
+
+/// `<num name public size>` in `<numSection>`: the type is the element's name, the size often the number of values.
+fn old_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
+    let values = element.elements().filter(|value| value.name().starts_with("value")).count();
+    let size = element.value("size").and_then(|text| text.trim().parse().ok());
+    let size = size.unwrap_or_else(|| u32::try_from(values).unwrap_or(u32::MAX)).max(1);
+    DataDecl {
+        name,
+        type_name: element.name().into(),
+        container: Container::Array { dims: 1 },
+        sizes: vec![size],
+        public: element.value("public").and_then(|text| flag(&text)).unwrap_or(false),
+    }
+}

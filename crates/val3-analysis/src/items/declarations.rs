@@ -1,0 +1,56 @@
+//! Where things are declared: looked up only when a message points there.
+
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use super::manifest::{entries, spelling};
+use super::{data as data_items, parse, program as program_items};
+use crate::db::{Db, File, Project};
+use crate::problem::Place;
+use crate::xml::{self, Element};
+
+/// The name of a global variable in a `.dtx`.
+pub fn data(db: &dyn Db, file: File, name: &str) -> Option<Place> {
+    let parse = parse(db, file);
+    let range = named(data_items::elements(View::root(parse.green())), "name", name)?;
+    Some(Place { file, range })
+}
+
+/// The name of a parameter in a `.pgx`.
+pub fn param(db: &dyn Db, file: File, name: &str) -> Option<Place> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()))?;
+    Some(Place { file, range: named(program_items::params(program), "name", name)? })
+}
+
+/// The name of a local in a `.pgx`.
+pub fn local(db: &dyn Db, file: File, name: &str) -> Option<Place> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()))?;
+    Some(Place { file, range: named(program_items::locals(program), "name", name)? })
+}
+
+/// The name of the program in a `.pgx`.
+pub fn program(db: &dyn Db, file: File) -> Option<Place> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()))?;
+    Some(Place { file, range: program.attribute("name")?.range })
+}
+
+/// The entry of a library identifier in a `.pjx`.
+pub fn library(db: &dyn Db, project: Project, alias: &str) -> Option<Place> {
+    let file = project.manifest(db);
+    let parse = parse(db, file);
+    let root = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(root);
+    let mut elements = entries(root, spelling.libraries);
+    let range = elements.find_map(|element| {
+        let found = element.attribute("alias").or_else(|| element.attribute("name"))?;
+        (found.text() == alias).then_some(found.range)
+    })?;
+    Some(Place { file, range })
+}
+
+fn named<'g>(mut elements: impl Iterator<Item = Element<'g>>, attribute: &str, name: &str) -> Option<TextRange> {
+    elements.find_map(|element| element.attribute(attribute).filter(|found| found.text() == name).map(|found| found.range))
+}

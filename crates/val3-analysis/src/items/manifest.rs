@@ -1,0 +1,122 @@
+//! What a `.pjx` says.
+
+use smol_str::SmolStr;
+use val3_syntax::view::View;
+
+use super::parse;
+use crate::db::{Db, File};
+use crate::xml::{self, Element};
+
+/// A `.pjx` of either dialect.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Manifest {
+    /// The version as written; empty where it is missing.
+    pub version: SmolStr,
+    /// Program files as written, in order.
+    pub programs: Vec<SmolStr>,
+    /// Data files as written, in order.
+    pub data: Vec<SmolStr>,
+    /// Library identifiers, in order.
+    pub libraries: Vec<LibraryEntry>,
+    /// User types, in order.
+    pub types: Vec<TypeEntry>,
+}
+
+/// `<Library alias path autoload>`
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LibraryEntry {
+    /// The identifier.
+    pub alias: SmolStr,
+    /// The path as written.
+    pub path: SmolStr,
+    /// The library is loaded with the application.
+    pub autoload: bool,
+}
+
+/// `<Type name path>`
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TypeEntry {
+    /// The name in this project.
+    pub name: SmolStr,
+    /// The path as written.
+    pub path: SmolStr,
+}
+
+/// The names of elements and attributes that differ between the dialects.
+pub(crate) struct Spelling {
+    pub(crate) root: &'static str,
+    pub(crate) parameters: &'static str,
+    pub(crate) programs: (&'static str, &'static str),
+    pub(crate) data: (&'static str, &'static str),
+    pub(crate) libraries: (&'static str, &'static str),
+    pub(crate) library_path: &'static str,
+    pub(crate) types: (&'static str, &'static str),
+}
+
+/// s7 and s8.
+pub(crate) const NEW: Spelling = Spelling {
+    root: "Project",
+    parameters: "Parameters",
+    programs: ("Programs", "Program"),
+    data: ("Database", "Data"),
+    libraries: ("Libraries", "Library"),
+    library_path: "path",
+    types: ("Types", "Type"),
+};
+
+/// s5 and s6; they have no user types.
+pub(crate) const OLD: Spelling = Spelling {
+    root: "project",
+    parameters: "parameters",
+    programs: ("programSection", "program"),
+    data: ("dataSection", "data"),
+    libraries: ("aliasSection", "alias"),
+    library_path: "interface",
+    types: ("typeSection", "type"),
+};
+
+/// The dialect of a project file.
+pub(crate) fn spelling(root: Element<'_>) -> &'static Spelling {
+    if root.name() == OLD.root { &OLD } else { &NEW }
+}
+
+/// Reads a `.pjx`.
+#[salsa::tracked]
+pub fn manifest(db: &dyn Db, file: File) -> Manifest {
+    read(View::root(parse(db, file).green()))
+}
+
+/// Reads the tree of a `.pjx`.
+pub fn read(file: View<'_>) -> Manifest {
+    let Some(root) = xml::root(file) else { return Manifest::default() };
+    let spelling = spelling(root);
+    Manifest {
+        version: root.child(&[spelling.parameters]).map(|element| value(element, "version")).unwrap_or_default(),
+        programs: entries(root, spelling.programs).map(|element| value(element, "file")).collect(),
+        data: entries(root, spelling.data).map(|element| value(element, "file")).collect(),
+        libraries: entries(root, spelling.libraries).map(|element| library(element, spelling)).collect(),
+        types: entries(root, spelling.types)
+            .map(|element| TypeEntry { name: value(element, "name"), path: value(element, "path") })
+            .collect(),
+    }
+}
+
+/// The elements of one list of a project file.
+pub(crate) fn entries<'g>(
+    root: Element<'g>,
+    (list, item): (&'static str, &'static str),
+) -> impl Iterator<Item = Element<'g>> {
+    root.list(list, item)
+}
+
+fn library(element: Element<'_>, spelling: &Spelling) -> LibraryEntry {
+    LibraryEntry {
+        alias: value(element, if spelling.root == OLD.root { "name" } else { "alias" }),
+        path: value(element, spelling.library_path),
+        autoload: element.value("autoload").is_none_or(|text| text.trim() != "false"),
+    }
+}
+
+fn value(element: Element<'_>, attribute: &str) -> SmolStr {
+    element.value(attribute).map(SmolStr::from).unwrap_or_default()
+}

@@ -1,0 +1,110 @@
+//! What the header of a `.pgx` declares: the program's name, access, parameters and locals.
+
+use smol_str::SmolStr;
+use val3_lang::types::Container;
+use val3_syntax::view::View;
+
+use super::data::container;
+use super::{flag, parse};
+use crate::db::{Db, File};
+use crate::xml::{self, Element};
+
+/// The header of a program.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Header {
+    /// The program's name.
+    pub name: SmolStr,
+    /// Other projects may call it.
+    pub public: bool,
+    /// Parameters in order.
+    pub params: Vec<ParamDecl>,
+    /// Locals in order.
+    pub locals: Vec<LocalDecl>,
+}
+
+/// A parameter.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ParamDecl {
+    /// The name.
+    pub name: SmolStr,
+    /// The type as written.
+    pub type_name: SmolStr,
+    /// An element, array or collection.
+    pub container: Container,
+    /// Passed by reference; containers always are.
+    pub by_reference: bool,
+    /// The old dialect does not tell an element by reference from an array.
+    pub loose: bool,
+}
+
+/// A local variable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LocalDecl {
+    /// The name.
+    pub name: SmolStr,
+    /// The type as written.
+    pub type_name: SmolStr,
+    /// Always an array in files; a single value has size 1.
+    pub container: Container,
+    /// Sizes of the dimensions.
+    pub sizes: Vec<u32>,
+}
+
+/// Reads the header of a `.pgx` of either dialect.
+#[salsa::tracked]
+pub fn header(db: &dyn Db, file: File) -> Header {
+    read(View::root(parse(db, file).green()))
+}
+
+/// The element of the program in a file.
+pub(crate) fn element(file: View<'_>) -> Option<Element<'_>> {
+    xml::root(file)?.child(&["Program", "program"])
+}
+
+/// The elements that declare parameters.
+pub(crate) fn params<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+    program.list("Parameters", "Parameter").chain(program.list("paramSection", "param"))
+}
+
+/// The elements that declare locals.
+pub(crate) fn locals<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+    program.list("Locals", "Local").chain(program.list("localSection", "local"))
+}
+
+fn read(file: View<'_>) -> Header {
+    let Some(program) = element(file) else { return Header::default() };
+    let value = |name: &str| program.value(name);
+    Header {
+        name: value("name").map(SmolStr::from).unwrap_or_default(),
+        public: value("access").is_some_and(|text| text.trim() == "public")
+            || value("public").and_then(|text| flag(&text)).unwrap_or(false),
+        params: params(program).filter_map(param).collect(),
+        locals: locals(program).filter_map(local).collect(),
+    }
+}
+
+fn param(element: Element<'_>) -> Option<ParamDecl> {
+    let name = SmolStr::from(element.value("name")?);
+    let type_name = SmolStr::from(element.value("type")?);
+    if let Some(by_value) = element.value("byVal") {
+        let by_reference = by_value.trim() == "false";
+        let container = if by_reference { Container::Array { dims: 1 } } else { Container::Element };
+        return Some(ParamDecl { name, type_name, container, by_reference, loose: by_reference });
+    }
+    let dims = element.value("dimensions").and_then(|text| text.trim().parse().ok()).unwrap_or(1);
+    let container = match element.value("xsi:type").as_deref().map(str::trim) {
+        Some("array") => Container::Array { dims },
+        Some("collection") => Container::Collection,
+        _ => Container::Element,
+    };
+    let referenced = element.value("use").is_some_and(|text| text.trim() == "reference");
+    let by_reference = referenced || container != Container::Element;
+    Some(ParamDecl { name, type_name, container, by_reference, loose: false })
+}
+
+fn local(element: Element<'_>) -> Option<LocalDecl> {
+    let name = SmolStr::from(element.value("name")?);
+    let type_name = SmolStr::from(element.value("type")?);
+    let (container, sizes) = container(element);
+    Some(LocalDecl { name, type_name, container, sizes })
+}

@@ -1,0 +1,207 @@
+//! What a project offers to its own programs: the firewall between files and bodies.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+use val3_lang::types::{Arm, BaseType, Container};
+use val3_lang::versions::Version;
+
+use super::data::{DataDecl, data};
+use super::manifest::manifest;
+use super::program::{Header, header};
+use crate::db::{Db, File, FileStatus, Project, Sources, path_key};
+use crate::paths::{self, Target};
+use crate::ty::Base;
+
+/// The names of a project.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Items {
+    /// Global data by name.
+    pub data: FxHashMap<SmolStr, DataItem>,
+    /// Programs by name.
+    pub programs: FxHashMap<SmolStr, File>,
+    /// Library identifiers by name.
+    pub libraries: FxHashMap<SmolStr, LibraryItem>,
+    /// User types by name; `None` where the type's project cannot be found.
+    pub types: FxHashMap<SmolStr, Option<Project>>,
+    /// A data file is missing, so that names it would declare are not known.
+    pub lacks_data: bool,
+    /// Names of program files that are missing, without `.pgx`, in lower case.
+    pub lacking_programs: FxHashSet<SmolStr>,
+    /// The version the project declares, or the manual's.
+    pub version: Version,
+    /// The arm its positions are for, where the data or the cell tell.
+    pub arm: Option<Arm>,
+}
+
+/// A global variable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DataItem {
+    /// The declaration.
+    pub decl: DataDecl,
+    /// The type it names.
+    pub base: Base,
+    /// The `.dtx`.
+    pub file: File,
+}
+
+/// A library identifier.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LibraryItem {
+    /// The project that gives the interface; `None` where it cannot be found.
+    pub interface: Option<Project>,
+    /// The library is loaded with the application.
+    pub autoload: bool,
+}
+
+impl Items {
+    /// A program of this name may lie in a file that is missing.
+    pub fn may_have_program(&self, name: &str) -> bool {
+        !self.lacking_programs.is_empty() && self.lacking_programs.contains(name.to_lowercase().as_str())
+    }
+}
+
+/// The project that `reference` names, seen from `project`.
+pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Project> {
+    match paths::project(folder(db, project), project.disk(db).as_deref(), reference) {
+        Target::Path(path) => Sources::get(db).projects(db).get(&path_key(path.as_str())).copied(),
+        Target::Elsewhere => None,
+    }
+}
+
+/// The folder of a project.
+pub fn folder(db: &dyn Db, project: Project) -> &camino::Utf8Path {
+    project.manifest(db).path(db).parent().unwrap_or(camino::Utf8Path::new(""))
+}
+
+/// The file that `reference` names in the project's folder, if it was found.
+pub fn find_file(db: &dyn Db, project: Project, reference: &str) -> Option<File> {
+    let path = paths::file_in(folder(db, project), reference);
+    Sources::get(db).files(db).get(&path_key(path.as_str())).copied()
+}
+
+/// The program files of a project that were found, in the project's order.
+#[salsa::tracked]
+pub fn program_files(db: &dyn Db, project: Project) -> Vec<File> {
+    let manifest = manifest(db, project.manifest(db));
+    manifest.programs.iter().filter_map(|reference| find_file(db, project, reference)).collect()
+}
+
+/// The data files of a project that were found.
+#[salsa::tracked]
+pub fn data_files(db: &dyn Db, project: Project) -> Vec<File> {
+    let manifest = manifest(db, project.manifest(db));
+    manifest.data.iter().filter_map(|reference| find_file(db, project, reference)).collect()
+}
+
+/// The names of a project. Where a name is declared twice, the first declaration counts.
+#[salsa::tracked]
+pub fn items(db: &dyn Db, project: Project) -> Items {
+    let manifest = manifest(db, project.manifest(db));
+    let mut items = Items {
+        version: Version::parse(&manifest.version).unwrap_or(Version::DEFAULT),
+        arm: arm(db, project),
+        ..Items::default()
+    };
+    for entry in &manifest.types {
+        items.types.entry(entry.name.clone()).or_insert_with(|| find_project(db, project, &entry.path));
+    }
+    for entry in &manifest.libraries {
+        let interface = find_project(db, project, &entry.path);
+        items.libraries.entry(entry.alias.clone()).or_insert(LibraryItem { interface, autoload: entry.autoload });
+    }
+    let readable = |file: &File| matches!(file.status(db), FileStatus::Read { .. });
+    for reference in &manifest.programs {
+        if !find_file(db, project, reference).as_ref().is_some_and(readable) {
+            let stem = camino::Utf8Path::new(reference).file_stem().unwrap_or("");
+            items.lacking_programs.insert(stem.to_lowercase().into());
+        }
+    }
+    items.lacks_data = manifest.data.iter().any(|reference| !find_file(db, project, reference).as_ref().is_some_and(readable));
+    for &file in program_files(db, project) {
+        items.programs.entry(header(db, file).name.clone()).or_insert(file);
+    }
+    for &file in data_files(db, project) {
+        for decl in data(db, file) {
+            let base = resolve_type(&items.types, &decl.type_name);
+            let item = DataItem { decl: decl.clone(), base: base.unwrap_or(Base::Unknown), file };
+            items.data.entry(decl.name.clone()).or_insert(item);
+        }
+    }
+    items
+}
+
+/// The type called `name`; `None` where there is no such type.
+pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> Option<Base> {
+    if let Some(project) = types.get(name) {
+        return Some(project.map_or(Base::Unknown, Base::User));
+    }
+    let (base, arm) = BaseType::from_file_name(name)?;
+    Some(Base::Builtin(base, arm))
+}
+
+/// The arm of a project: the cell's, or the one all its positions are for.
+#[salsa::tracked(returns(copy))]
+fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
+    if let Some(arm) = project.cell_arm(db) {
+        return Some(arm);
+    }
+    let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
+        let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
+        arm.filter(|_| !is_old_section(&decl.type_name))
+    });
+    let first = arms.next()?;
+    arms.all(|arm| arm == first).then_some(first)
+}
+
+/// The old dialect has a section of every kind of arm.
+fn is_old_section(type_name: &str) -> bool {
+    type_name.ends_with("Vrb")
+}
+
+/// The fields of a user type: the public data of its project.
+#[salsa::tracked]
+pub fn fields(db: &dyn Db, project: Project) -> FxHashMap<SmolStr, DataItem> {
+    let items = items(db, project);
+    items.data.iter().filter(|(_, item)| item.decl.public).map(|(name, item)| (name.clone(), item.clone())).collect()
+}
+
+/// A program as its callers see it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Signature {
+    /// The name.
+    pub name: SmolStr,
+    /// Other projects may call it.
+    pub public: bool,
+    /// Parameters in order.
+    pub params: Vec<Param>,
+}
+
+/// A parameter as callers see it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Param {
+    /// The name.
+    pub name: SmolStr,
+    /// What each value is.
+    pub base: Base,
+    /// An element, array or collection.
+    pub container: Container,
+    /// Passed by reference.
+    pub by_reference: bool,
+    /// The old dialect: an element or an array.
+    pub loose: bool,
+}
+
+/// The signature of the program in `file`, with the types of `project`.
+#[salsa::tracked]
+pub fn signature(db: &dyn Db, project: Project, file: File) -> Signature {
+    let Header { name, public, params, .. } = header(db, file);
+    let types = &items(db, project).types;
+    let params = params.iter().map(|param| Param {
+        name: param.name.clone(),
+        base: resolve_type(types, &param.type_name).unwrap_or(Base::Unknown),
+        container: param.container,
+        by_reference: param.by_reference,
+        loose: param.loose,
+    });
+    Signature { name: name.clone(), public: *public, params: params.collect() }
+}

@@ -1,0 +1,22 @@
+//! Names, types and library interfaces, computed incrementally.
+//!
+//! The chain of queries is short and coarse: `items::parse` → items (what files declare) → `body` → `infer`.
+//! Items are the firewall: the code of a program cannot change them, so an edit there re-infers that program alone.
+
+pub mod body;
+pub mod cell;
+pub mod data_check;
+pub mod db;
+mod declared_name;
+pub mod header_check;
+pub mod infer;
+pub mod interfaces;
+pub mod items;
+pub mod load;
+pub mod near;
+pub mod paths;
+pub mod problem;
+pub mod project_check;
+pub mod system;
+pub mod ty;
+pub mod xml;

@@ -1,0 +1,251 @@
+//! From folders to inputs: finds applications, reads their files and those of the libraries and types they use.
+
+mod cells;
+mod discover;
+mod references;
+
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_syntax::encoding::decode;
+use val3_syntax::view::View;
+
+use crate::db::{Cell, Database, File, FileStatus, Project, Sources, path_key};
+use crate::items::manifest::{self, Manifest};
+use crate::paths::{self, Target};
+use crate::system::{Kind, System};
+
+/// Everything that was found under some paths, ready to be asked.
+#[derive(Debug)]
+pub struct Workspace {
+    /// The database with all files in it.
+    pub db: Database,
+    /// The projects under the paths asked for, by path: those that are to be judged.
+    pub projects: Vec<Project>,
+    /// Folders under the paths asked for that cannot be listed, with the reason.
+    pub unreadable: Vec<(Utf8PathBuf, String)>,
+}
+
+/// A path that was asked for and cannot be used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LoadError {
+    /// The path as it was given.
+    pub path: Utf8PathBuf,
+    /// What is wrong with it, and what to do.
+    pub reason: String,
+}
+
+impl std::fmt::Display for LoadError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}: {}", self.path, self.reason)
+    }
+}
+
+impl std::error::Error for LoadError {}
+
+/// Finds the projects under `paths` and reads them with everything they refer to.
+///
+/// # Errors
+/// If a path does not exist, holds no project, or is a file that belongs to none.
+pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
+    let mut loader = Loader::new(system);
+    let mut manifests = Vec::new();
+    for path in paths {
+        manifests.extend(discover::manifests(system, &paths::normalise(path), &mut loader.unreadable)?);
+    }
+    manifests.sort_unstable();
+    manifests.dedup();
+    let asked: FxHashSet<String> = manifests.iter().map(|path| path_key(path.as_str())).collect();
+    for path in manifests {
+        loader.project(&path);
+    }
+    Ok(loader.finish(&asked))
+}
+
+struct Loader<'s> {
+    system: &'s dyn System,
+    db: Database,
+    files: FxHashMap<String, File>,
+    projects: FxHashMap<String, Project>,
+    /// Projects in the order they were found.
+    order: Vec<(String, Project)>,
+    cells: FxHashMap<Utf8PathBuf, Option<Cell>>,
+    folders: FxHashMap<Utf8PathBuf, FxHashMap<String, String>>,
+    queue: Vec<Utf8PathBuf>,
+    unreadable: Vec<(Utf8PathBuf, String)>,
+}
+
+impl<'s> Loader<'s> {
+    fn new(system: &'s dyn System) -> Self {
+        Self {
+            system,
+            db: Database::default(),
+            files: FxHashMap::default(),
+            projects: FxHashMap::default(),
+            order: Vec::new(),
+            cells: FxHashMap::default(),
+            folders: FxHashMap::default(),
+            queue: Vec::new(),
+            unreadable: Vec::new(),
+        }
+    }
+
+    fn finish(mut self, asked: &FxHashSet<String>) -> Workspace {
+        while let Some(path) = self.queue.pop() {
+            self.project(&path);
+        }
+        let mut projects: Vec<(String, Project)> =
+            self.order.into_iter().filter(|(key, _)| asked.contains(key)).collect();
+        projects.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+        let _sources = Sources::builder(self.files, self.projects).durability(salsa::Durability::MEDIUM).new(&self.db);
+        let projects = projects.into_iter().map(|(_, project)| project).collect();
+        Workspace { db: self.db, projects, unreadable: self.unreadable }
+    }
+
+    /// Reads the project at `path` and its files, and queues the projects it refers to.
+    fn project(&mut self, path: &Utf8Path) {
+        let Some(path) = self.actual(path) else { return };
+        let key = path_key(path.as_str());
+        if self.projects.contains_key(&key) {
+            return;
+        }
+        let Some(file) = self.file(&path) else { return };
+        let text = Arc::clone(file.text(&self.db));
+        let manifest = manifest::read(View::root(val3_syntax::parse(&text).green()));
+        let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
+        let disk = self.disk(&folder, &manifest);
+        let cell = self.cell(disk.as_deref());
+        let project = Project::new(&self.db, file, disk.clone(), cell);
+        self.projects.insert(key.clone(), project);
+        self.order.push((key, project));
+        self.files_of(&folder, &manifest, disk.as_deref());
+        let entries = manifest.libraries.iter().map(|entry| &entry.path).chain(manifest.types.iter().map(|entry| &entry.path));
+        for reference in entries {
+            self.enqueue(&folder, disk.as_deref(), reference);
+        }
+    }
+
+    fn enqueue(&mut self, folder: &Utf8Path, disk: Option<&Utf8Path>, reference: &str) {
+        if let Target::Path(path) = paths::project(folder, disk, reference) {
+            self.queue.push(path);
+        }
+    }
+
+    /// Reads the programs and data of a project; programs may load further libraries by name.
+    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, disk: Option<&Utf8Path>) {
+        for reference in &manifest.data {
+            self.found_file(&paths::file_in(folder, reference));
+        }
+        for reference in &manifest.programs {
+            let Some(file) = self.found_file(&paths::file_in(folder, reference)) else { continue };
+            let text = Arc::clone(file.text(&self.db));
+            for target in references::loaded_libraries(&text) {
+                match target {
+                    references::Loaded::Path(path) => self.enqueue(folder, disk, &path),
+                    references::Loaded::Prefix(prefix) => self.enqueue_prefix(folder, disk, &prefix),
+                }
+            }
+        }
+    }
+
+    /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.
+    fn enqueue_prefix(&mut self, folder: &Utf8Path, disk: Option<&Utf8Path>, prefix: &str) {
+        let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
+        let Target::Path(start) = paths::project(folder, disk, &format!("{start}/x.pjx")) else { return };
+        let Some(start) = start.parent() else { return };
+        let partial = partial.to_lowercase();
+        for name in self.system.list(start).unwrap_or_default() {
+            let manifest = start.join(&name).join(format!("{name}.pjx"));
+            if name.to_lowercase().starts_with(&partial) && self.system.kind(&manifest) == Some(Kind::File) {
+                self.queue.push(manifest);
+            }
+        }
+    }
+
+    fn found_file(&mut self, path: &Utf8Path) -> Option<File> {
+        let path = self.actual(path)?;
+        self.file(&path)
+    }
+
+    /// The input for the file at `path`; `None` where there is no file.
+    fn file(&mut self, path: &Utf8Path) -> Option<File> {
+        let key = path_key(path.as_str());
+        if let Some(file) = self.files.get(&key) {
+            return Some(*file);
+        }
+        let (text, status) = match self.system.read(path) {
+            Ok(bytes) if bytes.len() >= u32::MAX as usize => {
+                (String::new(), FileStatus::Unreadable("it is larger than 4 GiB".to_owned()))
+            }
+            Ok(bytes) => {
+                let decoded = decode(bytes);
+                let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
+                (decoded.text, status)
+            }
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return None,
+            Err(error) => (String::new(), FileStatus::Unreadable(error.to_string())),
+        };
+        let file = File::builder(path.to_owned(), text.into(), status)
+            .durability(salsa::Durability::LOW)
+            .path_durability(salsa::Durability::HIGH)
+            .new(&self.db);
+        self.files.insert(key, file);
+        Some(file)
+    }
+
+    /// The path as the disk spells it: references are written without regard to letter case.
+    fn actual(&mut self, path: &Utf8Path) -> Option<Utf8PathBuf> {
+        if self.system.kind(path).is_some() {
+            return Some(path.to_owned());
+        }
+        let parent = self.actual(path.parent()?)?;
+        let wanted = path.file_name()?.to_lowercase();
+        let names = self.folders.entry(parent.clone()).or_insert_with(|| {
+            let names = self.system.list(&parent).unwrap_or_default();
+            names.into_iter().map(|name| (name.to_lowercase(), name)).collect()
+        });
+        names.get(&wanted).map(|name| parent.join(name))
+    }
+
+    /// What `Disk://` stands for: the nearest `usrapp` above, else the nearest folder above from which the
+    /// project's own `Disk://` references lead somewhere.
+    fn disk(&self, folder: &Utf8Path, manifest: &Manifest) -> Option<Utf8PathBuf> {
+        let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
+        if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
+            return Some(usrapp.to_owned());
+        }
+        let references: Vec<&str> = manifest
+            .libraries
+            .iter()
+            .map(|entry| entry.path.as_str())
+            .chain(manifest.types.iter().map(|entry| entry.path.as_str()))
+            .filter(|reference| !reference.starts_with('.'))
+            .collect();
+        let resolves = |disk: &Utf8Path| {
+            references.iter().filter(|reference| match paths::project(folder, Some(disk), reference) {
+                Target::Path(path) => self.system.kind(&path) == Some(Kind::File),
+                Target::Elsewhere => false,
+            }).count()
+        };
+        let scored = folder.ancestors().skip(1).take(6).map(|disk| (resolves(disk), disk));
+        // Of equal ones the nearest.
+        let best = scored.fold(None, |best: Option<(usize, &Utf8Path)>, (score, disk)| match best {
+            Some((top, _)) if top >= score => best,
+            _ => Some((score, disk)),
+        })?;
+        let (score, disk) = best;
+        (score > 0 || references.is_empty()).then(|| disk.to_owned())
+    }
+
+    fn cell(&mut self, disk: Option<&Utf8Path>) -> Option<Cell> {
+        let usr = disk?.parent()?.to_owned();
+        if let Some(cell) = self.cells.get(&usr) {
+            return *cell;
+        }
+        let config = cells::read(self.system, &usr);
+        let cell = config.map(|config| Cell::builder(config).durability(salsa::Durability::MEDIUM).new(&self.db));
+        self.cells.insert(usr, cell);
+        cell
+    }
+}

@@ -1,0 +1,68 @@
+//! The configuration of the controller around a `usrapp`.
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use rustc_hash::FxHashSet;
+use val3_lang::add_on::{AddOnTable, parse_table};
+use val3_lang::types::Arm;
+use val3_syntax::encoding::decode;
+use val3_syntax::view::View;
+
+use crate::cell::CellConfig;
+use crate::system::System;
+use crate::xml::{self, Element};
+
+/// Reads what `usr/configs` and `usr/app` say; `None` where neither is there.
+pub(super) fn read(system: &dyn System, usr: &Utf8Path) -> Option<CellConfig> {
+    let (configs, app) = (usr.join("configs"), usr.join("app"));
+    let tables = system.list(&app).unwrap_or_default();
+    let tables: Vec<&String> = tables.iter().filter(|name| table_name(name).is_some()).collect();
+    let arm_file = text(system, &configs.join("arm.cfx"));
+    let sio_file = text(system, &configs.join("sio.cfx"));
+    if tables.is_empty() && arm_file.is_none() && sio_file.is_none() {
+        return None;
+    }
+    let arm = arm_file.as_deref().and_then(arm);
+    let add_ons = tables.iter().filter_map(|name| table(system, &app, name, arm)).collect();
+    Some(CellConfig { arm, add_ons: Arc::new(add_ons), channels: sio_file.as_deref().map(channels) })
+}
+
+fn text(system: &dyn System, path: &Utf8Path) -> Option<String> {
+    system.read(path).ok().map(|bytes| decode(bytes).text)
+}
+
+/// `val3.Motion.anthro.cfx`: the add-on and the arm it is for.
+fn table_name(name: &str) -> Option<(&str, Arm)> {
+    let (add_on, arm) = name.strip_prefix("val3.")?.strip_suffix(".cfx")?.rsplit_once('.')?;
+    Some((add_on, Arm::from_table_word(arm)?))
+}
+
+/// The table of an add-on for this arm. A cell that does not tell its arm counts as one with six axes.
+fn table(system: &dyn System, folder: &Utf8Path, name: &str, arm: Option<Arm>) -> Option<AddOnTable> {
+    let (_, of) = table_name(name)?;
+    if of != arm.unwrap_or(Arm::SixAxis) {
+        return None;
+    }
+    parse_table(&text(system, &folder.join(name))?).ok()
+}
+
+/// `<String name="arm" value="tx90-S1" />`
+fn arm(text: &str) -> Option<Arm> {
+    let parse = val3_syntax::parse(text);
+    let root = xml::root(View::root(parse.green()))?;
+    let named = |element: &Element<'_>| element.value("name").as_deref() == Some("arm");
+    let model = root.elements().find(named)?.value("value")?;
+    (!model.trim().is_empty()).then(|| Arm::from_model(&model))
+}
+
+/// The names of all channels: `<String name="name" value="…" />` in each element below the root of `sio.cfx`.
+fn channels(text: &str) -> FxHashSet<String> {
+    let parse = val3_syntax::parse(text);
+    let root = xml::root(View::root(parse.green()));
+    let settings = root.into_iter().flat_map(Element::elements).flat_map(Element::elements);
+    settings
+        .filter(|setting| setting.value("name").as_deref() == Some("name"))
+        .filter_map(|setting| setting.value("value").map(|name| name.into_owned()))
+        .collect()
+}

@@ -1,0 +1,96 @@
+//! Which projects lie under a path.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
+
+use super::LoadError;
+use crate::system::{Kind, System};
+
+/// Folders below the path asked for are searched this deep.
+const DEPTH: usize = 32;
+
+/// The `.pjx` files under `path`: a project file, an application folder, a cell, or any folder above some.
+pub(super) fn manifests(
+    system: &dyn System,
+    path: &Utf8Path,
+    unreadable: &mut Vec<(Utf8PathBuf, String)>,
+) -> Result<Vec<Utf8PathBuf>, LoadError> {
+    let found = match system.kind(path) {
+        None => return Err(error(path, "there is no such file or folder")),
+        Some(Kind::File) => of_file(system, path)?,
+        Some(Kind::Folder) => {
+            let mut search = Search { system, found: Vec::new(), seen: FxHashSet::default(), unreadable };
+            search.folder(path, 0);
+            search.found
+        }
+    };
+    if found.is_empty() {
+        let reason = "no VAL 3 application (`.pjx`) lies here or in a folder below; name an application folder, \
+                      a `.pjx`, or a controller folder";
+        return Err(error(path, reason));
+    }
+    Ok(found)
+}
+
+fn error(path: &Utf8Path, reason: &str) -> LoadError {
+    LoadError { path: path.to_owned(), reason: reason.to_owned() }
+}
+
+/// A `.pjx` itself; for a program or data file the project beside it.
+fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
+    if is_manifest(path) {
+        return Ok(vec![path.to_owned()]);
+    }
+    let is_ours = path.extension().is_some_and(|extension| {
+        extension.eq_ignore_ascii_case("pgx") || extension.eq_ignore_ascii_case("dtx")
+    });
+    if !is_ours {
+        return Err(error(path, "this is no VAL 3 file; give a `.pjx`, or the folder of an application"));
+    }
+    let folder = path.parent().unwrap_or(Utf8Path::new("."));
+    let names = system.list(folder).unwrap_or_default();
+    let beside: Vec<_> = names.iter().map(|name| folder.join(name)).filter(|path| is_manifest(path)).collect();
+    if beside.is_empty() {
+        return Err(error(path, "no `.pjx` lies beside this file, so the application it belongs to is not known"));
+    }
+    Ok(beside)
+}
+
+fn is_manifest(path: &Utf8Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"))
+}
+
+struct Search<'s> {
+    system: &'s dyn System,
+    found: Vec<Utf8PathBuf>,
+    /// Folders already searched, so that links in a circle end.
+    seen: FxHashSet<Utf8PathBuf>,
+    unreadable: &'s mut Vec<(Utf8PathBuf, String)>,
+}
+
+impl Search<'_> {
+    fn folder(&mut self, path: &Utf8Path, depth: usize) {
+        if depth > DEPTH || !self.seen.insert(self.system.identity(path)) {
+            return;
+        }
+        let names = match self.system.list(path) {
+            Ok(names) => names,
+            Err(error) => return self.unreadable.push((path.to_owned(), error.to_string())),
+        };
+        for name in names.iter().filter(|name| !name.starts_with('.')) {
+            let entry = path.join(name);
+            if is_manifest(&entry) && self.system.kind(&entry) == Some(Kind::File) {
+                self.found.push(entry);
+            } else if may_be_folder(name) && self.system.kind(&entry) == Some(Kind::Folder) {
+                self.folder(&entry, depth + 1);
+            }
+        }
+    }
+}
+
+/// Spares asking the disk about files whose names tell what they are.
+fn may_be_folder(name: &str) -> bool {
+    let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
+    !["pgx", "dtx", "ltx", "cfx", "html", "json", "png", "xml"].iter().any(|known| extension.eq_ignore_ascii_case(known))
+        && name != "node_modules"
+}

@@ -1,0 +1,40 @@
+//! Libraries that programs load by name.
+
+use memchr::memmem;
+use val3_syntax::decode_entities;
+
+/// What stands in `libLoad(…)`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Loaded {
+    /// A whole path: `libLoad("Disk://part")`.
+    Path(String),
+    /// The start of one: `libLoad("Disk://parts/" + sName)`.
+    Prefix(String),
+}
+
+/// The paths that the code in `text` loads, as far as it spells them out.
+pub(super) fn loaded_libraries(text: &str) -> Vec<Loaded> {
+    memmem::find_iter(text.as_bytes(), b"libLoad").filter_map(|at| argument(text.get(at + "libLoad".len()..)?)).collect()
+}
+
+fn argument(rest: &str) -> Option<Loaded> {
+    let line = rest.lines().next()?;
+    let line = decode_entities(line.get(..line.floor_char_boundary(1000)).unwrap_or(line));
+    let argument = line.trim_start().strip_prefix('(')?.trim_start().strip_prefix('"')?;
+    let (path, behind) = argument.split_once('"')?;
+    Some(match behind.trim_start().starts_with('+') {
+        true => Loaded::Prefix(path.to_owned()),
+        false => Loaded::Path(path.to_owned()),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn literal_and_computed_paths() {
+        let text = "n=part:libLoad(\"Disk://a\")\npart:libLoad (&quot;./b&quot;+sName)\nx:libLoad(sPath)";
+        assert_eq!(loaded_libraries(text), [Loaded::Path("Disk://a".to_owned()), Loaded::Prefix("./b".to_owned())]);
+    }
+}

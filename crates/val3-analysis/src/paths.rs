@@ -1,0 +1,82 @@
+//! The paths that projects and programs write: `Disk://a/a.pjx`, `./b`, `../c/c.pjx`, `io`, `USB0://d`.
+
+use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
+
+/// Where a reference points.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Target {
+    /// A path of the disk at hand.
+    Path(Utf8PathBuf),
+    /// Another medium (`USB0://`, an FTP connection), or `Disk://` without a known root: nothing to check against.
+    Elsewhere,
+}
+
+/// Reads the reference to a file of the project in `folder`: a program or data file.
+pub fn file_in(folder: &Utf8Path, reference: &str) -> Utf8PathBuf {
+    normalise(&folder.join(reference.trim().replace('\\', "/")))
+}
+
+/// Reads the reference to another project, as `<Library path>`, `<Type path>` and `libLoad` write it (6.6):
+/// the root is `Disk` unless given, the path may be the folder or the `.pjx` in it.
+pub fn project(folder: &Utf8Path, disk: Option<&Utf8Path>, reference: &str) -> Target {
+    let reference = reference.trim().replace('\\', "/");
+    let path = match reference.split_once("://") {
+        Some((root, rest)) if root.eq_ignore_ascii_case("Disk") => disk.map(|disk| disk.join(rest.trim_start_matches('/'))),
+        Some(_) => None,
+        None if reference.starts_with("./") || reference.starts_with("../") => Some(folder.join(&reference)),
+        None => disk.map(|disk| disk.join(reference.trim_start_matches('/'))),
+    };
+    path.map_or(Target::Elsewhere, |path| Target::Path(with_manifest(normalise(&path))))
+}
+
+/// `a/b` names the project `a/b/b.pjx`.
+fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx")) {
+        return path;
+    }
+    match path.file_name() {
+        Some(name) => path.join(format!("{name}.pjx")),
+        None => path,
+    }
+}
+
+/// Without `.`, `..` and doubled separators, as far as the path itself tells.
+pub fn normalise(path: &Utf8Path) -> Utf8PathBuf {
+    let mut out = Utf8PathBuf::new();
+    for component in path.components() {
+        match component {
+            Utf8Component::CurDir => {}
+            Utf8Component::ParentDir if out.file_name().is_some_and(|name| name != "..") => {
+                out.pop();
+            }
+            other => out.push(other),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn resolve(reference: &str) -> String {
+        match project(Utf8Path::new("/cell/usrapp/app"), Some(Utf8Path::new("/cell/usrapp")), reference) {
+            Target::Path(path) => path.into_string(),
+            Target::Elsewhere => "elsewhere".to_owned(),
+        }
+    }
+
+    #[test]
+    fn every_form_real_projects_use() {
+        assert_eq!(resolve("Disk://io/io.pjx"), "/cell/usrapp/io/io.pjx");
+        assert_eq!(resolve("Disk://a/b/c.pjx"), "/cell/usrapp/a/b/c.pjx");
+        assert_eq!(resolve("Disk://..//templates/x/x.pjx"), "/cell/templates/x/x.pjx");
+        assert_eq!(resolve("Disk://a/2/../b/b.pjx"), "/cell/usrapp/a/b/b.pjx");
+        assert_eq!(resolve("./tray/tray.pjx"), "/cell/usrapp/app/tray/tray.pjx");
+        assert_eq!(resolve("../part"), "/cell/usrapp/part/part.pjx");
+        assert_eq!(resolve("Disk://io"), "/cell/usrapp/io/io.pjx");
+        assert_eq!(resolve("io"), "/cell/usrapp/io/io.pjx");
+        assert_eq!(resolve("/Libraries/x"), "/cell/usrapp/Libraries/x/x.pjx");
+        assert_eq!(resolve("USB0://articles/a1"), "elsewhere");
+    }
+}

@@ -1,0 +1,104 @@
+//! The file system as the loader sees it: the real one, or one in memory.
+
+use std::collections::BTreeMap;
+use std::fmt::Debug;
+use std::io;
+
+use camino::{Utf8Path, Utf8PathBuf};
+
+/// What a path leads to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A file.
+    File,
+    /// A folder.
+    Folder,
+}
+
+/// What the loader asks of a file system.
+pub trait System: Send + Sync + Debug {
+    /// The bytes of a file.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>>;
+
+    /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>>;
+
+    /// What `path` leads to, through links; `None` where there is nothing.
+    fn kind(&self, path: &Utf8Path) -> Option<Kind>;
+
+    /// A path that is the same for every way to the same folder, so that links cannot lead around in circles.
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
+}
+
+/// The disk.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Disk;
+
+impl System for Disk {
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        std::fs::read(path)
+    }
+
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        let mut names: Vec<String> =
+            path.read_dir_utf8()?.filter_map(Result::ok).map(|entry| entry.file_name().to_owned()).collect();
+        names.sort_unstable();
+        Ok(names)
+    }
+
+    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+        let metadata = std::fs::metadata(path).ok()?;
+        Some(if metadata.is_dir() { Kind::Folder } else { Kind::File })
+    }
+
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
+        path.canonicalize_utf8().unwrap_or_else(|_| path.to_owned())
+    }
+}
+
+/// Files in memory.
+#[derive(Debug, Clone, Default)]
+pub struct Memory {
+    files: BTreeMap<Utf8PathBuf, Vec<u8>>,
+}
+
+impl Memory {
+    /// A file system with these files.
+    pub fn new<P: Into<Utf8PathBuf>, B: Into<Vec<u8>>>(files: impl IntoIterator<Item = (P, B)>) -> Self {
+        Self { files: files.into_iter().map(|(path, bytes)| (path.into(), bytes.into())).collect() }
+    }
+}
+
+impl System for Memory {
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        self.files.get(path).cloned().ok_or_else(|| io::ErrorKind::NotFound.into())
+    }
+
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        let mut names: Vec<String> = self
+            .files
+            .keys()
+            .filter_map(|file| file.strip_prefix(path).ok()?.components().next().map(|part| part.as_str().to_owned()))
+            .collect();
+        names.sort_unstable();
+        names.dedup();
+        if names.is_empty() { Err(io::ErrorKind::NotFound.into()) } else { Ok(names) }
+    }
+
+    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+        if self.files.contains_key(path) {
+            return Some(Kind::File);
+        }
+        self.files.keys().any(|file| file.starts_with(path)).then_some(Kind::Folder)
+    }
+
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
+        path.to_owned()
+    }
+}

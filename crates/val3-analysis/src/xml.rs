@@ -1,0 +1,110 @@
+//! Elements and attributes, read from views of the tree.
+
+use std::borrow::Cow;
+
+use val3_syntax::view::{TokenView, View};
+use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
+
+/// An element of a file.
+#[derive(Debug, Clone, Copy)]
+pub struct Element<'g> {
+    view: View<'g>,
+    tag: View<'g>,
+}
+
+/// An attribute with a value.
+#[derive(Debug, Clone, Copy)]
+pub struct Attribute<'g> {
+    /// The name with its prefix.
+    pub name: &'g str,
+    /// Where the name stands.
+    pub name_range: TextRange,
+    /// The value as it stands in the file, without quotes.
+    pub raw: &'g str,
+    /// Where the value stands, without quotes.
+    pub range: TextRange,
+}
+
+/// The root element of a file.
+pub fn root<'g>(file: View<'g>) -> Option<Element<'g>> {
+    file.children().find_map(Element::new)
+}
+
+impl<'g> Element<'g> {
+    fn new(view: View<'g>) -> Option<Self> {
+        let is_element = view.kind() == SyntaxKind::ELEMENT;
+        is_element.then(|| view.child(SyntaxKind::START_TAG)).flatten().map(|tag| Self { view, tag })
+    }
+
+    /// The name in the start tag; empty where it is missing.
+    pub fn name(self) -> &'g str {
+        self.tag.token(SyntaxKind::XML_NAME).map_or("", TokenView::text)
+    }
+
+    /// Where the start tag stands.
+    pub fn tag_range(self) -> TextRange {
+        self.tag.range()
+    }
+
+    /// Where the name in the start tag stands.
+    pub fn name_range(self) -> TextRange {
+        self.tag.token(SyntaxKind::XML_NAME).map_or(self.tag.range(), TokenView::range)
+    }
+
+    /// The node itself.
+    pub fn view(self) -> View<'g> {
+        self.view
+    }
+
+    /// The attributes that have a value.
+    pub fn attributes(self) -> impl Iterator<Item = Attribute<'g>> {
+        self.tag.children().filter_map(Attribute::new)
+    }
+
+    /// The attribute called `name`.
+    pub fn attribute(self, name: &str) -> Option<Attribute<'g>> {
+        self.attributes().find(|attribute| attribute.name == name)
+    }
+
+    /// The text of the attribute called `name`.
+    pub fn value(self, name: &str) -> Option<Cow<'g, str>> {
+        self.attribute(name).map(Attribute::text)
+    }
+
+    /// The elements inside.
+    pub fn elements(self) -> impl Iterator<Item = Element<'g>> {
+        self.view.children().filter_map(Element::new)
+    }
+
+    /// The first element inside that is called one of `names`.
+    pub fn child(self, names: &[&str]) -> Option<Element<'g>> {
+        self.elements().find(|element| names.contains(&element.name()))
+    }
+
+    /// The elements inside those called `list`, that are called `item`: `<Programs><Program/></Programs>`.
+    pub fn list(self, list: &'static str, item: &'static str) -> impl Iterator<Item = Element<'g>> {
+        self.elements()
+            .filter(move |element| element.name() == list)
+            .flat_map(Element::elements)
+            .filter(move |element| element.name() == item)
+    }
+}
+
+impl<'g> Attribute<'g> {
+    fn new(view: View<'g>) -> Option<Self> {
+        if view.kind() != SyntaxKind::ATTRIBUTE {
+            return None;
+        }
+        let name = view.token(SyntaxKind::XML_NAME)?;
+        let value = view.token(SyntaxKind::XML_STRING)?;
+        let text = value.text();
+        let raw = text.get(1..).map_or("", |rest| rest.strip_suffix(['"', '\'']).unwrap_or(rest));
+        let range = TextRange::at(value.range().start() + TextSize::new(1), TextSize::of(raw));
+        Some(Self { name: name.text(), name_range: name.range(), raw, range })
+    }
+
+    /// The value, with entity references replaced.
+    pub fn text(self) -> Cow<'g, str> {
+        decode_entities(self.raw)
+    }
+}

@@ -1,0 +1,65 @@
+//! What the language says about a type that a finding names.
+//!
+//! Types come as the analysis writes them: `num`, `pointRx`, `blend`. User types and containers are unknown here.
+
+use val3_lang::{
+    enumerations,
+    types::{Arm, BaseType, fields},
+};
+
+use crate::english::one_of;
+
+/// The built-in type called `ty`, and the arm that its suffix asks for.
+pub(crate) fn parse(ty: &str) -> Option<(BaseType, Option<Arm>)> {
+    let enumeration = || {
+        let ty = enumerations::ENUMERATORS.iter().find(|row| row.ty.name() == ty)?.ty;
+        Some((ty, None))
+    };
+    BaseType::from_file_name(ty).or_else(enumeration)
+}
+
+/// The names of its fields, in their order; `None` for a type that is not built in.
+pub(crate) fn field_names(ty: &str) -> Option<Vec<&'static str>> {
+    let (ty, arm) = parse(ty)?;
+    Some(fields(ty, arm).iter().map(|field| field.name).collect())
+}
+
+/// How a value of a structured type is written: `{{x,y,z,rx,ry,rz},{shoulder,elbow,wrist}}`.
+pub(crate) fn layout(ty: &str) -> Option<String> {
+    let (ty, arm) = parse(ty)?;
+    ty.is_structured().then(|| braces(ty, arm))
+}
+
+fn braces(ty: BaseType, arm: Option<Arm>) -> String {
+    let parts = fields(ty, arm)
+        .iter()
+        .map(|field| if field.ty.is_structured() { braces(field.ty, arm) } else { field.name.to_owned() });
+    format!("{{{}}}", parts.collect::<Vec<_>>().join(","))
+}
+
+/// The values of an enumeration, such as "`joint`, `off` or `Cartesian`"; `None` for another type.
+pub(crate) fn values(ty: &str) -> Option<String> {
+    let (ty, _) = parse(ty)?;
+    let names: Vec<_> = enumerations::values(ty).map(|row| row.name).collect();
+    (!names.is_empty()).then(|| one_of(&names))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_arm_decides_on_the_layout() {
+        assert_eq!(layout("pointRx").as_deref(), Some("{{x,y,z,rx,ry,rz},{shoulder,elbow,wrist}}"));
+        assert_eq!(layout("pointRs").as_deref(), Some("{{x,y,z,rx,ry,rz},{shoulder}}"));
+        assert_eq!(layout("num"), None);
+    }
+
+    #[test]
+    fn fields_and_values() {
+        assert_eq!(field_names("frame"), Some(vec!["trsf"]));
+        assert_eq!(field_names("Slot"), None);
+        assert_eq!(values("blend").as_deref(), Some("`joint`, `off` or `Cartesian`"));
+        assert_eq!(values("num"), None);
+    }
+}

@@ -1,0 +1,166 @@
+//! The check: which pieces of work there are, and what is wrong in each.
+
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::infer::infer;
+use val3_analysis::items::{parse, project};
+use val3_analysis::problem::Problem;
+use val3_analysis::{data_check, header_check, interfaces, project_check};
+use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
+
+use crate::diagnostic::{Diagnostic, RelatedNote, Span};
+use crate::rule::{Rule, Severity};
+use crate::rules::{word_problem, word_syntax};
+use crate::{keywords, related};
+
+/// The rule of which one finding an application is enough.
+const MISSING_ADD_ON: &str = "V0104";
+
+/// A piece of work that needs no other: pieces may be checked side by side, each on its own clone of the database.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// A `.pgx`: header and code.
+    Program(Project, File),
+    /// A `.dtx`.
+    Data(Project, File),
+    /// A `.pjx` with its libraries.
+    Project(Project),
+}
+
+/// The pieces of work of some projects, in the order of the projects' files.
+pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
+    let of_project = |project: &Project| {
+        let project = *project;
+        let data = project::data_files(db, project).iter().map(move |file| Unit::Data(project, *file));
+        let programs = project::program_files(db, project).iter().map(move |file| Unit::Program(project, *file));
+        std::iter::once(Unit::Project(project)).chain(data).chain(programs)
+    };
+    let mut units: Vec<Unit> = projects.iter().flat_map(of_project).collect();
+    // A file that is named twice is checked once.
+    let mut seen = rustc_hash::FxHashSet::default();
+    units.retain(|unit| seen.insert(*unit));
+    units
+}
+
+/// Everything that is wrong in one piece of work, by position.
+pub fn check_unit(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
+    let mut check = Check { db, unit, found: Vec::new() };
+    check.run();
+    check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
+    check.found
+}
+
+/// What only the whole shows: an add-on that is missing is one finding an application, however often it is used.
+pub fn finish(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut seen = rustc_hash::FxHashSet::default();
+    diagnostics.retain(|diagnostic| {
+        diagnostic.rule.code != MISSING_ADD_ON || seen.insert((diagnostic.application, diagnostic.message.clone()))
+    });
+    diagnostics
+}
+
+struct Check<'db> {
+    db: &'db dyn Db,
+    unit: Unit,
+    found: Vec<Diagnostic>,
+}
+
+impl Check<'_> {
+    fn run(&mut self) {
+        let db = self.db;
+        match self.unit {
+            Unit::Program(project, file) => {
+                let broken = self.text(file);
+                self.problems(header_check::problems(db, project, file));
+                if !broken {
+                    self.problems(infer(db, project, file).problems.clone());
+                    self.found.extend(keywords::spelling(db, project, file));
+                }
+            }
+            Unit::Data(project, file) => {
+                self.text(file);
+                self.problems(data_check::problems(db, project, file));
+            }
+            Unit::Project(project) => {
+                self.text(project.manifest(db));
+                self.problems(project_check::problems(db, project));
+                self.problems(interfaces::problems(db, project));
+            }
+        }
+    }
+
+    /// The faults of a file's text; true if the rest of it cannot be judged.
+    fn text(&mut self, file: File) -> bool {
+        let errors = parse(self.db, file).errors();
+        for error in errors {
+            self.found.push(self.of_syntax(file, error));
+        }
+        errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
+    }
+
+    fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {
+        let (rule, wording) = word_syntax(&error.kind);
+        let related = error.related.map(|range| RelatedNote {
+            place: Span { file, range },
+            message: related::other_side(&error.kind),
+        });
+        self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect())
+    }
+
+    fn problems(&mut self, problems: Vec<Problem>) {
+        for problem in problems {
+            let (rule, wording) = word_problem(&problem.kind);
+            let related = problem.related.iter().map(|other| RelatedNote {
+                place: Span { file: other.place.file, range: other.place.range },
+                message: related::role(other.role),
+            });
+            let place = Span { file: problem.place.file, range: problem.place.range };
+            let diagnostic = self.diagnostic(rule, wording, place, related.collect());
+            self.found.push(diagnostic);
+        }
+    }
+
+    fn diagnostic(
+        &self,
+        rule: &'static Rule,
+        wording: crate::diagnostic::Wording,
+        place: Span,
+        related: Vec<RelatedNote>,
+    ) -> Diagnostic {
+        let (project, program) = self.owner(place.file);
+        Diagnostic {
+            rule,
+            severity: self.severity(rule),
+            message: wording.message,
+            place,
+            label: wording.label,
+            related,
+            help: wording.help,
+            program,
+            application: Some(project.manifest(self.db)),
+            fixable: false,
+        }
+    }
+
+    /// Where no controller's tables are at hand, a missing add-on is only likely.
+    fn severity(&self, rule: &Rule) -> Severity {
+        let project = self.owner_project();
+        let has_tables = project.cell(self.db).is_some_and(|cell| !cell.config(self.db).add_ons.is_empty());
+        if rule.code == MISSING_ADD_ON && !has_tables { Severity::Warning } else { rule.severity }
+    }
+
+    fn owner_project(&self) -> Project {
+        match self.unit {
+            Unit::Program(project, _) | Unit::Data(project, _) | Unit::Project(project) => project,
+        }
+    }
+
+    fn owner(&self, file: File) -> (Project, Option<String>) {
+        let program = match self.unit {
+            Unit::Program(_, own) if own == file => {
+                Some(val3_analysis::items::program::header(self.db, file).name.to_string())
+            }
+            _ => None,
+        };
+        (self.owner_project(), program)
+    }
+}

@@ -1,0 +1,63 @@
+//! Advice for a value that has the wrong type.
+
+use val3_lang::types::BaseType;
+
+use crate::built_in;
+
+/// How a programmer makes a value of type `wanted` of one of type `found`; empty where no way is usual.
+///
+/// The types are given as the analysis writes them; the suffix of an arm makes no difference.
+pub(crate) fn advice(found: &str, wanted: &str) -> String {
+    let base = |ty| built_in::parse(ty).map(|(ty, _)| ty);
+    match (built_in::values(wanted), base(found), base(wanted)) {
+        (Some(values), ..) => format!("write {values}"),
+        (None, Some(found), Some(wanted)) => between(found, wanted).to_owned(),
+        _ => String::new(),
+    }
+}
+
+fn between(found: BaseType, wanted: BaseType) -> &'static str {
+    use BaseType as T;
+    match (found, wanted) {
+        (T::Num, T::String) => "`toString(\"\", …)` turns a number into text",
+        (T::String, T::Num) => "`toNum(…)` reads a number from a text",
+        (T::Num, T::Bool) => "a comparison such as `…!=0` makes a `bool` of a number",
+        (T::Bool, T::Num) => "`sel(…, 1, 0)` makes a number of a `bool`",
+        (T::Dio, T::Dio) => "a `dio` takes a `bool`: compare the input, `(…==true)`",
+        (T::Num, T::Dio) => "a `dio` takes a `bool`; `dioSet(…)` writes a number to several outputs",
+        (T::Dio, T::Num) => "`dioGet(…)` reads digital inputs as a number",
+        (T::Aio, T::Num) => "`aioGet(…)` reads a numerical input",
+        (T::Num, T::Aio) => "`aioSet(…)` writes a numerical output",
+        (T::Point | T::Frame | T::Tool, T::Trsf) => "write `.trsf` behind it to get its transformation",
+        (T::Trsf, T::Frame | T::Tool) => "the field `.trsf` of the variable takes a transformation",
+        (T::Trsf, T::Point) => "the field `.trsf` of a point takes it; `compose(…)` makes a point with it",
+        (T::Point, T::Joint) => "`pointToJoint(…)` computes the joint position of a point",
+        (T::Joint, T::Point) => "`jointToPoint(…)` computes the point of a joint position",
+        (T::Point, T::Frame) => "`setFrame(…)` makes a frame of three points",
+        (T::Joint, T::Config) => "`config(…)` yields the configuration of a joint position",
+        (T::Point, T::Config) => "write `.config` behind it to get its configuration",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::advice;
+
+    #[test]
+    fn the_arm_makes_no_difference() {
+        assert_eq!(advice("pointRs", "trsf"), advice("point", "trsf"));
+        assert!(!advice("point", "trsf").is_empty());
+    }
+
+    #[test]
+    fn an_enumeration_lists_its_values() {
+        assert_eq!(advice("string", "blend"), "write `joint`, `off` or `Cartesian`");
+    }
+
+    #[test]
+    fn containers_and_user_types_have_no_advice() {
+        assert_eq!(advice("num[]", "string"), "");
+        assert_eq!(advice("num", "Slot"), "");
+    }
+}

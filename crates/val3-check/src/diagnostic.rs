@@ -1,0 +1,77 @@
+//! A finding, worded and placed, free of any output format.
+
+use rowan::TextRange;
+use val3_analysis::db::File;
+
+use crate::rule::{Rule, Severity};
+
+/// One finding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Diagnostic {
+    /// The rule that found it.
+    pub rule: &'static Rule,
+    /// Its level.
+    pub severity: Severity,
+    /// What is wrong, in one sentence without a final full stop.
+    pub message: String,
+    /// Where.
+    pub place: Span,
+    /// A few words under the place ("this is a `string`"); may be empty.
+    pub label: String,
+    /// The other sides of the fault.
+    pub related: Vec<RelatedNote>,
+    /// What to write instead; may be empty.
+    pub help: String,
+    /// The program the place lies in, for findings in code or in a program's header.
+    pub program: Option<String>,
+    /// The `.pjx` of the application.
+    pub application: Option<File>,
+    /// A fix exists.
+    pub fixable: bool,
+}
+
+/// A range of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Span {
+    /// The file.
+    pub file: File,
+    /// The range in its text (UTF-8 bytes of the decoded text).
+    pub range: TextRange,
+}
+
+/// Another side of a finding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RelatedNote {
+    /// Where.
+    pub place: Span,
+    /// What stands there, in a few words.
+    pub message: String,
+}
+
+/// What a rule says about one fault; the place comes from the analysis.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Wording {
+    /// See [`Diagnostic::message`].
+    pub message: String,
+    /// See [`Diagnostic::label`].
+    pub label: String,
+    /// See [`Diagnostic::help`].
+    pub help: String,
+}
+
+impl Wording {
+    /// The three parts in the order in which they are read.
+    pub(crate) fn new(message: impl Into<String>, label: impl Into<String>, help: impl Into<String>) -> Self {
+        Self { message: message.into(), label: label.into(), help: help.into() }
+    }
+}
+
+/// One part a line, without the empty ones, for snapshots.
+#[cfg(test)]
+impl std::fmt::Display for Wording {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        writeln!(f, "{}", self.message)?;
+        let parts = [("|", &self.label), ("?", &self.help)];
+        parts.iter().filter(|(_, part)| !part.is_empty()).try_for_each(|(sign, part)| writeln!(f, "{sign} {part}"))
+    }
+}

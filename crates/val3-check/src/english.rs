@@ -1,0 +1,114 @@
+//! English grammar for wordings: articles, lists and plurals.
+
+use val3_analysis::problem::NameKind;
+
+use crate::phrase::{did_you_mean, name_kind};
+
+/// The name that was probably meant, or other advice where none is near.
+pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
+    match near {
+        None => otherwise.to_owned(),
+        Some(near) if near.eq_ignore_ascii_case(name) => {
+            format!("{} Upper and lower case make a difference", did_you_mean(Some(near)))
+        }
+        near => did_you_mean(near),
+    }
+}
+
+/// "`num`, `string` or `bool`".
+pub(crate) fn one_of<T: AsRef<str>>(names: &[T]) -> String {
+    let quoted: Vec<_> = names.iter().map(|name| format!("`{}`", name.as_ref())).collect();
+    or(&quoted)
+}
+
+/// "1, 2 or 3": the parts as they are.
+pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
+    let parts: Vec<_> = parts.iter().map(AsRef::as_ref).collect();
+    match parts.as_slice() {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [first @ .., last] => format!("{} or {last}", first.join(", ")),
+    }
+}
+
+/// A name in backticks with its article: "a `num`", "an `aio`".
+pub(crate) fn a(name: &str) -> String {
+    format!("{} `{name}`", article(name))
+}
+
+/// What a name names, with its article: "a program"; data is a mass noun and has none.
+pub(crate) fn a_name_kind(kind: NameKind) -> String {
+    let noun = name_kind(kind);
+    match kind {
+        NameKind::Data => noun.to_owned(),
+        _ => format!("{} {noun}", article(noun)),
+    }
+}
+
+fn article(word: &str) -> &'static str {
+    let vowel = word.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']);
+    if vowel { "an" } else { "a" }
+}
+
+/// "1 argument", "3 arguments", "2 indexes".
+pub(crate) fn count(number: usize, noun: &str) -> String {
+    let plural = match number {
+        1 => "",
+        _ if noun.ends_with('x') => "es",
+        _ => "s",
+    };
+    format!("{number} {noun}{plural}")
+}
+
+/// The container in the text of a type, with its article: `num[]` is "a one-dimensional array".
+pub(crate) fn container(ty: &str) -> &'static str {
+    match ty.split_once('[').map(|(_, inside)| inside) {
+        None => "a single value",
+        Some("]") => "a one-dimensional array",
+        Some(",]") => "a two-dimensional array",
+        Some(",,]") => "a three-dimensional array",
+        Some(_) => "a collection",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_letter_case_is_pointed_out() {
+        assert_eq!(meant("nA", Some("nB"), ""), "did you mean `nB`?");
+        assert_eq!(meant("na", Some("nA"), ""), "did you mean `nA`? Upper and lower case make a difference");
+        assert_eq!(meant("nA", None, "declare it"), "declare it");
+    }
+
+    #[test]
+    fn lists_end_in_or() {
+        assert_eq!(one_of(&["num"]), "`num`");
+        assert_eq!(one_of(&["num", "string"]), "`num` or `string`");
+        assert_eq!(or(&["1", "2", "3"]), "1, 2 or 3");
+        assert_eq!(or::<&str>(&[]), "");
+    }
+
+    #[test]
+    fn articles_follow_the_sound() {
+        assert_eq!(a("aio"), "an `aio`");
+        assert_eq!(a("num"), "a `num`");
+        assert_eq!(a_name_kind(NameKind::Instruction), "an instruction");
+        assert_eq!(a_name_kind(NameKind::Data), "data");
+    }
+
+    #[test]
+    fn counts_have_their_plural() {
+        assert_eq!(count(0, "argument"), "0 arguments");
+        assert_eq!(count(1, "index"), "1 index");
+        assert_eq!(count(2, "index"), "2 indexes");
+    }
+
+    #[test]
+    fn containers_are_named() {
+        assert_eq!(container("num"), "a single value");
+        assert_eq!(container("num[,]"), "a two-dimensional array");
+        assert_eq!(container("dio[\"\"]"), "a collection");
+    }
+}

@@ -1,0 +1,19 @@
+//! Diagnostics: the rules with their pages, and the check that applies them.
+
+mod built_in;
+mod check;
+mod conversion;
+pub mod diagnostic;
+mod english;
+mod keywords;
+mod phrase;
+mod related;
+pub mod rule;
+pub mod rules;
+mod statistics;
+#[doc(hidden)]
+#[allow(clippy::panic, reason = "a tool for tests")]
+pub mod testing;
+
+pub use check::{Unit, check_unit, finish, units};
+pub use statistics::{Statistics, statistics};

@@ -1,0 +1,97 @@
+//! Phrases that several rules share.
+
+use val3_analysis::problem::{FileRole, NameKind};
+use val3_syntax::error::XmlPart;
+
+/// ``did you mean `near`?``, or nothing.
+pub(crate) fn did_you_mean(near: Option<&str>) -> String {
+    near.map(|near| format!("did you mean `{near}`?")).unwrap_or_default()
+}
+
+/// The near miss, or other advice where nothing is near.
+pub(crate) fn did_you_mean_or(near: Option<&str>, otherwise: &str) -> String {
+    near.map_or_else(|| otherwise.to_owned(), |near| did_you_mean(Some(near)))
+}
+
+/// What a name names, as the manual calls it: `program`, `library identifier`.
+pub(crate) fn name_kind(kind: NameKind) -> &'static str {
+    match kind {
+        NameKind::Data => "data",
+        NameKind::Local => "local variable",
+        NameKind::Parameter => "parameter",
+        NameKind::Program => "program",
+        NameKind::Instruction => "instruction",
+        NameKind::Library => "library identifier",
+        NameKind::Type => "user type",
+        NameKind::Field => "field",
+    }
+}
+
+/// The part of XML in words.
+pub(crate) fn xml_part(part: XmlPart) -> &'static str {
+    match part {
+        XmlPart::Comment => "the comment",
+        XmlPart::CData => "the code section",
+        XmlPart::ProcessingInstruction => "the processing instruction",
+        XmlPart::Tag => "the tag",
+        XmlPart::AttributeValue => "the value of the attribute",
+    }
+}
+
+/// The bracket that `closing` closes.
+pub(crate) fn opening_bracket(closing: char) -> char {
+    match closing {
+        ')' => '(',
+        ']' => '[',
+        '}' => '{',
+        other => other,
+    }
+}
+
+/// What a file is in a project: `program file`, `library`.
+pub(crate) fn file_role(role: FileRole) -> &'static str {
+    match role {
+        FileRole::Project => "project file",
+        FileRole::Program => "program file",
+        FileRole::Data => "data file",
+        FileRole::Library => "library",
+        FileRole::Type => "user type",
+    }
+}
+
+/// The last key of an array of this `size` attribute: `2,3` for `3 4`; `None` if a dimension is empty or no number.
+pub(crate) fn last_key(size: &str) -> Option<String> {
+    let last = |dimension: &str| dimension.parse::<u32>().ok()?.checked_sub(1);
+    let keys: Option<Vec<String>> = size.split_whitespace().map(|d| Some(last(d)?.to_string())).collect();
+    keys.filter(|keys| !keys.is_empty()).map(|keys| keys.join(","))
+}
+
+/// What stands in place of something else: `text`, or the end of the line if it is empty.
+pub(crate) fn found_text(text: &str) -> String {
+    if text.is_empty() {
+        return "the line ends".to_owned();
+    }
+    format!("`{}` was found", shortened(text))
+}
+
+/// The first characters of a text that may be long.
+pub(crate) fn shortened(text: &str) -> String {
+    const LIMIT: usize = 30;
+    match text.char_indices().nth(LIMIT) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or(text)),
+        None => text.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_key_of_each_dimension() {
+        assert_eq!(last_key("3").as_deref(), Some("2"));
+        assert_eq!(last_key("3 4").as_deref(), Some("2,3"));
+        assert_eq!(last_key("0"), None);
+        assert_eq!(last_key(""), None);
+    }
+}

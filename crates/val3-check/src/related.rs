@@ -1,0 +1,57 @@
+//! Notes at the other side of a fault.
+
+use val3_analysis::problem::Role;
+use val3_syntax::error::SyntaxErrorKind;
+
+use crate::phrase::{opening_bracket, xml_part};
+
+/// What stands at the other side of a fault that the analysis found.
+pub(crate) fn role(role: Role) -> String {
+    match role {
+        Role::Declared => "declared here",
+        Role::Parameter => "the parameter that takes it",
+        Role::First => "the first stands here",
+        Role::Interface => "the interface asks for this",
+        Role::Implementation => "the library has this instead",
+        Role::Entry => "the project names it here",
+    }
+    .to_owned()
+}
+
+/// What stands at the related range of a fault of the text.
+pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
+    use SyntaxErrorKind as Kind;
+    match kind {
+        Kind::UnclosedElement { name } => format!("`</{name}>` belongs here"),
+        Kind::Unterminated(part) => format!("{} starts here", xml_part(*part)),
+        Kind::UnclosedBracket { missing } => format!("`{}` opens here", opening_bracket(*missing)),
+        Kind::UnclosedBlock { block, .. } => format!("`{block}` opens here"),
+        Kind::MissingBreak => "the branch starts here".to_owned(),
+        Kind::CaseAfterDefault | Kind::SecondDefault => "the first `default` stands here".to_owned(),
+        Kind::ElseAfterElse => "the first `else` stands here".to_owned(),
+        Kind::DuplicateAttribute { name } => format!("the first `{name}` stands here"),
+        Kind::TrailingText { .. } => "inside this bracket".to_owned(),
+        _ => "it belongs to this".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_block_names_its_opening_keyword() {
+        let kind = SyntaxErrorKind::UnclosedBlock { block: "while", missing: "endWhile" };
+        assert_eq!(other_side(&kind), "`while` opens here");
+    }
+
+    #[test]
+    fn a_bracket_names_its_opening_sign() {
+        assert_eq!(other_side(&SyntaxErrorKind::UnclosedBracket { missing: ']' }), "`[` opens here");
+    }
+
+    #[test]
+    fn a_declaration_is_pointed_at() {
+        assert_eq!(role(Role::Declared), "declared here");
+    }
+}

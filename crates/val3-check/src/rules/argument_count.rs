@@ -1,0 +1,125 @@
+//! V0204: too many or too few arguments.
+
+use smol_str::SmolStr;
+
+use crate::{
+    diagnostic::Wording,
+    english::{count, or},
+    rule::rule,
+};
+
+rule! {
+    /// A call has too many or too few arguments.
+    ///
+    /// ## Why
+    /// Every parameter of a program or instruction needs its argument; none can be left out. Where an instruction has
+    /// several forms, the number of arguments must be that of one of them. The controller does not load an application
+    /// with any other call.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// point pPick
+    /// mdesc mFast
+    ///
+    /// movel(pPick,mFast)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pPick
+    /// mdesc mFast
+    ///
+    /// movel(pPick,flange,mFast)
+    /// ```
+    V0204 "argument-count" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(callee: &str, expected: &[usize], found: usize, forms: &[SmolStr]) -> Wording {
+    let given = match found {
+        0 => "none is given".to_owned(),
+        1 => "1 is given".to_owned(),
+        _ => format!("{found} are given"),
+    };
+    Wording::new(
+        format!("`{callee}` takes {}; {given}", possible(expected)),
+        difference(expected, found),
+        syntax(forms),
+    )
+}
+
+/// The numbers that are possible: "no arguments", "2 or 3 arguments".
+fn possible(expected: &[usize]) -> String {
+    match expected {
+        [] | [0] => "no arguments".to_owned(),
+        [only] => count(*only, "argument"),
+        several => {
+            let numbers: Vec<_> = several.iter().map(ToString::to_string).collect();
+            format!("{} arguments", or(&numbers))
+        }
+    }
+}
+
+/// How many are missing or too many; empty if `found` lies between two possible numbers.
+fn difference(expected: &[usize], found: usize) -> String {
+    let (least, most) = (expected.first().copied().unwrap_or(0), expected.last().copied().unwrap_or(0));
+    if found < least {
+        format!("{} missing", count(least - found, "argument"))
+    } else if found > most {
+        format!("{} too many", count(found - most, "argument"))
+    } else {
+        String::new()
+    }
+}
+
+/// The forms of the callee, one a line where there are several.
+fn syntax(forms: &[SmolStr]) -> String {
+    let quoted: Vec<_> = forms.iter().map(|form| format!("`{form}`")).collect();
+    match quoted.as_slice() {
+        [] => String::new(),
+        [only] => format!("the form is {only}"),
+        several => format!("the forms are\n{}", several.join("\n")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn one_form() {
+        let form = ["num movel(point pPosition, tool tTool, mdesc mDesc)".into()];
+        expect![[r#"
+            `movel` takes 3 arguments; 2 are given
+            | 1 argument missing
+            ? the form is `num movel(point pPosition, tool tTool, mdesc mDesc)`
+        "#]]
+        .assert_eq(&word("movel", &[3], 2, &form).to_string());
+        expect![[r#"
+            `waitEndMove` takes no arguments; 1 is given
+            | 1 argument too many
+            ? the form is `void waitEndMove()`
+        "#]]
+        .assert_eq(&word("waitEndMove", &[0], 1, &["void waitEndMove()".into()]).to_string());
+    }
+
+    #[test]
+    fn several_forms() {
+        let forms = ["void cls()".into(), "void cls(screen scPage)".into()];
+        expect![[r#"
+            `cls` takes 0 or 1 arguments; 3 are given
+            | 2 arguments too many
+            ? the forms are
+            `void cls()`
+            `void cls(screen scPage)`
+        "#]]
+        .assert_eq(&word("cls", &[0, 1], 3, &forms).to_string());
+    }
+
+    #[test]
+    fn between_two_forms() {
+        assert_eq!(difference(&[1, 3], 2), "");
+    }
+}

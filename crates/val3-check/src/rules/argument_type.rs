@@ -1,0 +1,76 @@
+//! V0203: an argument of the wrong type.
+
+use smol_str::SmolStr;
+
+use crate::{
+    conversion,
+    diagnostic::Wording,
+    english::{a, or},
+    rule::rule,
+};
+
+rule! {
+    /// An argument has a type that the parameter does not take.
+    ///
+    /// ## Why
+    /// Each argument of an instruction or program must have the type of its parameter; VAL 3 converts nothing by
+    /// itself. Many instructions have several forms, such as `movej` for a joint position and for a point; the
+    /// arguments together must fit one of them. The controller does not load an application with a call that fits no
+    /// form.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// trsf trPick
+    /// mdesc mFast
+    ///
+    /// movej(trPick,flange,mFast)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pPick
+    /// mdesc mFast
+    ///
+    /// movej(pPick,flange,mFast)
+    /// ```
+    V0203 "argument-type" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(callee: &str, parameter: &str, expected: &[SmolStr], found: &str) -> Wording {
+    let types: Vec<_> = expected.iter().map(|ty| a(ty)).collect();
+    let mut advice = expected.iter().map(|wanted| conversion::advice(found, wanted));
+    Wording::new(
+        format!("`{callee}` takes {} as `{parameter}`, not {}", or(&types), a(found)),
+        format!("this is {}", a(found)),
+        advice.find(|advice| !advice.is_empty()).unwrap_or_default(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn one_type() {
+        expect![[r#"
+            `appro` takes a `trsf` as `trTransformation`, not a `point`
+            | this is a `point`
+            ? write `.trsf` behind it to get its transformation
+        "#]]
+        .assert_eq(&word("appro", "trTransformation", &["trsf".into()], "point").to_string());
+    }
+
+    #[test]
+    fn several_types() {
+        let types = ["joint".into(), "point".into()];
+        expect![[r#"
+            `movej` takes a `joint` or a `point` as `jPosition`, not a `trsf`
+            | this is a `trsf`
+            ? the field `.trsf` of a point takes it; `compose(…)` makes a point with it
+        "#]]
+        .assert_eq(&word("movej", "jPosition", &types, "trsf").to_string());
+    }
+}

@@ -1,0 +1,57 @@
+//! V0023: `=` inside an expression.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// `=` stands inside an expression, where only `==` can compare.
+    ///
+    /// ## Why
+    /// `=` gives a value to a variable and `==` compares two values. To keep the two apart, VAL 3 allows `=` only as the
+    /// main part of a line (`nA=nB=0` sets both), never in a condition or an argument. Otherwise
+    /// `if bA=bB` would change `bA` instead of testing it.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount=10
+    ///   nCount=0
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount==10
+    ///   nCount=0
+    /// endIf
+    /// ```
+    V0023 "assignment-in-expression" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "`=` assigns a value and cannot stand inside an expression",
+        "did you mean `==`?",
+        "write `==` to compare; to assign, use a line of its own",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_condition_that_would_assign() {
+        expect![[r#"
+            `=` assigns a value and cannot stand inside an expression
+            | did you mean `==`?
+            ? write `==` to compare; to assign, use a line of its own
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

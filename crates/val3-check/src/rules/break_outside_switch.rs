@@ -1,0 +1,61 @@
+//! V0017: `break` where no branch is open.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// `break` stands where no `case` or `default` is open.
+    ///
+    /// ## Why
+    /// `break` closes a branch of `switch` and does nothing else. It does not leave a loop, as it does in other
+    /// languages. A loop ends when its condition says so; `return` leaves the whole program.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    /// bool bFull
+    ///
+    /// while nCount<10
+    ///   nCount=nCount+1
+    ///   if bFull
+    ///     break
+    ///   endIf
+    /// endWhile
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    /// bool bFull
+    ///
+    /// while nCount<10 and !bFull
+    ///   nCount=nCount+1
+    /// endWhile
+    /// ```
+    V0017 "break-outside-switch" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "`break` closes a branch of `switch`, and no branch is open",
+        "not inside `case` or `default`",
+        "to leave a loop early, add to its condition; to leave the program, write `return`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_break_in_a_loop() {
+        expect![[r#"
+            `break` closes a branch of `switch`, and no branch is open
+            | not inside `case` or `default`
+            ? to leave a loop early, add to its condition; to leave the program, write `return`
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

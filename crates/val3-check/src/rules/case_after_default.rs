@@ -1,0 +1,68 @@
+//! V0019: a branch behind `default`.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A `case` follows `default`.
+    ///
+    /// ## Why
+    /// The branches are tested from top to bottom, and `default` takes every value that is left. It must therefore
+    /// be the last branch: a `case` behind it could never be reached, and the controller refuses the program.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   default
+    ///     nSpeed=10
+    ///   break
+    ///   case 1
+    ///     nSpeed=50
+    ///   break
+    /// endSwitch
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   case 1
+    ///     nSpeed=50
+    ///   break
+    ///   default
+    ///     nSpeed=10
+    ///   break
+    /// endSwitch
+    /// ```
+    V0019 "case-after-default" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "`default` must be the last branch of its `switch`",
+        "this `case` follows `default`",
+        "move this `case` before `default`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_case_behind_default() {
+        expect![[r#"
+            `default` must be the last branch of its `switch`
+            | this `case` follows `default`
+            ? move this `case` before `default`
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

@@ -1,0 +1,67 @@
+//! V0207: a condition that is no bool.
+
+use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
+
+rule! {
+    /// The condition of `if`, `elseIf`, `while` or `until` is no `bool`.
+    ///
+    /// ## Why
+    /// A condition must be true or false (2.2.5). VAL 3 does not take a number for one, as other languages do with
+    /// zero: a number or text is compared with something first. The controller does not load an application with a
+    /// condition of another type.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount
+    ///   putln("parts left")
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount>0
+    ///   putln("parts left")
+    /// endIf
+    /// ```
+    V0207 "condition-type" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(keyword: &str, found: &str) -> Wording {
+    let mut advice = conversion::advice(found, "bool");
+    if advice.is_empty() {
+        "compare it with something: `…==…`".clone_into(&mut advice);
+    }
+    Wording::new(
+        format!("`{keyword}` needs a `bool` as its condition, not {}", a(found)),
+        format!("this is {}", a(found)),
+        advice,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `if` needs a `bool` as its condition, not a `num`
+            | this is a `num`
+            ? a comparison such as `…!=0` makes a `bool` of a number
+        "#]]
+        .assert_eq(&word("if", "num").to_string());
+        expect![[r#"
+            `while` needs a `bool` as its condition, not a `string`
+            | this is a `string`
+            ? compare it with something: `…==…`
+        "#]]
+        .assert_eq(&word("while", "string").to_string());
+    }
+}

@@ -1,0 +1,54 @@
+//! V0004: a merge that nobody finished.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A line that version control wrote to mark a merge conflict is still in the file.
+    ///
+    /// ## Why
+    /// When two people changed the same lines, version control keeps both versions and marks them with
+    /// `<<<<<<<`, `=======` and `>>>>>>>`. Nothing on the controller knows these lines: the file is
+    /// neither XML nor VAL 3 until somebody has chosen a version and removed the marks.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nSpeed
+    ///
+    /// <<<<<<< HEAD
+    /// nSpeed=50
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nSpeed
+    ///
+    /// nSpeed=50
+    /// ```
+    V0004 "conflict-marker" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "a merge conflict is not resolved",
+        "written by version control",
+        "keep one version of the lines between `<<<<<<<` and `>>>>>>>`, and remove the marks",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_mark_of_version_control() {
+        expect![[r#"
+            a merge conflict is not resolved
+            | written by version control
+            ? keep one version of the lines between `<<<<<<<` and `>>>>>>>`, and remove the marks
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

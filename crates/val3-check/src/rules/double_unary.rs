@@ -1,0 +1,53 @@
+//! V0022: two unary operators in a row.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// Two unary operators stand in a row.
+    ///
+    /// ## Why
+    /// `-` and `!` in front of a value cannot follow each other directly, as in `--nA` or `!!bA`. The controller
+    /// refuses the line. Behind an operator with two sides one sign is allowed: `nA*-1`. Where both signs are
+    /// meant, brackets keep them apart.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// nCount=- -nCount
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// nCount=-nCount
+    /// ```
+    V0022 "double-unary" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "two unary operators stand in a row",
+        "two signs",
+        "remove one, or put the inner part in brackets: `-(-nA)`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn two_signs() {
+        expect![[r#"
+            two unary operators stand in a row
+            | two signs
+            ? remove one, or put the inner part in brackets: `-(-nA)`
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

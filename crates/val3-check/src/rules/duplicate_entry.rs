@@ -1,0 +1,99 @@
+//! V0503: an entry that a project has twice.
+
+use val3_analysis::problem::FileRole;
+
+use crate::{diagnostic::Wording, phrase::file_role, rule::rule};
+
+rule! {
+    /// A project lists a file twice, or declares a library identifier or a user type twice.
+    ///
+    /// ## Why
+    /// A program file listed twice would define its program twice. A library identifier or a user type that is
+    /// declared twice leaves open which project it stands for. The controller refuses both when it loads the project.
+    /// One library may well have several identifiers; it is the identifier that must be unique.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// library part "Disk://partBox/partBox.pjx"
+    /// library part "Disk://partBag/partBag.pjx"
+    /// putln("ready")
+    ///
+    /// --- partBox
+    /// public num nWeight
+    ///
+    /// --- partBag
+    /// public num nWeight
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// library box "Disk://partBox/partBox.pjx"
+    /// library bag "Disk://partBag/partBag.pjx"
+    /// putln("ready")
+    ///
+    /// --- partBox
+    /// public num nWeight
+    ///
+    /// --- partBag
+    /// public num nWeight
+    /// ```
+    V0503 "duplicate-entry" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(what: FileRole, name: &str) -> Wording {
+    match what {
+        FileRole::Library => declared_twice("library identifier", name),
+        FileRole::Type => declared_twice("user type", name),
+        FileRole::Project | FileRole::Program | FileRole::Data => Wording::new(
+            format!("the {} `{name}` is listed twice", file_role(what)),
+            "the second entry",
+            "remove one of the two entries",
+        ),
+    }
+}
+
+fn declared_twice(what: &str, name: &str) -> Wording {
+    Wording::new(
+        format!("the {what} `{name}` is declared twice"),
+        "the second declaration",
+        "remove one of the two, or give it another name",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_file() {
+        expect![[r#"
+            the program file `pick.pgx` is listed twice
+            | the second entry
+            ? remove one of the two entries
+        "#]]
+        .assert_eq(&word(FileRole::Program, "pick.pgx").to_string());
+    }
+
+    #[test]
+    fn a_library_identifier() {
+        expect![[r#"
+            the library identifier `part` is declared twice
+            | the second declaration
+            ? remove one of the two, or give it another name
+        "#]]
+        .assert_eq(&word(FileRole::Library, "part").to_string());
+    }
+
+    #[test]
+    fn a_type() {
+        expect![[r#"
+            the user type `Slot` is declared twice
+            | the second declaration
+            ? remove one of the two, or give it another name
+        "#]]
+        .assert_eq(&word(FileRole::Type, "Slot").to_string());
+    }
+}

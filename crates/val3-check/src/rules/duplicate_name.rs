@@ -1,0 +1,61 @@
+//! V0108: one name, two declarations.
+
+use val3_analysis::problem::NameKind;
+
+use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
+
+rule! {
+    /// A name is declared twice in the same place.
+    ///
+    /// ## Why
+    /// The controller would not know which of the two is meant, and does not load the application. Data of one
+    /// application have different names, and so have the programs, and the parameters and local variables of one
+    /// program together. A local variable may have the name of data of the application: inside its program it then
+    /// hides that data.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program pick(num x_nRow)
+    ///   num l_nIndex
+    ///   num l_nIndex
+    /// begin
+    ///   l_nIndex=x_nRow
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program pick(num x_nRow)
+    ///   num l_nIndex
+    /// begin
+    ///   l_nIndex=x_nRow
+    /// end
+    /// ```
+    V0108 "duplicate-name" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, what: NameKind) -> Wording {
+    Wording::new(format!("the {} `{name}` is declared twice", name_kind(what)), "declared again", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            the local variable `l_nIndex` is declared twice
+            | declared again
+        "#]]
+        .assert_eq(&word("l_nIndex", NameKind::Local).to_string());
+        expect![[r#"
+            the data `nCount` is declared twice
+            | declared again
+        "#]]
+        .assert_eq(&word("nCount", NameKind::Data).to_string());
+    }
+}

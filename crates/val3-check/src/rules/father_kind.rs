@@ -1,0 +1,89 @@
+//! V0521: a father of the wrong kind.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A frame or point hangs on something other than a frame, or a tool on something other than a tool.
+    ///
+    /// ## Why
+    /// A frame or a point is given in a reference frame (9.4, 9.6), a tool relative to a base tool (9.5). Other data
+    /// has no place in these chains, and the controller refuses the link as one of the wrong type.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// pPick.trsf.z=50
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="tGrip" access="private" xsi:type="array" type="tool" size="1">
+    ///       <Value key="0" fatherId="flange[0]" />
+    ///     </Data>
+    ///     <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" x="100" fatherId="tGrip[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// pPick.trsf.z=50
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="tGrip" access="private" xsi:type="array" type="tool" size="1">
+    ///       <Value key="0" fatherId="flange[0]" />
+    ///     </Data>
+    ///     <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" x="100" fatherId="world[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0521 "father-kind" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
+    let help = match expected {
+        "frame" => "the frame that all frames hang on is `world[0]`",
+        "tool" => "the tool that all tools hang on is `flange[0]`",
+        _ => "",
+    };
+    Wording::new(
+        format!("the father must be of type `{expected}`, but `{father}` is of type `{found}`"),
+        format!("of type `{found}`"),
+        help,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_tool_for_a_frame() {
+        expect![[r#"
+            the father must be of type `frame`, but `tGrip[0]` is of type `tool`
+            | of type `tool`
+            ? the frame that all frames hang on is `world[0]`
+        "#]]
+        .assert_eq(&word("tGrip[0]", "frame", "tool").to_string());
+    }
+
+    #[test]
+    fn a_frame_for_a_tool() {
+        expect![[r#"
+            the father must be of type `tool`, but `world[0]` is of type `frame`
+            | of type `frame`
+            ? the tool that all tools hang on is `flange[0]`
+        "#]]
+        .assert_eq(&word("world[0]", "tool", "frame").to_string());
+    }
+}

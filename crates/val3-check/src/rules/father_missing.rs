@@ -1,0 +1,85 @@
+//! V0520: a father that does not exist.
+
+use crate::{diagnostic::Wording, phrase::did_you_mean_or, rule::rule};
+
+rule! {
+    /// A frame, point or tool hangs on a frame or tool that the application does not have.
+    ///
+    /// ## Why
+    /// `fatherId` names the reference frame of a frame or point (9.4, 9.6) or the base tool of a tool (9.5). All
+    /// frames hang on `world` in the end, all tools on `flange`. Without its father the position of the data is
+    /// unknown, and the controller reports the linked data as missing when it loads the application.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// pPick.trsf.z=50
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="fTray" access="private" xsi:type="array" type="frame" size="1">
+    ///       <Value key="0" fatherId="world[0]" />
+    ///     </Data>
+    ///     <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" x="100" fatherId="fTrya[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// pPick.trsf.z=50
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="fTray" access="private" xsi:type="array" type="frame" size="1">
+    ///       <Value key="0" fatherId="world[0]" />
+    ///     </Data>
+    ///     <Data name="pPick" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" x="100" fatherId="fTray[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0520 "father-missing" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(father: &str, near: Option<&str>) -> Wording {
+    Wording::new(
+        format!("the father `{father}` does not exist"),
+        "no such frame or tool in this application",
+        did_you_mean_or(near, "frames and points may hang on `world[0]`, tools on `flange[0]`"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_near_miss() {
+        expect![[r#"
+            the father `fTrya[0]` does not exist
+            | no such frame or tool in this application
+            ? did you mean `fTray`?
+        "#]]
+        .assert_eq(&word("fTrya[0]", Some("fTray")).to_string());
+    }
+
+    #[test]
+    fn nothing_near() {
+        expect![[r#"
+            the father `fOld[0]` does not exist
+            | no such frame or tool in this application
+            ? frames and points may hang on `world[0]`, tools on `flange[0]`
+        "#]]
+        .assert_eq(&word("fOld[0]", None).to_string());
+    }
+}

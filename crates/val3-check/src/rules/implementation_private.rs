@@ -1,0 +1,80 @@
+//! V0606: a library whose item of the interface is private.
+
+use val3_analysis::problem::NameKind;
+
+use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
+
+rule! {
+    /// A library that is loaded under an identifier has an item of its interface as private.
+    ///
+    /// ## Why
+    /// Only public programs and data are part of an interface (6.2). A private one counts as missing: `libLoad`
+    /// returns 11, and its first use stops the task with the run-time error 80 (6.6). Often the program was written
+    /// for the library first, and became part of the interface later.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// library part "Disk://partBox/partBox.pjx"
+    /// part:libLoad("Disk://partBag")
+    /// call part:pick(3)
+    ///
+    /// --- partBox
+    /// public program pick(num x_nCount)
+    /// begin
+    ///   putln(x_nCount)
+    /// end
+    ///
+    /// --- partBag
+    /// program pick(num x_nCount)
+    /// begin
+    ///   putln(x_nCount*2)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// library part "Disk://partBox/partBox.pjx"
+    /// part:libLoad("Disk://partBag")
+    /// call part:pick(3)
+    ///
+    /// --- partBox
+    /// public program pick(num x_nCount)
+    /// begin
+    ///   putln(x_nCount)
+    /// end
+    ///
+    /// --- partBag
+    /// public program pick(num x_nCount)
+    /// begin
+    ///   putln(x_nCount*2)
+    /// end
+    /// ```
+    V0606 "implementation-private" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(alias: &str, library: &str, item: &str, what: NameKind) -> Wording {
+    let what = name_kind(what);
+    Wording::new(
+        format!("the {what} `{item}` is private in the library `{library}`, but belongs to the interface of `{alias}`"),
+        format!("its {what} `{item}` is private"),
+        format!("make `{item}` public in `{library}`"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_program() {
+        expect![[r#"
+            the program `pick` is private in the library `partBag`, but belongs to the interface of `part`
+            | its program `pick` is private
+            ? make `pick` public in `partBag`
+        "#]]
+        .assert_eq(&word("part", "partBag", "pick", NameKind::Program).to_string());
+    }
+}

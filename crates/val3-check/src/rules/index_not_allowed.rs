@@ -1,0 +1,83 @@
+//! V0209: an index or key where none may stand.
+
+use crate::{diagnostic::Wording, english::container, rule::rule};
+
+rule! {
+    /// An index or key stands where none may stand.
+    ///
+    /// ## Why
+    /// An instruction or program that works on a whole container takes its name alone; an index or key would pick one
+    /// value out of it. Only a one-dimensional array may have an index there, which says where the part begins that is
+    /// passed (2.6.3). Behind a single value an index has no meaning. In both cases the controller does not load the
+    /// application.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    /// string sLabel[""]
+    ///
+    /// nCount=size(sLabel["box"])
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    /// string sLabel[""]
+    ///
+    /// nCount=size(sLabel)
+    /// ```
+    V0209 "index-not-allowed" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, ty: &str, callee: Option<&str>) -> Wording {
+    let index = if ty.contains('"') { "key" } else { "index" };
+    match callee {
+        Some(callee) => Wording::new(
+            format!("`{callee}` takes `{name}` as a whole, without {} {index}", article(index)),
+            format!("`{name}` is {}", container(ty)),
+            format!("write `{name}`"),
+        ),
+        None => Wording::new(
+            format!("`{name}` is {} (`{ty}`) and takes no index", container(ty)),
+            "no index may stand here",
+            String::new(),
+        ),
+    }
+}
+
+fn article(index: &str) -> &'static str {
+    if index == "index" { "an" } else { "a" }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn of_a_whole_container() {
+        expect![[r#"
+            `size` takes `sLabel` as a whole, without a key
+            | `sLabel` is a collection
+            ? write `sLabel`
+        "#]]
+        .assert_eq(&word("sLabel", "string[\"\"]", Some("size")).to_string());
+        expect![[r#"
+            `resize` takes `nGrid` as a whole, without an index
+            | `nGrid` is a two-dimensional array
+            ? write `nGrid`
+        "#]]
+        .assert_eq(&word("nGrid", "num[,]", Some("resize")).to_string());
+    }
+
+    #[test]
+    fn of_a_single_value() {
+        expect![[r#"
+            `x_nValue` is a single value (`num`) and takes no index
+            | no index may stand here
+        "#]]
+        .assert_eq(&word("x_nValue", "num", None).to_string());
+    }
+}

@@ -1,0 +1,63 @@
+//! V0211: an index that is no num, or a key that is no string.
+
+use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
+
+rule! {
+    /// The index of an array is no `num`, or the key of a collection is no `string`.
+    ///
+    /// ## Why
+    /// The elements of an array are numbered from 0; an index that is no whole number is rounded to the nearest one
+    /// (2.5.3). The values of a collection have text keys: `"1"` is a key, `1` is none. The controller does not load an
+    /// application that mixes them up.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nWeight[""]
+    ///
+    /// nWeight[1]=0.5
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nWeight[""]
+    ///
+    /// nWeight["1"]=0.5
+    /// ```
+    V0211 "index-type" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, expected: &str, found: &str) -> Wording {
+    let (container, place) = match expected {
+        "string" => ("a collection", "key"),
+        _ => ("an array", "index"),
+    };
+    Wording::new(
+        format!("`{name}` is {container}: its {place} is {}, not {}", a(expected), a(found)),
+        format!("this is {}", a(found)),
+        conversion::advice(found, expected),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `nWeight` is a collection: its key is a `string`, not a `num`
+            | this is a `num`
+            ? `toString("", …)` turns a number into text
+        "#]]
+        .assert_eq(&word("nWeight", "string", "num").to_string());
+        expect![[r#"
+            `nList` is an array: its index is a `num`, not a `bool`
+            | this is a `bool`
+            ? `sel(…, 1, 0)` makes a number of a `bool`
+        "#]]
+        .assert_eq(&word("nList", "num", "bool").to_string());
+    }
+}

@@ -1,0 +1,108 @@
+//! V0514: a key that is no index of the array.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// The key of a value is no index of the array: a word, a negative number, or too many or too few numbers.
+    ///
+    /// ## Why
+    /// An array has one to three dimensions, and the key holds one whole number from 0 for each, with commas between
+    /// them. Words are keys of collections only. A key that leads to no element makes the data faulty, and the
+    /// application does not load.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// nGrid[1,2]=0
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="nGrid" access="private" xsi:type="array" type="num" size="3 4">
+    ///       <Value key="2" value="7" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// nGrid[1,2]=0
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="nGrid" access="private" xsi:type="array" type="num" size="3 4">
+    ///       <Value key="2,0" value="7" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0514 "invalid-key" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(key: &str, dims: usize) -> Wording {
+    let (form, example, dimensions) = match dims {
+        0 => return empty_key(),
+        1 => ("one whole number from 0", "0", "one dimension"),
+        2 => ("two whole numbers from 0 with a comma between", "0,0", "two dimensions"),
+        _ => ("three whole numbers from 0 with commas between", "0,0,0", "three dimensions"),
+    };
+    Wording::new(
+        format!("the key `{key}` is no index of this array: it must be {form}"),
+        format!("the array has {dimensions}"),
+        format!("the first element has the key `{example}`"),
+    )
+}
+
+/// A collection takes every key but the empty one (2.3.4).
+fn empty_key() -> Wording {
+    Wording::new("the key of a collection cannot be empty", "", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_word() {
+        expect![[r#"
+            the key `first` is no index of this array: it must be one whole number from 0
+            | the array has one dimension
+            ? the first element has the key `0`
+        "#]]
+        .assert_eq(&word("first", 1).to_string());
+    }
+
+    #[test]
+    fn too_few_numbers() {
+        expect![[r#"
+            the key `2` is no index of this array: it must be two whole numbers from 0 with a comma between
+            | the array has two dimensions
+            ? the first element has the key `0,0`
+        "#]]
+        .assert_eq(&word("2", 2).to_string());
+    }
+
+    #[test]
+    fn three_dimensions() {
+        expect![[r#"
+            the key `1,2` is no index of this array: it must be three whole numbers from 0 with commas between
+            | the array has three dimensions
+            ? the first element has the key `0,0,0`
+        "#]]
+        .assert_eq(&word("1,2", 3).to_string());
+    }
+
+    #[test]
+    fn an_empty_key() {
+        expect![[r#"
+            the key of a collection cannot be empty
+        "#]]
+        .assert_eq(&word("", 0).to_string());
+    }
+}

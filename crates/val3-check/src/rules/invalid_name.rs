@@ -1,0 +1,71 @@
+//! V0110: a name with characters that no name has.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A name has a character that VAL 3 does not allow in names.
+    ///
+    /// ## Why
+    /// A name begins with a letter and goes on with letters, digits and `_` (2.5.1). Letters are the 26 of English,
+    /// without accents; a digit never comes first. Names of programs, local variables and parameters may also begin
+    /// with `_`. A name with anything else cannot be written in code, and the controller does not load it.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nLänge
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nLength
+    /// ```
+    V0110 "invalid-name" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str) -> Wording {
+    Wording::new(
+        reason(name),
+        "not a name of VAL 3",
+        "names have the letters `a` to `z` and `A` to `Z`, digits and `_`, and begin with a letter",
+    )
+}
+
+/// Why `name` is none: the first thing that a reader can see in it.
+fn reason(name: &str) -> String {
+    let foreign = name.chars().find(|&letter| !letter.is_ascii_alphanumeric() && letter != '_');
+    match (name.chars().next(), foreign) {
+        (None, _) => "the name is empty".to_owned(),
+        (_, Some(' ')) => format!("the name `{name}` contains a blank"),
+        (_, Some(foreign)) => {
+            format!("the name `{name}` contains `{foreign}`, which no name may have")
+        }
+        (Some(first), None) => {
+            format!("the name `{name}` begins with `{first}`, not with a letter")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            the name `nLänge` contains `ä`, which no name may have
+            | not a name of VAL 3
+            ? names have the letters `a` to `z` and `A` to `Z`, digits and `_`, and begin with a letter
+        "#]]
+        .assert_eq(&word("nLänge").to_string());
+    }
+
+    #[test]
+    fn reasons() {
+        expect!["the name `2nd` begins with `2`, not with a letter"].assert_eq(&reason("2nd"));
+        expect!["the name `n Count` contains a blank"].assert_eq(&reason("n Count"));
+        expect!["the name is empty"].assert_eq(&reason(""));
+    }
+}

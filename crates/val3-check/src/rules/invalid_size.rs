@@ -1,0 +1,82 @@
+//! V0517: a size that is no list of one to three numbers.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// The `size` of an array is not a list of one to three whole numbers.
+    ///
+    /// ## Why
+    /// An array has one, two or three dimensions (2.3.4). In a file their sizes are separated by blanks, while the
+    /// indexes of a key are separated by commas. With a size that cannot be read the variable cannot be created, and
+    /// the application does not load.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="nGrid" access="private" xsi:type="array" type="num" size="3,4" />
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="nGrid" access="private" xsi:type="array" type="num" size="3 4" />
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0517 "invalid-size" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(size: &str) -> Wording {
+    Wording::new(
+        format!("the size `{size}` is no list of one to three whole numbers with blanks between"),
+        "one number for each dimension",
+        proposal(size),
+    )
+}
+
+/// The size as it may have been meant.
+fn proposal(size: &str) -> String {
+    let with_blanks = size.replace([',', ';', 'x', '*'], " ");
+    let dims: Vec<&str> = with_blanks.split_whitespace().collect();
+    let readable = (1..=3).contains(&dims.len()) && dims.iter().all(|dim| dim.parse::<u32>().is_ok());
+    if readable { format!("write `size=\"{}\"`", dims.join(" ")) } else { String::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_comma() {
+        expect![[r#"
+            the size `3,4` is no list of one to three whole numbers with blanks between
+            | one number for each dimension
+            ? write `size="3 4"`
+        "#]]
+        .assert_eq(&word("3,4").to_string());
+    }
+
+    #[test]
+    fn a_word() {
+        expect![[r#"
+            the size `many` is no list of one to three whole numbers with blanks between
+            | one number for each dimension
+        "#]]
+        .assert_eq(&word("many").to_string());
+    }
+}

@@ -1,0 +1,78 @@
+//! V0512: a key outside the size of the array.
+
+use crate::{diagnostic::Wording, phrase::last_key, rule::rule};
+
+rule! {
+    /// A data file gives a value to an element that the array does not have.
+    ///
+    /// ## Why
+    /// The `size` of an array fixes its elements; they count from 0, so the last key is one less than the size. A
+    /// value beyond it has no place: the controller reports the data as faulty when it loads the application.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// sName[1]="bag"
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="sName" access="private" xsi:type="array" type="string" size="2">
+    ///       <Value key="2" value="box" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// sName[1]="bag"
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="sName" access="private" xsi:type="array" type="string" size="2">
+    ///       <Value key="1" value="box" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0512 "key-out-of-range" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(key: &str, size: &str) -> Wording {
+    Wording::new(
+        format!("the key `{key}` lies outside the array of size `{size}`"),
+        last_key(size).map(|last| format!("the last key is `{last}`")).unwrap_or_default(),
+        "keys count from 0; correct the key or enlarge the size",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn one_dimension() {
+        expect![[r#"
+            the key `2` lies outside the array of size `2`
+            | the last key is `1`
+            ? keys count from 0; correct the key or enlarge the size
+        "#]]
+        .assert_eq(&word("2", "2").to_string());
+    }
+
+    #[test]
+    fn two_dimensions() {
+        expect![[r#"
+            the key `3,0` lies outside the array of size `3 4`
+            | the last key is `2,3`
+            ? keys count from 0; correct the key or enlarge the size
+        "#]]
+        .assert_eq(&word("3,0", "3 4").to_string());
+    }
+}

@@ -1,0 +1,65 @@
+//! V0604: a path for `libLoad` that leads to no library.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// `libLoad` is given a path under which the cell has no library.
+    ///
+    /// ## Why
+    /// `libLoad` does not stop the task when it finds nothing: it returns an error code from 20 on (6.6, 6.7). A
+    /// program that does not look at the code goes on, with another library than it asked for or with none. The
+    /// library may exist on the controller only, so this is a warning.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// part:libLoad("Disk://patr")
+    /// call part:init()
+    ///
+    /// --- part
+    /// public program init()
+    /// begin
+    ///   putln("part")
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// part:libLoad("Disk://part")
+    /// call part:init()
+    ///
+    /// --- part
+    /// public program init()
+    /// begin
+    ///   putln("part")
+    /// end
+    /// ```
+    V0604 "lib-load-path" Warning
+}
+
+/// Words the finding.
+pub(crate) fn word(path: &str) -> Wording {
+    Wording::new(
+        format!("the path `{path}` leads to no library"),
+        "`libLoad` returns an error code here",
+        "`Disk://`, or no root at all, is the folder `usrapp`; `./` is the folder of this application",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn the_path_is_shown() {
+        expect![[r#"
+            the path `Disk://patr` leads to no library
+            | `libLoad` returns an error code here
+            ? `Disk://`, or no root at all, is the folder `usrapp`; `./` is the folder of this application
+        "#]]
+        .assert_eq(&word("Disk://patr").to_string());
+    }
+}

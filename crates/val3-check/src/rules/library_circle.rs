@@ -1,0 +1,84 @@
+//! V0530: libraries or types that use each other in a circle.
+
+use smol_str::SmolStr;
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A project uses itself as a library or a user type, directly or over others.
+    ///
+    /// ## Why
+    /// When an application is opened, the controller reads the interfaces of all libraries it declares, and of theirs.
+    /// If library A uses library B, then B cannot use A: circles are not supported (6.6). The same holds for user
+    /// types, whose values would contain themselves without end.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// putln("ready")
+    ///
+    /// --- part
+    /// library tray "Disk://tray/tray.pjx"
+    /// public num nWeight
+    ///
+    /// --- tray
+    /// library part "Disk://part/part.pjx"
+    /// public num nRows
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// library tray "Disk://tray/tray.pjx"
+    /// putln("ready")
+    ///
+    /// --- part
+    /// library tray "Disk://tray/tray.pjx"
+    /// public num nWeight
+    ///
+    /// --- tray
+    /// public num nRows
+    /// ```
+    V0530 "library-circle" Error
+}
+
+/// Words the finding. The first project stands again at the end of `chain`.
+pub(crate) fn word(chain: &[SmolStr]) -> Wording {
+    let names: Vec<String> = chain.iter().map(|name| format!("`{name}`")).collect();
+    let message = match names.as_slice() {
+        [only] | [only, _] => format!("the project {only} uses itself"),
+        _ => format!("the projects use each other in a circle: {}", names.join(" -> ")),
+    };
+    Wording::new(
+        message,
+        "leads back to the start",
+        "move what both sides need into a project of its own, and use that from both",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn two_libraries() {
+        expect![[r#"
+            the projects use each other in a circle: `part` -> `tray` -> `part`
+            | leads back to the start
+            ? move what both sides need into a project of its own, and use that from both
+        "#]]
+        .assert_eq(&word(&["part".into(), "tray".into(), "part".into()]).to_string());
+    }
+
+    #[test]
+    fn a_project_that_names_itself() {
+        expect![[r#"
+            the project `part` uses itself
+            | leads back to the start
+            ? move what both sides need into a project of its own, and use that from both
+        "#]]
+        .assert_eq(&word(&["part".into(), "part".into()]).to_string());
+    }
+}

@@ -1,0 +1,79 @@
+//! V0104: an instruction of an add-on that is not installed.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// An instruction belongs to an add-on that the cell does not have.
+    ///
+    /// ## Why
+    /// Instructions whose names begin with `$` are no part of VAL 3: each comes with an add-on of the controller. An
+    /// installed add-on has a table of its instructions in the folder `usr/app` of the cell, one for each kind of arm.
+    /// Where the table is missing, the controller reports the instruction as an undefined function and does not load
+    /// the application.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// bool bThere
+    ///
+    /// bThere=$fileExists("Disk://log.txt")
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// bool bThere
+    ///
+    /// bThere=$fileExists("Disk://log.txt")
+    ///
+    /// === /app/val3.Expansion.anthro.cfx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Language xmlns="http://www.staubli.com/robotics/VAL3/1">
+    ///   <Version>s7.8</Version>
+    ///   <Functions>
+    ///     <Func>
+    ///       <Name>$fileExists</Name>
+    ///       <Return>bool</Return>
+    ///       <Param index="0" type="string" dataRef="false" array="false" dictionary="false" arrayDim="0" />
+    ///       <Lib>false</Lib>
+    ///       <Class>Function</Class>
+    ///     </Func>
+    ///   </Functions>
+    /// </Language>
+    /// ```
+    V0104 "missing-add-on" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, add_on: Option<&str>) -> Wording {
+    let (add_on, table) = match add_on {
+        Some(add_on) => (format!("the add-on `{add_on}`"), format!("`val3.{add_on}.*.cfx`")),
+        None => ("an add-on".to_owned(), "its table `val3.*.cfx`".to_owned()),
+    };
+    Wording::new(
+        format!("`{name}` needs {add_on}, which this cell does not have"),
+        "instruction of an add-on",
+        format!("install the add-on on the controller, and copy {table} into `usr/app` of the cell"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `$fileOpen` needs the add-on `Expansion`, which this cell does not have
+            | instruction of an add-on
+            ? install the add-on on the controller, and copy `val3.Expansion.*.cfx` into `usr/app` of the cell
+        "#]]
+        .assert_eq(&word("$fileOpen", Some("Expansion")).to_string());
+        expect![[r#"
+            `$myWeld` needs an add-on, which this cell does not have
+            | instruction of an add-on
+            ? install the add-on on the controller, and copy its table `val3.*.cfx` into `usr/app` of the cell
+        "#]]
+        .assert_eq(&word("$myWeld", None).to_string());
+    }
+}

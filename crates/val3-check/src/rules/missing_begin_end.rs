@@ -1,0 +1,91 @@
+//! V0028: code without `begin` or `end`.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// The code of a program does not start with `begin` or does not finish with `end`.
+    ///
+    /// ## Why
+    /// The code of every program stands between a line `begin` and a line `end`, even if there is nothing in
+    /// between. They tell the controller that the program is complete; a file that was cut off has no `end`. An
+    /// application with such a program does not load.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// program count()
+    /// begin
+    ///   nCount=nCount+1
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// program count()
+    /// begin
+    ///   nCount=nCount+1
+    /// end
+    /// ```
+    V0028 "missing-begin-end" Error
+}
+
+/// The code has no `begin`.
+pub(crate) fn no_begin() -> Wording {
+    Wording::new("the code of the program does not start with `begin`", "`begin` belongs here", "")
+}
+
+/// The code has no `end`.
+pub(crate) fn no_end() -> Wording {
+    Wording::new(
+        "the code of the program does not finish with `end`",
+        "`end` belongs here",
+        "if lines are missing too, the file was cut off: take it from a backup",
+    )
+}
+
+/// There is no code at all.
+pub(crate) fn no_code() -> Wording {
+    Wording::new(
+        "the program has no code",
+        "no `begin` and no `end`",
+        "a program that does nothing is written `begin` and `end` on two lines",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn code_without_begin() {
+        expect![[r#"
+            the code of the program does not start with `begin`
+            | `begin` belongs here
+        "#]]
+        .assert_eq(&no_begin().to_string());
+    }
+
+    #[test]
+    fn code_without_end() {
+        expect![[r#"
+            the code of the program does not finish with `end`
+            | `end` belongs here
+            ? if lines are missing too, the file was cut off: take it from a backup
+        "#]]
+        .assert_eq(&no_end().to_string());
+    }
+
+    #[test]
+    fn a_program_without_code() {
+        expect![[r#"
+            the program has no code
+            | no `begin` and no `end`
+            ? a program that does nothing is written `begin` and `end` on two lines
+        "#]]
+        .assert_eq(&no_code().to_string());
+    }
+}

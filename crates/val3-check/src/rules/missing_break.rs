@@ -1,0 +1,67 @@
+//! V0016: a branch of `switch` without `break`.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A `case` or `default` is not closed with `break`.
+    ///
+    /// ## Why
+    /// In VAL 3 `break` is not an instruction that leaves the branch early; it is the closing keyword of `case` and
+    /// `default`, as `endIf` is of `if`. Each branch has exactly one. A branch cannot fall through into the next
+    /// one: several values for one branch stand in one list, `case 1, 2`.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   case 1
+    ///     nSpeed=10
+    ///   case 2
+    ///     nSpeed=50
+    ///   break
+    /// endSwitch
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   case 1
+    ///     nSpeed=10
+    ///   break
+    ///   case 2
+    ///     nSpeed=50
+    ///   break
+    /// endSwitch
+    /// ```
+    V0016 "missing-break" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "a branch of `switch` is not closed with `break`",
+        "`break` belongs here",
+        "each `case` and `default` ends with its own `break`; values that share a branch stand in one list: `case 1, 2`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_branch_without_end() {
+        expect![[r#"
+            a branch of `switch` is not closed with `break`
+            | `break` belongs here
+            ? each `case` and `default` ends with its own `break`; values that share a branch stand in one list: `case 1, 2`
+        "#]].assert_eq(&word().to_string());
+    }
+}

@@ -1,0 +1,55 @@
+//! V0109: a name longer than the version allows.
+
+use crate::{diagnostic::Wording, english::count, rule::rule};
+
+rule! {
+    /// A name is longer than the VAL 3 version of the project allows.
+    ///
+    /// ## Why
+    /// Up to s7, the name of data, a local variable, a parameter, a program or a library identifier has at most 15
+    /// characters; the controller does not load an application with a longer one. From s8 on longer names are accepted,
+    /// so an application that is moved from a CS9 to a CS8 controller meets this limit first.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// version s7.11
+    /// num nPartsOnConveyor
+    ///
+    /// nPartsOnConveyor=0
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// version s7.11
+    /// num nPartsOnConv
+    ///
+    /// nPartsOnConv=0
+    /// ```
+    V0109 "name-too-long" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, limit: usize) -> Wording {
+    let length = name.chars().count();
+    Wording::new(
+        format!("the name `{name}` has {}; this version of VAL 3 allows {limit}", count(length, "character")),
+        format!("{} too long", count(length.saturating_sub(limit), "character")),
+        "",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            the name `nPartsOnConveyor` has 16 characters; this version of VAL 3 allows 15
+            | 1 character too long
+        "#]]
+        .assert_eq(&word("nPartsOnConveyor", 15).to_string());
+    }
+}

@@ -1,0 +1,89 @@
+//! V0112: a name that stands for no value.
+
+use val3_analysis::problem::NameKind;
+
+use crate::{diagnostic::Wording, english::a_name_kind, rule::rule};
+
+rule! {
+    /// A program, library identifier or type stands where a value is needed.
+    ///
+    /// ## Why
+    /// Only data, local variables, parameters and the results of instructions are values. A program yields none: it is
+    /// called on a line of its own, and gives its results back through parameters that are passed by reference. A
+    /// library identifier alone means nothing: the name of an item follows its colon.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nTotal
+    ///
+    /// nTotal=sum
+    ///
+    /// program sum()
+    /// begin
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nTotal
+    ///
+    /// call sum(nTotal)
+    ///
+    /// program sum(num& x_nTotal)
+    /// begin
+    ///   x_nTotal=x_nTotal+1
+    /// end
+    /// ```
+    V0112 "not-a-value" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, is: NameKind) -> Wording {
+    Wording::new(format!("`{name}` is {}, not a value", a_name_kind(is)), "not a value", instead(name, is))
+}
+
+/// What to write instead.
+fn instead(name: &str, is: NameKind) -> String {
+    match is {
+        NameKind::Program => "a program gives results back through parameters passed by reference".into(),
+        NameKind::Library => format!("name the data of the library: `{name}:…`"),
+        NameKind::Type => "declare data of this type, and use the data".into(),
+        NameKind::Instruction => format!("an instruction needs its round brackets: `{name}(…)`"),
+        NameKind::Data | NameKind::Local | NameKind::Parameter | NameKind::Field => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `sum` is a program, not a value
+            | not a value
+            ? a program gives results back through parameters passed by reference
+        "#]]
+        .assert_eq(&word("sum", NameKind::Program).to_string());
+        expect![[r#"
+            `part` is a library identifier, not a value
+            | not a value
+            ? name the data of the library: `part:…`
+        "#]]
+        .assert_eq(&word("part", NameKind::Library).to_string());
+        expect![[r#"
+            `Slot` is a user type, not a value
+            | not a value
+            ? declare data of this type, and use the data
+        "#]]
+        .assert_eq(&word("Slot", NameKind::Type).to_string());
+        expect![[r#"
+            `clock` is an instruction, not a value
+            | not a value
+            ? an instruction needs its round brackets: `clock(…)`
+        "#]]
+        .assert_eq(&word("clock", NameKind::Instruction).to_string());
+    }
+}

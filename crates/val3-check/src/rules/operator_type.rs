@@ -1,0 +1,123 @@
+//! V0201: an operator between types that it does not know.
+
+use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
+
+rule! {
+    /// An operator is not defined for the types of its operands.
+    ///
+    /// ## Why
+    /// Each operator works on certain types only, and both sides have the same type as a rule: `+` adds two numbers,
+    /// two joint positions, or puts two strings one behind the other. VAL 3 never turns a number into text, or text
+    /// into a number, by itself. Transformations are chained with `*` and inverted with `!`; the logical operators take
+    /// `bool` values, such as the results of comparisons.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// putln("parts: "+nCount)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// putln("parts: "+toString("",nCount))
+    /// ```
+    V0201 "operator-type" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(op: &str, left: Option<&str>, right: &str) -> Wording {
+    match left {
+        Some(left) => Wording::new(
+            format!("`{op}` is not defined between {} and {}", a(left), a(right)),
+            format!("`{left}` {op} `{right}`"),
+            binary_advice(op, left, right),
+        ),
+        None => Wording::new(
+            format!("`{op}` is not defined for {}", a(right)),
+            format!("this is {}", a(right)),
+            unary_advice(op, right),
+        ),
+    }
+}
+
+fn binary_advice(op: &str, left: &str, right: &str) -> String {
+    let advice = match (op, left, right) {
+        ("and" | "or" | "xor", _, _) => "both sides must be `bool`: compare first, as in `nCount>0`",
+        ("+" | "-", "trsf", _) | ("+" | "-", _, "trsf") => {
+            "transformations are chained with `*`; fields such as `.z` can be added as numbers"
+        }
+        ("<" | ">" | "<=" | ">=", "string", "string") => "strings are only compared with `==` and `!=`",
+        ("+", _, "string") => return conversion::advice(left, right),
+        ("+", "string", _) => return conversion::advice(right, left),
+        ("==" | "!=", _, _) => return conversion::advice(left, right),
+        _ => "",
+    };
+    advice.to_owned()
+}
+
+fn unary_advice(op: &str, operand: &str) -> &'static str {
+    match (op, operand) {
+        ("!", "num") => "`!` inverts a `bool` or a transformation; `bNot(…)` inverts the bits of a number",
+        ("!", _) => "`!` inverts a `bool` or a transformation",
+        ("-", "trsf") => "`!` inverts a transformation",
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn two_operands() {
+        expect![[r#"
+            `+` is not defined between a `string` and a `num`
+            | `string` + `num`
+            ? `toString("", …)` turns a number into text
+        "#]]
+        .assert_eq(&word("+", Some("string"), "num").to_string());
+        expect![[r#"
+            `and` is not defined between a `bool` and a `num`
+            | `bool` and `num`
+            ? both sides must be `bool`: compare first, as in `nCount>0`
+        "#]]
+        .assert_eq(&word("and", Some("bool"), "num").to_string());
+        expect![[r#"
+            `+` is not defined between a `trsf` and a `trsf`
+            | `trsf` + `trsf`
+            ? transformations are chained with `*`; fields such as `.z` can be added as numbers
+        "#]]
+        .assert_eq(&word("+", Some("trsf"), "trsf").to_string());
+        expect![[r#"
+            `==` is not defined between a `num` and a `string`
+            | `num` == `string`
+            ? `toString("", …)` turns a number into text
+        "#]]
+        .assert_eq(&word("==", Some("num"), "string").to_string());
+        expect![[r#"
+            `*` is not defined between a `screen` and a `num`
+            | `screen` * `num`
+        "#]]
+        .assert_eq(&word("*", Some("screen"), "num").to_string());
+    }
+
+    #[test]
+    fn one_operand() {
+        expect![[r#"
+            `!` is not defined for a `num`
+            | this is a `num`
+            ? `!` inverts a `bool` or a transformation; `bNot(…)` inverts the bits of a number
+        "#]]
+        .assert_eq(&word("!", None, "num").to_string());
+        expect![[r#"
+            `-` is not defined for a `string`
+            | this is a `string`
+        "#]]
+        .assert_eq(&word("-", None, "string").to_string());
+    }
+}

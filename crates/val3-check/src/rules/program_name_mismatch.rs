@@ -1,0 +1,69 @@
+//! V0508: a program with another name than its file.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// The program in a `.pgx` file has another name than the file.
+    ///
+    /// ## Why
+    /// A project lists its programs by the names of their files, and code calls them by the names of the programs.
+    /// Both must be the same, or the program that a line calls is not the one that the project loads. Letter case
+    /// makes no difference between a file and its program; folders in front of the file name do not count.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/place.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="plcae">
+    ///     <Code><![CDATA[begin
+    ///   putln("placed")
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/place.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="place">
+    ///     <Code><![CDATA[begin
+    ///   putln("placed")
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    V0508 "program-name-mismatch" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(program: &str, file: &str) -> Wording {
+    Wording::new(
+        format!("the program is called `{program}`, but its file is `{file}.pgx`"),
+        format!("the file is `{file}.pgx`"),
+        format!("call the program `{file}`, or the file `{program}.pgx`"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn both_names_are_shown() {
+        expect![[r#"
+            the program is called `plcae`, but its file is `place.pgx`
+            | the file is `place.pgx`
+            ? call the program `place`, or the file `plcae.pgx`
+        "#]]
+        .assert_eq(&word("plcae", "place").to_string());
+    }
+}

@@ -1,0 +1,87 @@
+//! V0111: a word of the language used as a name.
+
+use val3_lang::keywords::{Reserved, reserved};
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A word of VAL 3 is used as a name.
+    ///
+    /// ## Why
+    /// Keywords such as `if`, `step` and `and`, and the names of the built-in types and instructions, have their
+    /// meaning wherever they stand. Data, variables, parameters and programs with such a name could not be told from
+    /// them, so the controller does not load the application.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num step
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nStep
+    /// ```
+    V0111 "reserved-name" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str) -> Wording {
+    Wording::new(
+        format!("`{name}` is {} and cannot be used as a name", meaning(name)),
+        "reserved",
+        "choose another name, for example with the first letter of the type: `n` for a `num`",
+    )
+}
+
+/// What the word means in VAL 3.
+fn meaning(name: &str) -> &'static str {
+    match reserved(name) {
+        Some(Reserved::Keyword) => "a keyword of VAL 3",
+        Some(Reserved::Type) => "a type of VAL 3",
+        Some(Reserved::Builtin) => "data of VAL 3 itself",
+        Some(Reserved::Enumerator) => "a value of VAL 3 itself",
+        Some(Reserved::Instruction) => "an instruction of VAL 3",
+        None => "a word of VAL 3",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `step` is a keyword of VAL 3 and cannot be used as a name
+            | reserved
+            ? choose another name, for example with the first letter of the type: `n` for a `num`
+        "#]]
+        .assert_eq(&word("step").to_string());
+        expect![[r#"
+            `joint` is a type of VAL 3 and cannot be used as a name
+            | reserved
+            ? choose another name, for example with the first letter of the type: `n` for a `num`
+        "#]]
+        .assert_eq(&word("joint").to_string());
+        expect![[r#"
+            `world` is data of VAL 3 itself and cannot be used as a name
+            | reserved
+            ? choose another name, for example with the first letter of the type: `n` for a `num`
+        "#]]
+        .assert_eq(&word("world").to_string());
+        expect![[r#"
+            `lefty` is a value of VAL 3 itself and cannot be used as a name
+            | reserved
+            ? choose another name, for example with the first letter of the type: `n` for a `num`
+        "#]]
+        .assert_eq(&word("lefty").to_string());
+        expect![[r#"
+            `movej` is an instruction of VAL 3 and cannot be used as a name
+            | reserved
+            ? choose another name, for example with the first letter of the type: `n` for a `num`
+        "#]]
+        .assert_eq(&word("movej").to_string());
+    }
+}

@@ -1,0 +1,48 @@
+//! V0025: a keyword in the place of a name.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A keyword stands where a name belongs.
+    ///
+    /// ## Why
+    /// Keywords cannot name data, programs or libraries, in whatever letter case they are written: `default`, `Default` and
+    /// `DEFAULT` all belong to `switch`. The controller reads the keyword and refuses the line.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nSpeed
+    ///
+    /// nSpeed=default
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nSpeed
+    /// num nDefault
+    ///
+    /// nSpeed=nDefault
+    /// ```
+    V0025 "reserved-word" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(word: &str) -> Wording {
+    Wording::new(format!("`{word}` is a keyword of VAL 3 and cannot be a name"), "a keyword", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_keyword_as_a_name() {
+        expect![[r#"
+            `default` is a keyword of VAL 3 and cannot be a name
+            | a keyword
+        "#]]
+        .assert_eq(&word("default").to_string());
+    }
+}

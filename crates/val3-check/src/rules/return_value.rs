@@ -1,0 +1,55 @@
+//! V0027: `return` with a value.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// `return` is followed by a value.
+    ///
+    /// ## Why
+    /// A program yields no value; it is started with `call` on a line of its own and cannot stand inside an expression.
+    /// `return` only ends it. A program gives a result back through a parameter by reference, marked with `&` in its
+    /// interface.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// public program area(num x_nWidth, num x_nHeight)
+    /// begin
+    ///   return x_nWidth*x_nHeight
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// public program area(num x_nWidth, num x_nHeight, num& x_nArea)
+    /// begin
+    ///   x_nArea=x_nWidth*x_nHeight
+    /// end
+    /// ```
+    V0027 "return-value" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "a program returns no value",
+        "nothing can follow `return`",
+        "give the result back through a parameter by reference, such as `num& x_nResult`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_value_behind_return() {
+        expect![[r#"
+            a program returns no value
+            | nothing can follow `return`
+            ? give the result back through a parameter by reference, such as `num& x_nResult`
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

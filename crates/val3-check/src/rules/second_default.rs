@@ -1,0 +1,67 @@
+//! V0020: `default` twice.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A `switch` has two `default` branches.
+    ///
+    /// ## Why
+    /// `default` takes every value that no `case` names. A second one could never run, and the controller
+    /// refuses the program.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   case 1
+    ///     nSpeed=50
+    ///   break
+    ///   default
+    ///     nSpeed=10
+    ///   break
+    ///   default
+    ///     nSpeed=20
+    ///   break
+    /// endSwitch
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   case 1
+    ///     nSpeed=50
+    ///   break
+    ///   default
+    ///     nSpeed=10
+    ///   break
+    /// endSwitch
+    /// ```
+    V0020 "second-default" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new("`switch` has a second `default`", "could never run", "keep one of them")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn two_defaults() {
+        expect![[r#"
+            `switch` has a second `default`
+            | could never run
+            ? keep one of them
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

@@ -1,0 +1,64 @@
+//! V0021: code between `switch` and its first branch.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// An instruction stands between `switch` and its first `case`.
+    ///
+    /// ## Why
+    /// Inside `switch` every instruction belongs to a branch. One before the first `case` would run for no value at
+    /// all: the form of `switch` has no place for it.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// switch nMode
+    ///   nSpeed=20
+    ///   case 1
+    ///     nSpeed=50
+    ///   break
+    /// endSwitch
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nMode
+    /// num nSpeed
+    ///
+    /// nSpeed=20
+    /// switch nMode
+    ///   case 1
+    ///     nSpeed=50
+    ///   break
+    /// endSwitch
+    /// ```
+    V0021 "statement-before-case" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "an instruction stands between `switch` and its first `case`",
+        "belongs to no branch",
+        "move it before `switch`, or into a branch",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn an_instruction_without_branch() {
+        expect![[r#"
+            an instruction stands between `switch` and its first `case`
+            | belongs to no branch
+            ? move it before `switch`, or into a branch
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

@@ -1,0 +1,208 @@
+//! V0010: a line that is no VAL 3.
+
+use val3_syntax::error::Expected;
+
+use crate::{
+    diagnostic::Wording,
+    phrase::{found_text, shortened},
+    rule::rule,
+};
+
+rule! {
+    /// A line does not have the form of a VAL 3 instruction.
+    ///
+    /// ## Why
+    /// Each line of a program is one assignment, one instruction, one `call` or one part of a control
+    /// structure, complete on its line. The controller compiles all programs when it loads an
+    /// application, and one line that it cannot read is enough: the application does not load. The
+    /// rest of the program is checked as if the line were not there.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// nCount=nCount+
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// nCount=nCount+1
+    /// ```
+    V0010 "syntax" Error
+}
+
+/// Something else was expected; `found` is empty at the end of a line.
+pub(crate) fn expected(expected: Expected, found: &str) -> Wording {
+    let what = part(expected);
+    Wording::new(
+        format!("{what} is expected here, but {}", found_text(found)),
+        format!("expected {what}"),
+        form(expected),
+    )
+}
+
+/// The part of a line that is missing.
+fn part(expected: Expected) -> &'static str {
+    match expected {
+        Expected::Expression => "a value",
+        Expected::Name => "a name",
+        Expected::Field => "the name of a field",
+        Expected::Program => "the name of a program",
+        Expected::Statement => "an instruction",
+        Expected::ForAssign => "`=`",
+        Expected::ForTo => "`to`",
+        Expected::ForStep => "a value for the step",
+        Expected::OpenParen => "`(`",
+        Expected::Comma => "`,`",
+        Expected::AssignmentOrCall => "`=` or `(`",
+        Expected::CaseValue => "a value",
+    }
+}
+
+/// How the line is written, where the missing part alone does not say it.
+fn form(expected: Expected) -> &'static str {
+    match expected {
+        Expected::Program => "write `call name(…)`, and `call library:name(…)` for a program of a library",
+        Expected::Statement => "a line starts with a variable, an instruction or a keyword",
+        Expected::OpenParen => "arguments stand in round brackets, `()` if there are none",
+        Expected::AssignmentOrCall => {
+            "write `name=…` to assign, `name(…)` for an instruction, `call name(…)` for a program"
+        }
+        Expected::CaseValue => "write `case 1`, or `case 1, 2` for several values",
+        _ => "",
+    }
+}
+
+/// Text behind a complete value or instruction.
+pub(crate) fn trailing(found: &str) -> Wording {
+    Wording::new(
+        format!("`{}` cannot follow here", shortened(found)),
+        "not expected here",
+        if found.starts_with(';') {
+            "remove the `;`: in VAL 3 the end of the line ends the instruction"
+        } else {
+            "an operator or a comma is missing before it, or it belongs on a line of its own"
+        },
+    )
+}
+
+/// A character that VAL 3 does not use.
+pub(crate) fn invalid_character(character: char) -> Wording {
+    Wording::new(
+        format!("VAL 3 does not use the character {}", shown(character)),
+        "not part of VAL 3",
+        substitute(character),
+    )
+}
+
+/// The character between backticks, by its number where it is invisible.
+fn shown(character: char) -> String {
+    if is_invisible(character) {
+        return format!("U+{:04X}, which is invisible", u32::from(character));
+    }
+    format!("`{character}`")
+}
+
+/// Blanks and control characters, and marks that have no width (joiners, direction marks, byte order mark).
+fn is_invisible(character: char) -> bool {
+    let no_width = matches!(character, '\u{200b}'..='\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2060}' | '\u{feff}');
+    no_width || character.is_control() || character.is_whitespace()
+}
+
+/// What the writer probably meant.
+fn substitute(character: char) -> &'static str {
+    match character {
+        ';' => "remove it: in VAL 3 the end of the line ends the instruction",
+        '\'' | '‘' | '’' | '“' | '”' | '„' | '«' | '»' | '`' => {
+            "a string stands between straight double quotes: `\"text\"`"
+        }
+        '#' => "a comment starts with `//`",
+        '–' | '—' | '−' => "write the minus sign `-`",
+        '×' => "write `*`",
+        '÷' => "write `/`",
+        '（' | '）' | '，' | '：' | '；' | '＝' => "write the sign with the keyboard set to Latin letters",
+        '\\' => "an instruction cannot continue on the next line",
+        _ if is_invisible(character) => {
+            "write an ordinary blank, or none; such characters come along when text is copied"
+        }
+        _ => "",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_line_that_ends_too_early() {
+        expect![[r#"
+            a value is expected here, but the line ends
+            | expected a value
+        "#]]
+        .assert_eq(&expected(Expected::Expression, "").to_string());
+    }
+
+    #[test]
+    fn a_name_alone() {
+        expect![[r#"
+            `=` or `(` is expected here, but the line ends
+            | expected `=` or `(`
+            ? write `name=…` to assign, `name(…)` for an instruction, `call name(…)` for a program
+        "#]]
+        .assert_eq(&expected(Expected::AssignmentOrCall, "").to_string());
+    }
+
+    #[test]
+    fn a_call_without_brackets() {
+        expect![[r#"
+            `(` is expected here, but `pPlace` was found
+            | expected `(`
+            ? arguments stand in round brackets, `()` if there are none
+        "#]]
+        .assert_eq(&expected(Expected::OpenParen, "pPlace").to_string());
+    }
+
+    #[test]
+    fn text_behind_an_instruction() {
+        expect![[r#"
+            `nSpeed=20` cannot follow here
+            | not expected here
+            ? an operator or a comma is missing before it, or it belongs on a line of its own
+        "#]]
+        .assert_eq(&trailing("nSpeed=20").to_string());
+    }
+
+    #[test]
+    fn a_semicolon() {
+        expect![[r#"
+            `;` cannot follow here
+            | not expected here
+            ? remove the `;`: in VAL 3 the end of the line ends the instruction
+        "#]]
+        .assert_eq(&trailing(";").to_string());
+    }
+
+    #[test]
+    fn a_curly_quote() {
+        expect![[r#"
+            VAL 3 does not use the character `“`
+            | not part of VAL 3
+            ? a string stands between straight double quotes: `"text"`
+        "#]]
+        .assert_eq(&invalid_character('“').to_string());
+    }
+
+    #[test]
+    fn a_blank_that_is_none() {
+        expect![[r#"
+            VAL 3 does not use the character U+00A0, which is invisible
+            | not part of VAL 3
+            ? write an ordinary blank, or none; such characters come along when text is copied
+        "#]]
+        .assert_eq(&invalid_character('\u{a0}').to_string());
+    }
+}

@@ -1,0 +1,64 @@
+//! V0014: a block without its end.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A block (`if`, `while`, `do`, `for`, `switch`) is not closed.
+    ///
+    /// ## Why
+    /// Every block has its own closing keyword: `endIf`, `endWhile`, `until`, `endFor`, `endSwitch`. An `elseIf`
+    /// opens no block of its own, so a chain of conditions needs one `endIf`. The controller
+    /// refuses a program with an open block. The place shown is where the indentation suggests that the end was forgotten.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// while nCount<10
+    ///   nCount=nCount+1
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// while nCount<10
+    ///   nCount=nCount+1
+    /// endWhile
+    /// ```
+    V0014 "unclosed-block" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(block: &str, missing: &str) -> Wording {
+    let label = match missing {
+        "until" => "`until` and a condition belong here".to_owned(),
+        _ => format!("`{missing}` belongs here"),
+    };
+    Wording::new(format!("`{block}` has no `{missing}`"), label, "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn an_open_if() {
+        expect![[r#"
+            `if` has no `endIf`
+            | `endIf` belongs here
+        "#]]
+        .assert_eq(&word("if", "endIf").to_string());
+    }
+
+    #[test]
+    fn an_open_do() {
+        expect![[r#"
+            `do` has no `until`
+            | `until` and a condition belong here
+        "#]]
+        .assert_eq(&word("do", "until").to_string());
+    }
+}

@@ -1,0 +1,121 @@
+//! V0507: an element that does not belong where it stands.
+
+use crate::{diagnostic::Wording, phrase::did_you_mean, rule::rule};
+
+rule! {
+    /// An element stands where the file format has no such element.
+    ///
+    /// ## Why
+    /// The format fixes which elements a project, a data file and a program may hold, and where. What stands in
+    /// another place or is misspelt has no meaning there; the value or the entry that it was meant to give is missing
+    /// when the application runs. Letter case counts: `value` is not `Value`.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="nCount" access="private" xsi:type="array" type="num" size="1">
+    ///       <value key="0" value="3" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="nCount" access="private" xsi:type="array" type="num" size="1">
+    ///       <Value key="0" value="3" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0507 "unexpected-element" Warning
+}
+
+/// The elements of s7 and s8.
+const ELEMENTS: &[&str] = &[
+    "Project",
+    "Parameters",
+    "Programs",
+    "Program",
+    "Database",
+    "Data",
+    "Libraries",
+    "Library",
+    "Types",
+    "Type",
+    "Datas",
+    "Value",
+    "Field",
+    "Description",
+    "Parameter",
+    "Locals",
+    "Local",
+    "Code",
+];
+
+/// How alike two names must be, from 0 to 1, to be taken for a slip.
+const ALIKE: f64 = 0.7;
+
+/// Words the finding.
+pub(crate) fn word(name: &str, parent: &str) -> Wording {
+    Wording::new(
+        format!("the element `{name}` does not belong in `{parent}`"),
+        "it has no meaning here",
+        did_you_mean(near(name)),
+    )
+}
+
+/// The element that differs from `name` in letter case or by a slip.
+fn near(name: &str) -> Option<&'static str> {
+    let name_lower = name.to_lowercase();
+    let likeness = |element: &str| strsim::normalized_damerau_levenshtein(&element.to_lowercase(), &name_lower);
+    let best = ELEMENTS.iter().copied().max_by(|a, b| likeness(a).total_cmp(&likeness(b)))?;
+    (best != name && likeness(best) >= ALIKE).then_some(best)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn letter_case() {
+        expect![[r#"
+            the element `value` does not belong in `Data`
+            | it has no meaning here
+            ? did you mean `Value`?
+        "#]]
+        .assert_eq(&word("value", "Data").to_string());
+    }
+
+    #[test]
+    fn a_slip() {
+        expect![[r#"
+            the element `Vlaue` does not belong in `Data`
+            | it has no meaning here
+            ? did you mean `Value`?
+        "#]]
+        .assert_eq(&word("Vlaue", "Data").to_string());
+    }
+
+    #[test]
+    fn a_known_element_in_the_wrong_place() {
+        expect![[r#"
+            the element `Library` does not belong in `Programs`
+            | it has no meaning here
+        "#]]
+        .assert_eq(&word("Library", "Programs").to_string());
+    }
+}

@@ -1,0 +1,101 @@
+//! V0103: a call of an instruction that VAL 3 does not have.
+
+use val3_analysis::problem::NameKind;
+
+use crate::{
+    diagnostic::Wording,
+    english::{a_name_kind, meant},
+    rule::rule,
+};
+
+rule! {
+    /// A name before round brackets is no instruction of VAL 3.
+    ///
+    /// ## Why
+    /// A name with round brackets behind it is an instruction, unless `call` stands before it. Programs of the
+    /// application are called with `call`, and elements of an array stand in square brackets. Upper and lower case make
+    /// a difference: `movej`, not `moveJ`. The controller does not load an application with an instruction that it does
+    /// not know.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// joint jHome
+    /// mdesc mFast
+    ///
+    /// moveJ(jHome,flange,mFast)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// joint jHome
+    /// mdesc mFast
+    ///
+    /// movej(jHome,flange,mFast)
+    /// ```
+    V0103 "unknown-instruction" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Wording {
+    match is {
+        Some(is) => Wording::new(
+            format!("`{name}` is {}, not an instruction", a_name_kind(is)),
+            "not an instruction",
+            instead(name, is),
+        ),
+        None => {
+            Wording::new(format!("VAL 3 has no instruction `{name}`"), "no such instruction", meant(name, near, ""))
+        }
+    }
+}
+
+/// What to write for something that is no instruction.
+fn instead(name: &str, is: NameKind) -> String {
+    match is {
+        NameKind::Program => format!("a program is called with `call`: `call {name}(…)`"),
+        NameKind::Data | NameKind::Local | NameKind::Parameter => {
+            format!("an index or key stands in square brackets: `{name}[…]`")
+        }
+        NameKind::Library => format!("name the program of the library: `call {name}:…()`"),
+        NameKind::Type => "a value of a type is written between braces: `{…}`".into(),
+        NameKind::Instruction | NameKind::Field => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_missing_instruction() {
+        expect![[r#"
+            VAL 3 has no instruction `moveJ`
+            | no such instruction
+            ? did you mean `movej`? Upper and lower case make a difference
+        "#]]
+        .assert_eq(&word("moveJ", Some("movej"), None).to_string());
+        expect![[r#"
+            VAL 3 has no instruction `printf`
+            | no such instruction
+        "#]]
+        .assert_eq(&word("printf", None, None).to_string());
+    }
+
+    #[test]
+    fn something_else() {
+        expect![[r#"
+            `pick` is a program, not an instruction
+            | not an instruction
+            ? a program is called with `call`: `call pick(…)`
+        "#]]
+        .assert_eq(&word("pick", None, Some(NameKind::Program)).to_string());
+        expect![[r#"
+            `nData` is data, not an instruction
+            | not an instruction
+            ? an index or key stands in square brackets: `nData[…]`
+        "#]]
+        .assert_eq(&word("nData", None, Some(NameKind::Data)).to_string());
+    }
+}

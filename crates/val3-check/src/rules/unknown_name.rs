@@ -1,0 +1,60 @@
+//! V0101: a name that nothing declares.
+
+use crate::{diagnostic::Wording, english::meant, rule::rule};
+
+rule! {
+    /// A name is used that nothing declares.
+    ///
+    /// ## Why
+    /// A name in code stands for a local variable or a parameter of the program, for data of the application, or for
+    /// one of the names that VAL 3 itself provides, such as `world`, `flange` or `lefty` (2.5.2). Upper and lower case
+    /// make a difference. Data of a library is named with its library identifier: `part:nWeight`. The controller does
+    /// not load an application whose code has any other name.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// nCuont=nCount+1
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// nCount=nCount+1
+    /// ```
+    V0101 "unknown-name" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, near: Option<&str>) -> Wording {
+    Wording::new(
+        format!("`{name}` is not declared: no local variable, parameter or data has this name"),
+        "unknown name",
+        meant(name, near, "declare it, or write `identifier:` in front of data of a library"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `nCuont` is not declared: no local variable, parameter or data has this name
+            | unknown name
+            ? did you mean `nCount`?
+        "#]]
+        .assert_eq(&word("nCuont", Some("nCount")).to_string());
+        expect![[r#"
+            `nSpeed` is not declared: no local variable, parameter or data has this name
+            | unknown name
+            ? declare it, or write `identifier:` in front of data of a library
+        "#]]
+        .assert_eq(&word("nSpeed", None).to_string());
+    }
+}

@@ -1,0 +1,105 @@
+//! V0102: `call` of something that is no program.
+
+use val3_analysis::problem::NameKind;
+
+use crate::{
+    diagnostic::Wording,
+    english::{a_name_kind, meant},
+    rule::rule,
+};
+
+rule! {
+    /// A program is called that the application does not have.
+    ///
+    /// ## Why
+    /// `call`, `taskCreate` and `taskCreateSync` start a program of the application. A program belongs to the
+    /// application if its file is listed in the project file; a file that only lies in the folder does not count. Upper
+    /// and lower case make a difference. A program of a library is named with its library identifier:
+    /// `call part:pick()`. Instructions of VAL 3 are written without `call`.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// call pikc()
+    ///
+    /// program pick()
+    /// begin
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// call pick()
+    ///
+    /// program pick()
+    /// begin
+    /// end
+    /// ```
+    V0102 "unknown-program" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Wording {
+    match is {
+        Some(is) => {
+            Wording::new(format!("`{name}` is {}, not a program", a_name_kind(is)), "not a program", instead(name, is))
+        }
+        None => Wording::new(
+            format!("the application has no program `{name}`"),
+            "no such program",
+            meant(name, near, "write the program, or add its file to the project"),
+        ),
+    }
+}
+
+/// What to write for something that is no program.
+fn instead(name: &str, is: NameKind) -> String {
+    match is {
+        NameKind::Instruction => format!("an instruction is written without `call`: `{name}(…)`"),
+        NameKind::Library => format!("name the program of the library: `call {name}:…()`"),
+        _ => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_missing_program() {
+        expect![[r#"
+            the application has no program `pikc`
+            | no such program
+            ? did you mean `pick`?
+        "#]]
+        .assert_eq(&word("pikc", Some("pick"), None).to_string());
+        expect![[r#"
+            the application has no program `vision`
+            | no such program
+            ? write the program, or add its file to the project
+        "#]]
+        .assert_eq(&word("vision", None, None).to_string());
+    }
+
+    #[test]
+    fn something_else() {
+        expect![[r#"
+            `waitEndMove` is an instruction, not a program
+            | not a program
+            ? an instruction is written without `call`: `waitEndMove(…)`
+        "#]]
+        .assert_eq(&word("waitEndMove", None, Some(NameKind::Instruction)).to_string());
+        expect![[r#"
+            `part` is a library identifier, not a program
+            | not a program
+            ? name the program of the library: `call part:…()`
+        "#]]
+        .assert_eq(&word("part", None, Some(NameKind::Library)).to_string());
+        expect![[r#"
+            `nCount` is data, not a program
+            | not a program
+        "#]]
+        .assert_eq(&word("nCount", None, Some(NameKind::Data)).to_string());
+    }
+}

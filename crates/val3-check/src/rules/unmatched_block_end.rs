@@ -1,0 +1,77 @@
+//! V0015: the end of a block that is not open.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A keyword ends or continues a block that is not open.
+    ///
+    /// ## Why
+    /// `else`, `elseIf` and the closing keywords belong to the innermost open block. When the block before
+    /// them is already closed, or was never opened, the controller refuses the program. Often the line that
+    /// opens the block was deleted, or its end stands twice. After `else` no further branch can follow.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount>9
+    ///   nCount=0
+    /// endIf
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount>9
+    ///   nCount=0
+    /// endIf
+    /// ```
+    V0015 "unmatched-block-end" Error
+}
+
+/// The keyword `found` needs an open `opener`.
+pub(crate) fn word(found: &str, opener: &str) -> Wording {
+    Wording::new(
+        format!("`{found}` belongs to no `{opener}`"),
+        format!("no `{opener}` is open here"),
+        format!("remove it, or add the `{opener}` that is missing above"),
+    )
+}
+
+/// `else` or `elseIf` behind `else`.
+pub(crate) fn else_after_else() -> Wording {
+    Wording::new(
+        "`else` must be the last branch of its `if`",
+        "this branch follows `else`",
+        "move this branch before `else`, or close the block with `endIf` first",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn an_end_too_many() {
+        expect![[r#"
+            `endIf` belongs to no `if`
+            | no `if` is open here
+            ? remove it, or add the `if` that is missing above
+        "#]]
+        .assert_eq(&word("endIf", "if").to_string());
+    }
+
+    #[test]
+    fn a_branch_behind_else() {
+        expect![[r#"
+            `else` must be the last branch of its `if`
+            | this branch follows `else`
+            ? move this branch before `else`, or close the block with `endIf` first
+        "#]]
+        .assert_eq(&else_after_else().to_string());
+    }
+}

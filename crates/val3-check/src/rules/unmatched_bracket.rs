@@ -1,0 +1,56 @@
+//! V0012: a bracket that closes nothing.
+
+use crate::{diagnostic::Wording, phrase::opening_bracket, rule::rule};
+
+rule! {
+    /// A closing bracket has no opening bracket on its line.
+    ///
+    /// ## Why
+    /// Brackets belong together in pairs on one line. A bracket too many is often left over when a part of an
+    /// expression was deleted. The controller refuses the program, because it cannot know which of the
+    /// possible pairs was meant.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    /// num nHalf
+    ///
+    /// nHalf=nCount+1)/2
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    /// num nHalf
+    ///
+    /// nHalf=(nCount+1)/2
+    /// ```
+    V0012 "unmatched-bracket" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(bracket: char) -> Wording {
+    let opening = opening_bracket(bracket);
+    Wording::new(
+        format!("`{bracket}` closes no bracket"),
+        format!("no `{opening}` is open here"),
+        format!("remove it, or add the missing `{opening}`"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_round_bracket_too_many() {
+        expect![[r#"
+            `)` closes no bracket
+            | no `(` is open here
+            ? remove it, or add the missing `(`
+        "#]]
+        .assert_eq(&word(')').to_string());
+    }
+}

@@ -1,0 +1,53 @@
+//! V0013: a string without its closing quote.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A string has no closing quote on its line.
+    ///
+    /// ## Why
+    /// A string stands between two `"` on one line. There are no escape signs: `\` is an ordinary
+    /// character, and the next `"` always ends the string. A string that holds a quote is
+    /// put together with `chr(34)`. The controller refuses a program with an open string.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// string sText
+    ///
+    /// sText="waiting for part
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// string sText
+    ///
+    /// sText="waiting for part"
+    /// ```
+    V0013 "unterminated-string" Error
+}
+
+/// Words the finding.
+pub(crate) fn word() -> Wording {
+    Wording::new(
+        "the string has no closing quote",
+        "`\"` is missing at the end of the string",
+        "a string ends on its line; a quote inside it is written `\"…\"+chr(34)+\"…\"`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_string_without_end() {
+        expect![[r#"
+            the string has no closing quote
+            | `"` is missing at the end of the string
+            ? a string ends on its line; a quote inside it is written `"…"+chr(34)+"…"`
+        "#]]
+        .assert_eq(&word().to_string());
+    }
+}

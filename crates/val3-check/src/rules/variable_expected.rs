@@ -1,0 +1,63 @@
+//! V0205: a value where a parameter by reference needs a variable.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A parameter that is passed by reference gets a value instead of a variable.
+    ///
+    /// ## Why
+    /// A parameter marked with `&` is linked to the variable of the caller, so that the program or instruction can
+    /// change it (2.6.2). A constant or the result of an expression is no variable and has no place to be changed in;
+    /// an element of an array or collection and a field are variables. The controller does not load an application that
+    /// passes a value there.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// call double(10)
+    ///
+    /// program double(num& x_nValue)
+    /// begin
+    ///   x_nValue=2*x_nValue
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nSpeed
+    ///
+    /// nSpeed=10
+    /// call double(nSpeed)
+    ///
+    /// program double(num& x_nValue)
+    /// begin
+    ///   x_nValue=2*x_nValue
+    /// end
+    /// ```
+    V0205 "variable-expected" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(callee: &str, parameter: &str) -> Wording {
+    Wording::new(
+        format!("`{callee}` takes `{parameter}` by reference and needs a variable here"),
+        "a value, not a variable",
+        "assign the value to a variable first, and pass the variable",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            `double` takes `x_nValue` by reference and needs a variable here
+            | a value, not a variable
+            ? assign the value to a variable first, and pass the variable
+        "#]]
+        .assert_eq(&word("double", "x_nValue").to_string());
+    }
+}

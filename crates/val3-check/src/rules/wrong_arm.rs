@@ -1,0 +1,71 @@
+//! V0222: a position of another kind of arm.
+
+use crate::{diagnostic::Wording, english::a, rule::rule};
+
+rule! {
+    /// A joint position, point or configuration belongs to another kind of arm.
+    ///
+    /// ## Why
+    /// The types end in `Rx` for arms with six axes, in `Rs` for arms with four axes (SCARA), and in `Vrb` for any
+    /// other arm. They have different fields and mean nothing to each other, so they cannot be assigned, compared or
+    /// passed for one another, and an arm moves to positions of its own kind only. In code, `joint`, `point` and
+    /// `config` stand for the kind of the arm that is installed.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// jointRx jHome
+    /// jointRs jSmall
+    ///
+    /// jHome=jSmall
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// jointRx jHome
+    /// jointRx jSmall
+    ///
+    /// jHome=jSmall
+    /// ```
+    V0222 "wrong-arm" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(found: &str, expected: &str) -> Wording {
+    Wording::new(
+        format!("{} is needed here, not {}", a(expected), a(found)),
+        arm(found).map_or_else(|| format!("this is {}", a(found)), |arm| format!("this is for {arm}")),
+        arm(expected).map(|arm| format!("`{expected}` is for {arm}")).unwrap_or_default(),
+    )
+}
+
+/// The kind of arm that a type belongs to.
+fn arm(ty: &str) -> Option<&'static str> {
+    match ty {
+        _ if ty.ends_with("Rx") => Some("an arm with six axes"),
+        _ if ty.ends_with("Rs") => Some("an arm with four axes (SCARA)"),
+        _ if ty.ends_with("Vrb") => Some("another kind of arm"),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::word;
+
+    #[test]
+    fn wording() {
+        expect![[r#"
+            a `jointRx` is needed here, not a `jointRs`
+            | this is for an arm with four axes (SCARA)
+            ? `jointRx` is for an arm with six axes
+        "#]]
+        .assert_eq(&word("jointRs", "jointRx").to_string());
+        expect![[r#"
+            a `point` is needed here, not a `pointRx`
+            | this is for an arm with six axes
+        "#]]
+        .assert_eq(&word("pointRx", "point").to_string());
+    }
+}

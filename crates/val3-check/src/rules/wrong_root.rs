@@ -1,0 +1,100 @@
+//! V0504: a file of another kind than its place asks for.
+
+use val3_analysis::problem::FileRole;
+
+use crate::{diagnostic::Wording, phrase::file_role, rule::rule};
+
+rule! {
+    /// The root element of a file is not the one that its place in the project asks for.
+    ///
+    /// ## Why
+    /// A `.pjx` file holds a project, a `.dtx` file data and a `.pgx` file a program, and the root element says which.
+    /// With another root the controller does not understand the file and does not load the application. Most often a
+    /// file was copied over another one. Projects of s5 and s6 use other roots than s7 and s8; each file may be in
+    /// either form.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">
+    /// </Project>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// putln("ready")
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0504 "wrong-root" Error
+}
+
+/// Words the finding.
+pub(crate) fn word(expected: FileRole, found: &str) -> Wording {
+    let [root, old_root] = roots(expected);
+    Wording::new(
+        format!("a {} starts with the element `{root}`, not `{found}`", kind(expected)),
+        label(found),
+        format!("`{root}` is the root in s7 and s8, `{old_root}` in s5 and s6"),
+    )
+}
+
+/// The root elements of s7 and s5.
+fn roots(role: FileRole) -> [&'static str; 2] {
+    match role {
+        FileRole::Project | FileRole::Library | FileRole::Type => ["Project", "project"],
+        FileRole::Program => ["Programs", "programList"],
+        FileRole::Data => ["Database", "dataList"],
+    }
+}
+
+/// Libraries and types are projects too.
+fn kind(role: FileRole) -> &'static str {
+    match role {
+        FileRole::Library | FileRole::Type => file_role(FileRole::Project),
+        _ => file_role(role),
+    }
+}
+
+/// Names the kind of file that the root belongs to.
+fn label(found: &str) -> String {
+    [FileRole::Project, FileRole::Program, FileRole::Data]
+        .into_iter()
+        .find(|role| roots(*role).contains(&found))
+        .map(|role| format!("the root of a {}", file_role(role)))
+        .unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_project_for_data() {
+        expect![[r#"
+            a data file starts with the element `Database`, not `Project`
+            | the root of a project file
+            ? `Database` is the root in s7 and s8, `dataList` in s5 and s6
+        "#]]
+        .assert_eq(&word(FileRole::Data, "Project").to_string());
+    }
+
+    #[test]
+    fn an_unknown_root() {
+        expect![[r#"
+            a project file starts with the element `Project`, not `html`
+            ? `Project` is the root in s7 and s8, `project` in s5 and s6
+        "#]]
+        .assert_eq(&word(FileRole::Library, "html").to_string());
+    }
+}

@@ -1,0 +1,121 @@
+//! V0002: text that XML does not allow.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A file holds text that XML does not allow: a bare `&` or `<`, an unknown entity, or words between the elements.
+    ///
+    /// ## Why
+    /// In XML the characters `&` and `<` begin an entity and a tag. As plain characters they are
+    /// written `&amp;` and `&lt;`, in the values of a `.dtx` file just as in code outside a
+    /// `<![CDATA[ … ]]>` section. A file with a bare one is no XML, and the controller does not load the application.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// === main/start.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="start" access="public">
+    ///     <Description>Pick & place</Description>
+    ///     <Code><![CDATA[begin
+    ///   nCount=nCount+1
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// === main/start.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="start" access="public">
+    ///     <Description>Pick &amp; place</Description>
+    ///     <Code><![CDATA[begin
+    ///   nCount=nCount+1
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    V0002 "xml-text" Error
+}
+
+/// A stray `<`, or text where only elements may stand.
+pub(crate) fn stray_text() -> Wording {
+    Wording::new(
+        "this text does not belong in the XML of the file",
+        "stray text",
+        "remove it; the character `<` itself is written `&lt;`",
+    )
+}
+
+/// `&name;` that XML does not define, or a bare `&`.
+pub(crate) fn unknown_entity(text: &str) -> Wording {
+    if text.len() > 1 && text.ends_with(';') {
+        return Wording::new(
+            format!("XML does not define the entity `{text}`"),
+            "unknown entity",
+            "XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;` and `&apos;`; write other characters themselves",
+        );
+    }
+    Wording::new("`&` has a meaning of its own in XML and cannot stand alone", "write `&amp;`", "")
+}
+
+/// A document type declaration.
+pub(crate) fn doctype() -> Wording {
+    Wording::new(
+        "a document type declaration does not belong in a VAL 3 file",
+        "not allowed",
+        "remove it, and write out the entities that it declares: they are never expanded",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn words_between_elements() {
+        expect![[r#"
+            this text does not belong in the XML of the file
+            | stray text
+            ? remove it; the character `<` itself is written `&lt;`
+        "#]]
+        .assert_eq(&stray_text().to_string());
+    }
+
+    #[test]
+    fn a_bare_ampersand() {
+        expect![[r#"
+            `&` has a meaning of its own in XML and cannot stand alone
+            | write `&amp;`
+        "#]]
+        .assert_eq(&unknown_entity("& lid").to_string());
+    }
+
+    #[test]
+    fn an_entity_of_another_language() {
+        expect![[r#"
+            XML does not define the entity `&nbsp;`
+            | unknown entity
+            ? XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;` and `&apos;`; write other characters themselves
+        "#]]
+        .assert_eq(&unknown_entity("&nbsp;").to_string());
+    }
+
+    #[test]
+    fn a_document_type() {
+        expect![[r#"
+            a document type declaration does not belong in a VAL 3 file
+            | not allowed
+            ? remove it, and write out the entities that it declares: they are never expanded
+        "#]]
+        .assert_eq(&doctype().to_string());
+    }
+}

@@ -1,0 +1,44 @@
+//! What was looked at.
+
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::project;
+
+/// Counts over the projects that were asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Statistics {
+    /// Projects: applications, libraries and types.
+    pub applications: usize,
+    /// Files of these projects.
+    pub files: usize,
+    /// Programs.
+    pub programs: usize,
+    /// Lines of code, without blank lines and comments.
+    pub code_lines: usize,
+}
+
+/// Counts what `projects` hold.
+pub fn statistics(db: &dyn Db, projects: &[Project]) -> Statistics {
+    let mut total = Statistics { applications: projects.len(), ..Statistics::default() };
+    for &project in projects {
+        let programs = project::program_files(db, project);
+        total.files += 1 + project::data_files(db, project).len() + programs.len();
+        total.programs += programs.len();
+        total.code_lines += programs.iter().map(|file| code_lines(db, *file)).sum::<usize>();
+    }
+    total
+}
+
+/// Lines from `begin` to `end` that are neither blank nor a comment.
+fn code_lines(db: &dyn Db, file: File) -> usize {
+    let text: &str = file.text(db);
+    let Some(start) = ["<Code", "<code"].iter().find_map(|tag| text.find(tag)) else { return 0 };
+    let code = text.get(start..).unwrap_or("");
+    let code = code.split_once('>').map_or("", |(_, code)| code);
+    let code = code.split("</").next().unwrap_or("");
+    code.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//") && !is_mark(line)).count()
+}
+
+/// A line that holds nothing but the marks of a CDATA section.
+fn is_mark(line: &str) -> bool {
+    matches!(line, "<![CDATA[" | "]]>")
+}

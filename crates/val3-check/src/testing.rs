@@ -1,0 +1,51 @@
+//! For tests: the check of files in memory.
+
+use camino::Utf8PathBuf;
+use val3_analysis::load::load;
+use val3_analysis::system::Memory;
+
+use crate::rule::Severity;
+use crate::{check_unit, finish, units};
+
+/// One finding with its line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CheckedFinding {
+    /// `V0203`
+    pub code: &'static str,
+    /// Its level.
+    pub severity: Severity,
+    /// Path of the file.
+    pub file: String,
+    /// Line, from 1.
+    pub line: usize,
+    /// The message.
+    pub message: String,
+}
+
+/// Checks every project among `files`, given as path and bytes.
+///
+/// # Panics
+/// If there is no project among the files.
+pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
+    let system = Memory::new(files.iter().cloned());
+    let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
+    let db = &workspace.db;
+    let units = units(db, &workspace.projects);
+    let found = finish(units.into_iter().flat_map(|unit| check_unit(db, unit)).collect());
+    let mut findings: Vec<CheckedFinding> = found
+        .iter()
+        .map(|diagnostic| {
+            let before = usize::from(diagnostic.place.range.start());
+            let text = diagnostic.place.file.text(db);
+            CheckedFinding {
+                code: diagnostic.rule.code,
+                severity: diagnostic.severity,
+                file: diagnostic.place.file.path(db).to_string(),
+                line: 1 + text.get(..before).unwrap_or("").matches('\n').count(),
+                message: diagnostic.message.clone(),
+            }
+        })
+        .collect();
+    findings.sort_by(|a, b| (&a.file, a.line, a.code).cmp(&(&b.file, b.line, b.code)));
+    findings
+}

@@ -1,0 +1,148 @@
+//! The command line.
+
+use std::str::FromStr;
+
+use camino::Utf8PathBuf;
+use clap::builder::styling::{AnsiColor, Styles};
+use clap::{Parser, Subcommand, ValueEnum};
+
+use crate::format::Format;
+use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
+use crate::report::Severity;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  no finding at or above the fail level
+  1  findings
+  2  wrong usage, or a file that cannot be read or written";
+
+const STYLES: Styles = Styles::styled()
+    .header(AnsiColor::Green.on_default().bold())
+    .usage(AnsiColor::Green.on_default().bold())
+    .literal(AnsiColor::Cyan.on_default().bold())
+    .placeholder(AnsiColor::Cyan.on_default());
+
+/// Tools for VAL 3, the language of Stäubli robots.
+#[derive(Debug, Parser)]
+#[command(name = "val3", version, styles = STYLES, arg_required_else_help = true)]
+pub(crate) struct Args {
+    /// What to do
+    #[command(subcommand)]
+    pub(crate) command: Command,
+    /// When to colour the output
+    #[arg(long, value_name = "WHEN", default_value = "auto", global = true)]
+    pub(crate) color: Color,
+}
+
+/// The commands, one a file.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Check applications, libraries or whole cells
+    #[command(after_help = EXIT_CODES)]
+    Check(CheckArgs),
+    /// Print the page of a finding, an instruction, a statement or a run-time error
+    Explain(ExplainArgs),
+}
+
+/// Arguments of `val3 check`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct CheckArgs {
+    /// Application folders, .pjx files, cells, or folders that hold any of them
+    #[arg(value_name = "PATH", default_value = ".")]
+    pub(crate) paths: Vec<Utf8PathBuf>,
+    /// How findings are written to the standard output
+    #[arg(long, default_value = "human")]
+    pub(crate) format: Format,
+    /// Also write the findings to a file, in a format of its own; may be repeated
+    #[arg(long, value_name = "FORMAT=FILE")]
+    pub(crate) output: Vec<Output>,
+    /// The lowest level that makes the check fail
+    #[arg(long, value_name = "LEVEL", default_value = "error")]
+    pub(crate) fail_level: Severity,
+    /// Exit with 0 even when there are findings
+    #[arg(long)]
+    pub(crate) exit_zero: bool,
+    /// Only these findings: codes (V0203), beginnings of codes (V02) or names, separated by commas
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) select: Vec<String>,
+    /// All but these findings; wins over --select
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) ignore: Vec<String>,
+    /// Threads to work with [default: one a core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) jobs: Option<u16>,
+    /// Shape of a record of the val3check format: %e level, %f file, %l line, %m message, %c class, %p program,
+    /// %s section
+    #[arg(long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
+    pub(crate) val3check_template: Template,
+}
+
+/// Arguments of `val3 explain`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct ExplainArgs {
+    /// A code (V0203), the name of a rule, an instruction, a keyword or the number of a run-time error; without it
+    /// everything is listed
+    pub(crate) topic: Option<String>,
+}
+
+/// A file and the format it gets.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Output {
+    /// The format.
+    pub(crate) format: Format,
+    /// The file; replaced if it exists.
+    pub(crate) path: Utf8PathBuf,
+}
+
+impl FromStr for Output {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (format, path) = text
+            .split_once('=')
+            .filter(|(_, path)| !path.is_empty())
+            .ok_or("write FORMAT=FILE, for example json=report.json")?;
+        let format = Format::named(format).ok_or_else(|| unknown_format(format))?;
+        Ok(Self { format, path: path.into() })
+    }
+}
+
+fn unknown_format(name: &str) -> String {
+    let formats = Format::value_variants().iter().filter_map(Format::to_possible_value);
+    let names: Vec<_> = formats.map(|format| format.get_name().to_owned()).collect();
+    format!("`{name}` is no format; known: {}", names.join(", "))
+}
+
+/// When to colour.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Color {
+    /// On a terminal, unless NO_COLOR is set
+    Auto,
+    /// Always
+    Always,
+    /// Never
+    Never,
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_sound() {
+        Args::command().debug_assert();
+    }
+
+    #[test]
+    fn an_output_names_format_and_file() {
+        let output: Output = "json-lines=out/a=b.json".parse().unwrap();
+        assert_eq!(output.format, Format::JsonLines);
+        assert_eq!(output.path, "out/a=b.json");
+        assert!("json".parse::<Output>().is_err());
+        assert!("json=".parse::<Output>().is_err());
+        assert!("yaml=x".parse::<Output>().unwrap_err().contains("concise"));
+    }
+}

@@ -1,0 +1,66 @@
+//! The output formats of `val3 check`, one a file.
+
+pub(crate) mod concise;
+pub(crate) mod human;
+pub(crate) mod json;
+pub(crate) mod json_lines;
+pub(crate) mod val3check;
+
+mod excerpt;
+mod printable;
+
+use std::io;
+
+use clap::ValueEnum;
+use codespan_reporting::term::termcolor::WriteColor;
+
+use crate::report::Report;
+use val3check::Template;
+
+/// How findings are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people: the source line with the place marked, and what to write instead
+    Human,
+    /// One line a finding: path:line:column: level[CODE] message
+    Concise,
+    /// One JSON document with a summary and all findings
+    Json,
+    /// One JSON object a line and finding
+    JsonLines,
+    /// Records like those of the manufacturer's checker; see --val3check-template
+    #[value(name = "val3check")]
+    Val3Check,
+}
+
+impl Format {
+    /// Whether people read it, so that a summary belongs below it.
+    pub(crate) fn is_for_people(self) -> bool {
+        matches!(self, Self::Human | Self::Concise)
+    }
+
+    /// The format that is called so on the command line.
+    pub(crate) fn named(name: &str) -> Option<Self> {
+        Self::from_str(name, true).ok()
+    }
+}
+
+/// Writes the findings of `report`; `template` shapes the records of [`Format::Val3Check`].
+pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
+    match format {
+        Format::Human => human::write(report, out),
+        Format::Concise => concise::write(report, out),
+        Format::Json => json::write(report, out),
+        Format::JsonLines => json_lines::write(report, out),
+        Format::Val3Check => val3check::write(report, template, out),
+    }
+}
+
+/// What `write` puts out without colours.
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+fn rendered(format: Format, report: &Report) -> String {
+    let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());
+    write(format, report, &Template::default(), &mut out).unwrap();
+    String::from_utf8(out.into_inner()).unwrap()
+}

@@ -1,0 +1,36 @@
+//! One line a finding, in the form that editors and terminals turn into links.
+
+use std::io::{self, Write};
+
+use codespan_reporting::term::termcolor::WriteColor;
+
+use super::printable::Printable;
+use crate::report::{Finding, Report};
+
+/// Writes `path:line:column: level[CODE] message` lines.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    let mut out = Printable::new(out);
+    for finding in &report.findings {
+        write_finding(finding, &mut out)?;
+    }
+    Ok(())
+}
+
+fn write_finding(finding: &Finding, out: &mut Printable<'_>) -> io::Result<()> {
+    let Finding { code, message, .. } = finding;
+    let start = finding.place.start();
+    let path = &finding.place.file.shown;
+    let level = finding.severity.word();
+    writeln!(out, "{path}:{}:{}: {level}[{code}] {message}", start.line, start.column)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn one_line_a_finding() {
+        insta::assert_snapshot!(rendered(Format::Concise, &sample::report()));
+    }
+}

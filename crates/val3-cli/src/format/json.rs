@@ -1,0 +1,174 @@
+//! One JSON document. Its shape is stable: fields are added, never renamed or dropped, while `version` is 1.
+//!
+//! ```json
+//! {"version": 1,
+//!  "summary": {"applications": 1, "files": 3, "programs": 1, "code_lines": 12,
+//!              "errors": 1, "warnings": 0, "infos": 0, "seconds": 0.02},
+//!  "diagnostics": [{
+//!    "code": "V0203", "name": "argument-type", "severity": "error",
+//!    "message": "…", "file": "pal/pick.pgx",
+//!    "range": {"start": {"line": 6, "column": 21, "offset": 200}, "end": {"line": 6, "column": 27, "offset": 206}},
+//!    "program": "pick", "code_line": 3, "application": "pal/pal.pjx",
+//!    "related": [{"file": "pal/pal.dtx", "range": {}, "message": "…"}],
+//!    "fixable": false}]}
+//! ```
+//! - `severity` is `error`, `warning` or `info`.
+//! - `file` and `application` are relative to the folder asked for, with `/`.
+//! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
+//!   `end` is the first place behind the range.
+//! - `program` is `null` outside programs; `code_line`, which counts the line of `begin` as 1, outside their code.
+//! - `code_lines` leaves out blank lines and comments.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use serde::Serialize;
+
+use crate::line_index::Position;
+use crate::report::{Finding, Place, Related, Report, Severity, Statistics};
+
+/// Writes the document and a line end.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    let document = Document {
+        version: 1,
+        summary: Summary::of(report),
+        diagnostics: report.findings.iter().map(Diagnostic::of).collect(),
+    };
+    serde_json::to_writer(&mut *out, &document)?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    version: u32,
+    summary: Summary,
+    diagnostics: Vec<Diagnostic<'a>>,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    applications: usize,
+    files: usize,
+    programs: usize,
+    code_lines: usize,
+    errors: usize,
+    warnings: usize,
+    infos: usize,
+    seconds: f64,
+}
+
+impl Summary {
+    fn of(report: &Report) -> Self {
+        let Statistics { applications, files, programs, code_lines, seconds } = report.statistics;
+        Self {
+            applications,
+            files,
+            programs,
+            code_lines,
+            errors: report.count(Severity::Error),
+            warnings: report.count(Severity::Warning),
+            infos: report.count(Severity::Info),
+            seconds,
+        }
+    }
+}
+
+/// A finding in JSON, the same in `json` and `json-lines`.
+#[derive(Serialize)]
+pub(super) struct Diagnostic<'a> {
+    code: &'a str,
+    name: &'a str,
+    severity: Severity,
+    message: &'a str,
+    #[serde(flatten)]
+    place: JsonPlace<'a>,
+    program: Option<&'a str>,
+    code_line: Option<usize>,
+    application: Option<&'a str>,
+    related: Vec<JsonRelated<'a>>,
+    fixable: bool,
+}
+
+impl<'a> Diagnostic<'a> {
+    pub(super) fn of(finding: &'a Finding) -> Self {
+        Self {
+            code: finding.code,
+            name: finding.name,
+            severity: finding.severity,
+            message: &finding.message,
+            place: JsonPlace::of(&finding.place),
+            program: finding.program.as_deref(),
+            code_line: finding.code_line,
+            application: finding.application.as_deref(),
+            related: finding.related.iter().map(JsonRelated::of).collect(),
+            fixable: finding.fixable,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonRelated<'a> {
+    #[serde(flatten)]
+    place: JsonPlace<'a>,
+    message: &'a str,
+}
+
+impl<'a> JsonRelated<'a> {
+    fn of(related: &'a Related) -> Self {
+        Self { place: JsonPlace::of(&related.place), message: &related.message }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonPlace<'a> {
+    file: &'a str,
+    range: JsonRange,
+}
+
+#[derive(Serialize)]
+struct JsonRange {
+    start: JsonPosition,
+    end: JsonPosition,
+}
+
+#[derive(Serialize)]
+struct JsonPosition {
+    line: usize,
+    column: usize,
+    offset: usize,
+}
+
+impl<'a> JsonPlace<'a> {
+    fn of(place: &'a Place) -> Self {
+        Self {
+            file: &place.file.path,
+            range: JsonRange { start: JsonPosition::of(place.start()), end: JsonPosition::of(place.end()) },
+        }
+    }
+}
+
+impl JsonPosition {
+    fn of(position: Position) -> Self {
+        let Position { line, column, offset } = position;
+        Self { line, column, offset }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn the_document() {
+        let document = rendered(Format::Json, &sample::report());
+        let value: serde_json::Value = serde_json::from_str(&document).unwrap();
+        insta::assert_snapshot!(serde_json::to_string_pretty(&value).unwrap());
+    }
+
+    #[test]
+    fn the_order_of_the_fields() {
+        insta::assert_snapshot!(rendered(Format::Json, &sample::clean()), @r#"{"version":1,"summary":{"applications":1,"files":3,"programs":1,"code_lines":1412,"errors":0,"warnings":0,"infos":0,"seconds":0.0213},"diagnostics":[]}"#);
+    }
+}

@@ -1,0 +1,33 @@
+//! One JSON object a line and finding, shaped like those of the [`json`](super::json) format.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+
+use super::json::Diagnostic;
+use crate::report::Report;
+
+/// Writes the findings, and nothing where there are none.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    for finding in &report.findings {
+        serde_json::to_writer(&mut *out, &Diagnostic::of(finding))?;
+        writeln!(out)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn one_object_a_line() {
+        insta::assert_snapshot!(rendered(Format::JsonLines, &sample::report()));
+    }
+
+    #[test]
+    fn nothing_found_writes_nothing() {
+        assert_eq!(rendered(Format::JsonLines, &sample::clean()), "");
+    }
+}

@@ -1,0 +1,137 @@
+//! One record a line in the shape of the manufacturer's checker, so that wrappers made for it keep working.
+//!
+//! A template says what a record holds:
+//!
+//! | placeholder | stands for |
+//! |---|---|
+//! | `%e` | level: `Error`, `Warning` or `Message` |
+//! | `%f` | file on the controller (`Disk://pal/pick.pgx`) |
+//! | `%l` | line of the code, the line of `begin` being 1; outside code the line of the file |
+//! | `%m` | message |
+//! | `%c` | class: `PRG` in a program, `DATA` elsewhere |
+//! | `%p` | program; empty elsewhere |
+//! | `%s` | section: `CODE` in the code of a program; empty elsewhere |
+//! | `%%` | a per cent sign |
+
+use std::io;
+use std::str::FromStr;
+
+use codespan_reporting::term::termcolor::WriteColor;
+
+use crate::report::{Finding, Report, Severity};
+
+/// The records that known wrappers of the manufacturer's checker read.
+pub(crate) const DEFAULT_TEMPLATE: &str = "<level>%e<CLASS>%c<P1>%p<P2>%s<line>%l<msg>%m<file>%f";
+
+/// The shape of a record.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Template(String);
+
+impl Default for Template {
+    fn default() -> Self {
+        Self(DEFAULT_TEMPLATE.to_owned())
+    }
+}
+
+impl FromStr for Template {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut letters = text.chars();
+        while letters.by_ref().any(|letter| letter == '%') {
+            match letters.next() {
+                Some('e' | 'f' | 'l' | 'm' | 'c' | 'p' | 's' | '%') => {}
+                Some(other) => {
+                    return Err(format!("`%{other}` stands for nothing; known: %e %f %l %m %c %p %s %%"));
+                }
+                None => return Err("`%` at the end; write `%%` for a per cent sign".to_owned()),
+            }
+        }
+        Ok(Self(text.to_owned()))
+    }
+}
+
+/// Writes a record a finding.
+pub(crate) fn write(report: &Report, template: &Template, out: &mut dyn WriteColor) -> io::Result<()> {
+    for finding in &report.findings {
+        writeln!(out, "{}", record(finding, template))?;
+    }
+    Ok(())
+}
+
+fn record(finding: &Finding, template: &Template) -> String {
+    let mut record = String::new();
+    let mut letters = template.0.chars();
+    while let Some(letter) = letters.next() {
+        match letter {
+            '%' => record.push_str(&placeholder(letters.next(), finding)),
+            _ => record.push(letter),
+        }
+    }
+    // A record is a line, whatever a message quotes.
+    record.replace(['\r', '\n'], " ")
+}
+
+fn placeholder(letter: Option<char>, finding: &Finding) -> String {
+    match letter {
+        Some('e') => level(finding.severity).to_owned(),
+        Some('f') => file(finding),
+        Some('l') => line(finding).to_string(),
+        Some('m') => finding.message.clone(),
+        Some('c') => class(finding).to_owned(),
+        Some('p') => finding.program.clone().unwrap_or_default(),
+        Some('s') => section(finding).to_owned(),
+        _ => "%".to_owned(),
+    }
+}
+
+fn level(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Info => "Message",
+        Severity::Warning => "Warning",
+        Severity::Error => "Error",
+    }
+}
+
+fn file(finding: &Finding) -> String {
+    let file = &finding.place.file;
+    file.disk.clone().unwrap_or_else(|| file.path.clone())
+}
+
+fn line(finding: &Finding) -> usize {
+    finding.code_line.unwrap_or_else(|| finding.place.start().line)
+}
+
+fn class(finding: &Finding) -> &'static str {
+    if finding.program.is_some() { "PRG" } else { "DATA" }
+}
+
+fn section(finding: &Finding) -> &'static str {
+    if finding.code_line.is_some() { "CODE" } else { "" }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, clippy::indexing_slicing)]
+mod tests {
+    use super::*;
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn one_record_a_line() {
+        insta::assert_snapshot!(rendered(Format::Val3Check, &sample::report()));
+    }
+
+    #[test]
+    fn a_template_shapes_the_record() {
+        let finding = &sample::report().findings[2];
+        let template = "%e;%f(%l);%m;100%%".parse().unwrap();
+        assert_eq!(record(finding, &template), "Warning;Disk://pal/pick.pgx(4);`nCout` is not declared;100%");
+    }
+
+    #[test]
+    fn an_unknown_placeholder_is_refused() {
+        assert!("%x".parse::<Template>().unwrap_err().contains("`%x`"));
+        assert!("%%%".parse::<Template>().is_err());
+    }
+}

@@ -1,0 +1,41 @@
+//! The `val3` command.
+
+mod args;
+mod check;
+mod code_lines;
+mod engine;
+mod explain;
+mod format;
+mod line_index;
+mod markdown;
+mod output;
+mod paths;
+mod progress;
+mod report;
+mod selection;
+mod similar;
+mod summary;
+mod topics;
+mod user_error;
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+use crate::args::{Args, Command};
+use crate::output::to_stderr;
+use crate::user_error::{EXIT_USAGE, UserError};
+
+fn main() -> ExitCode {
+    run(&Args::parse()).unwrap_or_else(|error| {
+        to_stderr(|out| writeln!(out, "{error}"));
+        ExitCode::from(EXIT_USAGE)
+    })
+}
+
+fn run(args: &Args) -> Result<ExitCode, UserError> {
+    match &args.command {
+        Command::Check(check) => check::run(check, args.color),
+        Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+    }
+}

@@ -1,0 +1,104 @@
+//! How paths are written: relative to what was asked for, or to where the reader is; always with `/`.
+
+use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
+
+/// The folders that written paths are relative to. Only names are compared, links are not followed.
+#[derive(Debug)]
+pub(crate) struct Paths {
+    asked: Utf8PathBuf,
+    current: Utf8PathBuf,
+}
+
+impl Paths {
+    /// `asked` are the folders asked for, `current` is the absolute path of the current folder. Of several folders the
+    /// deepest one above all of them counts, so that no two files get the same path.
+    pub(crate) fn new(asked: &[Utf8PathBuf], current: &Utf8Path) -> Self {
+        let absolute = asked.iter().map(|folder| normal(&current.join(folder)));
+        Self { asked: absolute.reduce(|a, b| common(&a, &b)).unwrap_or_default(), current: normal(current) }
+    }
+
+    /// The path relative to the folder asked for.
+    pub(crate) fn relative(&self, path: &Utf8Path) -> String {
+        relative(&self.asked, &self.absolute(path))
+    }
+
+    /// The path that opens the file from the current folder, or the absolute path where that is shorter.
+    pub(crate) fn shown(&self, path: &Utf8Path) -> String {
+        let absolute = self.absolute(path);
+        let relative = relative(&self.current, &absolute);
+        let absolute = slashes(&absolute);
+        if relative.len() <= absolute.len() { relative } else { absolute }
+    }
+
+    fn absolute(&self, path: &Utf8Path) -> Utf8PathBuf {
+        normal(&self.current.join(path))
+    }
+}
+
+/// The path without `.` and with as few `..` as possible.
+fn normal(path: &Utf8Path) -> Utf8PathBuf {
+    let mut normal = Utf8PathBuf::new();
+    for component in path.components() {
+        match component {
+            Utf8Component::CurDir => {}
+            Utf8Component::ParentDir if normal.file_name().is_some() => {
+                normal.pop();
+            }
+            other => normal.push(other),
+        }
+    }
+    normal
+}
+
+fn common(a: &Utf8Path, b: &Utf8Path) -> Utf8PathBuf {
+    let pairs = a.components().zip(b.components());
+    pairs.take_while(|(a, b)| a == b).map(|(a, _)| a).collect()
+}
+
+/// `path` seen from `base`; itself where they have nothing in common.
+fn relative(base: &Utf8Path, path: &Utf8Path) -> String {
+    let common = common(base, path);
+    if common.as_str().is_empty() {
+        return slashes(path);
+    }
+    let ups = base.components().count() - common.components().count();
+    let up = std::iter::repeat_n("..", ups);
+    let down = path.components().skip(common.components().count());
+    let parts: Vec<_> = up.chain(down.map(|part| part.as_str())).collect();
+    if parts.is_empty() { ".".to_owned() } else { parts.join("/") }
+}
+
+fn slashes(path: &Utf8Path) -> String {
+    path.as_str().replace(std::path::MAIN_SEPARATOR, "/")
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    fn paths(asked: &[&str]) -> Paths {
+        let asked: Vec<_> = asked.iter().map(Utf8PathBuf::from).collect();
+        Paths::new(&asked, "/home/me/cell".into())
+    }
+
+    #[test]
+    fn one_folder() {
+        assert_eq!(paths(&["."]).relative("usrapp/a.pgx".into()), "usrapp/a.pgx");
+        assert_eq!(paths(&["usrapp/"]).relative("./usrapp/a.pgx".into()), "a.pgx");
+        assert_eq!(paths(&["usrapp/x"]).relative("/home/me/cell/usrapp/y/y.pjx".into()), "../y/y.pjx");
+    }
+
+    #[test]
+    fn of_several_folders_the_one_above_all() {
+        let paths = paths(&["usrapp/x", "usrapp/y", "usrapp/x/../z"]);
+        assert_eq!(paths.relative("usrapp/x/x.pjx".into()), "x/x.pjx");
+    }
+
+    #[test]
+    fn people_get_the_shorter_path() {
+        let paths = paths(&["/srv/cell"]);
+        assert_eq!(paths.shown("usrapp/a.pgx".into()), "usrapp/a.pgx");
+        assert_eq!(paths.shown("../other/a.pgx".into()), "../other/a.pgx");
+        assert_eq!(paths.shown("/srv/cell/a.pgx".into()), "/srv/cell/a.pgx");
+    }
+}

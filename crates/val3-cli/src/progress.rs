@@ -1,0 +1,41 @@
+//! A progress bar for checks that take long.
+
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+/// A check shorter than this shows no bar.
+const PATIENCE: Duration = Duration::from_secs(1);
+
+/// Counts finished pieces of work on the standard error output, if that is a terminal and the work takes long.
+#[derive(Debug)]
+pub(crate) struct Progress {
+    bar: ProgressBar,
+    started: Instant,
+}
+
+impl Progress {
+    /// A bar for `total` pieces, invisible for now.
+    pub(crate) fn new(total: usize) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("checking {bar:30} {pos}/{len}") {
+            bar.set_style(style);
+        }
+        Self { bar, started: Instant::now() }
+    }
+
+    /// One more piece is done; any thread may say so.
+    pub(crate) fn advance(&self) {
+        if self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
+            // Where the standard error output is no terminal, this target draws nothing either.
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        self.bar.inc(1);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

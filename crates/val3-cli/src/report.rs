@@ -1,0 +1,311 @@
+//! The result of a check as plain data, ready for every output format.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+use std::sync::Arc;
+
+use clap::ValueEnum;
+use serde::Serialize;
+use val3_check::rule;
+use val3_syntax::encoding::Encoding;
+
+use crate::line_index::{LineIndex, Position};
+use crate::user_error::UserError;
+
+/// How serious a finding is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub(crate) enum Severity {
+    /// Advice.
+    Info,
+    /// Nearly always a mistake.
+    Warning,
+    /// The controller refuses to load it, or it certainly fails when it runs.
+    Error,
+}
+
+impl Severity {
+    /// The word all outputs use.
+    pub(crate) fn word(self) -> &'static str {
+        match self {
+            Self::Info => "info",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+}
+
+impl From<rule::Severity> for Severity {
+    fn from(severity: rule::Severity) -> Self {
+        match severity {
+            rule::Severity::Info => Self::Info,
+            rule::Severity::Warning => Self::Warning,
+            rule::Severity::Error => Self::Error,
+        }
+    }
+}
+
+/// A file that findings point at.
+#[derive(Debug)]
+pub(crate) struct SourceFile {
+    /// The path relative to the folder asked for, with `/`.
+    pub(crate) path: String,
+    /// The path as people open it: relative to the current folder where that is shorter.
+    pub(crate) shown: String,
+    /// The path on the controller (`Disk://app/prog.pgx`), where it has one.
+    pub(crate) disk: Option<String>,
+    /// The text, decoded.
+    pub(crate) text: Arc<str>,
+    /// The lines of the text.
+    pub(crate) lines: LineIndex,
+}
+
+impl SourceFile {
+    /// A file under one path, without a place on a controller.
+    pub(crate) fn new(path: &str, text: Arc<str>, encoding: Encoding) -> Self {
+        Self { path: path.to_owned(), shown: path.to_owned(), disk: None, lines: LineIndex::new(&text, encoding), text }
+    }
+}
+
+/// A range of a file.
+#[derive(Debug, Clone)]
+pub(crate) struct Place {
+    /// The file.
+    pub(crate) file: Arc<SourceFile>,
+    /// Bytes of the decoded text.
+    pub(crate) range: Range<usize>,
+}
+
+impl Place {
+    /// Where it starts.
+    pub(crate) fn start(&self) -> Position {
+        self.file.lines.position(self.range.start)
+    }
+
+    /// Where it ends: the first place that is not part of it.
+    pub(crate) fn end(&self) -> Position {
+        self.file.lines.position(self.range.end)
+    }
+}
+
+/// One finding.
+#[derive(Debug, Clone)]
+pub(crate) struct Finding {
+    /// `V0203`
+    pub(crate) code: &'static str,
+    /// `argument-type`
+    pub(crate) name: &'static str,
+    /// Its level.
+    pub(crate) severity: Severity,
+    /// What is wrong, in one sentence.
+    pub(crate) message: String,
+    /// A few words under the place; may be empty.
+    pub(crate) label: String,
+    /// What to write instead; may be empty.
+    pub(crate) help: String,
+    /// Where.
+    pub(crate) place: Place,
+    /// The program it lies in.
+    pub(crate) program: Option<String>,
+    /// The line within the program's code, where the line of `begin` is 1.
+    pub(crate) code_line: Option<usize>,
+    /// The path of the application's `.pjx`, like [`SourceFile::path`].
+    pub(crate) application: Option<String>,
+    /// The other sides of the fault.
+    pub(crate) related: Vec<Related>,
+    /// A fix exists.
+    pub(crate) fixable: bool,
+}
+
+/// Another side of a finding.
+#[derive(Debug, Clone)]
+pub(crate) struct Related {
+    /// Where.
+    pub(crate) place: Place,
+    /// What stands there.
+    pub(crate) message: String,
+}
+
+/// What was checked.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Statistics {
+    /// Projects that are applications or libraries.
+    pub(crate) applications: usize,
+    /// Files read.
+    pub(crate) files: usize,
+    /// Programs.
+    pub(crate) programs: usize,
+    /// Lines of code without blank lines and comments.
+    pub(crate) code_lines: usize,
+    /// Wall-clock time in seconds.
+    pub(crate) seconds: f64,
+}
+
+/// Everything a check says.
+#[derive(Debug)]
+pub(crate) struct Report {
+    /// What was checked.
+    pub(crate) statistics: Statistics,
+    /// In the order of file, place and code: the same input gives the same order on every machine.
+    pub(crate) findings: Vec<Finding>,
+    /// Folders that could not be read, so that the findings may not be all.
+    pub(crate) unreadable: Vec<UserError>,
+}
+
+impl Report {
+    /// Puts the findings in order and drops repetitions.
+    pub(crate) fn new(statistics: Statistics, mut findings: Vec<Finding>, unreadable: Vec<UserError>) -> Self {
+        findings.sort_by(|a, b| order(a).cmp(&order(b)));
+        // A file that two applications use may be judged twice.
+        findings.dedup_by(|a, b| order(a) == order(b));
+        Self { statistics, findings, unreadable }
+    }
+
+    /// How many findings have a level.
+    pub(crate) fn count(&self, severity: Severity) -> usize {
+        let same = |finding: &&Finding| finding.severity == severity;
+        self.findings.iter().filter(same).count()
+    }
+
+    /// How many files have findings.
+    pub(crate) fn faulty_files(&self) -> usize {
+        let paths = self.findings.iter().map(|finding| &finding.place.file.path);
+        paths.collect::<BTreeSet<_>>().len()
+    }
+
+    /// Whether a finding reaches a level.
+    pub(crate) fn reaches(&self, level: Severity) -> bool {
+        self.findings.iter().any(|finding| finding.severity >= level)
+    }
+}
+
+fn order(finding: &Finding) -> impl Ord {
+    let place = &finding.place;
+    (&place.file.path, place.range.start, place.range.end, finding.code, &finding.message)
+}
+
+#[cfg(test)]
+#[allow(clippy::expect_used)]
+pub(crate) mod sample {
+    //! A report that every format is tested with.
+
+    use super::*;
+
+    const PROGRAM: &str = r#"<?xml version="1.0" encoding="iso-8859-1" ?>
+<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+  <Program name="pick">
+    <Code><![CDATA[begin
+  // prise de pièce
+  movej(pPick,tGrip,"fast") //ä
+	nCout=1
+end]]></Code>
+  </Program>
+</Programs>
+"#;
+    const DATA: &str = "<Data name=\"mFast\" access=\"private\" type=\"mdesc\" size=\"1\"/>\r\n\
+        <Data name=\"nCount\" access=\"private\" type=\"num\" size=\"1\"/>\r\n";
+
+    /// Three findings of three levels in two files.
+    pub(crate) fn report() -> Report {
+        let statistics = Statistics { applications: 1, files: 3, programs: 1, code_lines: 1412, seconds: 0.0213 };
+        let program = file("cell/usr/usrapp/pal/pick.pgx", PROGRAM, Encoding::Latin1);
+        let data = file("cell/usr/usrapp/pal/pal.dtx", DATA, Encoding::Utf8);
+        let findings = vec![unknown_name(&program, &data), argument_type(&program, &data), unused_data(&data)];
+        Report::new(statistics, findings, Vec::new())
+    }
+
+    /// A report of a check that found nothing.
+    pub(crate) fn clean() -> Report {
+        Report::new(report().statistics, Vec::new(), Vec::new())
+    }
+
+    /// A place that covers `part` in `file`.
+    pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> Place {
+        let start = file.text.find(part).expect("the sample holds the part");
+        Place { file: Arc::clone(file), range: start..start + part.len() }
+    }
+
+    fn file(path: &str, text: &str, encoding: Encoding) -> Arc<SourceFile> {
+        let mut file = SourceFile::new(path, text.into(), encoding);
+        file.disk = path.split_once("usrapp/").map(|(_, rest)| format!("Disk://{rest}"));
+        Arc::new(file)
+    }
+
+    fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
+        Finding {
+            code: "V0203",
+            name: "argument-type",
+            severity: Severity::Error,
+            message: "`movej` takes an mdesc as third argument and got a string".to_owned(),
+            label: "this is a string".to_owned(),
+            help: "pass a motion descriptor, for example `mFast`".to_owned(),
+            place: place(program, "\"fast\""),
+            program: Some("pick".to_owned()),
+            code_line: Some(3),
+            application: Some("cell/usr/usrapp/pal/pal.pjx".to_owned()),
+            related: vec![Related { place: place(data, "mFast"), message: "an mdesc is declared here".to_owned() }],
+            fixable: false,
+        }
+    }
+
+    fn unknown_name(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
+        Finding {
+            code: "V0101",
+            name: "unknown-name",
+            severity: Severity::Warning,
+            message: "`nCout` is not declared".to_owned(),
+            label: String::new(),
+            help: "did you mean `nCount`?".to_owned(),
+            place: place(program, "nCout"),
+            code_line: Some(4),
+            related: vec![Related { place: place(data, "nCount"), message: "a similar name".to_owned() }],
+            fixable: true,
+            ..argument_type(program, data)
+        }
+    }
+
+    fn unused_data(data: &Arc<SourceFile>) -> Finding {
+        Finding {
+            code: "V0701",
+            name: "unused-data",
+            severity: Severity::Info,
+            message: "`nCount` is never used".to_owned(),
+            label: "declared here".to_owned(),
+            help: String::new(),
+            place: place(data, "nCount"),
+            program: None,
+            code_line: None,
+            application: Some("cell/usr/usrapp/pal/pal.pjx".to_owned()),
+            related: Vec::new(),
+            fixable: false,
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::indexing_slicing)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn findings_are_in_order_of_file_and_place() {
+        let report = sample::report();
+        let codes: Vec<_> = report.findings.iter().map(|finding| finding.code).collect();
+        assert_eq!(codes, ["V0701", "V0203", "V0101"]);
+    }
+
+    #[test]
+    fn counts() {
+        let report = sample::report();
+        assert_eq!(report.count(Severity::Error), 1);
+        assert_eq!(report.faulty_files(), 2);
+        assert!(report.reaches(Severity::Error));
+        assert!(!sample::clean().reaches(Severity::Info));
+    }
+
+    #[test]
+    fn offsets_are_those_of_the_stored_file() {
+        let start = sample::report().findings[1].place.start();
+        assert_eq!((start.line, start.column, start.offset), (6, 21, 200));
+    }
+}

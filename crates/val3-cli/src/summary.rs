@@ -1,0 +1,97 @@
+//! The last lines for people: what was found in what.
+
+use std::io::{self, Write};
+
+use crate::report::{Report, Severity};
+
+/// Writes the hint at the pages, where there are findings, and the counts.
+pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+    if let Some(finding) = most_serious(report) {
+        writeln!(out, "More about a finding: val3 explain {}", finding)?;
+    }
+    writeln!(out, "{}", counts(report))
+}
+
+/// The code of the first finding of the highest level.
+fn most_serious(report: &Report) -> Option<&'static str> {
+    let levels = [Severity::Error, Severity::Warning, Severity::Info];
+    let first = |level| report.findings.iter().find(|finding| finding.severity == level);
+    levels.into_iter().find_map(first).map(|finding| finding.code)
+}
+
+fn counts(report: &Report) -> String {
+    let statistics = &report.statistics;
+    format!(
+        "{} {} ({}, {}, {:.2} s)",
+        findings(report),
+        files(report),
+        number(statistics.applications, "application"),
+        number(statistics.code_lines, "code line"),
+        statistics.seconds
+    )
+}
+
+fn findings(report: &Report) -> String {
+    let levels = [(Severity::Error, "error"), (Severity::Warning, "warning"), (Severity::Info, "info")];
+    let counted = levels.map(|(level, word)| (report.count(level), word));
+    let words: Vec<_> =
+        counted.iter().filter(|(count, _)| *count > 0).map(|(count, word)| number(*count, word)).collect();
+    if words.is_empty() { "no findings".to_owned() } else { words.join(", ") }
+}
+
+fn files(report: &Report) -> String {
+    let all = number(report.statistics.files, "file");
+    match report.faulty_files() {
+        0 => format!("in {all}"),
+        faulty => format!("in {faulty} of {all}"),
+    }
+}
+
+/// `1 file`, `2 files`, `1,412 files`
+fn number(count: usize, word: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{} {word}{plural}", grouped(count))
+}
+
+fn grouped(count: usize) -> String {
+    let digits = count.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(',');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::report::sample;
+
+    fn summary(report: &Report) -> String {
+        let mut out = Vec::new();
+        write(report, &mut out).unwrap();
+        String::from_utf8(out).unwrap()
+    }
+
+    #[test]
+    fn findings_are_counted_by_level() {
+        insta::assert_snapshot!(summary(&sample::report()), @r"
+        More about a finding: val3 explain V0203
+        1 error, 1 warning, 1 info in 2 of 3 files (1 application, 1,412 code lines, 0.02 s)
+        ");
+    }
+
+    #[test]
+    fn no_findings() {
+        insta::assert_snapshot!(summary(&sample::clean()), @"no findings in 3 files (1 application, 1,412 code lines, 0.02 s)");
+    }
+
+    #[test]
+    fn thousands_are_grouped() {
+        assert_eq!([0, 999, 1_000, 1_234_567].map(grouped), ["0", "999", "1,000", "1,234,567"]);
+    }
+}

@@ -1,0 +1,155 @@
+//! What `val3 explain` can explain.
+
+use val3_check::rule::Rule;
+use val3_lang::instruction::{Availability, Instruction};
+use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
+use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
+use val3_lang::statements::{STATEMENTS, Statement};
+use val3_lang::{instructions, page};
+
+use crate::report::Severity;
+
+/// One page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Topic {
+    /// What it is about.
+    pub(crate) kind: Kind,
+    /// The words that ask for it, the first as it is listed.
+    pub(crate) names: Vec<String>,
+    /// One line that says what it is.
+    pub(crate) summary: String,
+    /// The page in Markdown.
+    pub(crate) page: String,
+}
+
+/// What a page is about, in the order of the list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Kind {
+    /// A rule of `val3 check`.
+    Finding,
+    /// A keyword of the language.
+    Statement,
+    /// An instruction.
+    Instruction,
+    /// A run-time error.
+    RuntimeError,
+    /// A result of `libLoad` and its like.
+    LibraryError,
+}
+
+impl Kind {
+    /// The heading of the list.
+    pub(crate) fn heading(self) -> &'static str {
+        match self {
+            Self::Finding => "Findings of val3 check",
+            Self::Statement => "Statements",
+            Self::Instruction => "Instructions",
+            Self::RuntimeError => "Run-time errors",
+            Self::LibraryError => "Results of library instructions",
+        }
+    }
+}
+
+/// Every topic, kind by kind.
+pub(crate) fn all() -> Vec<Topic> {
+    let mut topics: Vec<Topic> = val3_check::rules::all().iter().map(|rule| finding(rule)).collect();
+    topics.extend(STATEMENTS.iter().map(statement));
+    topics.extend(instructions::all().iter().map(|row| instruction(row)));
+    topics.extend(RUNTIME_ERRORS.iter().map(runtime_error));
+    topics.extend(LIBRARY_ERRORS.iter().map(library_error));
+    topics
+}
+
+fn finding(rule: &Rule) -> Topic {
+    let level = Severity::from(rule.severity).word();
+    Topic {
+        kind: Kind::Finding,
+        names: vec![rule.code.to_owned(), rule.name.to_owned()],
+        summary: format!("{:<24} {}", rule.name, page::summary(rule.page)),
+        page: format!("# {} {} ({level})\n\n{}", rule.code, rule.name, page::text(rule.page)),
+    }
+}
+
+fn statement(row: &Statement) -> Topic {
+    let others = row.keywords.iter().filter(|keyword| **keyword != row.name);
+    Topic {
+        kind: Kind::Statement,
+        names: std::iter::once(&row.name).chain(others).map(|&name| name.to_owned()).collect(),
+        summary: page::summary(row.page),
+        page: format!("# {} ({})\n\n{}", row.name, sourced("statement", row.section), page::text(row.page)),
+    }
+}
+
+fn instruction(row: &Instruction) -> Topic {
+    let forms: String = row.overloads.iter().map(|form| form.signature(row.name) + "\n").collect();
+    let title = format!("# {} ({})\n\n```\n{forms}```\n\n", row.name, origin(row));
+    Topic {
+        kind: Kind::Instruction,
+        names: vec![row.name.to_owned()],
+        summary: page::summary(row.page),
+        page: title + &page::text(row.page),
+    }
+}
+
+/// Where an instruction comes from: the section of the manual, the version or the add-on.
+fn origin(row: &Instruction) -> String {
+    match row.availability {
+        Availability::Manual => sourced("instruction", row.section),
+        Availability::Version { since, until: Some(until) } => format!("instruction, s{since} to s{until}"),
+        Availability::Version { since, until: None } => format!("instruction, from s{since} on"),
+        Availability::AddOn(name) => format!("instruction of the add-on {name}"),
+    }
+}
+
+/// What something is and where the manual describes it, if it does.
+fn sourced(what: &str, section: &str) -> String {
+    if section.is_empty() { what.to_owned() } else { format!("{what}, manual {section}") }
+}
+
+fn runtime_error(row: &RuntimeError) -> Topic {
+    Topic {
+        kind: Kind::RuntimeError,
+        names: vec![row.number.to_string()],
+        summary: row.short.to_owned(),
+        page: format!("# {} {} (run-time error)\n\n{}\n{}", row.number, row.short, row.long, raised_by(row.number)),
+    }
+}
+
+/// The instructions that can raise a run-time error, as a paragraph.
+fn raised_by(number: u16) -> String {
+    let raising = instructions::all().iter().filter(|row| row.errors.contains(&number));
+    let names: Vec<_> = raising.map(|row| format!("`{}`", row.name)).collect();
+    if names.is_empty() { String::new() } else { format!("\nRaised by {}.\n", names.join(", ")) }
+}
+
+fn library_error(row: &LibraryError) -> Topic {
+    Topic {
+        kind: Kind::LibraryError,
+        names: vec![row.number.to_string()],
+        summary: row.short.to_owned(),
+        page: format!("# {} {} (result of a library instruction)\n\n{}\n", row.number, row.short, row.long),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_topic_is_complete() {
+        for topic in all() {
+            assert!(topic.names.iter().all(|name| !name.is_empty()), "{topic:?}");
+            assert!(!topic.summary.is_empty() && topic.page.starts_with("# "), "{topic:?}");
+        }
+    }
+
+    #[test]
+    fn no_two_topics_of_a_kind_share_a_name() {
+        let mut names: Vec<_> =
+            all().iter().flat_map(|topic| topic.names.clone().into_iter().map(|name| (topic.kind, name))).collect();
+        let count = names.len();
+        names.sort();
+        names.dedup();
+        assert_eq!(names.len(), count);
+    }
+}

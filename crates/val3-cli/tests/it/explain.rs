@@ -1,0 +1,49 @@
+//! `val3 explain`.
+
+use crate::support::Folder;
+
+fn page(word: &str) -> String {
+    let run = Folder::empty().val3(&["explain", word]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{word}: {run:?}");
+    run.stdout
+}
+
+#[test]
+fn a_finding_by_code_and_by_name() {
+    let page_by_code = page("V0203");
+    assert!(page_by_code.starts_with("V0203 argument-type"), "{page_by_code}");
+    assert_eq!(page("v0203"), page_by_code);
+    assert_eq!(page("argument-type"), page_by_code);
+}
+
+#[test]
+fn an_instruction() {
+    let page = page("movej");
+    assert!(page.contains("movej(") && page.contains("mdesc"), "{page}");
+}
+
+#[test]
+fn a_statement() {
+    assert!(page("while").contains("endWhile"));
+}
+
+#[test]
+fn a_run_time_error() {
+    assert!(page("100").contains("100"));
+}
+
+#[test]
+fn everything_has_its_line_in_the_list() {
+    let run = Folder::empty().val3(&["explain"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    for word in ["V0203", "movej", "while", "Run-time errors"] {
+        assert!(run.stdout.contains(word), "{word}: {run:?}");
+    }
+}
+
+#[test]
+fn an_unknown_word_gets_a_proposal() {
+    let run = Folder::empty().val3(&["explain", "movje"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+    assert!(run.stderr.contains("did you mean `movej`?"), "{run:?}");
+}

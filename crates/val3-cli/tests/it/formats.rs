@@ -1,0 +1,94 @@
+//! What the formats say, and where it goes.
+
+use serde_json::Value;
+
+use crate::support::{CLEAN, FAULTY, Folder};
+
+fn json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap()
+}
+
+#[test]
+fn json_places_a_finding() {
+    let folder = Folder::with(FAULTY);
+    let run = folder.val3(&["check", "--format", "json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (1, ""), "{run:?}");
+    let document = json(&run.stdout);
+    assert_eq!(document["version"], 1);
+    assert_eq!(document["summary"]["applications"], 1);
+    assert_eq!(document["summary"]["errors"], 1);
+    let finding = &document["diagnostics"][0];
+    assert_eq!(finding["code"], "V0101");
+    assert_eq!(finding["name"], "unknown-name");
+    assert_eq!(finding["file"], "usrapp/main/start.pgx");
+    assert_eq!(finding["application"], "usrapp/main/main.pjx");
+    assert_eq!(finding["program"], "start");
+    assert_eq!(finding["code_line"], 2);
+    assert_eq!(marked(&folder, finding), "nCuont");
+}
+
+/// The text of the file between the offsets of a finding.
+fn marked(folder: &Folder, finding: &Value) -> String {
+    let text = folder.read("usrapp/main/start.pgx");
+    let offset = |end: &str| finding["range"][end]["offset"].as_u64().unwrap() as usize;
+    text[offset("start")..offset("end")].to_owned()
+}
+
+#[test]
+fn paths_are_relative_to_the_folder_asked_for() {
+    let folder = Folder::with(FAULTY);
+    for (path, file, application) in [
+        ("usrapp", "main/start.pgx", "main/main.pjx"),
+        ("usrapp/main", "start.pgx", "main.pjx"),
+        ("usrapp/main/main.pjx", "start.pgx", "main.pjx"),
+    ] {
+        let document = json(&folder.val3(&["check", path, "--format", "json"]).stdout);
+        let finding = &document["diagnostics"][0];
+        assert_eq!((&finding["file"], &finding["application"]), (&file.into(), &application.into()));
+    }
+}
+
+#[test]
+fn people_get_paths_that_open_from_where_they_are() {
+    let run = Folder::with(FAULTY).val3(&["check", "usrapp/main", "--format", "concise"]);
+    assert!(run.stdout.starts_with("usrapp/main/start.pgx:"), "{run:?}");
+    assert!(run.stdout.contains(": error[V0101] "), "{run:?}");
+}
+
+#[test]
+fn json_lines_hold_one_finding_each() {
+    let run = Folder::with(FAULTY).val3(&["check", "--format", "json-lines"]);
+    assert_eq!(run.stdout.lines().count(), 1, "{run:?}");
+    assert_eq!(json(&run.stdout)["severity"], "error");
+}
+
+#[test]
+fn val3check_names_files_as_the_controller_does() {
+    let folder = Folder::with(FAULTY);
+    let run = folder.val3(&["check", "--format", "val3check"]);
+    assert!(run.stdout.starts_with("<level>Error<CLASS>PRG<P1>start<P2>CODE<line>2<msg>"), "{run:?}");
+    assert!(run.stdout.ends_with("<file>Disk://main/start.pgx\n"), "{run:?}");
+    let template = "--val3check-template=%l|%f|%e";
+    let run = folder.val3(&["check", "--format", "val3check", template]);
+    assert_eq!(run.stdout, "2|Disk://main/start.pgx|Error\n");
+}
+
+#[test]
+fn every_output_gets_its_format() {
+    let folder = Folder::with(FAULTY);
+    let run =
+        folder.val3(&["check", "--output", "json=report.json", "--output", "concise=report.txt", "--color", "always"]);
+    assert_eq!(run.code, 1, "{run:?}");
+    assert!(run.stdout.contains("V0101"), "{run:?}");
+    assert_eq!(json(&folder.read("report.json"))["summary"]["errors"], 1);
+    let text = folder.read("report.txt");
+    assert!(text.contains("error[V0101]") && text.contains("1 error in"), "{text}");
+    assert!(!text.contains('\u{1b}'), "{text}");
+}
+
+#[test]
+fn a_clean_application_writes_a_document_without_findings() {
+    let run = Folder::with(CLEAN).val3(&["check", "--format", "json"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    assert_eq!(json(&run.stdout)["diagnostics"], Value::Array(Vec::new()));
+}

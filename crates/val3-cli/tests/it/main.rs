@@ -1,0 +1,9 @@
+//! The `val3` command as it is used: arguments in, output and exit code out.
+
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a fault of a test may stop it")]
+
+mod check;
+mod explain;
+mod formats;
+mod support;
+mod usage;

@@ -1,0 +1,80 @@
+//! A folder with an application, and runs of the command in it.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use tempfile::TempDir;
+use val3_test::Fixture;
+
+/// A program without a fault.
+pub(crate) const CLEAN: &str = "num nCount\nnCount=1\n";
+/// A program with an unknown name in line 2 of its code.
+pub(crate) const FAULTY: &str = "num nCount\nnCuont=1\n";
+/// A program with nothing but a keyword in an unusual spelling.
+pub(crate) const UNUSUAL: &str = "num nCount\nIF nCount==1\nnCount=2\nendIf\n";
+
+/// A temporary folder with the files of a listing; it goes with the value.
+pub(crate) struct Folder(TempDir);
+
+/// What a run left.
+#[derive(Debug)]
+pub(crate) struct Run {
+    pub(crate) code: i32,
+    pub(crate) stdout: String,
+    pub(crate) stderr: String,
+}
+
+impl Folder {
+    /// An empty folder.
+    pub(crate) fn empty() -> Self {
+        Self(TempDir::new().unwrap())
+    }
+
+    /// A folder with the files of a listing.
+    pub(crate) fn with(listing: &str) -> Self {
+        let folder = Self::empty();
+        for (path, text) in Fixture::parse(listing).files {
+            folder.write(&path, &text);
+        }
+        folder
+    }
+
+    /// Writes a file and the folders above it.
+    pub(crate) fn write(&self, path: &str, text: &str) {
+        let path = self.path().join(path);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+
+    /// Reads a file.
+    pub(crate) fn read(&self, path: &str) -> String {
+        fs::read_to_string(self.path().join(path)).unwrap()
+    }
+
+    /// Runs `val3` in the folder.
+    pub(crate) fn val3(&self, args: &[&str]) -> Run {
+        run(self.command(args))
+    }
+
+    /// A `val3` that would run in the folder, without colours from the environment.
+    pub(crate) fn command(&self, args: &[&str]) -> Command {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
+        command.args(args).current_dir(self.path()).env_remove("NO_COLOR");
+        command
+    }
+
+    fn path(&self) -> &Path {
+        self.0.path()
+    }
+}
+
+/// Runs a command to its end.
+pub(crate) fn run(mut command: Command) -> Run {
+    let output = command.stdin(Stdio::null()).output().unwrap();
+    Run {
+        code: output.status.code().unwrap(),
+        stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    }
+}

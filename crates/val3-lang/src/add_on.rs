@@ -1,0 +1,175 @@
+//! Instructions that add-ons bring: read at run time from the tables of a cell.
+//!
+//! A cell keeps one table for every add-on and kind of arm: `usr/app/val3.<Addon>.<anthro|scara|vrb>.cfx`. The data
+//! model has the meaning of [`crate::instruction`], owned.
+
+mod param;
+mod providers;
+mod table;
+
+use std::{error::Error, fmt};
+
+use rustc_hash::FxHashMap;
+
+pub use providers::providers;
+pub use table::parse_table;
+
+use crate::{
+    instruction::{Class, Shape},
+    types::{Arm, BaseType},
+};
+
+/// The instructions of one add-on for one kind of arm.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct AddOnTable {
+    /// The version of VAL 3 that the table was made for, as it is written there.
+    pub version: Option<String>,
+    instructions: Vec<AddOnInstruction>,
+    /// Where each name stands in `instructions`.
+    places: FxHashMap<String, usize>,
+}
+
+/// One instruction name with all its forms.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AddOnInstruction {
+    /// The name with its `$`.
+    pub name: String,
+    /// Every form, in the order of the file.
+    pub overloads: Vec<AddOnOverload>,
+}
+
+/// One form of an instruction.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AddOnOverload {
+    /// It is called on a library identifier: `id:$libOpen()`.
+    pub on_library: bool,
+    /// Parameters in order.
+    pub params: Vec<AddOnParam>,
+    /// The value it yields; `None` for no value.
+    pub result: Option<BaseType>,
+    /// Whether it may stand alone as a statement.
+    pub class: Class,
+}
+
+/// One parameter of an instruction.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AddOnParam {
+    /// Tables have no names: the usual prefix of the type and the position, `j1`, `t2`.
+    pub name: String,
+    /// Its type; `None` means any type, also one that this version does not know.
+    pub ty: Option<BaseType>,
+    /// What the argument has to be.
+    pub shape: Shape,
+}
+
+impl AddOnTable {
+    /// The instructions, in the order of the file.
+    #[must_use]
+    pub fn instructions(&self) -> &[AddOnInstruction] {
+        &self.instructions
+    }
+
+    /// The instruction with this name, `$` included.
+    #[must_use]
+    pub fn find(&self, name: &str) -> Option<&AddOnInstruction> {
+        self.instructions.get(*self.places.get(name)?)
+    }
+
+    /// Adds a form to the instruction with this name.
+    pub fn add(&mut self, name: String, overload: AddOnOverload) {
+        let next = self.instructions.len();
+        let place = *self.places.entry(name.clone()).or_insert(next);
+        match self.instructions.get_mut(place) {
+            Some(known) => known.overloads.push(overload),
+            None => self.instructions.push(AddOnInstruction { name, overloads: vec![overload] }),
+        }
+    }
+}
+
+impl AddOnInstruction {
+    /// Every form as a syntax line: `num $velTool(tool t1, mdesc m2)`.
+    #[must_use]
+    pub fn signatures(&self) -> Vec<String> {
+        self.overloads.iter().map(|overload| overload.signature(&self.name)).collect()
+    }
+}
+
+impl AddOnOverload {
+    /// The syntax line of this form; `name` is the instruction's name.
+    #[must_use]
+    pub fn signature(&self, name: &str) -> String {
+        let result = self.result.map_or("void", BaseType::name);
+        let library = if self.on_library { "library:" } else { "" };
+        let params: Vec<String> = self.params.iter().map(ToString::to_string).collect();
+        format!("{result} {library}{name}({})", params.join(", "))
+    }
+}
+
+impl fmt::Display for AddOnParam {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.shape.write_param(f, self.ty, &self.name)
+    }
+}
+
+/// The add-on and the arm that the name of a table file tells: `val3.Velocity.anthro.cfx`, in any letter case.
+#[must_use]
+pub fn table_of_file(file_name: &str) -> Option<(&str, Arm)> {
+    let mut parts = file_name.split('.');
+    let (language, add_on, arm, ending) = (parts.next()?, parts.next()?, parts.next()?, parts.next()?);
+    let is_table =
+        language.eq_ignore_ascii_case("val3") && ending.eq_ignore_ascii_case("cfx") && parts.next().is_none();
+    (is_table && !add_on.is_empty()).then_some((add_on, Arm::from_table_word(arm)?))
+}
+
+/// Why a table cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TableError {
+    /// Where in the text, in bytes.
+    pub offset: usize,
+    /// What is wrong there.
+    pub kind: TableErrorKind,
+}
+
+/// What is wrong in a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TableErrorKind {
+    /// The text is no XML.
+    Xml(String),
+    /// The root element is not `Language`.
+    NotATable,
+    /// A function has no name.
+    NoName,
+    /// A function yields a type that does not exist.
+    UnknownResult(String),
+    /// An array parameter has neither 1, 2 nor 3 dimensions.
+    Dimensions(String),
+}
+
+impl fmt::Display for TableError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.kind {
+            TableErrorKind::Xml(reason) => write!(f, "not readable as XML: {reason}"),
+            TableErrorKind::NotATable => f.write_str("the root element is not `Language`"),
+            TableErrorKind::NoName => f.write_str("a function has no name"),
+            TableErrorKind::UnknownResult(name) => write!(f, "a function yields the unknown type `{name}`"),
+            TableErrorKind::Dimensions(text) => write!(f, "an array has 1, 2 or 3 dimensions, not `{text}`"),
+        }?;
+        write!(f, " (at byte {})", self.offset)
+    }
+}
+
+impl Error for TableError {}
+
+#[cfg(test)]
+mod tests {
+    use super::{Arm, table_of_file};
+
+    #[test]
+    fn file_names_tell_add_on_and_arm() {
+        assert_eq!(table_of_file("val3.Velocity.anthro.cfx"), Some(("Velocity", Arm::SixAxis)));
+        assert_eq!(table_of_file("VAL3.Motion.SCARA.CFX"), Some(("Motion", Arm::Scara)));
+        for other in ["val3.cfx", "val3.Motion.delta.cfx", "val3.Motion.vrb.cfx.bak", "cell.cfx", "val3..vrb.cfx"] {
+            assert_eq!(table_of_file(other), None, "{other}");
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! Reading the `Param` elements of a table.
+
+use quick_xml::events::BytesStart;
+
+use super::{AddOnParam, TableErrorKind};
+use crate::{instruction::Shape, types::BaseType};
+
+/// The parameter that a `Param` element describes; `position` counts from 1.
+pub(super) fn param(element: &BytesStart<'_>, position: usize) -> Result<AddOnParam, TableErrorKind> {
+    let ty = BaseType::from_file_name(&attribute(element, "type")?).map(|(ty, _)| ty);
+    let name = format!("{}{position}", ty.map_or("x", prefix));
+    Ok(AddOnParam { name, ty, shape: shape(element)? })
+}
+
+fn shape(element: &BytesStart<'_>) -> Result<Shape, TableErrorKind> {
+    let says = |name| attribute(element, name).map(|value| value == "true");
+    Ok(if says("array")? {
+        Shape::Array { dims: dimensions(attribute(element, "arrayDim")?)? }
+    } else if says("dictionary")? {
+        Shape::Collection
+    } else if says("collectionName")? || says("subCollection")? {
+        Shape::Whole
+    } else if says("dataRef")? {
+        Shape::Reference
+    } else {
+        Shape::Value
+    })
+}
+
+fn dimensions(text: String) -> Result<u8, TableErrorKind> {
+    match text.parse() {
+        Ok(dims @ 1..=3) => Ok(dims),
+        _ => Err(TableErrorKind::Dimensions(text)),
+    }
+}
+
+/// The value of an attribute; empty if there is none.
+fn attribute(element: &BytesStart<'_>, name: &str) -> Result<String, TableErrorKind> {
+    let found = element.try_get_attribute(name).map_err(|error| TableErrorKind::Xml(error.to_string()))?;
+    Ok(found.map(|attribute| attribute.value.into_owned()).unwrap_or_default())
+}
+
+/// The letters with which names of this type customarily start.
+fn prefix(ty: BaseType) -> &'static str {
+    match ty {
+        BaseType::Bool => "b",
+        BaseType::Num => "n",
+        BaseType::String => "s",
+        BaseType::Dio => "di",
+        BaseType::Aio => "ai",
+        BaseType::Sio => "si",
+        BaseType::Screen => "sc",
+        BaseType::Trsf => "tr",
+        BaseType::Frame => "f",
+        BaseType::Tool => "t",
+        BaseType::Point => "p",
+        BaseType::Joint => "j",
+        BaseType::Config => "c",
+        BaseType::Mdesc => "m",
+        BaseType::Blend | BaseType::Shoulder | BaseType::Elbow | BaseType::Wrist => "x",
+    }
+}

@@ -1,0 +1,42 @@
+//! Names that mean something in every application without being declared.
+
+use crate::types::BaseType;
+
+/// A built-in variable or constant.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Builtin {
+    /// As code writes it.
+    pub name: &'static str,
+    /// Its type.
+    pub ty: BaseType,
+    /// Whether it stands for a variable, which may be passed where a reference is wanted and be the father of
+    /// data, or for a mere value.
+    pub is_variable: bool,
+    /// What it is, in one line.
+    pub doc: &'static str,
+}
+
+/// The built-in names. Files of s5 and s6 also declare `world` and `flange`.
+pub static BUILTINS: [Builtin; 4] = [
+    Builtin {
+        name: "world",
+        ty: BaseType::Frame,
+        is_variable: true,
+        doc: "The frame from which every other one is reached; it must not be changed (run-time error 161).",
+    },
+    Builtin {
+        name: "flange",
+        ty: BaseType::Tool,
+        is_variable: true,
+        doc: "The mounting face of the arm, from which every tool is reached; it must not be changed (run-time \
+              error 160).",
+    },
+    Builtin { name: "true", ty: BaseType::Bool, is_variable: false, doc: "The logical value true." },
+    Builtin { name: "false", ty: BaseType::Bool, is_variable: false, doc: "The logical value false." },
+];
+
+/// The built-in that is called `name`.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Builtin> {
+    BUILTINS.iter().find(|builtin| builtin.name == name)
+}

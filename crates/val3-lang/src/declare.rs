@@ -1,0 +1,173 @@
+//! The macros in which the catalogue is written.
+
+/// Declares the instruction of a file.
+///
+/// The doc comment is its page. The head line gives name, family and manual section, then the clauses
+/// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
+/// a form: `function` (only yields a value) or `modifier` (may stand alone), parameters as in a syntax line,
+/// `-> type` for a value, `on library` for a form of a library identifier, `since major` for a younger form.
+/// Instead of a type a parameter says `any`, `Whole`, `Slot`
+/// ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
+macro_rules! instruction {
+    (
+        $(#[doc = $line:literal])*
+        $name:literal: $family:ident $($section:literal)?
+            $(, $clause:ident $($value:literal)? $([$($item:literal),*])?)*;
+        $(
+            $class:ident ($(
+                $ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?
+            ),*) $(-> $result:ident)? $(on $library:ident)? $(since $since:literal)?;
+        )+
+    ) => {
+        $(#[doc = $line])*
+        pub(crate) static INSTRUCTION: $crate::instruction::Instruction =
+            $crate::instruction::Instruction::new($name, $crate::instruction::Family::$family)
+                .described(concat!($($section)?), concat!($($line, "\n"),*))
+                .forms(&[$(
+                    $crate::instruction::Overload {
+                        on_library: $crate::declare::stated!($($library)?),
+                        params: &[$(
+                            $crate::declare::param!($ty $($by_value)? $(& $by_reference)? $([$($dims)*])?)
+                        ),*],
+                        result: $crate::declare::result!($($result)?),
+                        class: $crate::declare::class!($class),
+                        since: $crate::declare::optional!($($since)?),
+                    }
+                ),+])
+                $(.$clause($($value)? $(&[$($item),*])?))*;
+    };
+}
+pub(crate) use instruction;
+
+macro_rules! param {
+    (program $name:ident) => {
+        $crate::declare::param!(@ $name, None, ProgramCall)
+    };
+    (Whole $name:ident) => {
+        $crate::declare::param!(@ $name, None, Whole)
+    };
+    (Slot $name:ident) => {
+        $crate::declare::param!(@ $name, None, Slot)
+    };
+    ($ty:ident $name:ident) => {
+        $crate::declare::param!(@ $name, $crate::declare::base_type!($ty), Value)
+    };
+    ($ty:ident & $name:ident) => {
+        $crate::declare::param!(@ $name, $crate::declare::base_type!($ty), Reference)
+    };
+    ($ty:ident & $name:ident [""]) => {
+        $crate::declare::param!(@ $name, $crate::declare::base_type!($ty), Collection)
+    };
+    ($ty:ident & $name:ident []) => {
+        $crate::declare::param!(@ $name, $crate::declare::base_type!($ty), Array { dims: 1 })
+    };
+    (@ $name:ident, $ty:expr, $($shape:tt)+) => {
+        $crate::instruction::Param {
+            name: stringify!($name),
+            ty: $ty,
+            shape: $crate::instruction::Shape::$($shape)+,
+        }
+    };
+}
+pub(crate) use param;
+
+macro_rules! base_type {
+    (any) => {
+        None
+    };
+    (bool) => {
+        Some($crate::types::BaseType::Bool)
+    };
+    (num) => {
+        Some($crate::types::BaseType::Num)
+    };
+    (string) => {
+        Some($crate::types::BaseType::String)
+    };
+    (dio) => {
+        Some($crate::types::BaseType::Dio)
+    };
+    (aio) => {
+        Some($crate::types::BaseType::Aio)
+    };
+    (sio) => {
+        Some($crate::types::BaseType::Sio)
+    };
+    (screen) => {
+        Some($crate::types::BaseType::Screen)
+    };
+    (trsf) => {
+        Some($crate::types::BaseType::Trsf)
+    };
+    (frame) => {
+        Some($crate::types::BaseType::Frame)
+    };
+    (tool) => {
+        Some($crate::types::BaseType::Tool)
+    };
+    (point) => {
+        Some($crate::types::BaseType::Point)
+    };
+    (joint) => {
+        Some($crate::types::BaseType::Joint)
+    };
+    (config) => {
+        Some($crate::types::BaseType::Config)
+    };
+    (mdesc) => {
+        Some($crate::types::BaseType::Mdesc)
+    };
+}
+pub(crate) use base_type;
+
+macro_rules! result {
+    () => {
+        None
+    };
+    ($ty:ident) => {
+        $crate::declare::base_type!($ty)
+    };
+}
+pub(crate) use result;
+
+macro_rules! class {
+    (function) => {
+        $crate::instruction::Class::Function
+    };
+    (modifier) => {
+        $crate::instruction::Class::Modifier
+    };
+}
+pub(crate) use class;
+
+macro_rules! stated {
+    () => {
+        false
+    };
+    (library) => {
+        true
+    };
+}
+pub(crate) use stated;
+
+macro_rules! optional {
+    () => {
+        None
+    };
+    ($value:literal) => {
+        Some($value)
+    };
+}
+pub(crate) use optional;
+
+/// Declares the files of the catalogue, family by family, and the list of their instructions.
+macro_rules! catalogue {
+    ($($family:ident { $($name:ident),+ $(,)? })+) => {
+        $(mod $family { $(pub(crate) mod $name;)+ })+
+
+        /// Every instruction, family by family in the manual's order.
+        static CATALOGUE: &[&$crate::instruction::Instruction] =
+            &[$($(&$family::$name::INSTRUCTION),+),+];
+    };
+}
+pub(crate) use catalogue;

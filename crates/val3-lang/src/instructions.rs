@@ -1,0 +1,274 @@
+//! The instruction catalogue: every instruction, its forms and its page.
+//!
+//! An instruction is one file in the folder of its family and one line here.
+
+use std::sync::LazyLock;
+
+use rustc_hash::FxHashMap;
+
+use crate::{declare::catalogue, instruction::Instruction};
+
+catalogue! {
+    variables {
+        size,
+        is_defined,
+        insert,
+        delete,
+        get_data,
+        append,
+        resize,
+        first,
+        next,
+        last,
+        prev,
+    }
+    numbers {
+        sin,
+        asin,
+        cos,
+        acos,
+        tan,
+        atan,
+        abs,
+        sqrt,
+        exp,
+        power,
+        ln,
+        log,
+        round_up,
+        round_down,
+        round,
+        min,
+        max,
+        limit,
+        sel,
+    }
+    bits {
+        b_not,
+        b_and,
+        b_or,
+        b_xor,
+        to_binary,
+        from_binary,
+    }
+    strings {
+        to_string,
+        to_num,
+        chr,
+        asc,
+        left,
+        right,
+        mid,
+        replace,
+        find,
+        len,
+    }
+    io {
+        dio_link,
+        dio_get,
+        dio_set,
+        io_status,
+        aio_link,
+        aio_get,
+        aio_set,
+        sio_link,
+        clear_buffer,
+        sio_get,
+        sio_set,
+        sio_ctrl,
+    }
+    screen {
+        user_page,
+        gotoxy,
+        cls,
+        set_text_mode,
+        get_display_len,
+        put,
+        putln,
+        title,
+        get,
+        get_key,
+        is_key_pressed,
+        pop_up_msg,
+        log_msg,
+        get_profile,
+        set_profile,
+        get_language,
+        set_language,
+        get_date,
+    }
+    tasks {
+        task_suspend,
+        task_resume,
+        task_kill,
+        set_mutex,
+        help,
+        task_status,
+        task_create,
+        task_create_sync,
+        wait,
+        delay,
+        clock,
+        watch,
+    }
+    libraries {
+        lib_load,
+        lib_save,
+        lib_delete,
+        lib_path,
+        lib_list,
+        lib_exist,
+    }
+    controller {
+        disable_power,
+        enable_power,
+        is_powered,
+        is_calibrated,
+        working_mode,
+        es_status,
+        safety_fault,
+        io_bus_status,
+        get_monitor_speed,
+        set_monitor_speed,
+        get_version,
+    }
+    geometry {
+        herej,
+        is_in_range,
+        set_latch,
+        get_latch,
+        distance,
+        interpolate_l,
+        interpolate_c,
+        align,
+        set_frame,
+        position,
+        link,
+        open,
+        close,
+        compose,
+        appro,
+        here,
+        joint_to_point,
+        point_to_joint,
+        config,
+    }
+    motion {
+        movej,
+        movel,
+        movec,
+        stop_move,
+        reset_motion,
+        restart_move,
+        wait_end_move,
+        is_empty,
+        is_settled,
+        auto_connect_move,
+        get_speed,
+        get_position_err,
+        get_joint_force,
+        get_move_id,
+        set_move_id,
+    }
+    options {
+        movejf,
+        movelf,
+        is_compliant,
+        alter_movej,
+        alter_movel,
+        alter_movec,
+        alter_begin,
+        alter_end,
+        alter,
+        alter_stop_time,
+        get_licence,
+        get_dh,
+        get_default_dh,
+        set_dh,
+        reset_turn,
+    }
+    additions {
+        user_page_set,
+        user_page_alert,
+        user_page_confirm,
+        user_page_prompt,
+        opcua_export,
+        set_safety_restart,
+        get_jnt_ref,
+        get_safe_ref_status,
+        wake_up_robot,
+        has_cpu_ext_power_supply,
+        set_payload,
+        speed_scale,
+    }
+    add_ons {
+        file_open,
+        file_close,
+        file_get,
+        file_set,
+        file_exists,
+        copy,
+        delete,
+        rename,
+        exec,
+        compile,
+        dins,
+        ddel,
+        jog_context,
+        jog_page,
+        lib_open,
+        lib_close,
+        task_call_stack,
+        get_name,
+        circle_find,
+        get_free_space,
+        get_power_count,
+        get_state,
+        set_arm_limits,
+        get_pos_fbk,
+        get_jnt_fbk,
+        get_jnt_speed_cmd,
+        get_jnt_speed_fbk,
+        rot_angle,
+        get_rot,
+        set_rot,
+        get_cycle_time,
+        get_boxcar_delay,
+        motion_state,
+        compute_jnt_frc,
+        external_force,
+        vel_frame,
+        vel_tool,
+        vel_joint,
+        set_vel_cmd,
+        rec_add,
+        rec_clean,
+        rec_start,
+        rec_stop,
+        rec_store,
+    }
+}
+
+static BY_NAME: LazyLock<FxHashMap<&'static str, &'static Instruction>> =
+    LazyLock::new(|| CATALOGUE.iter().map(|instruction| (instruction.name, *instruction)).collect());
+
+/// Every instruction, family by family in the manual's order.
+#[must_use]
+pub fn all() -> &'static [&'static Instruction] {
+    CATALOGUE
+}
+
+/// The instruction with this name, `$` included for those of add-ons.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Instruction> {
+    BY_NAME.get(name).copied()
+}
+
+/// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
+pub const LIB_LOAD: &str = "libLoad";
+
+/// Tells whether a library has an item (6.7): a guard before its use.
+pub const LIB_EXIST: &str = "libExist";
+
+/// Tells whether a variable or element exists (2.5.4): a guard before its use.
+pub const IS_DEFINED: &str = "isDefined";

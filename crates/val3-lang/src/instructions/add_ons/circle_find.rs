@@ -1,0 +1,25 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Finds the circle that passes best through measured positions.
+    ///
+    /// - `trPositions`, `pPositions`: 3 to 10 positions; read only.
+    /// - `trResult`, `fResult`: gets a position whose origin is the centre of the circle.
+    /// - `nRadius`: gets the radius, millimetres (inches).
+    /// - Result: how far the positions are off the circle.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pEdge[4]
+    /// frame fHole
+    /// num nRadius
+    /// num nError
+    ///   nError=$circleFind(pEdge,fHole,nRadius)
+    ///   if nError<0.5
+    ///     putln(nRadius)
+    ///   endIf
+    /// ```
+    "$circleFind": AddOns, with_add_on "Expansion";
+    modifier (trsf& trPositions[], trsf& trResult, num& nRadius) -> num;
+    modifier (point& pPositions[], frame& fResult, num& nRadius) -> num;
+}

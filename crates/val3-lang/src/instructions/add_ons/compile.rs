@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Checks a line of code that is put together at run time, without executing it.
+    ///
+    /// - `sCode`: the line.
+    /// - Result: a text about the outcome.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sFault
+    ///   sFault=$compile("putln(1)")
+    ///   putln(sFault)
+    /// ```
+    "$compile": AddOns, with_add_on "Expansion";
+    modifier (string sCode) -> string;
+}

@@ -1,0 +1,20 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Computes the torque or force that each axis needs for a motion.
+    ///
+    /// - `jPosition`: the position of each axis.
+    /// - `nSpeed`, `nAcceleration`: of each axis; read only.
+    /// - `nForce`: gets torque or force of each axis.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nSpeed[6]
+    /// num nAcceleration[6]
+    /// num nForce[6]
+    ///   $computeJntFrc(herej(),nSpeed,nAcceleration,nForce)
+    ///   putln(nForce[1])
+    /// ```
+    "$computeJntFrc": AddOns, with_add_on "Motion";
+    modifier (joint jPosition, num& nSpeed[], num& nAcceleration[], num& nForce[]);
+}

@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Executes a line of code that is put together at run time.
+    ///
+    /// - `sCode`: the line.
+    /// - Result: a text about the outcome.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nCount
+    /// string sFault
+    ///   sFault=$exec("nCount=nCount+1")
+    ///   putln(sFault)
+    ///   putln(nCount)
+    /// ```
+    "$exec": AddOns, with_add_on "Expansion";
+    modifier (string sCode) -> string;
+}

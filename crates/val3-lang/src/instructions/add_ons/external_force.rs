@@ -1,0 +1,21 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Estimates the force from outside on the arm, as if it acted at the tool centre point.
+    ///
+    /// - `jPosition`: the position of each axis.
+    /// - `tTool`: the tool.
+    /// - `nJointForce`: what the axes bear beyond what the motion needs; read only.
+    /// - `nToolForce`: gets forces and torques at the tool centre point.
+    ///
+    /// ## Example
+    /// ```val3
+    /// tool tGripper
+    /// num nJointForce[6]
+    /// num nToolForce[6]
+    ///   $externalForce(herej(),tGripper,nJointForce,nToolForce)
+    ///   putln(nToolForce[2])
+    /// ```
+    "$externalForce": AddOns, with_add_on "Motion";
+    modifier (joint jPosition, tool tTool, num& nJointForce[], num& nToolForce[]);
+}

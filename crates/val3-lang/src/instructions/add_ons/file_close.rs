@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Closes a file.
+    ///
+    /// - `nFile`: the number that `$fileOpen` gave.
+    /// - Result: (s8) a number that tells whether it was closed; up to s7 there is none.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nFile
+    ///   nFile=$fileOpen("Disk://data/order.txt","r")
+    ///   if nFile>=0
+    ///     $fileClose(nFile)
+    ///   endIf
+    /// ```
+    "$fileClose": AddOns, with_add_on "Expansion";
+    modifier (num nFile) -> num;
+}

@@ -1,0 +1,24 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Opens a file.
+    ///
+    /// - `sPath`: where it is, such as `"Disk://data/log.txt"`.
+    /// - `sMode`: `"r"` to read, `"w"` to write.
+    /// - Result: the number under which the other file instructions know it; negative if it cannot be opened.
+    ///
+    /// Up to ten files are open at a time, and none is closed by itself: end with `$fileClose`.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nFile
+    /// string sLine[1]
+    ///   nFile=$fileOpen("Disk://data/order.txt","r")
+    ///   if nFile>=0
+    ///     $fileGet(nFile,sLine,1)
+    ///     $fileClose(nFile)
+    ///   endIf
+    /// ```
+    "$fileOpen": AddOns, with_add_on "Expansion";
+    function (string sPath, string sMode) -> num;
+}

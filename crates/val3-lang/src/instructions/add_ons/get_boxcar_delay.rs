@@ -1,0 +1,14 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the delay that the smoothing filter of the motion brings about.
+    ///
+    /// - Result: the delay.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   putln($getBoxcarDelay())
+    /// ```
+    "$getBoxcarDelay": AddOns, with_add_on "Motion";
+    function () -> num;
+}

@@ -1,0 +1,14 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the cycle time of the controller.
+    ///
+    /// - Result: the time from one commanded position to the next.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   putln($getCycleTime())
+    /// ```
+    "$getCycleTime": AddOns, with_add_on "Motion";
+    function () -> num;
+}

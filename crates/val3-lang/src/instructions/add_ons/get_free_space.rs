@@ -1,0 +1,15 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the free space of a disk partition.
+    ///
+    /// - `sPartition`: `"/sys"`, `"/usr"` or `"/log"`.
+    /// - Result: the space that is left.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   putln($getFreeSpace("/usr"))
+    /// ```
+    "$getFreeSpace": AddOns, with_add_on "Expansion";
+    function (string sPartition) -> num;
+}

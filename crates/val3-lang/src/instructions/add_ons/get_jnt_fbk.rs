@@ -1,0 +1,16 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the position of each axis as the encoders measure it.
+    ///
+    /// - Result: the measured position; `herej` gives the commanded one.
+    ///
+    /// ## Example
+    /// ```val3
+    /// joint jNow
+    ///   jNow=$getJntFbk()
+    ///   putln(jNow.j1)
+    /// ```
+    "$getJntFbk": AddOns, with_add_on "Expansion";
+    function () -> joint;
+}

@@ -1,0 +1,16 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the name of a variable.
+    ///
+    /// - `variable`: the variable.
+    /// - Result: its name.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pPick
+    ///   putln($getName(pPick))
+    /// ```
+    "$getName": AddOns, with_add_on "Expansion";
+    function (any variable) -> string;
+}

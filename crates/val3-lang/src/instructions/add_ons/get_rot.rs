@@ -1,0 +1,22 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives axis and angle of the one rotation that turns as a transformation does.
+    ///
+    /// - `trPosition`: the transformation.
+    /// - `nX`, `nY`, `nZ`: get the axis, a vector of length 1.
+    /// - Result: the angle, degrees.
+    ///
+    /// ## Example
+    /// ```val3
+    /// trsf trOffset
+    /// num nX
+    /// num nY
+    /// num nZ
+    /// num nAngle
+    ///   nAngle=$getRot(trOffset,nX,nY,nZ)
+    ///   putln(nAngle)
+    /// ```
+    "$getRot": AddOns, with_add_on "Motion";
+    function (trsf trPosition, num& nX, num& nY, num& nZ) -> num;
+}

@@ -1,0 +1,16 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Chooses the tool, the frame and the mode in which the operator jogs the arm.
+    ///
+    /// - `tTool`, `fReference`: tool and frame.
+    /// - `nMode`: the jog mode, a number.
+    ///
+    /// ## Example
+    /// ```val3
+    /// tool tGripper
+    ///   $jogContext(tGripper,world,0)
+    /// ```
+    "$jogContext": AddOns, with_add_on "Expansion";
+    modifier (tool tTool, frame fReference, num nMode);
+}

@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Adds a value to those that a recorder records.
+    ///
+    /// - `sRecorder`: the recorder, `"c"` or `"d"`.
+    /// - `sVariable`: what to record.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sVariable
+    ///   $recClean("c")
+    ///   $recAdd("c",sVariable)
+    /// ```
+    "$recAdd": AddOns, with_add_on "Recorder";
+    modifier (string sRecorder, string sVariable);
+}

@@ -1,0 +1,16 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Starts a recorder.
+    ///
+    /// - `sRecorder`: the recorder, `"c"` or `"d"`.
+    /// - `nDuration`: for how long.
+    /// - `nFrequency`: how often a value is taken.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   $recStart("c",10,250)
+    /// ```
+    "$recStart": AddOns, with_add_on "Recorder";
+    modifier (string sRecorder, num nDuration, num nFrequency);
+}

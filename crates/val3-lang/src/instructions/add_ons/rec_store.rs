@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Saves what a recorder has recorded.
+    ///
+    /// - `sRecorder`: the recorder, `"c"` or `"d"`.
+    /// - `sPath`: the file to write, with the ending `.ctt` or `.txt`.
+    /// - Result: `true` if it was saved.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if $recStore("c","Disk://record.txt")==false
+    ///     logMsg("record not saved")
+    ///   endIf
+    /// ```
+    "$recStore": AddOns, with_add_on "Recorder";
+    modifier (string sRecorder, string sPath) -> bool;
+}

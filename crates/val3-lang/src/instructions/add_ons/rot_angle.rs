@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the angle of the one rotation that turns as a transformation does.
+    ///
+    /// - `trPosition`: the transformation.
+    /// - Result: degrees.
+    ///
+    /// ## Example
+    /// ```val3
+    /// trsf trOffset
+    ///   if $rotAngle(trOffset)>5
+    ///     popUpMsg("Part is turned too far")
+    ///   endIf
+    /// ```
+    "$rotAngle": AddOns, with_add_on "Motion";
+    function (trsf trPosition) -> num;
+}

@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the speed of a motion that `$velFrame`, `$velTool` or `$velJoint` has started.
+    ///
+    /// - `nSpeed`: along x, y, z and about them, or of each axis; read only.
+    ///
+    /// ## Example
+    /// ```val3
+    /// tool tGripper
+    /// mdesc mSlow
+    /// num nSpeed[6]
+    ///   $velTool(tGripper,mSlow)
+    ///   nSpeed[2]=10
+    ///   $setVelCmd(nSpeed)
+    /// ```
+    "$setVelCmd": AddOns, with_add_on "Velocity";
+    modifier (num& nSpeed[]);
+}

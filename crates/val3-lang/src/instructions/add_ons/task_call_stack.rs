@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Lists the calls in which a task stands.
+    ///
+    /// - `sTask`: the task.
+    /// - `sLines`: gets one line a call, of the form `project:program(), line n: code`.
+    /// - Result: how many calls.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sCalls[10]
+    ///   if $taskCallStack("robot",sCalls)>0
+    ///     logMsg(sCalls[0])
+    ///   endIf
+    /// ```
+    "$taskCallStack": AddOns, with_add_on "Expansion";
+    modifier (string sTask, string& sLines[]) -> num;
+}

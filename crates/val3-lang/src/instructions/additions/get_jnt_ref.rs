@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives a reference position of the arm by its name.
+    ///
+    /// - `sName`: the name of the reference position.
+    /// - Result: the position of each axis.
+    ///
+    /// On CS9 controllers.
+    ///
+    /// ## Example
+    /// ```val3
+    /// version s8.10
+    /// joint jSafe
+    ///   jSafe=getJntRef("safeRef")
+    /// ```
+    "getJntRef": Additions, since 8;
+    function (string sName) -> joint;
+}

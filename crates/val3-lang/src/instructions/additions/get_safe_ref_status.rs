@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the state of the safety referencing of the arm.
+    ///
+    /// - Result: a status number; what its values mean depends on the controller.
+    ///
+    /// On CS9 controllers.
+    ///
+    /// ## Example
+    /// ```val3
+    /// version s8.10
+    ///   putln(getSafeRefStatus())
+    /// ```
+    "getSafeRefStatus": Additions, since 8;
+    function () -> num;
+}

@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether the processor of the controller has a power supply of its own.
+    ///
+    /// - Result: `true` if it has one.
+    ///
+    /// On CS9 controllers.
+    ///
+    /// ## Example
+    /// ```val3
+    /// version s8.10
+    ///   if hasCpuExtPowerSupply()
+    ///     putln("external supply")
+    ///   endIf
+    /// ```
+    "hasCpuExtPowerSupply": Additions, since 8;
+    function () -> bool;
+}

@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Publishes a variable on the OPC UA server of the controller.
+    ///
+    /// - `variable`: the variable.
+    /// - `bWritable`: `true` lets clients write it as well.
+    ///
+    /// On CS9 controllers.
+    ///
+    /// ## Example
+    /// ```val3
+    /// version s8.10
+    /// num nDone
+    ///   opcuaExport(nDone,false)
+    /// ```
+    "opcuaExport": Additions, since 8;
+    modifier (any& variable, bool bWritable);
+}

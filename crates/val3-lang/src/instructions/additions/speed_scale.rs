@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the speed by which every move is scaled, before s7.
+    ///
+    /// - Result: per cent.
+    ///
+    /// From s7 on `getMonitorSpeed` gives it.
+    ///
+    /// ## Example
+    /// ```val3
+    /// version s5.4
+    ///   if speedScale()>10
+    ///     putln("too fast to teach")
+    ///   endIf
+    /// ```
+    "speedScale": Additions, until 6;
+    function () -> num;
+}

@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Wakes up an arm that has gone to rest.
+    ///
+    /// - Result: a status number; what its values mean depends on the controller.
+    ///
+    /// On CS9 controllers.
+    ///
+    /// ## Example
+    /// ```val3
+    /// version s8.10
+    /// num nCode
+    ///   nCode=wakeUpRobot()
+    ///   putln(nCode)
+    /// ```
+    "wakeUpRobot": Additions, since 8;
+    modifier () -> num;
+}

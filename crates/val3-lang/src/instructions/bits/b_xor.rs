@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the bits in which two 32-bit fields differ.
+    ///
+    /// - `nBitField1`, `nBitField2`: whole numbers from 0 to 4294967295; others are rounded into that range.
+    /// - Result: the number with the bits that are set in one of the fields only.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nFlags = 12
+    ///   // toggle bit 2
+    ///   nFlags=bXor(nFlags,4)
+    /// ```
+    "bXor": Bits "3.3.3";
+    function (num nBitField1, num nBitField2) -> num;
+}

@@ -1,0 +1,15 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Cuts the power of the arm and waits until it is off.
+    ///
+    /// A moving arm is first stopped on its path. The moves that are recorded stay; they go on after `enablePower`.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   disablePower()
+    ///   putln("power is off")
+    /// ```
+    "disablePower": Controller "8.1", blocking;
+    modifier ();
+}

@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Switches the power of the arm on, in remote mode.
+    ///
+    /// It does not wait: ask `isPowered`. In any other working mode, and while the power is being cut, it has no
+    /// effect beside a line in the log.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   enablePower()
+    ///   if watch(isPowered(),5)==false
+    ///     popUpMsg("Arm power does not come on")
+    ///   endIf
+    /// ```
+    "enablePower": Controller "8.1";
+    modifier ();
+}

@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the state of the emergency stop circuit.
+    ///
+    /// - Result: 0 no emergency stop; 1 released, waits to be acknowledged; 2 the circuit is open, or a hardware fault
+    ///   has to be mended.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if esStatus()==2
+    ///     popUpMsg("Emergency stop")
+    ///   endIf
+    /// ```
+    "esStatus": Controller "8.1";
+    function () -> num;
+}

@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the monitor speed, by which every move is scaled.
+    ///
+    /// - Result: per cent, 0 to 100.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if getMonitorSpeed()>10
+    ///     popUpMsg("First cycle: at most 10 %")
+    ///     wait(getMonitorSpeed()<=10)
+    ///   endIf
+    /// ```
+    "getMonitorSpeed": Controller "8.1";
+    function () -> num;
+}

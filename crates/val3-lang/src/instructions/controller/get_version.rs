@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the version or the state of a part of the controller.
+    ///
+    /// - `sComponent`: `"VAL 3"`, `"ArmType"`, `"Tuning"`, `"Mounting"`, `"ControllerSN"`, `"ArmSN"`, `"Starc"`, or the
+    ///   name
+    ///   of a software licence such as `"alter"`, `"compliance"`, `"oemLicence"`.
+    /// - Result: the version; of a licence `"enabled"`, `"demo"`, or `""` where it is missing or has run out.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if getVersion("alter")!="enabled"
+    ///     popUpMsg("The alter licence is missing")
+    ///   endIf
+    /// ```
+    "getVersion": Controller "8.1";
+    function (string sComponent) -> string;
+}

@@ -1,0 +1,16 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether every axis of the arm knows its position.
+    ///
+    /// - Result: `false` if at least one axis is not calibrated.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if isCalibrated()==false
+    ///     popUpMsg("Calibrate the arm")
+    ///   endIf
+    /// ```
+    "isCalibrated": Controller "8.1";
+    function () -> bool;
+}

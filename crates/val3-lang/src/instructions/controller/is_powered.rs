@@ -1,0 +1,14 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether the arm has power.
+    ///
+    /// - Result: `true` with power; `false` without, and while it is coming on.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   wait(isPowered())
+    /// ```
+    "isPowered": Controller "8.1";
+    function () -> bool;
+}

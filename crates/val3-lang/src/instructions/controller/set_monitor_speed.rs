@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Changes the monitor speed, by which every move is scaled.
+    ///
+    /// - `nSpeed`: per cent, 0 to 100. It can always be lowered. It can be raised in remote mode only, where the
+    ///   operator
+    ///   has no hold of the speed keys.
+    /// - Result: 0 done, -1 not in remote mode, -2 the operator controls the speed, -3 not 0 to 100.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if setMonitorSpeed(20)!=0
+    ///     logMsg("speed not changed")
+    ///   endIf
+    /// ```
+    "setMonitorSpeed": Controller "8.1";
+    modifier (num nSpeed) -> num;
+}

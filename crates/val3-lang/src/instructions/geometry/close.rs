@@ -1,0 +1,22 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Closes a tool once the arm has arrived.
+    ///
+    /// - `tTool`: the tool. Its output `gripper` becomes `false`; then the task waits for `ctime` seconds.
+    /// - Errors: 122 its output is an input, 123 it is not linked, 150 a move before it cannot be done.
+    ///
+    /// Before that it waits as `waitEndMove` does and so ends blending. It does not wait until the arm is at rest: put
+    /// `wait(isSettled())` before it.
+    ///
+    /// ## Example
+    /// ```val3
+    /// tool tGripper
+    /// point pPick
+    /// mdesc mSlow
+    ///   movel(pPick,tGripper,mSlow)
+    ///   close(tGripper)
+    /// ```
+    "close": Geometry "9.5.4", blocking, errors [122, 123, 150];
+    modifier (tool tTool);
+}

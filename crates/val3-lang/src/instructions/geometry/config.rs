@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the configuration in which the arm is at a joint position.
+    ///
+    /// - `jPosition`: the position of each axis.
+    /// - Result: shoulder, elbow and wrist (a SCARA arm: shoulder only), each with a definite side or sign.
+    /// - Error 81: a position for another kind of arm.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pPick
+    ///   pPick.config=config(herej())
+    /// ```
+    "config": Geometry "9.7.6", errors [81];
+    function (joint jPosition) -> config;
+}

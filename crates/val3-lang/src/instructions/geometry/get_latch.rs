@@ -1,0 +1,22 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Reads the position that the latch has frozen.
+    ///
+    /// - `jPosition`: gets the position at the edge, within 0.2 ms; unchanged if there is none.
+    /// - Result: `true` if there is a frozen position; `false` before the edge, or if the latch was never armed.
+    ///
+    /// Only on CS8C controllers. The same position is read until `setLatch` arms the latch again.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diSensor
+    /// joint jEdge
+    ///   setLatch(diSensor)
+    ///   delay(0)
+    ///   wait(getLatch(jEdge))
+    ///   putln(jEdge.j1)
+    /// ```
+    "getLatch": Geometry "9.2.3";
+    modifier (joint& jPosition) -> bool;
+}

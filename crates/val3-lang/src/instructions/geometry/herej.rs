@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the position of each axis.
+    ///
+    /// - Result: with power, the position that the controller commands; without, the position that the encoders
+    ///   measure, which shivers a little. It is new every 4 ms.
+    ///
+    /// `here` gives the same as a point.
+    ///
+    /// ## Example
+    /// ```val3
+    /// joint jNow
+    ///   jNow=herej()
+    ///   putln(jNow.j1)
+    /// ```
+    "herej": Geometry "9.2.3";
+    function () -> joint;
+}

@@ -1,0 +1,21 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives where a tool is when the axes are at a given position.
+    ///
+    /// - `tTool`: the tool.
+    /// - `fReference`: the frame of the result.
+    /// - `jPosition`: the position of each axis.
+    /// - Result: the point, with the configuration of the arm at `jPosition`.
+    /// - Errors: 81 a position for another kind of arm, 163 the frame, 164 the tool has no reference.
+    ///
+    /// ## Example
+    /// ```val3
+    /// tool tGripper
+    /// joint jPark
+    /// point pPark
+    ///   pPark=jointToPoint(tGripper,world,jPark)
+    /// ```
+    "jointToPoint": Geometry "9.6.3", errors [81, 163, 164];
+    function (tool tTool, frame fReference, joint jPosition) -> point;
+}

@@ -1,0 +1,23 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Arms the position latch: the next rising edge of a fast input freezes the position.
+    ///
+    /// - `diInput`: a fast input (`fIn0`, `fIn1`); the signal has to be low and then high for at least 0.2 ms.
+    /// - Errors: 70 for an input without latch, 123 not linked.
+    ///
+    /// Only on CS8C controllers. The latch is armed up to 0.2 ms later: put a `delay(0)` behind it.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diSensor
+    /// joint jEdge
+    ///   setLatch(diSensor)
+    ///   delay(0)
+    ///   if watch(getLatch(jEdge),5)
+    ///     putln(jEdge.j1)
+    ///   endIf
+    /// ```
+    "setLatch": Geometry "9.2.3", errors [70, 123];
+    modifier (dio diInput);
+}

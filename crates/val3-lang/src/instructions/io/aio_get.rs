@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Reads a numerical input or output.
+    ///
+    /// - `aiInput`: the signal.
+    /// - Result: its value, in the unit that its configuration gives.
+    /// - Errors: 123 not linked, 125 it does not answer.
+    ///
+    /// ## Example
+    /// ```val3
+    /// aio aiPressure
+    ///   wait(aioGet(aiPressure)>=4.5)
+    /// ```
+    "aioGet": Io "3.6.2", errors [123, 125];
+    function (aio aiInput) -> num;
+}

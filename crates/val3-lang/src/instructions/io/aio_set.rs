@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Writes a number to a numerical output.
+    ///
+    /// - `aiOutput`: the output.
+    /// - `nValue`: the value, in the unit that its configuration gives.
+    /// - Result: the value the output really has: rounded for an output of whole numbers, limited to its range.
+    /// - Errors: 122 for an input, 123 not linked, 124 a protected output, 125 an output that does not answer.
+    ///
+    /// ## Example
+    /// ```val3
+    /// aio aiFlow
+    /// num nFlow
+    ///   nFlow=aioSet(aiFlow,12.3)
+    /// ```
+    "aioSet": Io "3.6.2", errors [122, 123, 124, 125];
+    modifier (aio aiOutput, num nValue) -> num;
+}

@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Throws away what a serial channel has received and nobody has read.
+    ///
+    /// - `siVariable`: the serial line or socket. A socket is closed as well; it opens again when it is next used.
+    /// - Result: the number of characters thrown away; -1 for a socket that is closed already.
+    /// - Error 123: not linked.
+    ///
+    /// ## Example
+    /// ```val3
+    /// sio siHost
+    ///   clearBuffer(siHost)
+    ///   siHost="READY"
+    /// ```
+    "clearBuffer": Io "3.7.3", errors [123];
+    modifier (sio siVariable) -> num;
+}

@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Reads an array of digital signals as a binary number.
+    ///
+    /// - `diArray`: the signals, the lowest bit first; read only. An index may say where to start.
+    /// - Result: `diArray[0]` counts 1, `diArray[1]` counts 2, `diArray[2]` counts 4, and so on.
+    /// - Errors: 123 for a signal that is not linked, 125 for one that does not answer.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diCode[4]
+    /// num nCode
+    ///   nCode=dioGet(diCode)
+    /// ```
+    "dioGet": Io "3.5.3", errors [123, 125];
+    function (dio& diArray[]) -> num;
+}

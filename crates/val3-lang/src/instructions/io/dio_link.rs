@@ -1,0 +1,24 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Links a digital signal to the input or output that another one is linked to.
+    ///
+    /// - `diVariable`: the variable that gets the link.
+    /// - `diSource`: the variable whose link is taken over.
+    ///
+    /// One program can thus serve cells with different hardware.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diGripped
+    /// dio diBoard
+    /// dio diFieldbus
+    ///   if ioStatus(diFieldbus)>=0
+    ///     dioLink(diGripped,diFieldbus)
+    ///   else
+    ///     dioLink(diGripped,diBoard)
+    ///   endIf
+    /// ```
+    "dioLink": Io "3.5.3";
+    modifier (dio& diVariable, dio diSource);
+}

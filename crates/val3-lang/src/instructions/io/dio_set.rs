@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Writes a number in binary to an array of digital outputs.
+    ///
+    /// - `diArray`: the outputs, the lowest bit first. An index may say where to start.
+    /// - `nValue`: its whole part is written; bits beyond the array are dropped.
+    /// - Result: the number that the outputs show then: with 4 outputs, 26 gives 10.
+    /// - Errors: 122 for an input, 123 not linked, 124 a protected output, 125 an output that does not answer.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diTray[4]
+    /// num nTray = 10
+    ///   dioSet(diTray,nTray)
+    /// ```
+    "dioSet": Io "3.5.3", errors [122, 123, 124, 125];
+    modifier (dio& diArray[], num nValue) -> num;
+}

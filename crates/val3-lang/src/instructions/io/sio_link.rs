@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Links a serial channel to the line or socket that another one is linked to.
+    ///
+    /// - `siVariable`: the variable that gets the link.
+    /// - `siSource`: the variable whose link is taken over.
+    ///
+    /// ## Example
+    /// ```val3
+    /// sio siHost
+    /// sio siSocket
+    ///   sioLink(siHost,siSocket)
+    /// ```
+    "sioLink": Io "3.7.3";
+    modifier (sio& siVariable, sio siSource);
+}

@@ -1,0 +1,24 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether the library under an identifier has a public variable or program.
+    ///
+    /// - `sSymbolName`: the name; of a program with `()` behind it: `"init()"`.
+    /// - Result: `true` if it is there and public.
+    ///
+    /// With it an application gets along with older and newer forms of a library; compare `isDefined`.
+    ///
+    /// ## Example
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    ///   if part:libExist("init()")
+    ///     call part:init()
+    ///   endIf
+    /// --- part
+    /// public program init()
+    /// begin
+    /// end
+    /// ```
+    "libExist": Libraries "6.7";
+    function (string sSymbolName) -> bool on library;
+}

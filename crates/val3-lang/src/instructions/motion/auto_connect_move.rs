@@ -1,0 +1,20 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Chooses or tells how the arm gets back on its path in remote mode.
+    ///
+    /// - `bActive`: `true` for an automatic connection move, `false` (at the start) for one that the operator commands.
+    ///   An
+    ///   arm that has hardly left its path is connected automatically in either case.
+    /// - Result without argument: the present choice.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if autoConnectMove()==false
+    ///     autoConnectMove(true)
+    ///   endIf
+    /// ```
+    "autoConnectMove": Motion "10.6";
+    modifier (bool bActive);
+    function () -> bool;
+}

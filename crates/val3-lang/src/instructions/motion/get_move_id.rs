@@ -1,0 +1,25 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells where on its path the arm is.
+    ///
+    /// - Result: the id of the present move plus the part of it that is done: 17.572 is move 17, 57.2 % of it done.
+    ///   When
+    ///   the last move is done, its id plus 1.
+    ///
+    /// Compare it with `>=`, never with `==`: the number steps over values.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pPlace
+    /// tool tGripper
+    /// mdesc mFast
+    /// num nPlace
+    /// dio doGlue
+    ///   nPlace=movel(pPlace,tGripper,mFast)
+    ///   wait(getMoveId()>=nPlace+0.5)
+    ///   doGlue=true
+    /// ```
+    "getMoveId": Motion "10.6";
+    function () -> num;
+}

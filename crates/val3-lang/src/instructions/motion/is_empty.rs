@@ -1,0 +1,15 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether every recorded move is done.
+    ///
+    /// - Result: `false` as long as one is left.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio doIdle
+    ///   doIdle=isEmpty()
+    /// ```
+    "isEmpty": Motion "10.6";
+    function () -> bool;
+}

@@ -1,0 +1,20 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether the arm is at rest.
+    ///
+    /// - Result: `true` if every axis has kept within 1 % of its greatest position error for 50 ms.
+    ///
+    /// An arm can be at rest in the midst of its moves, for instance after `stopMove`: `isEmpty` tells whether they are
+    /// done.
+    ///
+    /// ## Example
+    /// ```val3
+    /// tool tGripper
+    ///   waitEndMove()
+    ///   wait(isSettled())
+    ///   close(tGripper)
+    /// ```
+    "isSettled": Motion "10.6";
+    function () -> bool;
+}

@@ -1,0 +1,31 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Records a joint move: all axes start and arrive together, on the fastest path.
+    ///
+    /// - `jPosition`, `pPosition`: the target; a point says the configuration in which it is reached.
+    /// - `tTool`: the tool that reaches a point, and whose speed is limited.
+    /// - `mDesc`: speed, acceleration and blending around the target.
+    /// - Result: the id of the move, as `getMoveId` counts it.
+    /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
+    ///   done, 153 not supported, 154 target out of limits or out of reach, 160 to 164 `flange` or `world` was changed,
+    ///   or
+    ///   point, frame or tool has no reference.
+    ///
+    /// The program goes on at once, far ahead of the arm; it waits only where no more moves can be recorded.
+    ///
+    /// ## Example
+    /// ```val3
+    /// joint jPark
+    /// point pPick
+    /// tool tGripper
+    /// mdesc mFast
+    ///   movej(jPark,tGripper,mFast)
+    ///   movej(pPick,tGripper,mFast)
+    ///   waitEndMove()
+    /// ```
+    "movej": Motion "10.6", blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
+    modifier (joint jPosition, tool tTool, mdesc mDesc) -> num;
+    modifier (point pPosition, tool tTool, mdesc mDesc) -> num;
+}

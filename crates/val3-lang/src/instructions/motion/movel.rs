@@ -1,0 +1,28 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Records a straight move: the tool centre point runs on a line and turns evenly on the way.
+    ///
+    /// - `pPosition`: the target. It cannot ask for another configuration than the one at the start.
+    /// - `tTool`: the tool that runs on the line.
+    /// - `mDesc`: speed, acceleration and blending around the target.
+    /// - Result: the id of the move, as `getMoveId` counts it.
+    /// - Errors: 81 a target for another kind of arm, 100 to 106 a bad value in `mDesc`, 150 an earlier move cannot be
+    ///   done, 153 not supported, 154 target out of reach or no straight way to it, 160 to 164 `flange` or `world` was
+    ///   changed, or point, frame or tool has no reference.
+    ///
+    /// The program goes on at once; it waits only where no more moves can be recorded.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pPick
+    /// tool tGripper
+    /// mdesc mSlow
+    ///   movel(appro(pPick,{0,0,-50,0,0,0}),tGripper,mSlow)
+    ///   movel(pPick,tGripper,mSlow)
+    ///   waitEndMove()
+    /// ```
+    "movel": Motion "10.6", blocking,
+        errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 153, 154, 160, 161, 162, 163, 164];
+    modifier (point pPosition, tool tTool, mdesc mDesc) -> num;
+}

@@ -1,0 +1,17 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Lets the arm go on after `stopMove`.
+    ///
+    /// Without a `stopMove` before it has no effect.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diHold
+    ///   stopMove()
+    ///   wait(diHold==false)
+    ///   restartMove()
+    /// ```
+    "restartMove": Motion "10.6";
+    modifier ();
+}

@@ -1,0 +1,22 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Sets the id of the next move.
+    ///
+    /// - `nMoveId`: the id; not one of a move that is still to be done.
+    /// - Result: a number without a documented meaning.
+    ///
+    /// The moves behind it count on by 1. `resetMotion` sets the id back to 0.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pFirst
+    /// tool tGripper
+    /// mdesc mFast
+    ///   resetMotion()
+    ///   setMoveId(1000)
+    ///   movel(pFirst,tGripper,mFast)
+    /// ```
+    "setMoveId": Motion "10.6";
+    modifier (num nMoveId) -> num;
+}

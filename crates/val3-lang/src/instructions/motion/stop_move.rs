@@ -1,0 +1,20 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Stops the arm on its path.
+    ///
+    /// It returns at once, while the arm still slows down as the present move prescribes. Recorded moves stay, and new
+    /// ones can be recorded; the arm goes on after `restartMove`, or on a new path after `resetMotion`. Jogging remains
+    /// possible.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diHold
+    ///   wait(diHold==true)
+    ///   stopMove()
+    ///   wait(diHold==false)
+    ///   restartMove()
+    /// ```
+    "stopMove": Motion "10.6";
+    modifier ();
+}

@@ -1,0 +1,23 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Waits until every recorded move is done.
+    ///
+    /// It also ends blending: the last move runs into its target as if its `blend` were `off`. It waits until the
+    /// commanded position is reached, not until the arm is at rest; for that wait for `isSettled()`.
+    ///
+    /// - Error 150: a recorded move cannot be done.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pPlace
+    /// tool tGripper
+    /// mdesc mSlow
+    /// dio doLamp
+    ///   movel(pPlace,tGripper,mSlow)
+    ///   waitEndMove()
+    ///   doLamp=true
+    /// ```
+    "waitEndMove": Motion "10.6", blocking, errors [150];
+    modifier ();
+}

@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the whole number nearest to a number.
+    ///
+    /// - `nValue`: any number.
+    /// - Result: halves go up: `round(7.8)` is 8, `round(0.5)` is 1, `round(-0.5)` is 0.
+    ///
+    /// The index of an array is rounded in the same way.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nWhole
+    /// num nMeasured = 12.7
+    ///   nWhole=round(nMeasured)
+    /// ```
+    "round": Numbers "3.2.3";
+    function (num nValue) -> num;
+}

@@ -1,0 +1,23 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Deviates the path from now on.
+    ///
+    /// - `trAlteration`: the deviation in the reference that `alterBegin` chose: rotation about its origin, then
+    ///   translation.
+    /// - Result: 1 done, 0 waits for the motion to go on, -1 not started or ended, -2 no alter option, -3 a motion
+    ///   error: `resetMotion` is needed.
+    ///
+    /// It takes effect every 4 ms, so it belongs in a synchronous task of that period. The deviation has to change
+    /// smoothly: what would exceed a limit stops the arm at once.
+    ///
+    /// ## Example
+    /// ```val3
+    /// trsf trShift
+    /// aio aiSensor
+    ///   trShift.z=aioGet(aiSensor)
+    ///   alter(trShift)
+    /// ```
+    "alter": Options "11.2.6";
+    modifier (trsf trAlteration) -> num;
+}

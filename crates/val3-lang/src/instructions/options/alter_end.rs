@@ -1,0 +1,19 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Ends the deviation of the path.
+    ///
+    /// - Result: 1 ended, -1 it was not started, -3 a motion error: `resetMotion` is needed.
+    ///
+    /// Before the end of the path the deviation reached so far stays on the rest of it, and the next normal move can
+    /// follow without a stop. At the end of the path the next move starts then.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   if alterEnd()==-3
+    ///     resetMotion()
+    ///   endIf
+    /// ```
+    "alterEnd": Options "11.2.6";
+    modifier () -> num;
+}

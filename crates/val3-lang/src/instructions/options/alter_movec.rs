@@ -1,0 +1,25 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Records a move on an arc that `alter` can deviate.
+    ///
+    /// - `pIntermediate`, `pTarget`: the arc, as for `movec`. A configuration cannot be asked for: the arm keeps its
+    ///   own.
+    /// - `tTool`, `mDesc`: as for `movec`.
+    /// - Result: the id of the move.
+    /// - Errors: as for `movec`, and 250 without the alter licence.
+    ///
+    /// Such moves in a row make one alterable path.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pArc[3]
+    /// tool tTorch
+    /// mdesc mSlow
+    ///   alterMovel(pArc[0],tTorch,mSlow)
+    ///   alterMovec(pArc[1],pArc[2],tTorch,mSlow)
+    ///   alterBegin(tTorch,mSlow)
+    /// ```
+    "alterMovec": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    modifier (point pIntermediate, point pTarget, tool tTool, mdesc mDesc) -> num;
+}

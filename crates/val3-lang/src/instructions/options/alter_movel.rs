@@ -1,0 +1,23 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Records a straight move that `alter` can deviate.
+    ///
+    /// - `pPosition`: the target. A configuration cannot be asked for: the arm keeps its own.
+    /// - `tTool`, `mDesc`: as for `movel`.
+    /// - Result: the id of the move.
+    /// - Errors: as for `movel`, and 250 without the alter licence.
+    ///
+    /// Such moves in a row make one alterable path. A move without any way is ignored.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pEnd
+    /// tool tGripper
+    /// mdesc mSlow
+    ///   alterMovel(pEnd,tGripper,mSlow)
+    ///   alterBegin(tGripper,mSlow)
+    /// ```
+    "alterMovel": Options "11.2.6", blocking, errors [81, 100, 101, 102, 103, 104, 105, 106, 150, 154, 250];
+    modifier (point pPosition, tool tTool, mdesc mDesc) -> num;
+}

@@ -1,0 +1,23 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the time until the deviation is frozen by a stop.
+    ///
+    /// - Result: seconds; negative if nothing asks for a stop, 0 once the deviation is frozen, and 0 while none is
+    ///   active.
+    ///
+    /// Within this time the program should bring the deviation to rest.
+    ///
+    /// ## Example
+    /// ```val3
+    /// trsf trShift
+    /// num nLeft
+    ///   nLeft=alterStopTime()
+    ///   if nLeft<0
+    ///     trShift.z=trShift.z+0.01
+    ///     alter(trShift)
+    ///   endIf
+    /// ```
+    "alterStopTime": Options "11.2.6";
+    function () -> num;
+}

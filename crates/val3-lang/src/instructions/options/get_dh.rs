@@ -1,0 +1,24 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the geometrical parameters of the arm that is connected.
+    ///
+    /// - `theta`, `alpha`, `beta`: get the angles, degrees, one value an axis.
+    /// - `d`, `a`: get the lengths, millimetres, one value an axis.
+    /// - Error 70: an array is too small.
+    ///
+    /// `getDefaultDH` gives those of the arm type, `setDH` changes them.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nTheta[6]
+    /// num nD[7]
+    /// num nA[6]
+    /// num nAlpha[6]
+    /// num nBeta[6]
+    ///   getDH(nTheta,nD,nA,nAlpha,nBeta)
+    ///   putln(nA[1])
+    /// ```
+    "getDH": Options "11.4.4", errors [70];
+    modifier (num& theta[], num& d[], num& a[], num& alpha[], num& beta[]);
+}

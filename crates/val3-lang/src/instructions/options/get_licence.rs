@@ -1,0 +1,20 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives the state of a licence of the machine builder.
+    ///
+    /// - `sOemLicenceName`: the name of the licence.
+    /// - `sOemPassword`: the secret password it was made with; keep it in an encrypted library.
+    /// - Result: `"enabled"`, `"demo"`, `""` if it is missing or the password is wrong, `"oemLicenceDisabled"` if the
+    ///   controller cannot test licences.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sPassword
+    ///   if getLicence("palletiser",sPassword)!="enabled"
+    ///     popUpMsg("No licence for this application")
+    ///   endIf
+    /// ```
+    "getLicence": Options "11.3.2";
+    function (string sOemLicenceName, string sOemPassword) -> string;
+}

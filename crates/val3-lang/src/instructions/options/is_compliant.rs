@@ -1,0 +1,22 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Tells whether the arm yields to forces from outside.
+    ///
+    /// - Result: `true` during a compliant move.
+    ///
+    /// Moves are recorded ahead: ask before anything pushes at the arm.
+    ///
+    /// ## Example
+    /// ```val3
+    /// point pEject
+    /// tool tGripper
+    /// mdesc mSlow
+    /// dio doEject
+    ///   movelf(pEject,tGripper,mSlow,0)
+    ///   wait(isCompliant())
+    ///   doEject=true
+    /// ```
+    "isCompliant": Options "11.1.5";
+    function () -> bool;
+}

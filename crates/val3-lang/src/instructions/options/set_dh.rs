@@ -1,0 +1,28 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Changes the geometrical parameters of the arm, now and in its configuration.
+    ///
+    /// - `theta`, `alpha`, `beta`: the angles, degrees; read only.
+    /// - `d`, `a`, `b`: the lengths, millimetres; read only. One value an axis, in `d` one more for the flange.
+    /// - Result: `false` if they differ too much from those of the arm type, or an array has a wrong size; nothing is
+    ///   changed then.
+    /// - Errors: 70 bad arrays, 250 no licence for an absolute robot.
+    ///
+    /// It waits until no move is left.
+    ///
+    /// ## Example
+    /// ```val3
+    /// num nTheta[6]
+    /// num nD[7]
+    /// num nA[6]
+    /// num nB[6]
+    /// num nAlpha[6]
+    /// num nBeta[6]
+    ///   if setDH(nTheta,nD,nA,nB,nAlpha,nBeta)==false
+    ///     logMsg("arm parameters refused")
+    ///   endIf
+    /// ```
+    "setDH": Options "11.4.4", blocking, errors [70, 250];
+    modifier (num& theta[], num& d[], num& a[], num& b[], num& alpha[], num& beta[]) -> bool;
+}

@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Gives date and time of the controller as text.
+    ///
+    /// - `sFormat`: text in which these marks are replaced: `%y` year of two digits, `%Y` of four, `%m` month, `%d`
+    ///   day, `%H` hour of 24, `%I` hour of 12, `%p` morning or afternoon, `%M` minutes, `%S` seconds.
+    /// - Result: the text with the marks replaced.
+    ///
+    /// To measure time use `clock`.
+    ///
+    /// ## Example
+    /// ```val3
+    ///   putln(getDate("%Y-%m-%d %H:%M:%S"))
+    /// ```
+    "getDate": Screen "4.3";
+    function (string sFormat) -> string;
+}

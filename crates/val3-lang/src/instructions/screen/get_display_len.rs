@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Counts the columns that a text takes on the pendant.
+    ///
+    /// - `sText`: the text.
+    /// - Result: the number of columns. ASCII characters take one each, as `len` counts; wide characters, such as
+    ///   Chinese ones, take two.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sName = "bolt"
+    ///   gotoxy(40-getDisplayLen(sName),0)
+    ///   put(sName)
+    /// ```
+    "getDisplayLen": Screen "4.3";
+    function (string sText) -> num;
+}

@@ -1,0 +1,21 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Shows the user page on the pendant.
+    ///
+    /// - `scPage`: the page to show; without it, the default page.
+    /// - `bFixed`: `true` keeps the operator on the user page (the user profile can still be changed), `false` sets
+    ///   the other pages free again.
+    ///
+    /// ## Example
+    /// ```val3
+    /// screen scMain
+    ///   cls(scMain)
+    ///   title(scMain,"Palletiser")
+    ///   userPage(scMain)
+    /// ```
+    "userPage": Screen "4.3";
+    modifier ();
+    modifier (screen scPage);
+    modifier (bool bFixed);
+}

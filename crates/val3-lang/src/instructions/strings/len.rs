@@ -1,0 +1,20 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Counts the characters of a text.
+    ///
+    /// - `sText`: the text.
+    /// - Result: the number of characters, not of bytes: a character outside ASCII takes 2 to 4 of the 128 bytes.
+    ///
+    /// `getDisplayLen` counts the columns that the text takes on the pendant.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sName
+    ///   if len(sName)==0
+    ///     sName="unknown"
+    ///   endIf
+    /// ```
+    "len": Strings "3.4.3";
+    function (string sText) -> num;
+}

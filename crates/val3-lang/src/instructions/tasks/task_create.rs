@@ -1,0 +1,27 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Starts a program as a task of its own.
+    ///
+    /// - `sName`: the name of the task: 1 to 15 letters, digits and `_`, not in use in this application or library.
+    /// - `nPriority`: 1 to 100, the most instruction lines the task executes before the next one has its turn.
+    /// - `program`: the call that the task executes, written `p(...)` or `library:p(...)`. What it takes by reference
+    ///   must be no local variable: the task may outlive it.
+    /// - Errors: 29 bad name, 31 name in use, 40 and 41 without memory, 70 priority out of range.
+    ///
+    /// It takes no parentheses around its arguments. The task ends when its program does.
+    ///
+    /// ## Example
+    /// ```val3
+    /// string sMessage
+    /// program read(string& x_sMessage)
+    /// begin
+    ///   x_sMessage="ready"
+    /// end
+    ///   taskCreate "reader",10,read(sMessage)
+    ///   wait(taskStatus("reader")==-1)
+    ///   putln(sMessage)
+    /// ```
+    "taskCreate": Tasks "5.10", errors [29, 31, 40, 41, 70];
+    modifier (string sName, num nPriority, program program);
+}

@@ -1,0 +1,32 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Starts a program as a synchronous task, which has its turn at fixed times.
+    ///
+    /// - `sName`: the name of the task: 1 to 15 letters, digits and `_`, not in use in this application or library.
+    /// - `nPeriod`: time from turn to turn in seconds, above 0, rounded down to a multiple of 0.004. All
+    ///   synchronous tasks together may have two different periods.
+    /// - `bOverrun`: a global variable; it gets `true` when a turn took longer than the period and the next one was
+    ///   left
+    ///   out.
+    /// - `program`: the call that the task executes. What it takes by reference must be no local variable.
+    /// - Errors: 29 bad name, 31 name in use, 32 a third period, 40 and 41 without memory, 70 bad period.
+    ///
+    /// A turn ends at an instruction that waits, as a rule `delay(0)`, or after 3000 lines.
+    ///
+    /// ## Example
+    /// ```val3
+    /// bool bOverrun
+    /// dio diGuard
+    /// program watchGuard()
+    /// begin
+    ///   while diGuard==true
+    ///     delay(0)
+    ///   endWhile
+    ///   stopMove()
+    /// end
+    ///   taskCreateSync "guard",0.02,bOverrun,watchGuard()
+    /// ```
+    "taskCreateSync": Tasks "5.10", errors [29, 31, 32, 40, 41, 70];
+    modifier (string sName, num nPeriod, bool& bOverrun, program program);
+}

@@ -1,0 +1,18 @@
+use crate::declare::instruction;
+
+instruction! {
+    /// Waits until a condition holds.
+    ///
+    /// - `bCondition`: any condition; it is computed anew at every turn of the task. If it holds at once, the task goes
+    ///   on without a pause.
+    ///
+    /// There is no limit of time: `watch` has one.
+    ///
+    /// ## Example
+    /// ```val3
+    /// dio diPart
+    ///   wait(diPart==true)
+    /// ```
+    "wait": Tasks "5.10", blocking;
+    modifier (bool bCondition);
+}

@@ -1,0 +1,110 @@
+//! Keywords and the other words that no name may be.
+//!
+//! Code is recognised in any letter case; [`canonical`] is the spelling that controllers write.
+
+use crate::{builtins, enumerations, instructions, types::BaseType};
+
+/// Every keyword in its canonical spelling.
+pub const KEYWORDS: [&str; 28] = [
+    "begin",
+    "end",
+    "call",
+    "return",
+    "if",
+    "elseIf",
+    "else",
+    "endIf",
+    "while",
+    "endWhile",
+    "do",
+    "until",
+    "for",
+    "to",
+    "step",
+    "endFor",
+    "switch",
+    "case",
+    "break",
+    "default",
+    "endSwitch",
+    "and",
+    "or",
+    "xor",
+    "true",
+    "false",
+    TASK_CREATE,
+    TASK_CREATE_SYNC,
+];
+
+const TASK_CREATE: &str = "taskCreate";
+const TASK_CREATE_SYNC: &str = "taskCreateSync";
+
+/// The canonical spelling of a keyword written in any letter case.
+#[must_use]
+pub fn canonical(word: &str) -> Option<&'static str> {
+    KEYWORDS.into_iter().find(|keyword| keyword.eq_ignore_ascii_case(word))
+}
+
+/// Whether the instruction creates a task: its arguments stand without parentheses and end with the call of a
+/// program.
+#[must_use]
+pub fn is_task_creation(name: &str) -> bool {
+    name.eq_ignore_ascii_case(TASK_CREATE) || name.eq_ignore_ascii_case(TASK_CREATE_SYNC)
+}
+
+/// Why a name may not be given to a variable, a program or a library identifier.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reserved {
+    /// A keyword, in whatever letter case.
+    Keyword,
+    /// The name of a built-in type.
+    Type,
+    /// `world`, `flange`.
+    Builtin,
+    /// A value of an enumeration: `off`, `lefty`.
+    Enumerator,
+    /// A built-in instruction.
+    Instruction,
+}
+
+/// Whether `name` is a word of the language, and which.
+///
+/// `joint` and `config` are several of these at once: the first in the order of [`Reserved`] is told.
+#[must_use]
+pub fn reserved(name: &str) -> Option<Reserved> {
+    if canonical(name).is_some() {
+        Some(Reserved::Keyword)
+    } else if BaseType::from_name(name).is_some() {
+        Some(Reserved::Type)
+    } else if builtins::find(name).is_some() {
+        Some(Reserved::Builtin)
+    } else if enumerations::find(name).is_some() {
+        Some(Reserved::Enumerator)
+    } else {
+        instructions::find(name).map(|_| Reserved::Instruction)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Reserved, canonical, is_task_creation, reserved};
+
+    #[test]
+    fn keywords_have_one_spelling() {
+        assert_eq!(canonical("ENDIF"), Some("endIf"));
+        assert_eq!(canonical("taskcreatesync"), Some("taskCreateSync"));
+        assert_eq!(canonical("then"), None);
+        assert!(is_task_creation("taskCreate") && !is_task_creation("taskKill"));
+    }
+
+    #[test]
+    fn words_of_the_language() {
+        assert_eq!(reserved("endfor"), Some(Reserved::Keyword));
+        assert_eq!(reserved("joint"), Some(Reserved::Type));
+        assert_eq!(reserved("world"), Some(Reserved::Builtin));
+        assert_eq!(reserved("wfree"), Some(Reserved::Enumerator));
+        assert_eq!(reserved("movej"), Some(Reserved::Instruction));
+        assert_eq!(reserved("Movej"), None);
+        assert_eq!(reserved("nCount"), None);
+    }
+}

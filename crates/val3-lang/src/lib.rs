@@ -1,0 +1,21 @@
+//! What VAL 3 is, written once.
+//!
+//! Types, instructions, operators, enumerations, run-time errors and versions as data that the analysis, the
+//! editor features and the run time read. Nothing else in the project spells an instruction, a built-in field
+//! or the number of a run-time error.
+
+mod declare;
+
+pub mod add_on;
+pub mod builtins;
+pub mod enumerations;
+pub mod instruction;
+pub mod instructions;
+pub mod keywords;
+pub mod library_errors;
+pub mod operators;
+pub mod page;
+pub mod runtime_errors;
+pub mod statements;
+pub mod types;
+pub mod versions;

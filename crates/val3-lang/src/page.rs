@@ -1,0 +1,55 @@
+//! Pages: the Markdown texts of the catalogue, cut into the parts that a reader asks for.
+//!
+//! A page starts with one sentence that says what the thing does. Its examples are fenced blocks marked `val3`
+//! in the listing form: the data they use, then code.
+
+/// The page without the blank that every line of a doc comment starts with.
+#[must_use]
+pub fn text(page: &str) -> String {
+    let mut text = String::with_capacity(page.len());
+    for line in page.lines() {
+        text.push_str(line.strip_prefix(' ').unwrap_or(line));
+        text.push('\n');
+    }
+    text
+}
+
+/// The first paragraph of a page: one sentence.
+#[must_use]
+pub fn summary(page: &str) -> String {
+    let lines = page.lines().map(str::trim).take_while(|line| !line.is_empty());
+    lines.collect::<Vec<_>>().join(" ")
+}
+
+/// The VAL 3 listings of a page, in order.
+#[must_use]
+pub fn examples(page: &str) -> Vec<String> {
+    let mut examples = Vec::new();
+    let mut open: Option<String> = None;
+    for line in text(page).lines() {
+        open = match (open, line.trim_end()) {
+            (None, "```val3") => Some(String::new()),
+            (None, _) => None,
+            (Some(example), "```") => {
+                examples.push(example);
+                None
+            }
+            (Some(example), line) => Some(example + line + "\n"),
+        };
+    }
+    examples
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{examples, summary, text};
+
+    const PAGE: &str = " Adds one\n to `n`.\n\n More.\n ```val3\n num n\n   n=n+1\n ```\n End.\n";
+
+    #[test]
+    fn cuts_a_page() {
+        assert_eq!(summary(PAGE), "Adds one to `n`.");
+        assert_eq!(examples(PAGE), ["num n\n  n=n+1\n"]);
+        assert!(text(PAGE).starts_with("Adds one\nto"));
+    }
+}

@@ -1,0 +1,160 @@
+//! Run-time errors: what stops a task, why, and what to do about it (5.10, 12.1).
+//!
+//! `taskStatus` gives the number of the error that stopped a task and `help` explains it. The numbers from 50 on
+//! that the manual's tables lack are those of the controller's own messages.
+
+/// One run-time error.
+#[derive(Debug, PartialEq, Eq)]
+pub struct RuntimeError {
+    /// The number, as `taskStatus` gives it.
+    pub number: u16,
+    /// What happened, a few words.
+    pub short: &'static str,
+    /// Why, and what to do about it.
+    pub long: &'static str,
+}
+
+/// What `taskStatus` gives for a task that no error has stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum TaskState {
+    /// -1: the library or application has created no task of this name.
+    Absent,
+    /// 0: halted, by `taskSuspend` or a debugger.
+    Halted,
+    /// 1: running; a task that waits runs.
+    Running,
+}
+
+impl TaskState {
+    /// The number that `taskStatus` gives.
+    #[must_use]
+    pub fn number(self) -> i16 {
+        match self {
+            Self::Absent => -1,
+            Self::Halted => 0,
+            Self::Running => 1,
+        }
+    }
+}
+
+const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
+    RuntimeError { number, short, long }
+}
+
+/// The error with this number.
+#[must_use]
+pub fn find(number: u16) -> Option<&'static RuntimeError> {
+    RUNTIME_ERRORS.binary_search_by_key(&number, |row| row.number).ok().and_then(|at| RUNTIME_ERRORS.get(at))
+}
+
+/// Every run-time error, ascending.
+#[rustfmt::skip]
+pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
+    row(10, "division by zero", "The right side of / or % is 0. Test it before, or keep it away from 0."),
+    row(11, "invalid numeric value", "The instruction is not defined for this number: the root or logarithm of a \
+        negative number, asin or acos beyond 1, or a result too large. Limit the argument before."),
+    row(20, "index too large", "The index is not below the size of the array, or the key is not in the collection. \
+        Compare it with size, or ask isDefined."),
+    row(21, "index negative", "The index of an array starts at 0. Look for a counter that runs below it, or a find \
+        that found nothing and gave -1."),
+    row(29, "bad task name", "The name of a task has 1 to 15 letters, digits and underscores."),
+    row(30, "no such task", "This application or library has created no task of this name, or it has ended. Ask \
+        taskStatus before; a task of another library cannot be reached."),
+    row(31, "task name in use", "A task of this name exists already. Wait for its end, kill it, or choose another \
+        name."),
+    row(32, "too many periods", "All synchronous tasks together may have two different periods. Give the new task \
+        one of them."),
+    row(40, "out of data memory", "There is no memory left for data. Reduce arrays and libraries, or stop making \
+        containers larger in a loop."),
+    row(41, "out of task memory", "The stack of the task is full: calls nested too deeply, or too many and too \
+        large locals. Raise the application's stack size or use globals."),
+    row(50, "name in use", "Something of this name exists already."),
+    row(60, "instruction took too long", "An instruction did not end within the time the controller allows."),
+    row(61, "interpreter fault", "The controller cannot execute a line that it has accepted. Note the line and \
+        what led to it, and ask the maker of the controller."),
+    row(70, "invalid parameter", "An argument has a value that the instruction does not take; the page of the \
+        instruction tells its range."),
+    row(80, "item of a library missing", "The line uses data or a program of a library that is not loaded, or that \
+        the loaded library does not have. Check what libLoad returned; ask libExist or isDefined before."),
+    row(81, "data for another arm", "A point, joint or config was made for another kind of arm than the one that \
+        is connected."),
+    row(82, "reference out of reach", "The reference frame or tool of a variable belongs to a library that is not \
+        declared here, or it is private there. Declare the library or make the reference public."),
+    row(90, "no line to resume at", "taskResume leads beyond the beginning or the end of the program. Count \
+        instruction lines only: comments and blank lines are none."),
+    row(100, "bad vel in the mdesc", "The joint speed of the motion descriptor is negative or too large; it is a \
+        percentage."),
+    row(101, "bad accel in the mdesc", "The acceleration of the motion descriptor is negative or too large; it is \
+        a percentage."),
+    row(102, "bad decel in the mdesc", "The deceleration of the motion descriptor is negative or too large; it is \
+        a percentage."),
+    row(103, "bad tvel in the mdesc", "The speed of the tool centre point is negative or too large; it counts \
+        millimetres or inches per second."),
+    row(104, "bad rvel in the mdesc", "The turning speed of the tool centre point is negative or too large; it \
+        counts degrees per second."),
+    row(105, "bad reach in the mdesc", "The distance at which blending ends is negative."),
+    row(106, "bad leave in the mdesc", "The distance at which blending starts is negative."),
+    row(122, "write to an input", "The variable is linked to an input. Link it to an output, or write another one."),
+    row(123, "input or output not linked", "The variable has no link to an input or output of this controller. \
+        Link it in the data editor, or with dioLink, aioLink or sioLink."),
+    row(124, "protected output", "The output belongs to the system and programs may not write it."),
+    row(125, "input or output does not answer", "Reading or writing failed: the field bus or the device is down. \
+        ioStatus and ioBusStatus tell more."),
+    row(150, "motion cannot go on", "A move recorded before cannot be done: out of reach, a singularity, a \
+        configuration that the path cannot change. Correct that move; resetMotion clears the queue."),
+    row(153, "move not supported", "This arm or this option does not know the move."),
+    row(154, "move not possible", "The target is out of reach or out of the limits, or the motion descriptor does \
+        not suit it."),
+    row(160, "flange was changed", "The position of flange is fixed. Define a tool of your own on it."),
+    row(161, "world was changed", "The position of world is fixed. Define a frame of your own in it."),
+    row(162, "point without reference", "The point has no reference frame. Give it one with link or by an \
+        assignment; local points have none at first."),
+    row(163, "frame without reference", "The frame has no reference frame. Give it one with link, setFrame or by \
+        an assignment; local frames have none at first."),
+    row(164, "tool without reference", "The tool has no reference tool. Give it one with link or by an assignment; \
+        local tools have none at first."),
+    row(165, "global refers to local", "A global variable cannot have a local one as its reference, because the \
+        local one ends with its program."),
+    row(170, "bad mobile frame", "A frame that moves with the motion is not usable as it was defined."),
+    row(171, "mobile frame fault", "A frame that moves with the motion failed while it was followed."),
+    row(200, "Ethernet fault", "The network connection failed. Check cable, address and peer."),
+    row(250, "licence missing or trial over", "The instruction needs a licence that is not installed, or whose \
+        trial has ended. getVersion tells the state of a licence."),
+    row(270, "bad file path", "The path of the file names no reachable place."),
+    row(271, "file cannot be read", "The file is missing, damaged or in use."),
+    row(290, "bad trajectory id", "No trajectory has this id."),
+    row(999, "other fault", "A fault without a number of its own. The event log tells more."),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::{RUNTIME_ERRORS, find};
+    use crate::instructions;
+
+    const MANUAL: [u16; 36] = [
+        10, 11, 20, 21, 29, 30, 31, 32, 40, 41, 60, 61, 70, 80, 81, 82, 90, 100, 101, 102, 103, 104, 105, 106, 122,
+        123, 124, 125, 150, 153, 154, 160, 161, 162, 163, 164,
+    ];
+    const MESSAGES: [u16; 11] = [50, 165, 170, 171, 200, 250, 270, 271, 290, 999, 41];
+
+    #[test]
+    fn every_known_number_is_explained() {
+        for number in MANUAL.into_iter().chain(MESSAGES) {
+            let error = find(number);
+            assert!(error.is_some_and(|row| !row.short.is_empty() && row.long.ends_with('.')), "{number}");
+        }
+    }
+
+    #[test]
+    fn numbers_ascend() {
+        assert!(RUNTIME_ERRORS.iter().map(|row| row.number).is_sorted_by(|a, b| a < b));
+    }
+
+    #[test]
+    fn instructions_raise_known_errors() {
+        for instruction in instructions::all() {
+            assert!(instruction.errors.iter().all(|&number| find(number).is_some()), "{}", instruction.name);
+            assert!(instruction.errors.is_sorted(), "{}", instruction.name);
+        }
+    }
+}

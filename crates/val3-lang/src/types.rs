@@ -1,0 +1,138 @@
+//! The built-in types: their names in code and in files, fields, units and defaults.
+//!
+//! Manual 2.3, 3, 4.2, 9 and 10.5; files: s5 to s8.
+
+mod attributes;
+mod fields;
+mod names;
+
+pub use attributes::{Attribute, AttributeValue, attribute, attributes};
+pub use fields::{DefaultValue, Field, Unit, field, fields};
+
+/// The kinematics of an arm. Positions of one kind mean nothing to another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Arm {
+    /// Six axes (RX, TX): `jointRx`, `pointRx`, `configRx`; add-on tables `anthro`.
+    SixAxis,
+    /// Four axes (RS, TS): `jointRs`, `pointRs`, `configRs`; add-on tables `scara`.
+    Scara,
+    /// Any other arm: `jointVrb`, `pointVrb`, `configVrb`; add-on tables `vrb`.
+    Vrb,
+}
+
+/// A built-in type, without its container.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum BaseType {
+    /// Logical value (3.1).
+    Bool,
+    /// Number, an IEEE double (3.2).
+    Num,
+    /// Text of at most 128 bytes (3.4).
+    String,
+    /// Digital input or output (3.5).
+    Dio,
+    /// Numerical input or output (3.6).
+    Aio,
+    /// Serial line or socket (3.7).
+    Sio,
+    /// Page of the pendant (4.2).
+    Screen,
+    /// Geometrical transformation (9.3).
+    Trsf,
+    /// Reference frame (9.4).
+    Frame,
+    /// Tool on the arm (9.5).
+    Tool,
+    /// Cartesian position of a tool (9.6).
+    Point,
+    /// Position of each axis (9.2).
+    Joint,
+    /// Arm configuration (9.7).
+    Config,
+    /// Motion descriptor (10.5).
+    Mdesc,
+    /// Field type of `mdesc.blend`: `off`, `joint`, `Cartesian`.
+    Blend,
+    /// Field type of `config.shoulder`.
+    Shoulder,
+    /// Field type of `config.elbow`.
+    Elbow,
+    /// Field type of `config.wrist`.
+    Wrist,
+}
+
+/// How the values of a variable are stored (2.3.4).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Container {
+    /// One value.
+    Element,
+    /// Values under 1, 2 or 3 whole numbers, from 0.
+    Array {
+        /// Number of dimensions, 1 to 3.
+        dims: u8,
+    },
+    /// Values under text keys.
+    Collection,
+}
+
+impl BaseType {
+    /// The types a variable can have, in the manual's order. The field types of `mdesc` and `config` are not
+    /// among them: no variable has such a type.
+    pub const DECLARABLE: [Self; 14] = [
+        Self::Bool,
+        Self::Num,
+        Self::String,
+        Self::Dio,
+        Self::Aio,
+        Self::Sio,
+        Self::Screen,
+        Self::Trsf,
+        Self::Frame,
+        Self::Tool,
+        Self::Point,
+        Self::Joint,
+        Self::Config,
+        Self::Mdesc,
+    ];
+
+    /// A field type whose values are names: `blend`, `shoulder`, `elbow`, `wrist`.
+    #[must_use]
+    pub fn is_enumeration(self) -> bool {
+        matches!(self, Self::Blend | Self::Shoulder | Self::Elbow | Self::Wrist)
+    }
+
+    /// A type whose variables stand for a physical input, output or line: `dio`, `aio`, `sio` (3.5 to 3.7).
+    #[must_use]
+    pub fn is_linkable(self) -> bool {
+        matches!(self, Self::Dio | Self::Aio | Self::Sio)
+    }
+
+    /// A type whose values are relative to another variable: `frame` and `point` to a frame, `tool` to a tool
+    /// (9.4 to 9.6).
+    #[must_use]
+    pub fn has_father(self) -> bool {
+        self.father().is_some()
+    }
+
+    /// The type of the variable that values of this type are relative to.
+    #[must_use]
+    pub fn father(self) -> Option<Self> {
+        match self {
+            Self::Frame | Self::Point => Some(Self::Frame),
+            Self::Tool => Some(Self::Tool),
+            _ => None,
+        }
+    }
+
+    /// A type that means something only together with an arm: `joint`, `point`, `config`.
+    #[must_use]
+    pub fn depends_on_arm(self) -> bool {
+        matches!(self, Self::Joint | Self::Point | Self::Config)
+    }
+
+    /// A type with fields (2.3.3): its value can be written `{…}`.
+    #[must_use]
+    pub fn is_structured(self) -> bool {
+        !fields(self, None).is_empty()
+    }
+}

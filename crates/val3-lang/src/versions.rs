@@ -1,0 +1,142 @@
+//! Versions of VAL 3 and what each lacks.
+
+use std::fmt;
+
+/// A version of VAL 3: s5 to s7 run on CS8 controllers, s8 on CS9.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Version {
+    /// The number behind the `s`.
+    pub major: u8,
+    /// 0 where none is given.
+    pub minor: u16,
+    /// 0 where none is given.
+    pub patch: u16,
+}
+
+impl Default for Version {
+    fn default() -> Self {
+        Self::DEFAULT
+    }
+}
+
+impl Version {
+    /// The version that counts where a project names none: the one of the manual.
+    pub const DEFAULT: Self = Self::new(7, 11, 0);
+
+    /// The version `s{major}.{minor}.{patch}`.
+    #[must_use]
+    pub const fn new(major: u8, minor: u16, patch: u16) -> Self {
+        Self { major, minor, patch }
+    }
+
+    /// Reads a version as project files spell it: `s7.11.3`, `s8.10.2Cs9_BS1991`, and the composite
+    /// `~VAL3:s5.2.4~Options:s5.2.4~` of s5. What stands behind the third number says nothing about the language.
+    ///
+    /// ```
+    /// use val3_lang::versions::Version;
+    /// assert_eq!(Version::parse("s8.10.2Cs9_BS1991"), Some(Version::new(8, 10, 2)));
+    /// assert_eq!(Version::parse("8"), None);
+    /// ```
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        let text = language_part(text.trim()).strip_prefix(['s', 'S'])?;
+        let mut numbers = text.splitn(3, '.').map(leading_digits);
+        let major = numbers.next()?.parse().ok()?;
+        let mut rest = || numbers.next().and_then(|digits| digits.parse().ok()).unwrap_or(0);
+        Some(Self { major, minor: rest(), patch: rest() })
+    }
+
+    /// The most characters an identifier may have; `None` where no limit is known.
+    ///
+    /// 15 up to s7 (2.5.1). Applications of s8 use 36 and more.
+    #[must_use]
+    pub fn identifier_limit(self) -> Option<usize> {
+        (self.major < 8).then_some(15)
+    }
+
+    /// The most values that `insert`, `append` and `resize` leave in a variable; `None` where only memory limits
+    /// it (s8).
+    #[must_use]
+    pub fn container_limit(self) -> Option<usize> {
+        (self.major < 8).then_some(9999)
+    }
+
+    /// Whether a project's `<Program file>` may name a sub-folder (s8.20 on).
+    #[must_use]
+    pub fn allows_sub_folders(self) -> bool {
+        self >= Self::new(8, 20, 0)
+    }
+
+    /// Whether user types exist (s7 on).
+    #[must_use]
+    pub fn has_user_types(self) -> bool {
+        self.major >= 7
+    }
+
+    /// Whether collections and arrays of two and three dimensions exist (s7 on).
+    #[must_use]
+    pub fn has_collections(self) -> bool {
+        self.major >= 7
+    }
+
+    /// Whether `dio = dio` copies the state of an input to an output (before s7; 3.5.2).
+    #[must_use]
+    pub fn assigns_dio_to_dio(self) -> bool {
+        self.major < 7
+    }
+}
+
+impl fmt::Display for Version {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "s{}.{}", self.major, self.minor)?;
+        if self.patch > 0 {
+            write!(f, ".{}", self.patch)?;
+        }
+        Ok(())
+    }
+}
+
+/// The part of a composite version string that names the language.
+fn language_part(text: &str) -> &str {
+    text.split('~').find_map(|part| part.strip_prefix("VAL3:")).unwrap_or(text)
+}
+
+fn leading_digits(text: &str) -> &str {
+    let end = text.find(|c: char| !c.is_ascii_digit()).unwrap_or(text.len());
+    text.get(..end).unwrap_or(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Version;
+
+    #[test]
+    fn reads_every_form_of_the_files() {
+        let cases = [
+            ("s7.11.3", (7, 11, 3)),
+            ("s7.0", (7, 0, 0)),
+            ("s6.8", (6, 8, 0)),
+            ("s8.3Cs9_BS845", (8, 3, 0)),
+            ("s8.10.2cs9_BS1991", (8, 10, 2)),
+            ("s8.20.2Cs9_BS4270", (8, 20, 2)),
+            ("~VAL3:s5.2.4~Options:s5.2.4~Arm:x", (5, 2, 4)),
+            ("~VAL3:s5.4", (5, 4, 0)),
+        ];
+        for (text, (major, minor, patch)) in cases {
+            assert_eq!(Version::parse(text), Some(Version::new(major, minor, patch)), "{text}");
+        }
+        for text in ["", "7.1", "sx", "~Options:s5", "s999"] {
+            assert_eq!(Version::parse(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn knows_what_each_lacks() {
+        let (s6, s7, s8) = (Version::new(6, 8, 0), Version::DEFAULT, Version::new(8, 20, 0));
+        assert_eq!((s7.identifier_limit(), s8.identifier_limit()), (Some(15), None));
+        assert!(s8.allows_sub_folders() && !Version::new(8, 13, 1).allows_sub_folders());
+        assert!(s6.assigns_dio_to_dio() && !s7.assigns_dio_to_dio());
+        assert!(!s6.has_user_types() && s7.has_collections());
+        assert_eq!(Version::new(8, 3, 0).to_string(), "s8.3");
+    }
+}

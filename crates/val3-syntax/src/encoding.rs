@@ -1,0 +1,96 @@
+//! Bytes to text and back.
+//!
+//! s6 to s8 write UTF-8, nearly always with a byte order mark; s5 writes ISO-8859-1 and declares it.
+
+/// How the bytes of a file stand for its text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Encoding {
+    /// UTF-8; a byte order mark is the first character of the text.
+    Utf8,
+    /// ISO-8859-1: one byte a character.
+    Latin1,
+}
+
+/// The text of a file and how it was stored.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Decoded {
+    /// The text.
+    pub text: String,
+    /// How the bytes stand for it; [`Encoding::encode`] gives the same bytes back.
+    pub encoding: Encoding,
+    /// The bytes are neither UTF-8 nor declared as ISO-8859-1: they were read as ISO-8859-1, which takes all bytes.
+    pub undeclared: bool,
+}
+
+/// Reads the bytes of a file. Every sequence of bytes gives a text.
+pub fn decode(bytes: Vec<u8>) -> Decoded {
+    if declares_latin1(&bytes) {
+        return Decoded { text: latin1(&bytes), encoding: Encoding::Latin1, undeclared: false };
+    }
+    match String::from_utf8(bytes) {
+        Ok(text) => Decoded { text, encoding: Encoding::Utf8, undeclared: false },
+        Err(error) => Decoded { text: latin1(error.as_bytes()), encoding: Encoding::Latin1, undeclared: true },
+    }
+}
+
+impl Encoding {
+    /// The bytes to store for `text`. A character that ISO-8859-1 does not have becomes a numeric reference.
+    pub fn encode(self, text: &str) -> Vec<u8> {
+        match self {
+            Self::Utf8 => text.as_bytes().to_vec(),
+            Self::Latin1 => text.chars().fold(Vec::with_capacity(text.len()), |mut bytes, character| {
+                match u8::try_from(u32::from(character)) {
+                    Ok(byte) => bytes.push(byte),
+                    Err(_) => bytes.extend(format!("&#{};", u32::from(character)).into_bytes()),
+                }
+                bytes
+            }),
+        }
+    }
+}
+
+fn latin1(bytes: &[u8]) -> String {
+    bytes.iter().copied().map(char::from).collect()
+}
+
+/// The XML declaration names ISO-8859-1 or its superset for Windows.
+fn declares_latin1(bytes: &[u8]) -> bool {
+    let head = bytes.get(..bytes.len().min(200)).unwrap_or(b"");
+    if !head.starts_with(b"<?xml") {
+        return false;
+    }
+    let declaration = head.split(|byte| *byte == b'>').next().unwrap_or(b"").to_ascii_lowercase();
+    [&b"iso-8859-1"[..], b"latin1", b"windows-1252"]
+        .iter()
+        .any(|name| declaration.windows(name.len()).any(|window| window == *name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn utf8_keeps_its_byte_order_mark() {
+        let bytes = "\u{feff}<?xml version=\"1.0\"?>é".as_bytes().to_vec();
+        let decoded = decode(bytes.clone());
+        assert_eq!((decoded.encoding, decoded.undeclared), (Encoding::Utf8, false));
+        assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
+    }
+
+    #[test]
+    fn declared_latin1() {
+        let bytes = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\xe9\xa6".to_vec();
+        let decoded = decode(bytes.clone());
+        assert_eq!((decoded.encoding, decoded.undeclared), (Encoding::Latin1, false));
+        assert!(decoded.text.ends_with("é¦"));
+        assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
+    }
+
+    #[test]
+    fn undeclared_bytes_survive() {
+        let bytes = b"<a b=\"\xff\xfe\"/>".to_vec();
+        let decoded = decode(bytes.clone());
+        assert!(decoded.undeclared);
+        assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
+    }
+}

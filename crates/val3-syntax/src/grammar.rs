@@ -1,0 +1,13 @@
+//! The grammar: XML around, code inside.
+
+mod blocks;
+mod control;
+mod expressions;
+mod operands;
+mod program;
+mod statements;
+mod switch;
+mod tasks;
+mod xml;
+
+pub(crate) use xml::file;

@@ -1,0 +1,222 @@
+//! Which keyword ends which block.
+//!
+//! A program is read with its keywords alone first. Only if blocks do not match up it is read again in other ways
+//! ([`Matching`]), and the reading with the fewest faults stands. So a missing `endIf` is reported where a person
+//! would add it, while badly indented code that is balanced stays without a message.
+
+use rowan::TextRange;
+
+use crate::error::SyntaxErrorKind;
+use crate::kind::SyntaxKind::{self, *};
+use crate::lexer::Indent;
+use crate::parser::{Matching, Parser};
+
+/// The kinds of blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum BlockKind {
+    If,
+    While,
+    Do,
+    For,
+    Switch,
+    Case,
+}
+
+impl BlockKind {
+    /// The keywords that open and close it.
+    pub(super) fn names(self) -> (&'static str, &'static str) {
+        match self {
+            Self::If => ("if", "endIf"),
+            Self::While => ("while", "endWhile"),
+            Self::Do => ("do", "until"),
+            Self::For => ("for", "endFor"),
+            Self::Switch => ("switch", "endSwitch"),
+            Self::Case => ("case", "break"),
+        }
+    }
+
+    /// The block that a keyword ends or continues.
+    pub(super) fn of(keyword: SyntaxKind) -> Option<Self> {
+        Some(match keyword {
+            END_IF_KW | ELSE_KW | ELSE_IF_KW => Self::If,
+            END_WHILE_KW => Self::While,
+            UNTIL_KW => Self::Do,
+            END_FOR_KW => Self::For,
+            END_SWITCH_KW | CASE_KW | DEFAULT_KW => Self::Switch,
+            BREAK_KW => Self::Case,
+            _ => return None,
+        })
+    }
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Open {
+    kind: BlockKind,
+    indent: Indent,
+    keyword: TextRange,
+    /// The keyword that should open it is missing, which has been said.
+    headless: bool,
+    layout: Layout,
+}
+
+/// What the indentation of a block's lines tells about its end.
+#[derive(Debug, Clone, Copy)]
+enum Layout {
+    /// No line so far.
+    Unknown,
+    /// The lines are not indented: nothing.
+    Flat,
+    /// The lines are indented.
+    Indented,
+    /// This is the first line that is not: the end was to stand before it.
+    Dedented(TextRange),
+}
+
+/// The blocks that are open at a place.
+pub(super) struct Blocks {
+    open: Vec<Open>,
+    /// Position of the `end` that is the last word of the code.
+    last_end: Option<usize>,
+    /// The rest of the code was skipped; what it would have closed is unknown.
+    pub(super) skipped: bool,
+}
+
+/// What a keyword at the end of a run of statements means.
+pub(super) enum Ending {
+    /// It ends or continues the innermost block or one around it: the run of statements is over.
+    Over,
+    /// It belongs to no open block.
+    Stray,
+    /// No keyword of that sort.
+    None,
+}
+
+impl Blocks {
+    pub(super) fn new(last_end: Option<usize>) -> Self {
+        Self { open: Vec::new(), last_end, skipped: false }
+    }
+
+    /// Opens a block at the current keyword.
+    pub(super) fn push(&mut self, p: &Parser<'_>, kind: BlockKind, headless: bool) {
+        let at = p.position();
+        let (indent, keyword) = (p.indent(at), p.range(at));
+        self.open.push(Open { kind, indent, keyword, headless, layout: Layout::Unknown });
+    }
+
+    /// Closes the innermost block with its own keyword.
+    pub(super) fn pop(&mut self) {
+        self.open.pop();
+    }
+
+    /// The current keyword ends or continues the innermost block.
+    pub(super) fn take_own(&mut self, p: &Parser<'_>) -> bool {
+        let Some(kind) = self.open.last().map(|open| open.kind) else { return false };
+        let own = BlockKind::of(p.current()) == Some(kind) && !self.skips_innermost(p, kind);
+        if own && let Some(open) = self.open.last_mut() {
+            open.layout = Layout::Unknown;
+        }
+        own
+    }
+
+    /// Closes the innermost block without its keyword and says so.
+    pub(super) fn give_up(&mut self, p: &mut Parser<'_>) {
+        let Some(open) = self.open.pop() else { return };
+        // Where the file breaks off, its last element has the message.
+        if open.headless || self.skipped || p.at(EOF) {
+            return;
+        }
+        let (block, missing) = open.kind.names();
+        let kind = match open.kind {
+            BlockKind::Case => SyntaxErrorKind::MissingBreak,
+            _ => SyntaxErrorKind::UnclosedBlock { block, missing },
+        };
+        if is_wrong_end(p, &open) {
+            p.structure_error(kind, p.range(p.position()), Some(open.keyword));
+            return super::statements::skip_line(p);
+        }
+        p.structure_error(kind, place_of_end(p, &open), Some(open.keyword));
+        // A lone `end` in the middle of the code was meant to end this block.
+        if p.at(END_KW) && self.last_end != Some(p.position()) {
+            p.bump();
+        }
+    }
+
+    /// What the current keyword means for the run of statements in the innermost block.
+    pub(super) fn ending(&self, p: &Parser<'_>) -> Ending {
+        let keyword = p.current();
+        let over = match (BlockKind::of(keyword), self.open.last()) {
+            (None, _) if keyword != END_KW => return Ending::None,
+            (None, open) => self.ends_here(p, open),
+            (_, None) => false,
+            (Some(kind), Some(open)) if open.kind == kind => !self.is_misplaced(p, open),
+            (Some(kind), Some(open)) => self.is_of_outer(p, kind, open) || is_wrong_end(p, open),
+        };
+        if over { Ending::Over } else { Ending::Stray }
+    }
+
+    /// The current `end` ends the program, or the innermost block by mistake.
+    fn ends_here(&self, p: &Parser<'_>, innermost: Option<&Open>) -> bool {
+        let is_last = self.last_end.is_none() || self.last_end == Some(p.position());
+        let deeper = |open: &Open| p.matching == Matching::Guided && p.indent(p.position()) > open.indent;
+        is_last || innermost.is_some_and(|open| !deeper(open))
+    }
+
+    /// A block around the innermost one takes a keyword of `kind`.
+    fn is_of_outer(&self, p: &Parser<'_>, kind: BlockKind, innermost: &Open) -> bool {
+        let mut outer = self.open.iter().rev().skip(1).filter(|open| open.kind == kind);
+        let indent = p.indent(p.position());
+        match p.matching {
+            Matching::Plain => outer.next().is_some(),
+            Matching::Guided => outer.any(|open| open.indent == indent || indent <= innermost.indent),
+            Matching::Strict => false,
+        }
+    }
+
+    /// With indentation as a guide: the keyword stands deeper than the block it would end.
+    fn is_misplaced(&self, p: &Parser<'_>, open: &Open) -> bool {
+        p.matching == Matching::Guided
+            && p.indent(p.position()) > open.indent
+            && !self.skips_innermost(p, open.kind)
+    }
+
+    /// With indentation as a guide: the keyword lines up with a block further out, so the innermost one is unclosed.
+    fn skips_innermost(&self, p: &Parser<'_>, kind: BlockKind) -> bool {
+        let indent = p.indent(p.position());
+        let lines_up = |open: &Open| open.kind == kind && open.indent == indent;
+        p.matching == Matching::Guided
+            && self.open.last().is_some_and(|open| open.indent > indent)
+            && self.open.iter().rev().skip(1).any(lines_up)
+    }
+
+    /// Notes how the statement at the current token is indented.
+    pub(super) fn note_layout(&mut self, p: &Parser<'_>) {
+        let at = p.position();
+        if let Some(open) = self.open.last_mut()
+            && p.starts_line(at)
+        {
+            let deeper = p.indent(at) > open.indent;
+            open.layout = match open.layout {
+                Layout::Unknown if deeper => Layout::Indented,
+                Layout::Unknown => Layout::Flat,
+                Layout::Indented if !deeper => Layout::Dedented(p.range(at)),
+                known => known,
+            };
+        }
+    }
+}
+
+/// With indentation as a guide: the current keyword lines up with the block but ends those of another kind.
+fn is_wrong_end(p: &Parser<'_>, open: &Open) -> bool {
+    let ends = matches!(p.current(), END_IF_KW | END_WHILE_KW | UNTIL_KW | END_FOR_KW | END_SWITCH_KW);
+    let other = open.kind != BlockKind::Case && BlockKind::of(p.current()) != Some(open.kind);
+    p.matching == Matching::Guided && ends && other && !open.headless && p.indent(p.position()) == open.indent
+}
+
+/// Where the end of a block belongs that lacks it.
+fn place_of_end(p: &Parser<'_>, open: &Open) -> TextRange {
+    match open.layout {
+        Layout::Dedented(line) => line,
+        _ if p.at_code_end() => p.here_behind(),
+        _ => p.range(p.position()),
+    }
+}

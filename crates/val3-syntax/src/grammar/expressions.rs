@@ -1,0 +1,135 @@
+//! Expressions, by operator precedence (manual 3.1.2 to 3.4.2, 9.2.2, 9.3.3).
+
+use super::operands::postfix;
+use super::statements::skip_line;
+use crate::error::{Expected, SyntaxErrorKind};
+use crate::kind::SyntaxKind::{self, *};
+use crate::parser::{Completed, NESTING_LIMIT, Parser};
+
+/// How tight a binary operator binds; higher is tighter, equal ones group from the left.
+fn precedence(kind: SyntaxKind) -> Option<u8> {
+    Some(match kind {
+        OR_KW => 1,
+        AND_KW => 2,
+        XOR_KW => 3,
+        EQ2 | NEQ => 4,
+        LT | LE | GT | GE => 5,
+        PLUS | MINUS => 6,
+        STAR | SLASH | PERCENT => 7,
+        _ => return None,
+    })
+}
+
+/// An expression where a value is needed: nothing is a fault, and so is an assignment.
+pub(super) fn value(p: &mut Parser<'_>) {
+    let Some(left) = expression(p) else {
+        if !p.failed() {
+            p.expected(Expected::Expression);
+        }
+        return;
+    };
+    if p.here() == EQ {
+        p.error(SyntaxErrorKind::AssignmentInExpression);
+        let m = left.precede(p);
+        p.bump();
+        expression(p);
+        m.complete(p, ASSIGN_EXPR);
+    }
+}
+
+/// An expression; `None` if none starts here.
+pub(super) fn expression(p: &mut Parser<'_>) -> Option<Completed> {
+    operand(p, |p| binary(p, 1))
+}
+
+/// Part of an expression, one level deeper; the rest of the line is skipped where that is too deep.
+fn operand(p: &mut Parser<'_>, read: impl FnOnce(&mut Parser<'_>) -> Option<Completed>) -> Option<Completed> {
+    p.nested(read).unwrap_or_else(|| {
+        skip_line(p);
+        None
+    })
+}
+
+/// As [`operand`], where one is needed.
+fn needed(p: &mut Parser<'_>, read: impl FnOnce(&mut Parser<'_>) -> Option<Completed>) {
+    if operand(p, read).is_none() && !p.failed() {
+        p.expected(Expected::Expression);
+    }
+}
+
+/// The tree is as high as it may be: the operator here, which would make it higher, is given up with its line.
+pub(super) fn is_too_high(p: &mut Parser<'_>, below: Completed) -> bool {
+    let too_high = below.height() >= NESTING_LIMIT;
+    if too_high {
+        p.error(SyntaxErrorKind::NestingTooDeep);
+        skip_line(p);
+    }
+    too_high
+}
+
+fn binary(p: &mut Parser<'_>, min: u8) -> Option<Completed> {
+    let mut left = unary(p)?;
+    while let Some((level, tokens)) = binary_operator(p) {
+        if level < min || is_too_high(p, left) {
+            break;
+        }
+        let m = left.precede(p);
+        for _ in 0..tokens {
+            p.bump();
+        }
+        needed(p, |p| binary(p, level + 1));
+        left = m.complete(p, BIN_EXPR);
+    }
+    Some(left)
+}
+
+/// The binary operator here, and how many tokens it has. Those of other languages are reported and taken as meant.
+fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
+    let kind = p.here();
+    if kind == LT && p.next_here() == GT && p.touches_next(p.position()) {
+        foreign(p, "<>", "!=");
+        return Some((4, 2));
+    }
+    if kind == ERROR_TOKEN {
+        let (instead, level) = match p.text() {
+            "&&" => ("and", 2),
+            "||" => ("or", 1),
+            _ => return None,
+        };
+        foreign(p, p.text(), instead);
+        return Some((level, 1));
+    }
+    precedence(kind).map(|level| (level, 1))
+}
+
+fn foreign(p: &mut Parser<'_>, found: &str, instead: &'static str) {
+    p.error(SyntaxErrorKind::ForeignSpelling { found: found.to_owned(), instead });
+}
+
+fn unary(p: &mut Parser<'_>) -> Option<Completed> {
+    match p.here() {
+        MINUS | BANG => prefix(p),
+        IDENT if is_foreign_not(p) => {
+            foreign(p, p.text(), "!");
+            prefix(p)
+        }
+        _ => postfix(p),
+    }
+}
+
+/// `not x`: a name directly followed by an operand.
+fn is_foreign_not(p: &Parser<'_>) -> bool {
+    p.text().eq_ignore_ascii_case("not") && matches!(p.next_here(), IDENT | TRUE_KW | FALSE_KW | NUMBER | STRING)
+}
+
+fn prefix(p: &mut Parser<'_>) -> Option<Completed> {
+    let m = p.start();
+    let operator = p.position();
+    p.bump();
+    if matches!(p.here(), MINUS | BANG) {
+        let range = p.range(operator).cover(p.range(p.position()));
+        p.error_at(SyntaxErrorKind::DoubleUnary, range, None);
+    }
+    needed(p, unary);
+    Some(m.complete(p, PREFIX_EXPR))
+}

@@ -1,0 +1,186 @@
+//! The parts of expressions: literals, names, brackets, and what follows a name.
+
+use super::expressions::{is_too_high, value};
+use crate::error::{Expected, SyntaxErrorKind};
+use crate::kind::SyntaxKind::{self, *};
+use crate::parser::{Completed, Parser};
+
+/// A variable with its indexes and fields, as the counter of `for`.
+pub(super) fn place(p: &mut Parser<'_>) {
+    if postfix(p).is_none() && !p.failed() {
+        p.expected(Expected::Name);
+    }
+}
+
+/// A value with what follows it closely: indexes, fields, arguments.
+pub(super) fn postfix(p: &mut Parser<'_>) -> Option<Completed> {
+    let mut base = atom(p)?;
+    loop {
+        let kind = match p.here() {
+            L_BRACK => INDEX_EXPR,
+            DOT => FIELD_EXPR,
+            L_PAREN if matches!(base.kind(), NAME_REF | LIBRARY_PATH) => CALL_EXPR,
+            _ => return Some(base),
+        };
+        if is_too_high(p, base) {
+            return Some(base);
+        }
+        let m = base.precede(p);
+        match kind {
+            INDEX_EXPR => index_list(p),
+            FIELD_EXPR => field(p),
+            _ => argument_list(p),
+        }
+        base = m.complete(p, kind);
+    }
+}
+
+fn field(p: &mut Parser<'_>) {
+    p.bump();
+    if p.here() == IDENT {
+        name(p);
+    } else {
+        p.expected(Expected::Field);
+    }
+}
+
+fn atom(p: &mut Parser<'_>) -> Option<Completed> {
+    match p.here() {
+        NUMBER | STRING | TRUE_KW | FALSE_KW => {
+            let m = p.start();
+            p.bump();
+            Some(m.complete(p, LITERAL))
+        }
+        IDENT => Some(name_or_path(p)),
+        L_PAREN => Some(parenthesised(p)),
+        L_CURLY => Some(struct_literal(p)),
+        kind if kind.is_keyword() && !is_separator(kind) => {
+            let word = p.text().to_owned();
+            p.error(SyntaxErrorKind::ReservedWord { word });
+            None
+        }
+        _ => None,
+    }
+}
+
+/// Keywords that stand between expressions: before them an expression is missing, they are no misused name.
+fn is_separator(kind: SyntaxKind) -> bool {
+    matches!(kind, AND_KW | OR_KW | XOR_KW | TO_KW | STEP_KW)
+}
+
+fn name(p: &mut Parser<'_>) -> Completed {
+    let m = p.start();
+    p.bump();
+    m.complete(p, NAME_REF)
+}
+
+/// `name` or `library:name`.
+pub(super) fn name_or_path(p: &mut Parser<'_>) -> Completed {
+    let first = name(p);
+    if p.here() != COLON {
+        return first;
+    }
+    let m = first.precede(p);
+    p.bump();
+    if p.here() == IDENT {
+        name(p);
+    } else {
+        p.expected(Expected::Program);
+    }
+    m.complete(p, LIBRARY_PATH)
+}
+
+fn parenthesised(p: &mut Parser<'_>) -> Completed {
+    let m = p.start();
+    let open = p.position();
+    p.bump();
+    value(p);
+    close_bracket(p, open, R_PAREN, ')');
+    m.complete(p, PAREN_EXPR)
+}
+
+/// Takes the closing bracket, or reports that it is missing.
+fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: char) {
+    if p.here() == close {
+        return p.bump();
+    }
+    // The first fault of a line decides; looking ahead once a line keeps the time in proportion to the text.
+    if p.failed() {
+        return;
+    }
+    let behind = p.at_line_end();
+    let range = if behind { p.here_behind() } else { p.range(p.position()) };
+    let closed_later = !behind && is_ahead(p, close);
+    let kind = match p.here() {
+        R_PAREN | R_BRACK | R_CURLY => SyntaxErrorKind::UnclosedBracket { missing },
+        _ if closed_later => SyntaxErrorKind::TrailingText { found: p.text().to_owned() },
+        _ => SyntaxErrorKind::UnclosedBracket { missing },
+    };
+    p.error_at(kind, range, Some(p.range(open)));
+    if closed_later {
+        skip_to(p, close);
+    }
+}
+
+/// A token of `kind` stands further on this line.
+fn is_ahead(p: &Parser<'_>, kind: SyntaxKind) -> bool {
+    (p.position()..)
+        .take_while(|&at| !p.starts_line(at) && p.kind_at(at) != EOF)
+        .any(|at| p.kind_at(at) == kind)
+}
+
+/// Skips to the closing bracket on this line and takes it, so that what follows is read in its place.
+fn skip_to(p: &mut Parser<'_>, close: SyntaxKind) {
+    let m = p.start();
+    while p.here() != close && !p.at_line_end() {
+        p.bump();
+    }
+    m.complete(p, ERROR);
+    p.eat(close);
+}
+
+/// `[index, …]`
+fn index_list(p: &mut Parser<'_>) {
+    let open = p.position();
+    p.bump();
+    value(p);
+    while p.here() == COMMA {
+        p.bump();
+        value(p);
+    }
+    close_bracket(p, open, R_BRACK, ']');
+}
+
+/// `(argument, …)`
+pub(super) fn argument_list(p: &mut Parser<'_>) {
+    let m = p.start();
+    let open = p.position();
+    p.bump();
+    if p.here() != R_PAREN {
+        value(p);
+        while p.here() == COMMA {
+            p.bump();
+            value(p);
+        }
+    }
+    close_bracket(p, open, R_PAREN, ')');
+    m.complete(p, ARG_LIST);
+}
+
+/// `{value, …}`: a value left out between commas stands for zero (manual 2.4.2).
+fn struct_literal(p: &mut Parser<'_>) -> Completed {
+    let m = p.start();
+    let open = p.position();
+    p.bump();
+    loop {
+        if !matches!(p.here(), COMMA | R_CURLY | EOF) {
+            value(p);
+        }
+        if p.here() != COMMA {
+            break;
+        }
+        p.bump();
+    }
+    close_bracket(p, open, R_CURLY, '}');
+    m.complete(p, STRUCT_LITERAL)
+}

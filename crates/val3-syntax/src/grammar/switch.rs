@@ -1,0 +1,101 @@
+//! `switch` with its cases.
+
+use rowan::TextRange;
+
+use super::blocks::{BlockKind, Blocks, Ending};
+use super::control::{close, condition, inner};
+use super::expressions::value;
+use super::statements::{line_end, statement, stray_keyword};
+use crate::error::{Expected, SyntaxErrorKind};
+use crate::kind::SyntaxKind::*;
+use crate::parser::Parser;
+
+/// `switch`, or the rest of one from a `case` or `default` on.
+pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
+    let m = p.start();
+    let headless = !p.at(SWITCH_KW);
+    blocks.push(p, BlockKind::Switch, headless);
+    if !headless {
+        condition(p);
+    }
+    let own = Cases::default().read(p, blocks);
+    close(p, blocks, own);
+    m.complete(p, SWITCH_STMT);
+}
+
+/// The cases of a `switch` read so far.
+#[derive(Default)]
+struct Cases {
+    /// The first `default`.
+    default: Option<TextRange>,
+    any: bool,
+}
+
+impl Cases {
+    /// Reads all of them; true if the `endSwitch` follows.
+    fn read(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) -> bool {
+        while !p.at_code_end() {
+            p.start_statement();
+            match blocks.ending(p) {
+                Ending::Over if !blocks.take_own(p) => return false,
+                Ending::Over if p.at(END_SWITCH_KW) => return true,
+                Ending::Over => self.case(p, blocks),
+                Ending::Stray => stray_keyword(p, blocks),
+                Ending::None => self.statement(p, blocks),
+            }
+        }
+        false
+    }
+
+    /// A `case` or `default` up to its `break`.
+    fn case(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) {
+        let keyword = p.range(p.position());
+        let is_case = p.at(CASE_KW);
+        match self.default {
+            Some(first) if is_case => p.error_at(SyntaxErrorKind::CaseAfterDefault, keyword, Some(first)),
+            Some(first) => p.error_at(SyntaxErrorKind::SecondDefault, keyword, Some(first)),
+            None if is_case => {}
+            None => self.default = Some(keyword),
+        }
+        self.any = true;
+        let m = p.start();
+        blocks.push(p, BlockKind::Case, false);
+        p.bump();
+        if is_case {
+            case_values(p);
+        }
+        line_end(p);
+        let own = inner(p, blocks);
+        close(p, blocks, own);
+        m.complete(p, if is_case { CASE_CLAUSE } else { DEFAULT_CLAUSE });
+    }
+
+    /// A line in no case. Behind a `break` it is never reached, but the controller takes it.
+    fn statement(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) {
+        if self.any {
+            blocks.note_layout(p);
+            return statement(p, blocks);
+        }
+        p.error(SyntaxErrorKind::StatementBeforeCase);
+        self.any = true;
+        // What follows up to a `break` belongs to the same mistake.
+        let m = p.start();
+        blocks.push(p, BlockKind::Case, true);
+        let own = inner(p, blocks);
+        close(p, blocks, own);
+        m.complete(p, CASE_CLAUSE);
+    }
+}
+
+fn case_values(p: &mut Parser<'_>) {
+    loop {
+        if p.at_line_end() {
+            return p.expected(Expected::CaseValue);
+        }
+        value(p);
+        if p.here() != COMMA {
+            return;
+        }
+        p.bump();
+    }
+}

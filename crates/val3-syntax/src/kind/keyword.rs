@@ -1,0 +1,99 @@
+//! The keywords: their spelling, and the way back from a word to its kind.
+
+use super::SyntaxKind::{self, *};
+
+/// The keywords with their canonical spelling.
+pub const KEYWORDS: &[(SyntaxKind, &str)] = &[
+    (BEGIN_KW, "begin"),
+    (END_KW, "end"),
+    (CALL_KW, "call"),
+    (RETURN_KW, "return"),
+    (IF_KW, "if"),
+    (ELSE_IF_KW, "elseIf"),
+    (ELSE_KW, "else"),
+    (END_IF_KW, "endIf"),
+    (WHILE_KW, "while"),
+    (END_WHILE_KW, "endWhile"),
+    (DO_KW, "do"),
+    (UNTIL_KW, "until"),
+    (FOR_KW, "for"),
+    (TO_KW, "to"),
+    (STEP_KW, "step"),
+    (END_FOR_KW, "endFor"),
+    (SWITCH_KW, "switch"),
+    (CASE_KW, "case"),
+    (BREAK_KW, "break"),
+    (DEFAULT_KW, "default"),
+    (END_SWITCH_KW, "endSwitch"),
+    (AND_KW, "and"),
+    (OR_KW, "or"),
+    (XOR_KW, "xor"),
+    (TRUE_KW, "true"),
+    (FALSE_KW, "false"),
+    (TASK_CREATE_KW, "taskCreate"),
+    (TASK_CREATE_SYNC_KW, "taskCreateSync"),
+];
+
+impl SyntaxKind {
+    /// A keyword of the code.
+    pub fn is_keyword(self) -> bool {
+        (BEGIN_KW..=TASK_CREATE_SYNC_KW).contains(&self)
+    }
+
+    /// The canonical spelling of a keyword.
+    pub fn keyword_text(self) -> Option<&'static str> {
+        KEYWORDS.iter().find(|(kind, _)| *kind == self).map(|(_, text)| *text)
+    }
+
+    /// The keyword written as `text`, in any letter case.
+    pub fn from_keyword(text: &str) -> Option<Self> {
+        let (kind, keyword) = (*SLOTS.get(slot(text.as_bytes()))?)?;
+        keyword.eq_ignore_ascii_case(text).then_some(kind)
+    }
+}
+
+/// The keywords, each in the slot that its length, first and last letter give: one comparison tells a name from a
+/// keyword. No two keywords share a slot.
+static SLOTS: [Option<(SyntaxKind, &str)>; SLOT_COUNT] = slots();
+
+const SLOT_COUNT: usize = 64;
+
+/// The slot of a word, the same in any letter case.
+const fn slot(word: &[u8]) -> usize {
+    let (Some(first), Some(last)) = (word.first(), word.last()) else { return 0 };
+    let (first, last) = (first.to_ascii_lowercase() as usize, last.to_ascii_lowercase() as usize);
+    (2 * first + 5 * last + 11 * word.len()) % SLOT_COUNT
+}
+
+#[allow(clippy::indexing_slicing, reason = "evaluated by the compiler, which refuses an index out of bounds")]
+const fn slots() -> [Option<(SyntaxKind, &'static str)>; SLOT_COUNT] {
+    let mut slots = [None; SLOT_COUNT];
+    let mut at = 0;
+    while at < KEYWORDS.len() {
+        slots[slot(KEYWORDS[at].1.as_bytes())] = Some(KEYWORDS[at]);
+        at += 1;
+    }
+    slots
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_keyword_is_found_in_any_letter_case() {
+        for &(kind, text) in KEYWORDS {
+            assert_eq!(SyntaxKind::from_keyword(text), Some(kind), "{text}");
+            assert_eq!(SyntaxKind::from_keyword(&text.to_uppercase()), Some(kind), "{text}");
+            assert_eq!(kind.keyword_text(), Some(text));
+            assert!(kind.is_keyword());
+        }
+    }
+
+    #[test]
+    fn names_are_no_keywords() {
+        for name in ["", "b", "beginn", "endif_", "ifs", "tasks", "doo", "end_", "é", "taskCreateSyncs"] {
+            assert_eq!(SyntaxKind::from_keyword(name), None, "{name}");
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! VAL 3 code: the content of `<Code>`, in CDATA sections or as escaped text.
+
+use memchr::{memchr, memchr2, memrchr2};
+
+use super::xml::CDATA;
+use super::{Indent, Lexer, entity};
+use crate::error::{SyntaxErrorKind, XmlPart};
+use crate::kind::SyntaxKind::{self, *};
+
+/// One stretch of code between marks of XML.
+#[derive(Clone, Copy)]
+struct Stretch {
+    end: usize,
+    /// `<` and `&` are written as entity references.
+    escaped: bool,
+}
+
+impl Lexer<'_> {
+    /// Everything between `<Code>` and `</Code>`.
+    pub(super) fn code_content(&mut self) {
+        self.indent = Indent::ZERO;
+        while let Some(byte) = self.byte() {
+            let rest = self.rest();
+            if byte != b'<' {
+                let end = memchr(b'<', rest.as_bytes()).map_or(self.text.len(), |at| self.pos + at);
+                self.code(Stretch { end, escaped: true });
+            } else if rest.starts_with("</") {
+                return;
+            } else if !self.take_conflict_marker() {
+                self.code_markup();
+            }
+        }
+    }
+
+    /// `<` between stretches of code.
+    fn code_markup(&mut self) {
+        let rest = self.rest();
+        if rest.starts_with(CDATA) {
+            let end = self.cdata_end();
+            self.token(CDATA_OPEN, self.pos + CDATA.len());
+            self.code(Stretch { end, escaped: false });
+            self.cdata_close();
+        } else if rest.starts_with("<!--") {
+            self.until("-->", XML_COMMENT, XmlPart::Comment);
+        } else {
+            // A comparison that the writer forgot to escape.
+            self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + 1);
+            let (kind, len) = if rest.starts_with("<=") { (LE, 2) } else { (LT, 1) };
+            self.token(kind, self.pos + len);
+        }
+    }
+
+    fn code(&mut self, stretch: Stretch) {
+        while self.pos < stretch.end {
+            self.code_token(stretch);
+        }
+    }
+
+    fn code_token(&mut self, stretch: Stretch) {
+        let Some(byte) = self.byte() else { return };
+        match byte {
+            b' ' | b'\t' | 0x0b | 0x0c => self.code_blanks(stretch),
+            b'\n' | b'\r' => self.line_break(stretch),
+            b'a'..=b'z' | b'A'..=b'Z' | b'_' | b'$' => self.word(stretch),
+            b'0'..=b'9' => self.number(stretch),
+            b'.' if self.next_byte(stretch).is_some_and(|byte| byte.is_ascii_digit()) => self.number(stretch),
+            b'"' => self.string(stretch, 1),
+            b'/' if self.next_byte(stretch) == Some(b'/') => self.comment(stretch),
+            b'&' if stretch.escaped => self.reference(stretch),
+            _ => self.operator(stretch, byte),
+        }
+    }
+
+    fn next_byte(&self, stretch: Stretch) -> Option<u8> {
+        self.stretch_bytes(stretch).get(1).copied()
+    }
+
+    /// The bytes from here to the end of the stretch.
+    fn stretch_bytes(&self, stretch: Stretch) -> &[u8] {
+        self.text.as_bytes().get(self.pos..stretch.end).unwrap_or(b"")
+    }
+
+    fn code_blanks(&mut self, stretch: Stretch) {
+        let bytes = self.stretch_bytes(stretch);
+        let is_blank = |byte: &u8| matches!(byte, b' ' | b'\t' | 0x0b | 0x0c);
+        let len = bytes.iter().position(|byte| !is_blank(byte)).unwrap_or(bytes.len());
+        self.indent = self.indent.deeper(len);
+        self.token(WHITESPACE, self.pos + len);
+    }
+
+    /// A line end with all blank lines and the indentation behind it.
+    fn line_break(&mut self, stretch: Stretch) {
+        let bytes = self.stretch_bytes(stretch);
+        let len = bytes.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(bytes.len());
+        let indent = len - memrchr2(b'\n', b'\r', bytes.get(..len).unwrap_or(b"")).map_or(0, |at| at + 1);
+        self.token(NEWLINE, self.pos + len);
+        self.indent = Indent::ZERO.deeper(indent);
+        if indent == 0 && self.conflict_marker().is_some_and(|end| end <= stretch.end) {
+            self.take_conflict_marker();
+        }
+    }
+
+    fn word(&mut self, stretch: Stretch) {
+        let bytes = self.stretch_bytes(stretch);
+        let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
+        let len = 1 + bytes.iter().skip(1).position(|byte| !is_name(byte)).unwrap_or(bytes.len() - 1);
+        let end = self.pos + len;
+        let kind = self.text.get(self.pos..end).and_then(SyntaxKind::from_keyword).unwrap_or(IDENT);
+        self.token(kind, end);
+    }
+
+    /// `12`, `12.5`, `.5`, `1e3`, `1e-3`.
+    fn number(&mut self, stretch: Stretch) {
+        let bytes = self.stretch_bytes(stretch);
+        let digits = |from: usize| {
+            bytes.get(from..).unwrap_or(b"").iter().take_while(|byte| byte.is_ascii_digit()).count()
+        };
+        let mut len = digits(0);
+        if bytes.get(len) == Some(&b'.') && digits(len + 1) > 0 {
+            len += 1 + digits(len + 1);
+        }
+        if matches!(bytes.get(len), Some(b'e' | b'E')) {
+            let sign = usize::from(matches!(bytes.get(len + 1), Some(b'+' | b'-')));
+            let exponent = digits(len + 1 + sign);
+            if exponent > 0 {
+                len += 1 + sign + exponent;
+            }
+        }
+        self.token(NUMBER, self.pos + len);
+    }
+
+    /// A string from its opening quote of `quote` bytes on. There are no escapes; it ends on its line.
+    fn string(&mut self, stretch: Stretch, quote: usize) {
+        let start = self.pos;
+        let mut at = start + quote;
+        loop {
+            match self.text.as_bytes().get(at).filter(|_| at < stretch.end) {
+                Some(b'"') => return self.string_token(stretch, at + 1),
+                Some(b'&') if stretch.escaped => {
+                    match self.text.get(at..stretch.end).and_then(entity::resolve) {
+                        Some(('"', len)) => return self.string_token(stretch, at + len),
+                        Some((_, len)) => at += len,
+                        None => at += 1,
+                    }
+                }
+                Some(b'\n' | b'\r') | None => break,
+                Some(_) => at += 1,
+            }
+        }
+        self.error(SyntaxErrorKind::UnterminatedString, start, at);
+        self.string_token(stretch, at);
+    }
+
+    fn string_token(&mut self, stretch: Stretch, end: usize) {
+        if stretch.escaped {
+            self.check_entities(self.pos, end);
+        }
+        self.token(STRING, end);
+    }
+
+    /// A comment; code before it in its line is a fault.
+    fn comment(&mut self, stretch: Stretch) {
+        let bytes = self.stretch_bytes(stretch);
+        let end = self.pos + memchr2(b'\n', b'\r', bytes).unwrap_or(bytes.len());
+        if !self.indent.starts_line() {
+            self.error(SyntaxErrorKind::CommentAfterCode, self.pos, end);
+        }
+        if stretch.escaped {
+            self.check_entities(self.pos, end);
+        }
+        self.token(COMMENT, end);
+    }
+
+    /// An entity reference in escaped code stands for the character it names.
+    fn reference(&mut self, stretch: Stretch) {
+        let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
+        let Some((character, len)) = entity::resolve(rest) else {
+            self.unknown_entity(self.pos);
+            return self.token(ERROR_TOKEN, self.pos + 1);
+        };
+        let with_eq = rest.as_bytes().get(len) == Some(&b'=');
+        let end = self.pos + len;
+        match character {
+            '<' if with_eq => self.token(LE, end + 1),
+            '<' => self.token(LT, end),
+            '>' if with_eq => self.token(GE, end + 1),
+            '>' => self.token(GT, end),
+            '"' => self.string(stretch, len),
+            '\n' | '\r' => {
+                self.token(NEWLINE, end);
+                self.indent = Indent::ZERO;
+            }
+            ' ' | '\t' => self.token(WHITESPACE, end),
+            _ => {
+                self.error(SyntaxErrorKind::InvalidCharacter { character }, self.pos, end);
+                self.token(ERROR_TOKEN, end);
+            }
+        }
+    }
+
+    fn operator(&mut self, stretch: Stretch, byte: u8) {
+        let with_eq = self.next_byte(stretch) == Some(b'=');
+        let (kind, len) = match byte {
+            b'=' if with_eq => (EQ2, 2),
+            b'=' => (EQ, 1),
+            b'!' if with_eq => (NEQ, 2),
+            b'!' => (BANG, 1),
+            b'<' if with_eq => (LE, 2),
+            b'<' => (LT, 1),
+            b'>' if with_eq => (GE, 2),
+            b'>' => (GT, 1),
+            b'+' => (PLUS, 1),
+            b'-' => (MINUS, 1),
+            b'*' => (STAR, 1),
+            b'/' => (SLASH, 1),
+            b'%' => (PERCENT, 1),
+            b'(' => (L_PAREN, 1),
+            b')' => (R_PAREN, 1),
+            b'[' => (L_BRACK, 1),
+            b']' => (R_BRACK, 1),
+            b'{' => (L_CURLY, 1),
+            b'}' => (R_CURLY, 1),
+            b',' => (COMMA, 1),
+            b'.' => (DOT, 1),
+            b':' => (COLON, 1),
+            b'?' => (QUESTION, 1),
+            _ => return self.invalid_characters(stretch),
+        };
+        self.token(kind, self.pos + len);
+    }
+
+    /// Characters that no VAL 3 line contains, a run of them as one token with one message.
+    /// `&&` and `||` are left for the parser, which knows what to write instead.
+    fn invalid_characters(&mut self, stretch: Stretch) {
+        let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
+        if rest.starts_with("&&") || rest.starts_with("||") {
+            return self.token(ERROR_TOKEN, self.pos + 2);
+        }
+        let Some(character) = rest.chars().next() else {
+            return self.token(ERROR_TOKEN, stretch.end);
+        };
+        let run = rest.bytes().position(|byte| byte.is_ascii()).unwrap_or(rest.len());
+        let end = self.pos + run.max(1);
+        self.error(SyntaxErrorKind::InvalidCharacter { character }, self.pos, end);
+        self.token(ERROR_TOKEN, end);
+    }
+}

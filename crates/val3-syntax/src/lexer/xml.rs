@@ -1,0 +1,218 @@
+//! The XML around the code.
+
+use memchr::{memchr, memchr2, memmem};
+
+use super::{Lexer, entity};
+use crate::error::{SyntaxErrorKind, XmlPart};
+use crate::kind::SyntaxKind::{self, *};
+
+impl Lexer<'_> {
+    /// The whole file.
+    pub(super) fn document(&mut self) {
+        if self.rest().starts_with('\u{feff}') {
+            self.token(BYTE_ORDER_MARK, 3);
+        }
+        while let Some(byte) = self.byte() {
+            match byte {
+                b'<' => self.markup(),
+                _ => self.character_data(),
+            }
+        }
+    }
+
+    /// Anything that starts with `<`.
+    fn markup(&mut self) {
+        if self.take_conflict_marker() {
+            return;
+        }
+        let rest = self.rest();
+        if rest.starts_with("<!--") {
+            self.until("-->", XML_COMMENT, XmlPart::Comment);
+        } else if rest.starts_with("<![CDATA[") {
+            self.cdata();
+        } else if rest.starts_with("<!") {
+            self.error(SyntaxErrorKind::Doctype, self.pos, self.pos + 2);
+            self.until(">", XML_DOCTYPE, XmlPart::Tag);
+        } else if rest.starts_with("<?") {
+            self.until("?>", XML_INSTRUCTION, XmlPart::ProcessingInstruction);
+        } else if rest.starts_with("</") {
+            self.token(L_ANGLE_SLASH, self.pos + 2);
+            self.tag();
+        } else if rest.as_bytes().get(1).is_some_and(|&byte| is_name_start(byte)) {
+            self.start_tag();
+        } else {
+            self.stray_character();
+        }
+    }
+
+    /// A token up to and with `close`; to the end of the text where `close` is missing.
+    pub(super) fn until(&mut self, close: &str, kind: SyntaxKind, part: XmlPart) {
+        match memmem::find(self.rest().as_bytes(), close.as_bytes()) {
+            Some(at) => self.token(kind, self.pos + at + close.len()),
+            None => {
+                self.error(SyntaxErrorKind::Unterminated(part), self.pos, self.pos + 2);
+                self.out.cut_off = true;
+                self.token(kind, self.text.len());
+            }
+        }
+    }
+
+    /// A CDATA section outside of code.
+    fn cdata(&mut self) {
+        let end = self.cdata_end();
+        self.token(CDATA_OPEN, self.pos + CDATA.len());
+        if end > self.pos {
+            self.token(XML_TEXT, end);
+        }
+        self.cdata_close();
+    }
+
+    /// Where the text of the CDATA section that starts here ends. An unclosed one ends before the next end tag,
+    /// so that it does not swallow the rest of the file.
+    pub(super) fn cdata_end(&mut self) -> usize {
+        let start = self.pos + CDATA.len();
+        let body = self.text.as_bytes().get(start..).unwrap_or(b"");
+        if !self.no_cdata_end {
+            if let Some(at) = memmem::find(body, b"]]>") {
+                return start + at;
+            }
+            self.no_cdata_end = true;
+        }
+        self.error(SyntaxErrorKind::Unterminated(XmlPart::CData), self.pos, start);
+        let end_tag = memmem::find(body, b"</");
+        self.out.cut_off |= end_tag.is_none();
+        start + end_tag.unwrap_or(body.len())
+    }
+
+    pub(super) fn cdata_close(&mut self) {
+        if self.rest().starts_with("]]>") {
+            self.token(CDATA_CLOSE, self.pos + 3);
+        }
+    }
+
+    /// A start tag; behind the one of a `<Code>` comes code.
+    fn start_tag(&mut self) {
+        self.token(L_ANGLE, self.pos + 1);
+        let name_end = self.pos + self.name_len();
+        let is_code = matches!(self.text.get(self.pos..name_end), Some("Code" | "code"));
+        self.tag();
+        if is_code && self.out.tokens.last().is_some_and(|token| token.kind == R_ANGLE) {
+            self.code_content();
+        }
+    }
+
+    /// The inside of a tag, up to and with its `>`.
+    fn tag(&mut self) {
+        while let Some(byte) = self.byte() {
+            match byte {
+                b'>' => return self.token(R_ANGLE, self.pos + 1),
+                b'/' if self.rest().starts_with("/>") => return self.token(SLASH_R_ANGLE, self.pos + 2),
+                b'<' if !self.take_conflict_marker() => return,
+                b'<' => {}
+                b' ' | b'\t' | b'\r' | b'\n' => self.blanks(),
+                b'=' => self.token(XML_EQ, self.pos + 1),
+                b'"' | b'\'' => self.attribute_value(byte),
+                byte if is_name_start(byte) => self.token(XML_NAME, self.pos + self.name_len()),
+                _ => self.stray_character(),
+            }
+        }
+    }
+
+    fn stray_character(&mut self) {
+        let len = self.rest().chars().next().map_or(1, char::len_utf8);
+        self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + len);
+        self.token(ERROR_TOKEN, self.pos + len);
+    }
+
+    fn name_len(&self) -> usize {
+        let rest = self.rest().as_bytes();
+        rest.iter().position(|&byte| !is_name_byte(byte)).unwrap_or(rest.len())
+    }
+
+    fn blanks(&mut self) {
+        let rest = self.rest().as_bytes();
+        let len = rest.iter().position(|byte| !is_blank(*byte)).unwrap_or(rest.len());
+        self.token(WHITESPACE, self.pos + len);
+    }
+
+    /// A quoted value. XML forbids `<` in it: there an unclosed one ends, or at the end of its line.
+    fn attribute_value(&mut self, quote: u8) {
+        let start = self.pos;
+        let body = self.text.as_bytes().get(start + 1..).unwrap_or(b"");
+        let end = match memchr2(quote, b'<', body) {
+            Some(at) if body.get(at) == Some(&quote) => start + at + 2,
+            other => {
+                self.error(SyntaxErrorKind::Unterminated(XmlPart::AttributeValue), start, start + 1);
+                let limit = other.unwrap_or(body.len());
+                start + 1 + memchr(b'\n', body.get(..limit).unwrap_or(b"")).unwrap_or(limit)
+            }
+        };
+        self.check_entities(start, end);
+        self.token(XML_STRING, end);
+    }
+
+    /// Text between tags: blanks, text, entity references.
+    fn character_data(&mut self) {
+        if self.take_conflict_marker() {
+            return;
+        }
+        match self.byte() {
+            Some(byte) if is_blank(byte) => self.blanks(),
+            Some(b'&') => match entity::resolve(self.rest()) {
+                Some((_, len)) => self.token(ENTITY_REF, self.pos + len),
+                None => {
+                    self.unknown_entity(self.pos);
+                    self.token(ERROR_TOKEN, self.pos + 1);
+                }
+            },
+            _ => self.text(),
+        }
+    }
+
+    /// Text up to the end of its line: the next line may be a conflict marker.
+    fn text(&mut self) {
+        let rest = self.rest().as_bytes();
+        let len = rest.iter().position(|byte| matches!(byte, b'<' | b'&' | b'\n')).unwrap_or(rest.len());
+        self.token(XML_TEXT, self.pos + len.max(1));
+    }
+
+    /// Reports the references between two offsets that stand for nothing.
+    pub(super) fn check_entities(&mut self, start: usize, end: usize) {
+        let mut at = start;
+        while let Some(step) = memchr(b'&', self.text.as_bytes().get(at..end).unwrap_or(b"")) {
+            at += step;
+            match self.text.get(at..end).and_then(entity::resolve) {
+                Some((_, len)) => at += len,
+                None => {
+                    self.unknown_entity(at);
+                    at += 1;
+                }
+            }
+        }
+    }
+
+    pub(super) fn unknown_entity(&mut self, at: usize) {
+        let rest = self.text.get(at..).unwrap_or("");
+        let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'#';
+        let name = rest.bytes().skip(1).take(32).take_while(is_name).count();
+        let closed = usize::from(rest.as_bytes().get(name + 1) == Some(&b';'));
+        let len = if name == 0 { 1 } else { 1 + name + closed };
+        let text = rest.get(..len).unwrap_or("&").to_owned();
+        self.error(SyntaxErrorKind::UnknownEntity { text }, at, at + len);
+    }
+}
+
+/// The opening of a CDATA section.
+pub(super) const CDATA: &str = "<![CDATA[";
+
+fn is_blank(byte: u8) -> bool {
+    matches!(byte, b' ' | b'\t' | b'\r' | b'\n')
+}
+
+fn is_name_start(byte: u8) -> bool {
+    byte.is_ascii_alphabetic() || matches!(byte, b'_' | b':') || byte >= 0x80
+}
+
+fn is_name_byte(byte: u8) -> bool {
+    is_name_start(byte) || byte.is_ascii_digit() || matches!(byte, b'-' | b'.')
+}

@@ -1,0 +1,19 @@
+//! Lossless syntax trees of VAL 3 files.
+//!
+//! One tree holds a whole `.pjx`, `.dtx` or `.pgx` file, XML and code together, so that a range of the tree is a
+//! range of the file. Parsing never fails and never loses a byte: the text of the tree is the text that went in.
+
+pub mod ast;
+pub mod encoding;
+pub mod error;
+mod grammar;
+pub mod kind;
+mod lexer;
+mod parse;
+mod parser;
+pub mod view;
+
+pub use kind::{SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
+pub use lexer::{decode_entities, resolve_entity};
+pub use parse::{Edit, Parse, parse};
+pub use rowan::{TextRange, TextSize};

@@ -1,0 +1,67 @@
+//! One mistake, one message: the faults the lexer saw and those the grammar saw, in one list.
+
+use std::ops::Range;
+
+use crate::error::{SyntaxError, SyntaxErrorKind};
+
+/// Both lists by position. A line on which the lexer failed has the lexer's first message alone, and a file with a
+/// merge conflict has only that to say.
+pub(super) fn merge(text: &str, lexer: Vec<SyntaxError>, grammar: Vec<SyntaxError>) -> Vec<SyntaxError> {
+    if lexer.is_empty() && grammar.is_empty() {
+        return Vec::new();
+    }
+    if lexer.iter().any(is_conflict) {
+        return conflicts(text, lexer);
+    }
+    let mut faults: Vec<Fault> = Vec::with_capacity(lexer.len() + grammar.len());
+    faults.extend(lexer.into_iter().map(|error| Fault { error, of_lexer: true }));
+    faults.extend(grammar.into_iter().map(|error| Fault { error, of_lexer: false }));
+    faults.sort_by_key(|fault| (fault.error.range.start(), fault.error.range.end()));
+    drop_echoes(text, faults)
+}
+
+struct Fault {
+    error: SyntaxError,
+    of_lexer: bool,
+}
+
+fn is_conflict(error: &SyntaxError) -> bool {
+    error.kind == SyntaxErrorKind::ConflictMarker
+}
+
+/// One message a conflict: at its opening marker, or at the first marker if none opens.
+fn conflicts(text: &str, lexer: Vec<SyntaxError>) -> Vec<SyntaxError> {
+    let mut markers: Vec<_> = lexer.into_iter().filter(is_conflict).collect();
+    let opens = |marker: &SyntaxError| text.get(Range::<usize>::from(marker.range)).is_some_and(|t| t.starts_with('<'));
+    if markers.iter().any(opens) {
+        markers.retain(opens);
+    } else {
+        markers.truncate(1);
+    }
+    markers
+}
+
+/// Leaves out what follows from the first fault of the lexer on a line.
+fn drop_echoes(text: &str, faults: Vec<Fault>) -> Vec<SyntaxError> {
+    let mut kept = Vec::with_capacity(faults.len());
+    for line in faults.chunk_by(|a, b| on_one_line(text, &a.error, &b.error)) {
+        let first = line.iter().position(|fault| fault.of_lexer);
+        let keep = |at: usize, fault: &Fault| match first {
+            Some(first) => at == first || !fault.of_lexer && is_about_other_lines(&fault.error.kind),
+            None => true,
+        };
+        kept.extend(line.iter().enumerate().filter(|(at, fault)| keep(*at, fault)).map(|(_, fault)| fault.error.clone()));
+    }
+    kept
+}
+
+/// The fault stands on this line, but the lines of a block made it.
+fn is_about_other_lines(kind: &SyntaxErrorKind) -> bool {
+    use SyntaxErrorKind::{MissingBreak, MissingEnd, UnclosedBlock, UnmatchedBlockEnd};
+    matches!(kind, UnclosedBlock { .. } | UnmatchedBlockEnd { .. } | MissingBreak | MissingEnd)
+}
+
+fn on_one_line(text: &str, a: &SyntaxError, b: &SyntaxError) -> bool {
+    let between = text.get(usize::from(a.range.start())..usize::from(b.range.start()));
+    !between.unwrap_or("").contains(['\n', '\r'])
+}

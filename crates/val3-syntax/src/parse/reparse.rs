@@ -1,0 +1,144 @@
+//! Parsing again after an edit: only the innermost element around it, where that is safe.
+//!
+//! An element's tree depends on nothing outside of it as long as its own XML is in order; then the element can be
+//! parsed alone and put in the place of the old one. Everything else is parsed anew as a whole.
+
+use std::ops::Range;
+
+use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
+
+use super::{Parse, parse, parse_within};
+use crate::error::SyntaxError;
+use crate::kind::{SyntaxKind, SyntaxNode};
+
+/// A replacement of a range of a text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Edit {
+    /// The range of the old text.
+    pub range: TextRange,
+    /// What takes its place.
+    pub insert: String,
+}
+
+impl Edit {
+    /// The text after the edit. A range outside the text is cut to it, one inside of a character starts before it.
+    pub fn apply(&self, text: &str) -> String {
+        let Range { start, end } = self.range_in(text).into();
+        let (before, after) = (text.get(..start).unwrap_or(""), text.get(end..).unwrap_or(""));
+        [before, &self.insert, after].concat()
+    }
+
+    /// The range that is replaced in `text`.
+    fn range_in(&self, text: &str) -> TextRange {
+        let floor = |at: TextSize| text.floor_char_boundary(usize::from(at).min(text.len()));
+        crate::lexer::range(floor(self.range.start()), floor(self.range.end()))
+    }
+}
+
+/// An edit that fits its text.
+#[derive(Clone, Copy)]
+struct Change {
+    range: TextRange,
+    inserted: TextSize,
+}
+
+impl Change {
+    /// Where a place behind the edit is afterwards.
+    fn moved(self, at: TextSize) -> TextSize {
+        at - self.range.len() + self.inserted
+    }
+}
+
+impl Parse {
+    /// The parse of `text` after `edit`, where `self` is the parse of `text`: equal to `parse(&edit.apply(text))`.
+    pub fn reparse(&self, text: &str, edit: &Edit) -> Parse {
+        let new_text = edit.apply(text);
+        let change = Change { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) };
+        self.reparse_element(text, &new_text, change).unwrap_or_else(|| parse(&new_text))
+    }
+
+    fn reparse_element(&self, text: &str, new_text: &str, change: Change) -> Option<Parse> {
+        // A broken file around the element may change what it means.
+        if !are_local(&self.errors) {
+            return None;
+        }
+        let element = enclosing_element(&self.root(), change.range)?;
+        let old = element.text_range();
+        let new = TextRange::new(old.start(), change.moved(old.end()));
+        let fragment = parse_within(new_text.get(Range::<usize>::from(new))?, depth(&element));
+        let green = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
+        let errors = self.spliced_errors(old, change, &fragment);
+        // The faults of one line are judged together, also across the edge of an element.
+        if reach_edge(text, &self.errors, old) || reach_edge(new_text, &errors, new) {
+            return None;
+        }
+        Some(Parse { green: element.replace_with(green), errors: errors.into() })
+    }
+
+    /// The old errors outside of `old`, moved by the edit, and those of the fragment.
+    fn spliced_errors(&self, old: TextRange, change: Change, fragment: &Parse) -> Vec<SyntaxError> {
+        let before = self.errors.iter().filter(|error| error.range.end() <= old.start()).cloned();
+        let inside = fragment.errors.iter().map(|error| shifted(error, |at| at + old.start()));
+        let behind = self.errors.iter().filter(|error| error.range.start() >= old.end());
+        before.chain(inside).chain(behind.map(|error| shifted(error, |at| change.moved(at)))).collect()
+    }
+}
+
+/// All of them are faults of code, which leave the XML around it as it is.
+fn are_local(errors: &[SyntaxError]) -> bool {
+    errors.iter().all(|error| error.kind.is_local_to_code())
+}
+
+/// The innermost element that holds the edit between its first and its last character. The root is none: to parse it
+/// is to parse the whole.
+fn enclosing_element(root: &SyntaxNode, range: TextRange) -> Option<SyntaxNode> {
+    let covering = match root.covering_element(range) {
+        NodeOrToken::Node(node) => node,
+        NodeOrToken::Token(token) => token.parent()?,
+    };
+    let element = covering.ancestors().find(|node| {
+        let own = node.text_range();
+        node.kind() == SyntaxKind::ELEMENT && own.start() < range.start() && range.end() < own.end()
+    })?;
+    let is_nested = element.parent().is_some_and(|parent| parent.kind() == SyntaxKind::ELEMENT);
+    (is_nested && is_closed(&element)).then_some(element)
+}
+
+/// How many elements stand around `element`.
+fn depth(element: &SyntaxNode) -> u32 {
+    let around = element.ancestors().skip(1).filter(|node| node.kind() == SyntaxKind::ELEMENT).count();
+    u32::try_from(around).unwrap_or(u32::MAX)
+}
+
+fn is_closed(element: &SyntaxNode) -> bool {
+    element.last_child().is_some_and(|child| child.kind() == SyntaxKind::END_TAG)
+}
+
+/// The element that is all of a fragment.
+fn sole_element(fragment: &Parse) -> Option<GreenNode> {
+    let root = fragment.root();
+    let element = root.first_child().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
+    let whole = element.text_range() == root.text_range();
+    (whole && is_closed(&element)).then(|| element.green().into_owned())
+}
+
+/// A fault stands on the line where `element` starts or ends.
+fn reach_edge(text: &str, errors: &[SyntaxError], element: TextRange) -> bool {
+    let (first, last) = (line_around(text, element.start()), line_around(text, element.end()));
+    errors.iter().any(|error| {
+        let at = usize::from(error.range.start());
+        (first.start..=first.end).contains(&at) || (last.start..=last.end).contains(&at)
+    })
+}
+
+fn line_around(text: &str, at: TextSize) -> Range<usize> {
+    let (before, behind) = text.split_at_checked(at.into()).unwrap_or((text, ""));
+    let ends = ['\n', '\r'];
+    let start = before.rfind(ends).map_or(0, |end| end + 1);
+    start..before.len() + behind.find(ends).unwrap_or(behind.len())
+}
+
+fn shifted(error: &SyntaxError, by: impl Fn(TextSize) -> TextSize) -> SyntaxError {
+    let shift = |range: TextRange| TextRange::new(by(range.start()), by(range.end()));
+    SyntaxError { kind: error.kind.clone(), range: shift(error.range), related: error.related.map(shift) }
+}

@@ -1,0 +1,68 @@
+//! The tokens as the grammar sees them: without trivia.
+
+use rowan::TextRange;
+
+use crate::kind::SyntaxKind;
+use crate::lexer::{Indent, Lexed, Token, range};
+
+/// The tokens that are no trivia.
+pub(crate) struct Input<'t> {
+    text: &'t str,
+    tokens: &'t [Token],
+    solid: Vec<Solid>,
+    cut_off: bool,
+}
+
+/// What the grammar asks of a token most often, and where to find the rest.
+#[derive(Clone, Copy)]
+struct Solid {
+    kind: SyntaxKind,
+    indent: Indent,
+    /// Index among all tokens.
+    index: u32,
+}
+
+impl<'t> Input<'t> {
+    pub(crate) fn new(text: &'t str, lexed: &'t Lexed) -> Self {
+        let tokens = lexed.tokens.as_slice();
+        let mut solid = Vec::with_capacity(tokens.len());
+        for (index, token) in (0u32..).zip(tokens) {
+            if !token.kind.is_trivia() {
+                solid.push(Solid { kind: token.kind, indent: token.indent, index });
+            }
+        }
+        Self { text, tokens, solid, cut_off: lexed.cut_off }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.solid.len()
+    }
+
+    /// The lexer has already said that the text ends too early.
+    pub(crate) fn is_cut_off(&self) -> bool {
+        self.cut_off
+    }
+
+    pub(crate) fn kind(&self, pos: usize) -> SyntaxKind {
+        self.solid.get(pos).map_or(SyntaxKind::EOF, |token| token.kind)
+    }
+
+    /// Indentation if the token is the first of its line.
+    pub(crate) fn indent(&self, pos: usize) -> Indent {
+        self.solid.get(pos).map_or(Indent::NONE, |token| token.indent)
+    }
+
+    pub(crate) fn range(&self, pos: usize) -> TextRange {
+        let Some(token) = self.solid.get(pos) else {
+            return range(self.text.len(), self.text.len());
+        };
+        let index = token.index as usize;
+        let start = index.checked_sub(1).and_then(|before| self.tokens.get(before)).map_or(0, |token| token.end);
+        let end = self.tokens.get(index).map_or(start, |token| token.end);
+        range(start as usize, end as usize)
+    }
+
+    pub(crate) fn text(&self, pos: usize) -> &'t str {
+        self.text.get(std::ops::Range::<usize>::from(self.range(pos))).unwrap_or("")
+    }
+}

@@ -1,0 +1,190 @@
+//! One line of a listing: data, locals, parameters and program heads.
+
+/// The types that a declaration may begin with, besides the project's user types.
+const TYPES: &[&str] = &[
+    "bool",
+    "num",
+    "string",
+    "dio",
+    "aio",
+    "sio",
+    "screen",
+    "trsf",
+    "frame",
+    "tool",
+    "mdesc",
+    "point",
+    "pointRx",
+    "pointRs",
+    "pointVrb",
+    "joint",
+    "jointRx",
+    "jointRs",
+    "jointVrb",
+    "config",
+    "configRx",
+    "configRs",
+    "configVrb",
+];
+
+/// A variable of an application, or a local.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Data {
+    pub(crate) public: bool,
+    pub(crate) ty: String,
+    pub(crate) name: String,
+    pub(crate) shape: Shape,
+    /// The text behind `=`: a literal of VAL 3.
+    pub(crate) value: Option<String>,
+}
+
+/// What stands in the brackets behind a declared name.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Shape {
+    /// The sizes, one number a dimension; no brackets mean one element.
+    Array(Vec<usize>),
+    /// The keys.
+    Collection(Vec<String>),
+}
+
+/// A program's head.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Head {
+    pub(crate) public: bool,
+    pub(crate) name: String,
+    pub(crate) parameters: Vec<Parameter>,
+}
+
+/// A parameter.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Parameter {
+    pub(crate) ty: String,
+    pub(crate) name: String,
+    pub(crate) reference: bool,
+    pub(crate) container: Container,
+}
+
+/// What a parameter takes.
+#[derive(Debug, PartialEq)]
+pub(crate) enum Container {
+    Element,
+    Array { dims: usize },
+    Collection,
+}
+
+/// The declaration in `line`; `None` if it is none.
+///
+/// `types` are the user types of the project.
+#[track_caller]
+pub(crate) fn data(line: &str, types: &[String]) -> Option<Data> {
+    let (access, rest) = access(line);
+    let (ty, rest) = word(rest)?;
+    let is_type = access.is_some() || TYPES.contains(&ty) || types.iter().any(|known| known == ty);
+    if !is_type || !rest.starts_with(' ') {
+        return None;
+    }
+    let (name, rest) = word(rest.trim_start())?;
+    let (shape, rest) = shape(rest.trim_start());
+    let value = match rest.trim().strip_prefix('=') {
+        Some(value) => Some(value.trim().to_owned()),
+        None if rest.trim().is_empty() => None,
+        None => panic!("`{line}`: only `= value` may stand behind a declaration"),
+    };
+    Some(Data { public: access == Some("public"), ty: ty.to_owned(), name: name.to_owned(), shape, value })
+}
+
+/// The program head in `line`; `None` if it is none.
+#[track_caller]
+pub(crate) fn head(line: &str) -> Option<Head> {
+    let (access, rest) = access(line);
+    let rest = rest.strip_prefix("program ")?.trim();
+    let inside = rest.split_once('(').and_then(|(name, inside)| Some((name, inside.strip_suffix(')')?)));
+    let Some((name, inside)) = inside else { panic!("`{line}`: write `program name(parameters)`") };
+    let parameters = split_outside_brackets(inside).into_iter().map(|text| parameter(text, line)).collect();
+    Some(Head { public: access == Some("public"), name: name.trim().to_owned(), parameters })
+}
+
+#[track_caller]
+fn parameter(text: &str, line: &str) -> Parameter {
+    let Some((ty, name)) = text.trim().split_once(' ') else { panic!("`{line}`: `{text}` is no parameter") };
+    let (name, container) = match name.trim().strip_suffix(']').and_then(|name| name.split_once('[')) {
+        None => (name.trim(), Container::Element),
+        Some((name, "\"\"")) => (name, Container::Collection),
+        Some((name, commas)) => (name, Container::Array { dims: commas.matches(',').count() + 1 }),
+    };
+    let reference = ty.ends_with('&');
+    Parameter { ty: ty.trim_end_matches('&').to_owned(), name: name.to_owned(), reference, container }
+}
+
+/// The parts of a parameter list: commas inside brackets divide nothing.
+fn split_outside_brackets(text: &str) -> Vec<&str> {
+    let mut inside = false;
+    let parts = text.split(|c| {
+        match c {
+            '[' => inside = true,
+            ']' => inside = false,
+            _ => {}
+        }
+        c == ',' && !inside
+    });
+    parts.filter(|part| !part.trim().is_empty()).collect()
+}
+
+fn access(line: &str) -> (Option<&str>, &str) {
+    match line.split_once(' ') {
+        Some((access @ ("public" | "private"), rest)) => (Some(access), rest.trim_start()),
+        _ => (None, line),
+    }
+}
+
+/// The name at the start of `text`, and what follows it.
+pub(crate) fn word(text: &str) -> Option<(&str, &str)> {
+    let end = text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len());
+    (end > 0).then(|| text.split_at(end))
+}
+
+#[track_caller]
+fn shape(text: &str) -> (Shape, &str) {
+    let Some(inside) = text.strip_prefix('[') else {
+        return (Shape::Array(vec![1]), text);
+    };
+    let Some((inside, rest)) = inside.split_once(']') else { panic!("`{text}`: `]` is missing") };
+    let parts = inside.split(',').map(str::trim);
+    if inside.starts_with('"') {
+        let keys = parts.map(|key| key.trim_matches('"').to_owned());
+        return (Shape::Collection(keys.filter(|key| !key.is_empty()).collect()), rest);
+    }
+    let sizes = parts.map(|size| size.parse().unwrap_or_else(|_| panic!("`[{inside}]`: `{size}` is no size")));
+    (Shape::Array(sizes.collect()), rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Container, Shape, data, head};
+
+    #[test]
+    fn data_lines() {
+        let pick = data("public point pPick[3,4]", &[]).unwrap();
+        assert!(pick.public);
+        assert_eq!((pick.ty.as_str(), pick.name.as_str()), ("point", "pPick"));
+        assert_eq!(pick.shape, Shape::Array(vec![3, 4]));
+        assert_eq!(data("dio dIn[\"\"]", &[]).unwrap().shape, Shape::Collection(vec![]));
+        assert_eq!(data("string sName = \"box\"", &[]).unwrap().value.unwrap(), "\"box\"");
+        assert_eq!(data("Slot tSlot", &["Slot".to_owned()]).unwrap().ty, "Slot");
+    }
+
+    #[test]
+    fn code_is_no_data() {
+        for code in ["nA=1", "config(jA)", "call pick(nA)", "Slot tSlot", "if bA"] {
+            assert_eq!(data(code, &[]), None, "{code}");
+        }
+    }
+
+    #[test]
+    fn heads() {
+        let head = head("program pick(num x_n, num& x_g[,], string& x_c[\"\"])").unwrap();
+        let shapes: Vec<_> = head.parameters.iter().map(|it| (it.reference, &it.container)).collect();
+        let grid = Container::Array { dims: 2 };
+        assert_eq!(shapes, [(false, &Container::Element), (true, &grid), (true, &Container::Collection)]);
+    }
+}

@@ -1,0 +1,190 @@
+//! A listing as files in memory.
+
+use crate::indent::dedent;
+use crate::listing::{self, Listing, Project};
+use crate::write::{self, File};
+
+/// The folder that the paths of a fixture are relative to: `Disk://x/y.pjx` is `/cell/usr/usrapp/x/y.pjx`.
+pub const ROOT: &str = "/cell/usr";
+
+/// The files of a listing.
+#[derive(Debug, Clone)]
+pub struct Fixture {
+    /// Path relative to [`ROOT`] and text, in the order of the listing. Line ends are LF, the last line has none.
+    pub files: Vec<(String, String)>,
+    /// Line of the listing, index of the file, line of the file.
+    places: Vec<(usize, usize, usize)>,
+}
+
+impl Fixture {
+    /// Reads a listing; the crate's page describes its form.
+    ///
+    /// # Panics
+    /// If the listing is not of that form.
+    #[track_caller]
+    pub fn parse(listing: &str) -> Fixture {
+        let mut fixture = Fixture { files: Vec::new(), places: Vec::new() };
+        files(listing::read(&dedent(listing))).into_iter().for_each(|file| fixture.add(file));
+        fixture
+    }
+
+    /// The text of the file at `path`, which is relative to [`ROOT`].
+    ///
+    /// # Panics
+    /// If there is no such file.
+    #[track_caller]
+    pub fn text(&self, path: &str) -> &str {
+        let file = self.files.iter().find(|(known, _)| known == path);
+        file.map_or_else(|| panic!("the listing has no file `{path}`"), |(_, text)| text)
+    }
+
+    /// The file and its line that come from line `line` of the listing; both lines count from 1.
+    ///
+    /// Columns of code are those of the listing, less the indentation that its lines share; `begin` of a program
+    /// stands behind the start of its element. Comments and blank lines between declarations are in no file.
+    pub fn place_of_line(&self, line: usize) -> Option<(&str, usize)> {
+        let (_, file, line) = self.places.iter().find(|(from, _, _)| *from == line)?;
+        Some((self.files.get(*file)?.0.as_str(), *line))
+    }
+
+    fn add(&mut self, file: File) {
+        let index = self.files.len();
+        let lines = file.lines.iter().enumerate().filter(|(_, line)| line.number > 0);
+        self.places.extend(lines.map(|(at, line)| (line.number, index, at + 1)));
+        let text: Vec<&str> = file.lines.iter().map(|line| line.content.as_str()).collect();
+        self.files.push((file.path, text.join("\n")));
+    }
+}
+
+/// Every file of a listing: those of its projects, unless they are given as they are, then the given ones.
+fn files(listing: Listing) -> Vec<File> {
+    let given: Vec<File> = listing.files.into_iter().map(|file| File { path: file.path, lines: file.lines }).collect();
+    let mut files: Vec<File> = listing.projects.iter().flat_map(|project| project_files(project, &given)).collect();
+    files.retain(|file| given.iter().all(|other| other.path != file.path));
+    files.extend(given);
+    files
+}
+
+fn project_files(project: &Project, given: &[File]) -> Vec<File> {
+    let own = project.programs.iter().map(|program| format!("{}.pgx", program.head.content.name));
+    let folder = write::path(project, "");
+    let given = given.iter().filter_map(|file| file.path.strip_prefix(&folder));
+    let mut names: Vec<String> = own.chain(given.filter(|name| name.ends_with(".pgx")).map(str::to_owned)).collect();
+    names.sort();
+    names.dedup();
+    let programs = project.programs.iter().map(|program| write::program(project, program));
+    [write::project(project, names), write::data_file(project)].into_iter().chain(programs).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Fixture;
+
+    const LISTING: &str = r#"
+        num nCount = 3
+        string sText = "a<b"
+        dio dIn["door"]
+        tool tGrip
+        public point pPick[2]
+        library part "Disk://part/part.pjx" autoload=false
+
+        public program pick(num x_n, num& x_g[,])
+          joint l_j
+        begin
+          // text
+          if x_n<1
+        end
+        nCount=nCount+1
+
+        --- part
+        public num nWeight
+        === /configs/arm.cfx
+        <arm />
+    "#;
+
+    #[test]
+    fn files_of_a_listing() {
+        let fixture = Fixture::parse(LISTING);
+        let paths: Vec<&str> = fixture.files.iter().map(|(path, _)| path.as_str()).collect();
+        let main = ["usrapp/main/main.pjx", "usrapp/main/main.dtx", "usrapp/main/pick.pgx", "usrapp/main/start.pgx"];
+        assert_eq!(paths[..4], main);
+        assert_eq!(paths[4..], ["usrapp/part/part.pjx", "usrapp/part/part.dtx", "configs/arm.cfx"]);
+    }
+
+    #[test]
+    fn a_program() {
+        let expected = r#"<?xml version="1.0" encoding="utf-8"?>
+<Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+  <Program name="pick" access="public">
+    <Parameters xmlns="http://www.staubli.com/robotics/VAL3/Param/1">
+      <Parameter name="x_n" type="num" xsi:type="element" />
+      <Parameter name="x_g" type="num" xsi:type="array" use="reference" dimensions="2" />
+    </Parameters>
+    <Locals>
+      <Local name="l_j" type="joint" xsi:type="array" size="1" />
+    </Locals>
+    <Code><![CDATA[begin
+  // text
+  if x_n<1
+end]]></Code>
+  </Program>
+</Programs>"#;
+        assert_eq!(Fixture::parse(LISTING).text("usrapp/main/pick.pgx"), expected);
+    }
+
+    #[test]
+    fn data_and_values() {
+        let fixture = Fixture::parse(LISTING);
+        let text = fixture.text("usrapp/main/main.dtx");
+        let lines: Vec<&str> = text.lines().skip(3).map(str::trim).collect();
+        let expected = r#"<Data name="nCount" access="private" xsi:type="array" type="num" size="1">
+<Value key="0" value="3" />
+</Data>
+<Data name="sText" access="private" xsi:type="array" type="string" size="1">
+<Value key="0" value="a&lt;b" />
+</Data>
+<Data name="dIn" access="private" xsi:type="collection" type="dio">
+<Value key="door" />
+</Data>
+<Data name="tGrip" access="private" xsi:type="array" type="tool" size="1">
+<Value key="0" fatherId="flange[0]" />
+</Data>
+<Data name="pPick" access="public" xsi:type="array" type="pointRx" size="2">
+<Value key="0" fatherId="world[0]" />
+<Value key="1" fatherId="world[0]" />
+</Data>
+</Datas>
+</Database>"#;
+        assert_eq!(lines.join("\n"), expected);
+    }
+
+    #[test]
+    fn places() {
+        let fixture = Fixture::parse(LISTING);
+        assert_eq!(fixture.place_of_line(2), Some(("usrapp/main/main.dtx", 4)));
+        assert_eq!(fixture.place_of_line(7), Some(("usrapp/main/main.pjx", 12)));
+        assert_eq!(fixture.place_of_line(13), Some(("usrapp/main/pick.pgx", 13)));
+        assert_eq!(fixture.place_of_line(15), Some(("usrapp/main/start.pgx", 3)));
+        assert_eq!(fixture.place_of_line(20), Some(("configs/arm.cfx", 1)));
+        assert_eq!(fixture.place_of_line(8), None);
+    }
+
+    #[test]
+    fn loose_lines_are_the_program_start() {
+        let fixture = Fixture::parse("// why\nbWait=true\n");
+        assert!(fixture.text("usrapp/main/start.pgx").contains("<![CDATA[begin\n// why\nbWait=true\nend]]></Code>"));
+    }
+
+    #[test]
+    fn a_given_file_replaces_and_joins() {
+        let fixture = Fixture::parse("num nA\n=== main/main.dtx\n<Database />\n=== main/run.pgx\n<Programs />");
+        assert_eq!(fixture.text("usrapp/main/main.dtx"), "<Database />");
+        assert!(fixture.text("usrapp/main/main.pjx").contains(r#"<Program file="run.pgx" />"#));
+    }
+
+    #[test]
+    #[should_panic(expected = "expected a local or `begin`")]
+    fn code_before_begin() {
+        Fixture::parse("program p()\nnA=1\nbegin\nend");
+    }
+}

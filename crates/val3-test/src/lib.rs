@@ -1,0 +1,55 @@
+//! Fixtures for tests: whole VAL 3 projects from a few lines of text.
+//!
+//! # Listings
+//! A *listing* is the short form in which examples and tests show a program with the data it uses. It becomes
+//! the `.pjx`, `.dtx` and `.pgx` files of one application or more.
+//!
+//! ```text
+//! num nCount                          private data of the application, one declaration a line
+//! public point pPick[3]               an array; num nGrid[3,4] has two dimensions
+//! dio dIn[""]                         a collection; dio dIn["door","lamp"] has two keys
+//! string sName = "box"                an initial value of the first element (bool, num and string only)
+//! library part "Disk://part/part.pjx"             a library identifier
+//! library tray "./tray/tray.pjx" autoload=false
+//! type Slot "Disk://Slot/Slot.pjx"    a user type
+//! version s7.11.3                     the project's version (default s7.11)
+//!
+//! public program pick(num x_n, string& x_s, num& x_a[], num& x_g[,], num& x_c[""])
+//!   num l_i                           locals stand between the head and `begin`
+//! begin
+//!   x_s="a"
+//! end
+//!
+//! --- part                            the following lines belong to the project Disk://part/part.pjx
+//! public num nWeight
+//!
+//! === main/main.dtx                   the following lines are the file itself, up to the next === or ---
+//! <?xml ...
+//! ```
+//! Lines that are no declaration and stand outside `program … end` are the body of the program `start` of the
+//! project: an example of one line needs no ceremony. The first project is called `main`. Comments and blank
+//! lines between declarations are skipped.
+//!
+//! - A user type without a `type` line is understood behind `public` or `private` only.
+//! - `=== /configs/arm.cfx` names a file of the controller's `usr` folder instead of `usrapp`.
+//! - A file given as it is replaces the one the project would get; a `.pgx` of a project's folder joins its programs.
+//! - Points and frames hang on `world`, tools on `flange`.
+//! - The indentation that all lines share is no part of the listing.
+
+#![allow(
+    clippy::panic,
+    clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::indexing_slicing,
+    reason = "a bad listing is a fault of the test that holds it, and the panic says so"
+)]
+
+mod declaration;
+mod fixture;
+mod indent;
+mod listing;
+mod markers;
+mod write;
+
+pub use fixture::{Fixture, ROOT};
+pub use markers::{Marked, Note, extract_markers};

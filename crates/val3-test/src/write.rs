@@ -1,0 +1,203 @@
+//! From projects to files, as the PC tools write them: defaults left out, code in CDATA.
+
+use crate::declaration::{Container, Data, Parameter, Shape};
+use crate::listing::{Line, Program, Project, Reference};
+
+const DECLARATION: &str = r#"<?xml version="1.0" encoding="utf-8"?>"#;
+const VAL3: &str = "http://www.staubli.com/robotics/VAL3";
+const INSTANCE: &str = "http://www.w3.org/2001/XMLSchema-instance";
+
+/// A file that knows which of its lines come from which lines of the listing.
+#[derive(Debug)]
+pub(crate) struct File {
+    /// Relative to the `usr` folder.
+    pub(crate) path: String,
+    pub(crate) lines: Vec<Line<String>>,
+}
+
+impl File {
+    fn new(path: String) -> File {
+        let mut file = File { path, lines: Vec::new() };
+        file.add(0, DECLARATION);
+        file
+    }
+
+    fn add(&mut self, number: usize, text: impl Into<String>) {
+        self.lines.push(Line { number, content: text.into() });
+    }
+
+    fn list<T>(&mut self, name: &str, items: &[T], mut item: impl FnMut(&mut File, &T)) {
+        if items.is_empty() {
+            self.add(0, format!("  <{name} />"));
+            return;
+        }
+        self.add(0, format!("  <{name}>"));
+        items.iter().for_each(|it| item(self, it));
+        self.add(0, format!("  </{name}>"));
+    }
+}
+
+/// The `.pjx`; `programs` are the names of its `.pgx` files.
+pub(crate) fn project(project: &Project, mut programs: Vec<String>) -> File {
+    programs.sort_by_key(|name| name.to_lowercase());
+    let name = base_name(project);
+    let mut file = File::new(path(project, &format!("{name}.pjx")));
+    file.add(0, format!(r#"<Project xmlns="{VAL3}/Project/3">"#));
+    let version = escape(&project.version.content);
+    let parameters = format!(r#"  <Parameters version="{version}" stackSize="5000" millimeterUnit="true" />"#);
+    file.add(project.version.number, parameters);
+    file.list("Programs", &programs, |file, name| file.add(0, format!(r#"    <Program file="{}" />"#, escape(name))));
+    file.list("Database", &[name], |file, name| file.add(0, format!(r#"    <Data file="{name}.dtx" />"#)));
+    file.list("Libraries", &project.libraries, |file, it| file.add(it.number, library(&it.content)));
+    file.list("Types", &project.types, |file, it| file.add(it.number, user_type(&it.content)));
+    file.add(0, "</Project>");
+    file
+}
+
+fn library(library: &Reference) -> String {
+    let autoload = if library.autoload { "" } else { r#" autoload="false""# };
+    format!(r#"    <Library alias="{}" path="{}"{autoload} />"#, escape(&library.name), escape(&library.path))
+}
+
+fn user_type(ty: &Reference) -> String {
+    format!(r#"    <Type name="{}" path="{}" />"#, escape(&ty.name), escape(&ty.path))
+}
+
+/// The `.dtx`.
+pub(crate) fn data_file(project: &Project) -> File {
+    let mut file = File::new(path(project, &format!("{}.dtx", base_name(project))));
+    file.add(0, format!(r#"<Database xmlns:xsi="{INSTANCE}" xmlns="{VAL3}/Data/2">"#));
+    file.list("Datas", &project.data, |file, it| data(file, it.number, &it.content));
+    file.add(0, "</Database>");
+    file
+}
+
+fn data(file: &mut File, number: usize, data: &Data) {
+    let access = if data.public { "public" } else { "private" };
+    let ty = stored_type(&data.ty);
+    let container = match &data.shape {
+        Shape::Array(sizes) => format!(r#"xsi:type="array" type="{ty}" size="{}""#, join(sizes)),
+        Shape::Collection(_) => format!(r#"xsi:type="collection" type="{ty}""#),
+    };
+    let start = format!(r#"    <Data name="{}" access="{access}" {container}"#, escape(&data.name));
+    let values = values(data);
+    if values.is_empty() {
+        return file.add(number, format!("{start} />"));
+    }
+    file.add(number, format!("{start}>"));
+    values.into_iter().for_each(|value| file.add(0, format!("      <Value {value} />")));
+    file.add(0, "    </Data>");
+}
+
+/// The attributes of the values that differ from the default: links to `world` and `flange`, and the value of the
+/// first element.
+fn values(data: &Data) -> Vec<String> {
+    let father = match data.ty.as_str() {
+        "frame" | "point" | "pointRx" | "pointRs" | "pointVrb" => r#" fatherId="world[0]""#,
+        "tool" => r#" fatherId="flange[0]""#,
+        _ => "",
+    };
+    let keys = match &data.shape {
+        Shape::Collection(keys) => keys.clone(),
+        Shape::Array(sizes) if !father.is_empty() => indexes(sizes),
+        Shape::Array(sizes) if data.value.is_some() => vec![first_index(sizes)],
+        Shape::Array(_) => Vec::new(),
+    };
+    let first = data.value.as_ref().map_or_else(String::new, |value| format!(r#" value="{}""#, escape(plain(value))));
+    let value = |index: usize| if index == 0 { first.as_str() } else { "" };
+    let keys = keys.iter().enumerate();
+    keys.map(|(index, key)| format!(r#"key="{}"{}{father}"#, escape(key), value(index))).collect()
+}
+
+/// A `.pgx`.
+pub(crate) fn program(project: &Project, program: &Program) -> File {
+    let head = &program.head.content;
+    let mut file = File::new(path(project, &format!("{}.pgx", head.name)));
+    file.add(0, format!(r#"<Programs xmlns:xsi="{INSTANCE}" xmlns="{VAL3}/Program/2">"#));
+    let access = if head.public { r#" access="public""# } else { "" };
+    file.add(program.head.number, format!(r#"  <Program name="{}"{access}>"#, escape(&head.name)));
+    if !head.parameters.is_empty() {
+        file.add(0, format!(r#"    <Parameters xmlns="{VAL3}/Param/1">"#));
+        head.parameters.iter().for_each(|it| file.add(program.head.number, parameter(it)));
+        file.add(0, "    </Parameters>");
+    }
+    if !program.locals.is_empty() {
+        file.add(0, "    <Locals>");
+        program.locals.iter().for_each(|it| file.add(it.number, local(&it.content)));
+        file.add(0, "    </Locals>");
+    }
+    code(&mut file, &program.code);
+    file.add(0, "  </Program>");
+    file.add(0, "</Programs>");
+    file
+}
+
+fn parameter(parameter: &Parameter) -> String {
+    let reference = if parameter.reference { r#" use="reference""# } else { "" };
+    let container = match parameter.container {
+        Container::Element => format!(r#"xsi:type="element"{reference}"#),
+        Container::Array { dims: 1 } => format!(r#"xsi:type="array"{reference}"#),
+        Container::Array { dims } => format!(r#"xsi:type="array"{reference} dimensions="{dims}""#),
+        Container::Collection => format!(r#"xsi:type="collection"{reference}"#),
+    };
+    format!(r#"      <Parameter name="{}" type="{}" {container} />"#, escape(&parameter.name), escape(&parameter.ty))
+}
+
+fn local(local: &Data) -> String {
+    let start = format!(r#"      <Local name="{}" type="{}""#, escape(&local.name), escape(&local.ty));
+    match &local.shape {
+        Shape::Array(sizes) => format!(r#"{start} xsi:type="array" size="{}" />"#, join(sizes)),
+        Shape::Collection(_) => format!(r#"{start} xsi:type="collection" />"#),
+    }
+}
+
+fn code(file: &mut File, lines: &[Line<String>]) {
+    for (index, line) in lines.iter().enumerate() {
+        let before = if index == 0 { "    <Code><![CDATA[" } else { "" };
+        let after = if index + 1 == lines.len() { "]]></Code>" } else { "" };
+        file.add(line.number, format!("{before}{}{after}", line.content));
+    }
+}
+
+pub(crate) fn path(project: &Project, file: &str) -> String {
+    format!("usrapp/{}/{file}", project.folder)
+}
+
+fn base_name(project: &Project) -> &str {
+    project.folder.rsplit('/').next().unwrap_or(&project.folder)
+}
+
+/// In data files the types of positions name the arm.
+fn stored_type(ty: &str) -> String {
+    match ty {
+        "point" | "joint" | "config" => format!("{ty}Rx"),
+        other => escape(other),
+    }
+}
+
+/// Every index of an array, as keys are written.
+fn indexes(sizes: &[usize]) -> Vec<String> {
+    sizes.iter().fold(vec![String::new()], |keys, &size| {
+        let longer = |key: &String, index: usize| {
+            if key.is_empty() { index.to_string() } else { format!("{key},{index}") }
+        };
+        keys.iter().flat_map(|key| (0..size).map(move |index| longer(key, index))).collect()
+    })
+}
+
+fn first_index(sizes: &[usize]) -> String {
+    vec!["0"; sizes.len()].join(",")
+}
+
+fn join(sizes: &[usize]) -> String {
+    sizes.iter().map(usize::to_string).collect::<Vec<_>>().join(" ")
+}
+
+/// A string literal without its quotes; every other literal as it is.
+fn plain(literal: &str) -> &str {
+    literal.strip_prefix('"').and_then(|text| text.strip_suffix('"')).unwrap_or(literal)
+}
+
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,5 @@
+//! Any bytes as a whole application.
+
+#![no_main]
+
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| val3_fuzz::check(bytes));

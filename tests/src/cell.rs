@@ -1,0 +1,70 @@
+//! The cells in `examples/`.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The files of a cell: path relative to the controller's folder (`usr/usrapp/…`, `/` as separator) and bytes.
+pub type Cell = Vec<(String, Vec<u8>)>;
+
+/// The folder that a cell's applications lie in.
+pub const APPLICATIONS: &str = "usr/usrapp/";
+
+/// The files of the cell `examples/NAME`, sorted by path.
+///
+/// # Panics
+/// If the cell or one of its files cannot be read.
+#[track_caller]
+pub fn files(name: &str) -> Cell {
+    let root = examples().join(name);
+    let mut files = Vec::new();
+    collect(&root, &root, &mut files);
+    files.sort();
+    files
+}
+
+/// The place of the one line of `file` (below [`APPLICATIONS`]) that contains `text`: path and line, from 1.
+///
+/// # Errors
+/// If there is no such file or line, or more than one such line.
+pub fn place_of(cell: &Cell, file: &str, text: &str) -> Result<(String, usize), String> {
+    let path = format!("{APPLICATIONS}{file}");
+    let content = text_of(cell, &path)?;
+    let mut lines = (1..).zip(content.lines()).filter(|(_, line)| line.contains(text)).map(|(number, _)| number);
+    match (lines.next(), lines.next()) {
+        (Some(line), None) => Ok((path, line)),
+        (None, _) => Err(format!("{text:?} is not in {file}")),
+        (Some(_), Some(_)) => Err(format!("{text:?} is in {file} twice")),
+    }
+}
+
+/// The text of the file at `path`, with its byte order mark.
+///
+/// # Errors
+/// If there is no such file, or it is not in UTF-8.
+pub fn text_of(cell: &Cell, path: &str) -> Result<String, String> {
+    let (_, bytes) = cell.iter().find(|(known, _)| known == path).ok_or_else(|| format!("no file {path}"))?;
+    String::from_utf8(bytes.clone()).map_err(|error| error.to_string())
+}
+
+/// The folder of the example cells.
+pub fn examples() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples")
+}
+
+#[track_caller]
+fn collect(root: &Path, folder: &Path, files: &mut Cell) {
+    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    for path in entries.filter_map(Result::ok).map(|entry| entry.path()) {
+        if path.is_dir() {
+            collect(root, &path, files);
+        } else {
+            let bytes = fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            files.push((relative(root, &path), bytes));
+        }
+    }
+}
+
+fn relative(root: &Path, path: &Path) -> String {
+    let inside = path.strip_prefix(root).unwrap_or(path);
+    inside.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+}

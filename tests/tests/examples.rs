@@ -1,0 +1,45 @@
+//! The example cells: `palletiser` is clean, `faulty` has the faults that its comments name.
+
+use val3_tests::cell;
+
+/// The faults of `examples/faulty`: code, file below `usr/usrapp`, text of the line.
+const FAULTS: &[(&str, &str, &str)] = &[
+    ("V0014", "sorter/sort.pgx", "call feeder:advance"),
+    ("V0101", "sorter/count.pgx", "nSortd"),
+    ("V0203", "sorter/drop.pgx", "movej("),
+    ("V0501", "sorter/sorter.pjx", "park.pgx"),
+    ("V0512", "sorter/sorter.dtx", "key=\"2\""),
+    ("V0520", "sorter/sorter.dtx", "fTabel"),
+    ("V0602", "sorter/start.pgx", "feeder:reset"),
+    ("V0607", "sorter/start.pgx", "Disk://feederStep"),
+    ("V0701", "sorter/stop.pgx", "  endif"),
+];
+
+/// What introduces the comment on a fault, one word a family.
+const FAMILIES: &[&str] = &["Syntax: ", "Names: ", "Types: ", "Project: ", "Data: ", "Library: ", "Style: "];
+
+#[test]
+fn the_faults_are_where_they_should_be() {
+    let cell = cell::files("faulty");
+    for (code, file, text) in FAULTS {
+        assert_eq!(cell::place_of(&cell, file, text).err(), None, "{code}");
+    }
+}
+
+#[test]
+fn each_fault_has_a_comment_of_its_family() {
+    let cell = cell::files("faulty");
+    let texts: Vec<String> = cell.iter().map(|(path, _)| cell::text_of(&cell, path).unwrap_or_default()).collect();
+    let count = |family: &str| texts.iter().map(|text| text.matches(family).count()).sum::<usize>();
+    assert!(FAMILIES.iter().all(|family| count(family) > 0));
+    assert_eq!(FAMILIES.iter().map(|family| count(family)).sum::<usize>(), FAULTS.len());
+}
+
+#[test]
+fn the_cells_look_as_the_tools_write_them() {
+    for (path, bytes) in cell::files("palletiser").iter().chain(&cell::files("faulty")) {
+        let applications = path.starts_with(cell::APPLICATIONS);
+        assert!(!applications || bytes.starts_with(b"\xef\xbb\xbf"), "{path}: no byte order mark");
+        assert!(!bytes.contains(&b'\r') && !bytes.ends_with(b"\n"), "{path}: line ends");
+    }
+}

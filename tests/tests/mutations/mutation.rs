@@ -1,0 +1,52 @@
+//! One slip of a person: a single edit of the palletiser cell, and the finding it deserves.
+
+/// The cell that is edited: `examples/palletiser`.
+pub(crate) const CELL: &str = "palletiser";
+
+/// One slip.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Mutation {
+    /// What the person did.
+    pub(crate) name: &'static str,
+    /// The file edited, below `usr/usrapp`.
+    pub(crate) file: &'static str,
+    pub(crate) edit: Edit,
+    /// The code of the finding.
+    pub(crate) code: &'static str,
+    /// Where else the finding may stand, as file and text of its line; empty where the edit tells.
+    pub(crate) places: &'static [(&'static str, &'static str)],
+}
+
+/// What happens to the file.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Edit {
+    /// `find`, which stands in the file once, becomes `with`. The finding stands on the lines that `$0` marks in
+    /// `with`, or else on the first one.
+    Replace { find: &'static str, with: &'static str },
+    /// The file is gone.
+    Remove,
+}
+
+/// A slip inside a file.
+pub(crate) const fn slip(
+    name: &'static str,
+    file: &'static str,
+    find: &'static str,
+    with: &'static str,
+    code: &'static str,
+) -> Mutation {
+    Mutation { name, file, edit: Edit::Replace { find, with }, code, places: &[] }
+}
+
+/// A file that got lost.
+pub(crate) const fn lost(name: &'static str, file: &'static str, code: &'static str) -> Mutation {
+    Mutation { name, file, edit: Edit::Remove, code, places: &[] }
+}
+
+impl Mutation {
+    /// The finding stands on one of these lines instead of the edited one.
+    pub(crate) const fn at(mut self, places: &'static [(&'static str, &'static str)]) -> Mutation {
+        self.places = places;
+        self
+    }
+}

@@ -1,0 +1,158 @@
+//! Slips in types, arguments and indexes.
+
+use crate::mutation::{Mutation, slip};
+
+pub(crate) const ARGUMENTS: &[Mutation] = &[
+    slip("string for num", "palletiser/drawScreen.pgx", "gotoxy(0,1)", "gotoxy(\"0\",1)", "V0203"),
+    slip("num for string", "palletiser/supervisor.pgx", "title(\"Palletiser\")", "title(1)", "V0203"),
+    slip("num for string in call", "palletiser/stop.pgx", "call tower(\"\")", "call tower(0)", "V0203"),
+    slip(
+        "swapped arguments of an instruction",
+        "palletiser/home.pgx",
+        "movej(jHome,tSuction,mFast)",
+        "movej(jHome,mFast,tSuction)",
+        "V0203",
+    ),
+    slip(
+        "swapped arguments of a program",
+        "palletiser/production.pgx",
+        "call loadPart(sWanted,l_bOk)",
+        "call loadPart(l_bOk,sWanted)",
+        "V0203",
+    ),
+    slip("joint for point", "palletiser/pick.pgx", "movel(pPick,", "movel(jHome,", "V0203"),
+    slip("dio for aio", "palletiser/place.pgx", "aioGet(io:aiWeight)", "aioGet(io:diPart)", "V0203"),
+    slip("string for num of a task's program", "palletiser/start.pgx", "host(0.5)", "host(\"0.5\")", "V0203"),
+    slip("num for the name of a task", "palletiser/start.pgx", "taskCreate \"host\",", "taskCreate 1,", "V0203"),
+    slip(
+        "missing argument of a program",
+        "palletiser/place.pgx",
+        "(nLayer,x_nRow,x_nColumn,l_trOffset)",
+        "(nLayer,x_nRow,l_trOffset)",
+        "V0204",
+    ),
+    slip(
+        "extra argument of a program",
+        "palletiser/layerFull.pgx",
+        "call home(x_bOk)",
+        "call home(x_bOk,true)",
+        "V0204",
+    ),
+    slip("missing argument of an instruction", "palletiser/supervisor.pgx", "delay(0.2)", "delay()", "V0204"),
+    slip("extra argument of an instruction", "palletiser/home.pgx", "waitEndMove()", "waitEndMove(1)", "V0204"),
+    slip("missing argument of a task's program", "palletiser/start.pgx", "host(0.5)", "host()", "V0204"),
+    slip("comma for the decimal point", "palletiser/supervisor.pgx", "delay(0.2)", "delay(0,2)", "V0204"),
+    slip("constant by reference", "palletiser/cycle.pgx", "call pick(x_bOk)", "call pick(true)", "V0205"),
+    slip("expression by reference", "palletiser/cycle.pgx", "(tSlots,l_nRow,", "(tSlots,l_nRow+0,", "V0205"),
+    slip("constant for the overrun flag", "palletiser/start.pgx", "0.02,bOverrun,", "0.02,false,", "V0205"),
+    slip("array for a collection", "palletiser/drawScreen.pgx", "call total(nDone,", "call total(nTimes,", "V0206"),
+    slip(
+        "collection for an array",
+        "palletiser/drawScreen.pgx",
+        "call average(nTimes,",
+        "call average(nDone,",
+        "V0206",
+    ),
+];
+
+pub(crate) const INDEXES: &[Mutation] = &[
+    slip("missing indexes", "palletiser/place.pgx", "tSlots[x_nRow,x_nColumn].bFull", "tSlots.bFull", "V0208"),
+    slip("missing key", "palletiser/cycle.pgx", "]=nDone[part:sName]+1", "]=nDone+1", "V0208"),
+    slip(
+        "key behind a whole collection",
+        "palletiser/drawScreen.pgx",
+        "call total(nDone,",
+        "call total(nDone[\"box\"],",
+        "V0209",
+    ),
+    slip(
+        "indexes behind a whole array",
+        "palletiser/cycle.pgx",
+        "call nextSlot(tSlots,",
+        "call nextSlot(tSlots[0,0],",
+        "V0209",
+    ),
+    slip("index behind an element", "palletiser/onKey.pgx", "switch x_nKey", "switch x_nKey[1]", "V0209"),
+    slip("two indexes for one", "palletiser/cycle.pgx", "nTimes[0]=", "nTimes[0,0]=", "V0210"),
+    slip(
+        "one index for two",
+        "palletiser/place.pgx",
+        "tSlots[x_nRow,x_nColumn].bFull",
+        "tSlots[x_nRow].bFull",
+        "V0210",
+    ),
+    slip("number as key", "palletiser/loadPart.pgx", "part:sLabel[\"en\"]", "part:sLabel[0]", "V0211"),
+    slip("string as index", "palletiser/drawScreen.pgx", "sState[nState]", "sState[\"nState\"]", "V0211"),
+    slip("index out of bounds", "palletiser/init.pgx", "pCorner[2]", "pCorner[3]", "V0212"),
+];
+
+pub(crate) const EXPRESSIONS: &[Mutation] = &[
+    slip("string plus num", "palletiser/drawScreen.pgx", "toString(\"\",l_nRow+1)", "l_nRow", "V0201"),
+    slip("! of a num", "palletiser/place.pgx", "x_bOk=!bVacuumLost", "x_bOk=!nLayer", "V0201"),
+    slip("and of a num", "palletiser/layerFull.pgx", "and bRun==true", "and nLayer", "V0201"),
+    slip(
+        "bool compared with num",
+        "palletiser/production.pgx",
+        "l_bOk==true\n    nState",
+        "l_bOk==1\n    nState",
+        "V0201",
+    ),
+    slip(
+        "num for string in an assignment",
+        "palletiser/loadPart.pgx",
+        "sLoaded=x_sLibrary",
+        "sLoaded=l_nCode",
+        "V0202",
+    ),
+    slip("dio from dio", "palletiser/pick.pgx", "io:doConveyor=true", "io:doConveyor=io:diPart", "V0202"),
+    slip("point from trsf", "palletiser/place.pgx", "l_pNear=appro(l_pPlace,", "l_trOffset=appro(l_pPlace,", "V0202"),
+    slip("condition from num", "palletiser/layerFull.pgx", "if nLayer>=part:nLayers", "if nLayer", "V0207"),
+    slip("condition from string", "palletiser/total.pgx", "while l_sKey!=\"\"", "while l_sKey", "V0207"),
+    slip("case of another type", "palletiser/onKey.pgx", "case 271", "case \"F1\"", "V0213"),
+    slip(
+        "second label of another type",
+        "palletiser/loadPart.pgx",
+        "case \"partBag\",\"sack\"",
+        "case \"partBag\",2",
+        "V0213",
+    ),
+    slip(
+        "nine fields for a mdesc",
+        "palletiser/place.pgx",
+        "l_mNear=part:mCarry",
+        "l_mNear={70,60,70,800,300,off,50,50,1}",
+        "V0215",
+    ),
+    slip("string between braces", "palletiser/pick.pgx", "{0,0,-nAbove", "{0,0,\"-150\"", "V0216"),
+    slip("braces for a num", "palletiser/init.pgx", "nLayer=0", "nLayer={0,0}", "V0217"),
+    slip("string counts a for", "palletiser/clearPallet.pgx", "for l_nRow=0", "for sLoaded=0", "V0218"),
+    slip("string ends a for", "palletiser/average.pgx", "to size(x_nTimes)-1", "to \"10\"", "V0219"),
+    slip("== for =", "palletiser/init.pgx", "nLayer=0", "nLayer==0", "V0220"),
+    slip("function without use", "palletiser/home.pgx", "x_bOk=isInRange(jHome)", "isInRange(jHome)", "V0220"),
+    slip("name without use", "palletiser/cycle.pgx", "call pick(x_bOk)", "x_bOk", "V0220"),
+    slip(
+        "value of an instruction without value",
+        "palletiser/home.pgx",
+        "x_bOk=isInRange(jHome)",
+        "x_bOk=waitEndMove()",
+        "V0221",
+    ),
+    slip(
+        "joint of another arm",
+        "palletiser/palletiser.dtx",
+        "type=\"jointRx\" size=\"1\">\n      \
+         <Value key=\"0\" j1=\"0.5\" j2=\"0.5\" j3=\"0.5\" j4=\"0.5\" j5=\"0.5\" j6=\"0.5\" />",
+        "type=\"jointRs\" size=\"1\">\n      <Value key=\"0\" j1=\"0.5\" j2=\"0.5\" j3=\"0.5\" j4=\"0.5\" />",
+        "V0222",
+    )
+    .at(&[("palletiser/home.pgx", "l_jAway<jTolerance"), ("palletiser/palletiser.dtx", "name=\"jTolerance\"")]),
+    slip(
+        "string too long",
+        "palletiser/init.pgx",
+        "The corners of the pallet are too close to each other",
+        "The corners of the pallet are too close to each other. Drive the arm to the first corner, \
+         teach it, then teach the second one and the third one",
+        "V0223",
+    ),
+    slip("value on the left of =", "palletiser/init.pgx", "nLayer=0", "0=nLayer", "V0224"),
+];

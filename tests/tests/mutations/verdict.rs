@@ -1,0 +1,78 @@
+//! Judges what a checker finds in a cell with a slip.
+
+use std::fmt;
+
+use val3_tests::Finding;
+use val3_tests::cell::Cell;
+
+use crate::edit::apply;
+use crate::mutation::Mutation;
+
+/// What a checker made of one slip.
+#[derive(Debug)]
+pub(crate) struct Verdict {
+    pub(crate) name: &'static str,
+    pub(crate) code: &'static str,
+    /// Whether the finding of the right code stands on the right line.
+    pub(crate) found: bool,
+    /// Findings that neither the original cell had nor the slip deserves.
+    pub(crate) others: Vec<Finding>,
+    expected: Vec<(String, usize)>,
+}
+
+impl Verdict {
+    pub(crate) fn is_good(&self) -> bool {
+        self.found && self.others.is_empty()
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let places: Vec<String> = self.expected.iter().map(|(file, line)| format!("{file}:{line}")).collect();
+        let found = if self.found { "found" } else { "MISSED" };
+        write!(f, "{}: {} {found} at {}", self.name, self.code, places.join(" or "))?;
+        for other in &self.others {
+            write!(f, "\n    also {} {}:{} {}", other.code, other.file, other.line, other.message)?;
+        }
+        Ok(())
+    }
+}
+
+/// Applies the slip and judges the findings of `check`; `known` are those of the cell without it.
+pub(crate) fn judge(
+    mutation: &Mutation,
+    cell: &Cell,
+    known: &[Finding],
+    check: impl Fn(&Cell) -> Vec<Finding>,
+) -> Result<Verdict, String> {
+    let mutated = apply(mutation, cell)?;
+    let mut others = without(check(&mutated.cell), known);
+    let is_expected = |finding: &Finding| {
+        let place = mutated.expected.iter().any(|(file, line)| (&finding.file, finding.line) == (file, *line));
+        finding.code == mutation.code && place
+    };
+    let hit = others.iter().position(is_expected);
+    if let Some(hit) = hit {
+        others.remove(hit);
+    }
+    let expected = mutated.expected;
+    Ok(Verdict { name: mutation.name, code: mutation.code, found: hit.is_some(), others, expected })
+}
+
+/// How many slips are found, and what went wrong with the others.
+pub(crate) fn report(verdicts: &[Verdict]) -> String {
+    let found = verdicts.iter().filter(|verdict| verdict.found).count();
+    let mut lines = vec![format!("{found} of {} slips found", verdicts.len())];
+    lines.extend(verdicts.iter().filter(|verdict| !verdict.is_good()).map(Verdict::to_string));
+    lines.join("\n")
+}
+
+/// `findings` less those of `known`, whatever lines they moved to.
+fn without(mut findings: Vec<Finding>, known: &[Finding]) -> Vec<Finding> {
+    let mut known: Vec<&Finding> = known.iter().collect();
+    findings.retain(|finding| {
+        let index = known.iter().position(|other| finding.is_like(other));
+        index.map(|index| known.swap_remove(index)).is_none()
+    });
+    findings
+}

@@ -1,0 +1,13 @@
+//! The project's own tasks, one a module. The benchmarks use [`workspace`] for their input.
+//!
+//! The crate depends on no crate of the toolchain, so that it builds while one of them does not.
+#![allow(clippy::disallowed_methods, reason = "a build tool reads the clock and the environment")]
+
+pub mod codegen;
+pub mod dist;
+pub mod install;
+pub mod metrics;
+pub mod project;
+pub mod test;
+pub mod tidy;
+pub mod workspace;

@@ -1,0 +1,53 @@
+//! The project's own tasks. `cargo xtask help` lists them.
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+use xtask::{codegen, dist, install, metrics, test, tidy, workspace};
+
+/// The project's own tasks.
+#[derive(Parser)]
+#[command(name = "cargo xtask")]
+struct Arguments {
+    #[command(subcommand)]
+    task: Task,
+}
+
+#[derive(Subcommand)]
+enum Task {
+    /// Write the typed syntax tree from crates/val3-syntax/val3.ungram
+    Codegen(codegen::Arguments),
+    /// Look for what a formatter does not see, and list the largest files and functions
+    Tidy,
+    /// Run every check and every test of the project
+    Test,
+    /// Pack the release binary into target/dist
+    Dist,
+    /// Install `val3` for this user
+    Install,
+    /// Write a large workspace of VAL 3 applications
+    Workspace(workspace::Arguments),
+    /// Count the code and measure `val3 check` on a generated workspace
+    Metrics(metrics::Arguments),
+}
+
+fn main() -> ExitCode {
+    let outcome = run(Arguments::parse().task);
+    if let Err(error) = outcome {
+        eprintln!("error: {error:#}");
+        return ExitCode::FAILURE;
+    }
+    ExitCode::SUCCESS
+}
+
+fn run(task: Task) -> anyhow::Result<()> {
+    match task {
+        Task::Codegen(arguments) => codegen::run(&arguments),
+        Task::Tidy => tidy::run(),
+        Task::Test => test::run(),
+        Task::Dist => dist::run(),
+        Task::Install => install::run(),
+        Task::Workspace(arguments) => workspace::run(&arguments),
+        Task::Metrics(arguments) => metrics::run(&arguments),
+    }
+}

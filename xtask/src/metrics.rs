@@ -1,0 +1,58 @@
+//! `metrics`: how large the project is, and how fast `val3 check` judges a large workspace.
+
+mod speed;
+
+use std::collections::BTreeMap;
+
+use crate::project;
+use crate::tidy::files::{self, TextFile};
+
+/// Options of `metrics`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Code lines of the generated workspace that is checked
+    #[arg(long, default_value_t = 100_000)]
+    lines: usize,
+    /// Only count the code
+    #[arg(long)]
+    no_speed: bool,
+}
+
+/// Prints the sizes, then the speed.
+///
+/// # Errors
+/// When a file cannot be read, or the release build or the check fails.
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    print_sizes(&files::all(&project::root())?);
+    if arguments.no_speed { Ok(()) } else { speed::measure(arguments.lines) }
+}
+
+/// Lines of Rust that people wrote.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+struct Size {
+    files: usize,
+    lines: usize,
+    tests: usize,
+}
+
+fn print_sizes(files: &[TextFile]) {
+    let mut sizes: BTreeMap<String, Size> = BTreeMap::new();
+    for file in files.iter().filter(|file| file.is_written_source()) {
+        for owner in [owner(file), "all".to_owned()] {
+            let size = sizes.entry(owner).or_default();
+            size.files += 1;
+            size.lines += file.text.lines().count();
+            size.tests += file.text.lines().filter(|line| line.trim() == "#[test]").count();
+        }
+    }
+    println!("{:16} {:>6} {:>8} {:>6}", "Rust", "files", "lines", "tests");
+    for (owner, size) in sizes {
+        println!("{owner:16} {:6} {:8} {:6}", size.files, size.lines, size.tests);
+    }
+}
+
+/// The crate a file belongs to.
+fn owner(file: &TextFile) -> String {
+    let path = file.path.strip_prefix("crates").unwrap_or(&file.path);
+    path.iter().next().unwrap_or_default().to_owned()
+}

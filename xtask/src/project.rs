@@ -1,0 +1,41 @@
+//! Where the project lies, and how its commands are run.
+
+use std::process::Command;
+
+use anyhow::{Context, bail};
+use camino::{Utf8Path, Utf8PathBuf};
+
+/// The folder of the workspace's `Cargo.toml`.
+pub fn root() -> Utf8PathBuf {
+    let xtask = Utf8Path::new(env!("CARGO_MANIFEST_DIR"));
+    xtask.parent().unwrap_or(xtask).to_owned()
+}
+
+/// `cargo` with `arguments`, in the project's folder.
+pub fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments).current_dir(root());
+    command
+}
+
+/// Runs `command` to its end.
+///
+/// # Errors
+/// When it cannot be started or does not succeed.
+pub fn succeed(command: &mut Command) -> anyhow::Result<()> {
+    let name = command.get_program().to_string_lossy().into_owned();
+    let status = command.status().with_context(|| format!("cannot start {name}"))?;
+    if !status.success() {
+        bail!("{name} ended with {status}");
+    }
+    Ok(())
+}
+
+/// Reads a file of the project, `path` being relative to its folder.
+///
+/// # Errors
+/// When it cannot be read as UTF-8.
+pub fn read(path: &str) -> anyhow::Result<String> {
+    let path = root().join(path);
+    std::fs::read_to_string(&path).with_context(|| format!("cannot read {path}"))
+}

@@ -1,0 +1,99 @@
+//! `test`: every check and every test of the project, in one command.
+
+use std::io::{BufRead as _, BufReader};
+use std::process::Stdio;
+
+use anyhow::{Context, bail};
+
+use crate::project;
+
+/// One check; all run, also when an earlier one failed.
+struct Step {
+    name: &'static str,
+    /// Arguments of cargo.
+    arguments: &'static [&'static str],
+}
+
+const STEPS: &[Step] = &[
+    Step { name: "format", arguments: &["fmt", "--all", "--check"] },
+    Step { name: "generated code", arguments: &["xtask", "codegen", "--check"] },
+    Step { name: "tidy", arguments: &["xtask", "tidy"] },
+    Step {
+        name: "clippy",
+        arguments: &["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"],
+    },
+    Step { name: "tests", arguments: &["test", "--workspace", "--locked", "--no-fail-fast"] },
+];
+
+/// How many checks and tests passed and failed.
+#[derive(Debug, Default, Clone, Copy, PartialEq, Eq)]
+struct Tally {
+    passed: usize,
+    failed: usize,
+}
+
+/// Runs everything and prints the count.
+///
+/// # Errors
+/// When a check or a test fails.
+pub fn run() -> anyhow::Result<()> {
+    let mut total = Tally::default();
+    for step in STEPS {
+        println!("==> {}", step.name);
+        let tally = run_step(step)?;
+        total.passed += tally.passed;
+        total.failed += tally.failed;
+    }
+    println!("{} passed, {} failed", total.passed, total.failed);
+    if total.failed > 0 {
+        bail!("{} failed", total.failed);
+    }
+    Ok(())
+}
+
+/// Runs a step. It counts as the tests it reports, or as one check where it reports none.
+fn run_step(step: &Step) -> anyhow::Result<Tally> {
+    let mut child = project::cargo(step.arguments)
+        .stdout(Stdio::piped())
+        .spawn()
+        .with_context(|| format!("cannot start the step {}", step.name))?;
+    let mut tally = Tally::default();
+    if let Some(output) = child.stdout.take() {
+        for line in BufReader::new(output).lines() {
+            let line = line?;
+            println!("{line}");
+            count(&line, &mut tally);
+        }
+    }
+    if child.wait()?.success() {
+        tally.passed = tally.passed.max(1);
+    } else {
+        tally.failed = tally.failed.max(1);
+    }
+    Ok(tally)
+}
+
+/// Adds `test result: ok. 12 passed; 0 failed; …`.
+fn count(line: &str, tally: &mut Tally) {
+    let Some(result) = line.strip_prefix("test result: ") else { return };
+    let number = |word: &str| {
+        let before = result.split(word).next()?;
+        before.split_whitespace().last()?.parse::<usize>().ok()
+    };
+    tally.passed += number(" passed").unwrap_or(0);
+    tally.failed += number(" failed").unwrap_or(0);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_are_added() {
+        let mut tally = Tally::default();
+        count("test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured", &mut tally);
+        count("test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured", &mut tally);
+        count("a line of another kind: 7 passed", &mut tally);
+        assert_eq!(tally, Tally { passed: 15, failed: 2 });
+    }
+}

@@ -1,0 +1,59 @@
+//! The texts that people write in this project.
+
+use anyhow::Context;
+use camino::{Utf8Path, Utf8PathBuf};
+
+/// Folders that hold nothing written by hand, or files in the form another program gives them.
+const SKIPPED_FOLDERS: &[&str] = &["target", ".git", "examples", "corpus", "artifacts", "snapshots"];
+
+/// Kinds of files that are looked at.
+const EXTENSIONS: &[&str] = &["rs", "md", "toml", "ungram"];
+
+/// A file with its text.
+#[derive(Debug)]
+pub(crate) struct TextFile {
+    /// Relative to the project's folder, with `/`.
+    pub(crate) path: Utf8PathBuf,
+    pub(crate) text: String,
+}
+
+impl TextFile {
+    /// A Rust source that no program has made.
+    pub(crate) fn is_written_source(&self) -> bool {
+        self.path.extension() == Some("rs") && !self.is_generated()
+    }
+
+    /// A file that `codegen` makes.
+    pub(crate) fn is_generated(&self) -> bool {
+        self.path.file_name() == Some("generated.rs")
+    }
+}
+
+/// Every text below `root`, by path.
+pub(crate) fn all(root: &Utf8Path) -> anyhow::Result<Vec<TextFile>> {
+    let mut paths = Vec::new();
+    collect(root, &mut paths)?;
+    paths.sort();
+    paths.iter().map(|path| read(root, path)).collect()
+}
+
+fn collect(folder: &Utf8Path, paths: &mut Vec<Utf8PathBuf>) -> anyhow::Result<()> {
+    let entries = folder.read_dir_utf8().with_context(|| format!("cannot list {folder}"))?;
+    for entry in entries {
+        let entry = entry?;
+        let path = entry.path();
+        if entry.file_type()?.is_dir() {
+            if !SKIPPED_FOLDERS.contains(&entry.file_name()) {
+                collect(path, paths)?;
+            }
+        } else if path.extension().is_some_and(|extension| EXTENSIONS.contains(&extension)) {
+            paths.push(path.to_owned());
+        }
+    }
+    Ok(())
+}
+
+fn read(root: &Utf8Path, path: &Utf8Path) -> anyhow::Result<TextFile> {
+    let text = std::fs::read_to_string(path).with_context(|| format!("cannot read {path}"))?;
+    Ok(TextFile { path: path.strip_prefix(root).unwrap_or(path).to_owned(), text })
+}

@@ -1,0 +1,98 @@
+//! The code of one program while it is written.
+
+use std::collections::BTreeSet;
+
+use super::model::{Signature, Variable, is_code};
+use super::random::Random;
+use super::scope::Scope;
+use super::words::COMMENTS;
+
+/// A program's code so far.
+pub(super) struct Body<'a> {
+    pub(super) random: &'a mut Random,
+    pub(super) scope: Scope,
+    /// Programs it may call.
+    pub(super) callees: &'a [Signature],
+    /// Locals it may use; only those it names are declared.
+    locals: &'a [Variable],
+    used_locals: BTreeSet<String>,
+    lines: Vec<String>,
+    code_lines: usize,
+    depth: usize,
+}
+
+impl<'a> Body<'a> {
+    /// An empty body.
+    pub(super) fn new(
+        random: &'a mut Random,
+        mut scope: Scope,
+        callees: &'a [Signature],
+        locals: &'a [Variable],
+    ) -> Self {
+        locals.iter().for_each(|local| scope.add(local));
+        Self {
+            random,
+            scope,
+            callees,
+            locals,
+            used_locals: BTreeSet::new(),
+            lines: Vec::new(),
+            code_lines: 0,
+            depth: 0,
+        }
+    }
+
+    /// Lines of code written so far.
+    pub(super) fn code_lines(&self) -> usize {
+        self.code_lines
+    }
+
+    /// How many blocks are open.
+    pub(super) fn depth(&self) -> usize {
+        self.depth
+    }
+
+    /// Writes a line at the depth of the block.
+    pub(super) fn line(&mut self, text: impl AsRef<str>) {
+        let indentation = "  ".repeat(self.depth + 1);
+        let text = text.as_ref();
+        self.code_lines += usize::from(is_code(text));
+        self.lines.push(format!("{indentation}{text}"));
+    }
+
+    /// Sometimes a comment, sometimes a blank line.
+    pub(super) fn remark(&mut self) {
+        if self.random.chance(12) {
+            self.lines.push(String::new());
+        }
+        if self.random.chance(40) {
+            let comment = self.random.word(COMMENTS);
+            self.line(format!("// {comment}"));
+        }
+    }
+
+    /// Writes `lines` one block deeper.
+    pub(super) fn deeper(&mut self, lines: impl FnOnce(&mut Self)) {
+        self.depth += 1;
+        lines(self);
+        self.depth -= 1;
+    }
+
+    /// Remembers that the local at the start of `place` is used.
+    pub(super) fn note(&mut self, place: String) -> String {
+        let name = place.split(['[', '.']).next().unwrap_or_default();
+        if self.locals.iter().any(|local| local.name == name) {
+            self.used_locals.insert(name.to_owned());
+        }
+        place
+    }
+
+    /// The lines from `begin` to `end`, and the locals to declare.
+    pub(super) fn finish(self) -> (Vec<String>, Vec<Variable>) {
+        let mut lines = vec!["begin".to_owned()];
+        lines.extend(self.lines);
+        lines.push("end".to_owned());
+        let used = self.locals.iter().filter(|local| self.used_locals.contains(&local.name));
+        (lines, used.cloned().collect())
+    }
+}

@@ -1,0 +1,146 @@
+//! A VAL 3 project as the generator thinks of it.
+
+/// The types that occur.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Type {
+    Num,
+    Bool,
+    Text,
+    Point,
+    Joint,
+    Trsf,
+    Frame,
+    Tool,
+    Mdesc,
+    Dio,
+    /// The user type of the workspace: `shared::SLOT`.
+    Slot,
+}
+
+impl Type {
+    /// As a parameter or local names it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Num => "num",
+            Self::Bool => "bool",
+            Self::Text => "string",
+            Self::Point => "point",
+            Self::Joint => "joint",
+            Self::Trsf => "trsf",
+            Self::Frame => "frame",
+            Self::Tool => "tool",
+            Self::Mdesc => "mdesc",
+            Self::Dio => "dio",
+            Self::Slot => "Slot",
+        }
+    }
+
+    /// As a data file names it: positions belong to an arm.
+    pub(super) fn file_name(self) -> &'static str {
+        match self {
+            Self::Point => "pointRx",
+            Self::Joint => "jointRx",
+            other => other.name(),
+        }
+    }
+
+    /// The customary start of a name.
+    pub(super) fn prefix(self) -> &'static str {
+        match self {
+            Self::Num => "n",
+            Self::Bool => "b",
+            Self::Text => "s",
+            Self::Point => "p",
+            Self::Joint => "j",
+            Self::Trsf => "tr",
+            Self::Frame => "f",
+            Self::Tool => "t",
+            Self::Mdesc => "m",
+            Self::Dio => "d",
+            Self::Slot => "u",
+        }
+    }
+}
+
+/// How many values a variable has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Container {
+    One,
+    Array(usize),
+    Grid(usize, usize),
+    Collection(&'static [&'static str]),
+}
+
+/// Data, a parameter or a local.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Variable {
+    pub(super) name: String,
+    pub(super) ty: Type,
+    pub(super) container: Container,
+}
+
+impl Variable {
+    /// A variable of one value.
+    pub(super) fn one(name: impl Into<String>, ty: Type) -> Self {
+        Self { name: name.into(), ty, container: Container::One }
+    }
+}
+
+/// Data of a project.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Data {
+    pub(super) variable: Variable,
+    pub(super) public: bool,
+}
+
+/// A parameter of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Parameter {
+    pub(super) variable: Variable,
+    pub(super) by_reference: bool,
+}
+
+/// What a caller sees of a program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Signature {
+    /// `name`, or `library:name`.
+    pub(super) name: String,
+    pub(super) parameters: Vec<Parameter>,
+}
+
+/// A program.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Program {
+    pub(super) signature: Signature,
+    pub(super) public: bool,
+    pub(super) locals: Vec<Variable>,
+    /// From `begin` to `end`.
+    pub(super) lines: Vec<String>,
+}
+
+/// An application, a library or a user type.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Project {
+    pub(super) name: String,
+    /// Below `usrapp`.
+    pub(super) folder: String,
+    pub(super) data: Vec<Data>,
+    pub(super) programs: Vec<Program>,
+    /// Library identifiers and the folders below `usrapp` they stand for.
+    pub(super) libraries: Vec<(&'static str, &'static str)>,
+    /// User types and their folders below `usrapp`.
+    pub(super) types: Vec<(&'static str, &'static str)>,
+}
+
+impl Project {
+    /// Lines of code, without blank lines and comments.
+    pub(super) fn code_lines(&self) -> usize {
+        self.programs.iter().flat_map(|program| &program.lines).filter(|line| is_code(line)).count()
+    }
+}
+
+/// The line is neither blank nor a comment.
+pub(super) fn is_code(line: &str) -> bool {
+    let line = line.trim_start();
+    !line.is_empty() && !line.starts_with("//")
+}

@@ -1,0 +1,173 @@
+//! The layers of the house: which crate may know which.
+//!
+//! ARCHITECTURE.md explains them. Crates that do not exist yet are named here already, so that the first version of
+//! each keeps the rules.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
+
+/// The crates that understand programs.
+const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide", "val3-lsp"];
+
+/// The crates that run programs.
+const RUNTIME: &[&str] =
+    &["val3-geometry", "val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion", "val3-machine"];
+
+/// The crates that put both together.
+const BRIDGES: &[&str] = &["val3-compile", "val3-dap", "val3-cli"];
+
+/// Packages that speak a protocol or serve connections.
+const PROTOCOL_PACKAGES: &[&str] = &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio"];
+
+/// What each crate of the workspace depends on, tests aside, directly.
+fn dependencies(metadata: &Metadata) -> BTreeMap<&str, BTreeSet<&str>> {
+    let own = |package: &'_ Package| metadata.workspace_members.contains(&package.id);
+    metadata
+        .packages
+        .iter()
+        .filter(|package| own(package))
+        .map(|package| (package.name.as_str(), normal(package)))
+        .collect()
+}
+
+fn normal(package: &Package) -> BTreeSet<&str> {
+    let kept = package.dependencies.iter().filter(|dependency| dependency.kind != DependencyKind::Development);
+    kept.map(|dependency| dependency.name.as_str()).collect()
+}
+
+/// The crates of the workspace that `name` reaches.
+fn reached<'a>(name: &'a str, all: &BTreeMap<&'a str, BTreeSet<&'a str>>) -> BTreeSet<&'a str> {
+    let mut reached = BTreeSet::new();
+    let mut open = vec![name];
+    while let Some(name) = open.pop() {
+        let direct = all.get(name).into_iter().flatten().filter(|dependency| all.contains_key(*dependency));
+        open.extend(direct.filter(|dependency| reached.insert(**dependency)));
+    }
+    reached
+}
+
+fn metadata() -> Metadata {
+    MetadataCommand::new().no_deps().exec().unwrap()
+}
+
+#[track_caller]
+fn assert_none(found: BTreeSet<&str>, rule: &str) {
+    assert!(found.is_empty(), "{rule}: {found:?}");
+}
+
+/// `name` may depend on `allowed` and on packages for which `foreign` holds.
+fn check_only(name: &str, allowed: &[&str], forbidden_packages: &[&str]) {
+    let metadata = metadata();
+    let all = dependencies(&metadata);
+    let Some(direct) = all.get(name) else { return };
+    let wrong = |dependency: &&&str| {
+        let own = all.contains_key(**dependency) && !allowed.contains(dependency);
+        own || forbidden_packages.contains(dependency)
+    };
+    assert_none(direct.iter().filter(wrong).copied().collect(), &format!("{name} may not depend on"));
+}
+
+#[test]
+fn syntax_knows_text_alone() {
+    check_only("val3-syntax", &[], &["salsa", "serde", "serde_json", "clap", "tokio", "camino"]);
+}
+
+#[test]
+fn lang_knows_no_tree() {
+    check_only("val3-lang", &[], &["salsa", "rowan", "clap", "tokio"]);
+}
+
+#[test]
+fn analysis_stands_on_syntax_and_lang() {
+    check_only("val3-analysis", &["val3-syntax", "val3-lang"], &["clap", "serde_json", "tokio"]);
+    check_only("val3-check", &["val3-analysis", "val3-syntax", "val3-lang"], &["clap", "serde_json", "tokio"]);
+}
+
+#[test]
+fn vm_and_motion_do_not_know_each_other() {
+    check_only("val3-vm", &["val3-lang", "val3-bytecode"], &["salsa", "rowan", "tokio"]);
+    check_only("val3-motion", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "tokio"]);
+}
+
+#[test]
+fn the_two_towers_do_not_touch() {
+    let metadata = metadata();
+    let all = dependencies(&metadata);
+    for (tower, other) in [(ANALYSIS, RUNTIME), (RUNTIME, ANALYSIS)] {
+        for name in tower.iter().filter(|name| all.contains_key(**name)) {
+            let wrong = reached(name, &all).into_iter().filter(|reached| other.contains(reached)).collect();
+            assert_none(wrong, &format!("{name} reaches the other tower"));
+        }
+    }
+}
+
+#[test]
+fn every_crate_has_its_place() {
+    let metadata = metadata();
+    let below = ["val3-syntax", "val3-lang", "val3-test", "val3-tests", "val3-benches", "xtask"];
+    let known: BTreeSet<_> = [ANALYSIS, RUNTIME, BRIDGES, &below].into_iter().flatten().copied().collect();
+    let strangers = dependencies(&metadata).into_keys().filter(|name| !known.contains(name)).collect();
+    assert_none(strangers, "name the crate's place in this test");
+}
+
+#[test]
+fn only_the_servers_speak_protocols() {
+    let metadata = metadata();
+    let all = dependencies(&metadata);
+    for (name, direct) in all.iter().filter(|(name, _)| !["val3-lsp", "val3-dap"].contains(name)) {
+        let wrong = direct.iter().filter(|package| PROTOCOL_PACKAGES.contains(package)).copied().collect();
+        assert_none(wrong, &format!("{name} may not speak a protocol"));
+    }
+}
+
+#[test]
+fn only_the_binaries_decide_on_threads() {
+    let metadata = metadata();
+    let binaries = ["val3-cli", "val3-lsp", "val3-dap", "val3-benches"];
+    for (name, direct) in dependencies(&metadata).iter().filter(|(name, _)| !binaries.contains(name)) {
+        assert!(!direct.contains("rayon"), "{name} may not start threads");
+    }
+}
+
+#[test]
+fn fixtures_serve_tests_alone() {
+    let metadata = metadata();
+    for (name, direct) in dependencies(&metadata) {
+        let test_crate = ["val3-tests", "val3-benches"].contains(&name);
+        assert!(test_crate || !direct.contains("val3-test"), "{name} ships the fixtures of the tests");
+    }
+}
+
+#[test]
+fn xtask_builds_without_the_toolchain() {
+    let metadata = metadata();
+    let all = dependencies(&metadata);
+    assert_none(reached("xtask", &all), "xtask may not depend on");
+}
+
+#[test]
+fn no_crate_below_the_binaries_touches_the_system() {
+    let metadata = metadata();
+    let pure = ["val3-syntax", "val3-lang", "val3-check", "val3-fmt", "val3-ide", "val3-vm", "val3-motion"];
+    for package in metadata.packages.iter().filter(|package| pure.contains(&package.name.as_str())) {
+        let folder = package.manifest_path.parent().unwrap().join("src");
+        let wrong = sources(&folder).into_iter().filter(|path| touches_the_system(path)).collect::<Vec<_>>();
+        assert!(wrong.is_empty(), "{} touches files, processes or the network: {wrong:?}", package.name);
+    }
+}
+
+fn touches_the_system(source: &Utf8Path) -> bool {
+    let text = std::fs::read_to_string(source).unwrap();
+    ["std::fs", "std::net", "std::process"].iter().any(|module| text.contains(module))
+}
+
+fn sources(folder: &Utf8Path) -> Vec<Utf8PathBuf> {
+    let entries = folder.read_dir_utf8().unwrap().map(|entry| entry.unwrap().into_path());
+    let (folders, files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+    let nested = folders.iter().flat_map(|folder| sources(folder));
+    nested.chain(files.into_iter().filter(|path| path.extension() == Some("rs"))).collect()
+}
