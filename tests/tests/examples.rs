@@ -43,3 +43,23 @@ fn the_cells_look_as_the_tools_write_them() {
         assert!(!bytes.contains(&b'\r') && !bytes.ends_with(b"\n"), "{path}: line ends");
     }
 }
+
+#[test]
+fn the_palletiser_is_clean() {
+    assert_eq!(val3_tests::check(&cell::files("palletiser")), []);
+}
+
+#[test]
+fn the_sorter_has_its_faults_and_no_others() {
+    let cell = cell::files("faulty");
+    let mut expected: Vec<(String, String, usize)> = FAULTS
+        .iter()
+        .map(|(code, file, text)| cell::place_of(&cell, file, text).map(|(path, line)| ((*code).to_owned(), path, line)))
+        .collect::<Result<_, _>>()
+        .unwrap_or_default();
+    expected.sort();
+    let mut found: Vec<_> =
+        val3_tests::check(&cell).into_iter().map(|finding| (finding.code, finding.file, finding.line)).collect();
+    found.sort();
+    assert_eq!(found, expected);
+}

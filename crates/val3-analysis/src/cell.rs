@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use rustc_hash::FxHashSet;
+use rustc_hash::FxHashMap;
 use val3_lang::add_on::AddOnTable;
-use val3_lang::types::Arm;
+use val3_lang::types::{Arm, BaseType};
 
 /// What the files under `usr/configs` and `usr/app` say.
 #[derive(Debug, Clone, Default)]
@@ -13,6 +13,10 @@ pub struct CellConfig {
     pub arm: Option<Arm>,
     /// The instruction tables of the installed add-ons, for this arm.
     pub add_ons: Arc<Vec<AddOnTable>>,
-    /// Names of the serial lines and sockets in `sio.cfx`; `None` where the cell has no such file.
-    pub channels: Option<FxHashSet<String>>,
+    /// Inputs and outputs of the devices whose configuration files are known; others are known to the controller
+    /// alone.
+    pub io: FxHashMap<String, Device>,
 }
+
+/// The inputs and outputs of a device (`BasicIO-1`, `Socket`): name and type of variable.
+pub type Device = FxHashMap<String, BaseType>;

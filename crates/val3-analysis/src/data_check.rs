@@ -53,6 +53,7 @@ impl DataCheck<'_> {
             let kind = ProblemKind::WrongRoot { expected: FileRole::Data, found: root.name().into() };
             return self.report(root.name_range(), kind);
         }
+        self.foreign_elements(root);
         let mut seen = FxHashMap::default();
         for element in data::elements(view) {
             let Some(name) = element.attribute("name") else {
@@ -68,6 +69,28 @@ impl DataCheck<'_> {
             }
         }
         self.father_circles(view);
+    }
+
+    /// `<Database>` holds `<Datas>`, which holds `<Data>`; the old dialect has a section a type.
+    fn foreign_elements(&mut self, root: Element<'_>) {
+        for list in root.elements() {
+            if root.name() == "dataList" {
+                if !list.name().ends_with("Section") {
+                    self.unexpected(list, root);
+                }
+            } else if list.name() == "Datas" {
+                for element in list.elements().filter(|element| element.name() != "Data") {
+                    self.unexpected(element, list);
+                }
+            } else {
+                self.unexpected(list, root);
+            }
+        }
+    }
+
+    fn unexpected(&mut self, element: Element<'_>, parent: Element<'_>) {
+        let kind = ProblemKind::UnexpectedElement { name: element.name().into(), parent: parent.name().into() };
+        self.report(element.name_range(), kind);
     }
 
     fn missing(&mut self, element: Element<'_>, attribute: &'static str) {

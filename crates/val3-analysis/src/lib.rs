@@ -17,6 +17,7 @@ pub mod near;
 pub mod paths;
 pub mod problem;
 pub mod project_check;
+pub mod resizing;
 pub mod system;
 pub mod ty;
 pub mod xml;

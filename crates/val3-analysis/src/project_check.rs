@@ -1,6 +1,6 @@
 //! The `.pjx`: its entries, the files they name, and circles among libraries and types.
 
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::versions::Version;
 use val3_syntax::TextRange;
@@ -12,7 +12,7 @@ use crate::items::manifest::{Spelling, entries, manifest, spelling};
 use crate::items::parse;
 use crate::items::project::{find_file, find_project, folder, items};
 use crate::paths::{self, Target};
-use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
+use crate::problem::{FileRole, NameKind, Place, Problem, ProblemKind, Related, Role};
 use crate::xml::{self, Attribute, Element};
 
 /// What is wrong in a project file.
@@ -111,20 +111,17 @@ impl ProjectCheck<'_> {
 
     /// Program and data files.
     fn files(&mut self, root: Element<'_>, list: (&'static str, &'static str), what: FileRole) {
-        let mut seen = FxHashSet::default();
+        let mut seen: FxHashMap<String, TextRange> = FxHashMap::default();
         for element in entries(root, list) {
             let Some(file) = element.attribute("file") else {
                 self.missing(element, "file");
                 continue;
             };
             let path = file.text();
-            if !seen.insert(path.to_lowercase()) {
-                self.report(file.range, ProblemKind::DuplicateEntry { what, name: path.as_ref().into() });
-            } else {
-                match find_file(self.db, self.project, &path).map(|file| file.status(self.db)) {
-                    None => self.report(file.range, ProblemKind::FileMissing { what, path: path.as_ref().into() }),
-                    Some(FileStatus::Unreadable(_) | FileStatus::Read { .. }) => {}
-                }
+            if let Some(first) = seen.insert(path.to_lowercase(), file.range) {
+                self.duplicate(file, first, what);
+            } else if find_file(self.db, self.project, &path).is_none() {
+                self.report(file.range, ProblemKind::FileMissing { what, path: path.as_ref().into() });
             }
         }
     }
@@ -137,14 +134,17 @@ impl ProjectCheck<'_> {
         (name, path): (&'static str, &'static str),
         what: FileRole,
     ) {
-        let mut seen = FxHashMap::default();
+        let mut seen: FxHashMap<String, TextRange> = FxHashMap::default();
         let kind = if what == FileRole::Library { NameKind::Library } else { NameKind::Type };
         for element in entries(root, list) {
             match element.attribute(name) {
                 None => self.missing(element, name),
                 Some(found) => {
                     self.names.name(found, kind);
-                    self.names.once(found, kind, &mut seen);
+                    let name = found.text();
+                    if let Some(first) = seen.insert(name.to_string(), found.range) {
+                        self.duplicate(found, first, what);
+                    }
                 }
             }
             match element.attribute(path) {
@@ -157,6 +157,15 @@ impl ProjectCheck<'_> {
                 self.invalid(element, autoload, "`true` or `false`");
             }
         }
+    }
+
+    fn duplicate(&mut self, found: Attribute<'_>, first: TextRange, what: FileRole) {
+        let place = Place { file: self.file, range: first };
+        self.names.problems.push(Problem {
+            kind: ProblemKind::DuplicateEntry { what, name: found.text().as_ref().into() },
+            place: Place { file: self.file, range: found.range },
+            related: vec![Related { place, role: Role::First }],
+        });
     }
 
     fn target(&mut self, path: Attribute<'_>, what: FileRole) {

@@ -31,6 +31,14 @@ impl Base {
         Self::Builtin(base, None)
     }
 
+    /// A position of no particular arm is one of the arm at hand.
+    pub fn on_arm(self, arm: Option<Arm>) -> Self {
+        match self {
+            Self::Builtin(base, None) if base.depends_on_arm() => Self::Builtin(base, arm),
+            other => other,
+        }
+    }
+
     /// The built-in type, if it is one.
     pub fn builtin(self) -> Option<BaseType> {
         match self {

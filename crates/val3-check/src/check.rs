@@ -1,6 +1,6 @@
 //! The check: which pieces of work there are, and what is wrong in each.
 
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::infer::infer;
 use val3_analysis::items::{parse, project};
 use val3_analysis::problem::Problem;
@@ -72,7 +72,8 @@ impl Check<'_> {
                 let broken = self.text(file);
                 self.problems(header_check::problems(db, project, file));
                 if !broken {
-                    self.problems(infer(db, project, file).problems.clone());
+                    let problems = self.on_sound_lines(file, &infer(db, project, file).problems);
+                    self.problems(problems);
                     self.found.extend(keywords::spelling(db, project, file));
                 }
             }
@@ -90,11 +91,34 @@ impl Check<'_> {
 
     /// The faults of a file's text; true if the rest of it cannot be judged.
     fn text(&mut self, file: File) -> bool {
+        if matches!(file.status(self.db), FileStatus::Unreadable(_)) {
+            return true;
+        }
         let errors = parse(self.db, file).errors();
+        let mut too_deep = false;
         for error in errors {
-            self.found.push(self.of_syntax(file, error));
+            // What nests too deep does so in many places; one of them is enough to find it.
+            let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
+            if !again {
+                self.found.push(self.of_syntax(file, error));
+            }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
+    }
+
+    /// What a broken line is taken for may be wrong: the fault of its text is its only message.
+    fn on_sound_lines(&self, file: File, problems: &[Problem]) -> Vec<Problem> {
+        let errors = parse(self.db, file).errors();
+        if errors.is_empty() || problems.is_empty() {
+            return problems.to_vec();
+        }
+        let lines = LineStarts::new(file.text(self.db));
+        let broken: rustc_hash::FxHashSet<usize> = errors
+            .iter()
+            .filter(|error| error.kind.breaks_line())
+            .flat_map(|error| lines.line(error.range.start())..=lines.line(error.range.end()))
+            .collect();
+        problems.iter().filter(|problem| !broken.contains(&lines.line(problem.place.range.start()))).cloned().collect()
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {
@@ -162,5 +186,20 @@ impl Check<'_> {
             _ => None,
         };
         (self.owner_project(), program)
+    }
+}
+
+/// Where the lines of a text start.
+struct LineStarts(Vec<u32>);
+
+impl LineStarts {
+    fn new(text: &str) -> Self {
+        let ends = (1u32..).zip(text.bytes()).filter(|(_, byte)| *byte == b'\n');
+        Self(ends.map(|(next, _)| next).collect())
+    }
+
+    /// Number of the line, from 0.
+    fn line(&self, at: rowan::TextSize) -> usize {
+        self.0.partition_point(|start| *start <= u32::from(at))
     }
 }

@@ -22,12 +22,13 @@ pub struct CheckedFinding {
     pub message: String,
 }
 
-/// Checks every project among `files`, given as path and bytes.
+/// Checks every project among `files`, given as path and bytes; a relative path counts from the root.
 ///
 /// # Panics
 /// If there is no project among the files.
 pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
-    let system = Memory::new(files.iter().cloned());
+    let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
+    let system = Memory::new(files.iter().map(rooted));
     let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
     let db = &workspace.db;
     let units = units(db, &workspace.projects);
@@ -40,7 +41,7 @@ pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
             CheckedFinding {
                 code: diagnostic.rule.code,
                 severity: diagnostic.severity,
-                file: diagnostic.place.file.path(db).to_string(),
+                file: shown(diagnostic.place.file.path(db).as_str(), files),
                 line: 1 + text.get(..before).unwrap_or("").matches('\n').count(),
                 message: diagnostic.message.clone(),
             }
@@ -48,4 +49,11 @@ pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
         .collect();
     findings.sort_by(|a, b| (&a.file, a.line, a.code).cmp(&(&b.file, b.line, b.code)));
     findings
+}
+
+/// The path as the caller gave it.
+fn shown(path: &str, files: &[(String, Vec<u8>)]) -> String {
+    let relative = path.strip_prefix('/').unwrap_or(path);
+    let given = files.iter().find(|(given, _)| given == path || given == relative);
+    given.map_or(path, |(given, _)| given).to_owned()
 }

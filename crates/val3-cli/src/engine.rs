@@ -1,12 +1,12 @@
 //! From paths to a report: the one file that knows how the analysis is asked.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Instant;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use rustc_hash::FxHashMap;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
 use val3_analysis::load::{self, Workspace};
@@ -22,6 +22,9 @@ use crate::progress::Progress;
 use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
 use crate::selection::Selection;
 use crate::user_error::UserError;
+
+/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
+const STACK_SIZE: usize = 16 << 20;
 
 /// Checks everything that `asked` leads to, on `jobs` threads.
 pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
@@ -76,7 +79,7 @@ fn statistics(workspace: &Workspace, started: Instant) -> Statistics {
 
 fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
     let threads = jobs.map_or(0, usize::from);
-    ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| {
+    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
         UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
     })
 }
@@ -100,7 +103,7 @@ fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
 struct Translator<'a> {
     db: &'a Database,
     paths: Paths,
-    files: HashMap<File, Indexed>,
+    files: FxHashMap<File, Indexed>,
 }
 
 #[derive(Clone)]
@@ -111,7 +114,7 @@ struct Indexed {
 
 impl<'a> Translator<'a> {
     fn new(db: &'a Database, paths: Paths) -> Self {
-        Self { db, paths, files: HashMap::new() }
+        Self { db, paths, files: FxHashMap::default() }
     }
 
     fn finding(&mut self, diagnostic: &Diagnostic) -> Finding {

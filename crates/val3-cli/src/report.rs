@@ -1,5 +1,8 @@
 //! The result of a check as plain data, ready for every output format.
 
+#[cfg(test)]
+pub(crate) mod sample;
+
 use std::collections::BTreeSet;
 use std::ops::Range;
 use std::sync::Arc;
@@ -182,104 +185,6 @@ impl Report {
 fn order(finding: &Finding) -> impl Ord {
     let place = &finding.place;
     (&place.file.path, place.range.start, place.range.end, finding.code, &finding.message)
-}
-
-#[cfg(test)]
-#[allow(clippy::expect_used)]
-pub(crate) mod sample {
-    //! A report that every format is tested with.
-
-    use super::*;
-
-    const PROGRAM: &str = r#"<?xml version="1.0" encoding="iso-8859-1" ?>
-<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
-  <Program name="pick">
-    <Code><![CDATA[begin
-  // prise de pièce
-  movej(pPick,tGrip,"fast") //ä
-	nCout=1
-end]]></Code>
-  </Program>
-</Programs>
-"#;
-    const DATA: &str = "<Data name=\"mFast\" access=\"private\" type=\"mdesc\" size=\"1\"/>\r\n\
-        <Data name=\"nCount\" access=\"private\" type=\"num\" size=\"1\"/>\r\n";
-
-    /// Three findings of three levels in two files.
-    pub(crate) fn report() -> Report {
-        let statistics = Statistics { applications: 1, files: 3, programs: 1, code_lines: 1412, seconds: 0.0213 };
-        let program = file("cell/usr/usrapp/pal/pick.pgx", PROGRAM, Encoding::Latin1);
-        let data = file("cell/usr/usrapp/pal/pal.dtx", DATA, Encoding::Utf8);
-        let findings = vec![unknown_name(&program, &data), argument_type(&program, &data), unused_data(&data)];
-        Report::new(statistics, findings, Vec::new())
-    }
-
-    /// A report of a check that found nothing.
-    pub(crate) fn clean() -> Report {
-        Report::new(report().statistics, Vec::new(), Vec::new())
-    }
-
-    /// A place that covers `part` in `file`.
-    pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> Place {
-        let start = file.text.find(part).expect("the sample holds the part");
-        Place { file: Arc::clone(file), range: start..start + part.len() }
-    }
-
-    fn file(path: &str, text: &str, encoding: Encoding) -> Arc<SourceFile> {
-        let mut file = SourceFile::new(path, text.into(), encoding);
-        file.disk = path.split_once("usrapp/").map(|(_, rest)| format!("Disk://{rest}"));
-        Arc::new(file)
-    }
-
-    fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
-        Finding {
-            code: "V0203",
-            name: "argument-type",
-            severity: Severity::Error,
-            message: "`movej` takes an mdesc as third argument and got a string".to_owned(),
-            label: "this is a string".to_owned(),
-            help: "pass a motion descriptor, for example `mFast`".to_owned(),
-            place: place(program, "\"fast\""),
-            program: Some("pick".to_owned()),
-            code_line: Some(3),
-            application: Some("cell/usr/usrapp/pal/pal.pjx".to_owned()),
-            related: vec![Related { place: place(data, "mFast"), message: "an mdesc is declared here".to_owned() }],
-            fixable: false,
-        }
-    }
-
-    fn unknown_name(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
-        Finding {
-            code: "V0101",
-            name: "unknown-name",
-            severity: Severity::Warning,
-            message: "`nCout` is not declared".to_owned(),
-            label: String::new(),
-            help: "did you mean `nCount`?".to_owned(),
-            place: place(program, "nCout"),
-            code_line: Some(4),
-            related: vec![Related { place: place(data, "nCount"), message: "a similar name".to_owned() }],
-            fixable: true,
-            ..argument_type(program, data)
-        }
-    }
-
-    fn unused_data(data: &Arc<SourceFile>) -> Finding {
-        Finding {
-            code: "V0701",
-            name: "unused-data",
-            severity: Severity::Info,
-            message: "`nCount` is never used".to_owned(),
-            label: "declared here".to_owned(),
-            help: String::new(),
-            place: place(data, "nCount"),
-            program: None,
-            code_line: None,
-            application: Some("cell/usr/usrapp/pal/pal.pjx".to_owned()),
-            related: Vec::new(),
-            fixable: false,
-        }
-    }
 }
 
 #[cfg(test)]

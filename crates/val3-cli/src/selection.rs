@@ -1,6 +1,6 @@
 //! Which findings are wanted: `--select` and `--ignore`.
 
-use std::collections::HashSet;
+use std::collections::BTreeSet;
 
 use val3_check::rule::Rule;
 
@@ -10,7 +10,7 @@ use crate::user_error::UserError;
 /// The rules whose findings are shown.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Selection {
-    codes: HashSet<&'static str>,
+    codes: BTreeSet<&'static str>,
 }
 
 impl Selection {
@@ -34,8 +34,8 @@ impl Selection {
     }
 }
 
-fn codes(rules: &[&'static Rule], entries: &[String], option: &str) -> Result<HashSet<&'static str>, UserError> {
-    let mut codes = HashSet::new();
+fn codes(rules: &[&'static Rule], entries: &[String], option: &str) -> Result<BTreeSet<&'static str>, UserError> {
+    let mut codes = BTreeSet::new();
     for entry in entries.iter().map(|entry| entry.trim()) {
         let meant: Vec<_> = rules.iter().filter(|rule| means(entry, rule)).collect();
         if meant.is_empty() {

@@ -220,4 +220,19 @@ impl SyntaxErrorKind {
                 | Self::NestingTooDeep
         )
     }
+
+    /// The line it stands on cannot be read as it is meant. A block without its end leaves its lines as they are.
+    pub fn breaks_line(&self) -> bool {
+        !matches!(
+            self,
+            Self::UnclosedBlock { .. }
+                | Self::MissingBreak
+                | Self::MissingEnd
+                | Self::MissingBegin
+                | Self::CommentAfterCode
+                | Self::ElseAfterElse
+                | Self::CaseAfterDefault
+                | Self::SecondDefault
+        )
+    }
 }

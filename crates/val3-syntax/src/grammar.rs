@@ -7,6 +7,7 @@ mod operands;
 mod program;
 mod statements;
 mod switch;
+mod tags;
 mod tasks;
 mod xml;
 

@@ -150,6 +150,11 @@ impl<'i> Parser<'i> {
         self.input.range(pos)
     }
 
+    /// The range of the current token and the one behind it.
+    pub(crate) fn range_of_two(&self) -> TextRange {
+        self.range(self.pos).cover(self.range(self.pos + 1))
+    }
+
     /// The empty range behind the last token.
     pub(crate) fn here_behind(&self) -> TextRange {
         TextRange::empty(self.input.range(self.pos.saturating_sub(1)).end())
@@ -210,12 +215,13 @@ impl<'i> Parser<'i> {
         self.error(SyntaxErrorKind::Expected { expected, found });
     }
 
-    /// Reports a fault of the statement; only the first one of a statement is kept.
+    /// Reports a fault of the statement; only the first one of a statement is kept. Where the file breaks off, the
+    /// element that is not closed has the message.
     pub(crate) fn error_at(&mut self, kind: SyntaxErrorKind, range: TextRange, related: Option<TextRange>) {
-        if !self.failed {
-            self.failed = true;
+        if !self.failed && !self.at(EOF) {
             self.structure_error(kind, range, related);
         }
+        self.failed = true;
     }
 
     /// Reports a fault of the structure around statements.

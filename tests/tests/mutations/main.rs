@@ -92,3 +92,10 @@ fn a_check_that_finds_nothing_misses_every_slip() {
     assert!(report.starts_with(&format!("0 of {} slips found", all().count())), "{report}");
     assert_eq!(report.matches("MISSED").count(), all().count());
 }
+
+#[test]
+fn every_slip_is_found_alone_and_in_its_place() {
+    let verdicts = judge_all(val3_tests::check);
+    println!("{}", report(&verdicts));
+    assert!(verdicts.iter().all(Verdict::is_good), "{}", report(&verdicts));
+}

@@ -1,4 +1,4 @@
-//! Links of inputs and outputs, against the channels the cell declares.
+//! Links of inputs and outputs, against what the cell's configuration declares.
 
 use val3_lang::types::BaseType;
 
@@ -7,31 +7,29 @@ use crate::near::nearest;
 use crate::problem::ProblemKind;
 use crate::xml::Attribute;
 
-/// The devices whose modules `sio.cfx` names.
-const CHANNEL_DEVICES: [&str; 2] = ["Socket", "Serial"];
-
 impl DataCheck<'_> {
-    /// `link="Socket\name"`. Other devices are known to the controller alone.
+    /// `link="Socket\host"`, `link="BasicIO-1\%I3"`, where the cell's configuration names what the device has.
     pub(super) fn link(&mut self, found: Attribute<'_>, ty: BaseType) {
         let text = found.text();
-        let Some((device, channel)) = text.split_once('\\') else { return };
-        if !CHANNEL_DEVICES.contains(&device) {
-            return;
-        }
-        let Some(channels) = self.project.cell(self.db).and_then(|cell| cell.config(self.db).channels.as_ref()) else {
-            return;
-        };
-        if !channels.contains(channel) {
-            let known: Vec<String> = channels.iter().map(|name| format!("{device}\\{name}")).collect();
-            let near = nearest(&text, known.iter().map(String::as_str));
-            self.report(found.range, ProblemKind::IoLinkUnknown { link: text.as_ref().into(), near });
-        } else if ty != BaseType::Sio {
-            let kind = ProblemKind::IoLinkKind {
-                link: text.as_ref().into(),
-                expected: ty.name().into(),
-                found: BaseType::Sio.name().into(),
-            };
-            self.report(found.range, kind);
+        let Some((device, name)) = text.split_once('\\') else { return };
+        let Some(cell) = self.project.cell(self.db) else { return };
+        let Some(known) = cell.config(self.db).io.get(device) else { return };
+        let wanted = if ty == BaseType::Tool { BaseType::Dio } else { ty };
+        match known.get(name) {
+            None => {
+                let links: Vec<String> = known.keys().map(|name| format!("{device}\\{name}")).collect();
+                let near = nearest(&text, links.iter().map(String::as_str));
+                self.report(found.range, ProblemKind::IoLinkUnknown { link: text.as_ref().into(), near });
+            }
+            Some(kind) if *kind != wanted => {
+                let kind = ProblemKind::IoLinkKind {
+                    link: text.as_ref().into(),
+                    expected: wanted.name().into(),
+                    found: kind.name().into(),
+                };
+                self.report(found.range, kind);
+            }
+            Some(_) => {}
         }
     }
 }

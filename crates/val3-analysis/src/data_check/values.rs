@@ -19,9 +19,7 @@ impl DataCheck<'_> {
         let mut seen = FxHashSet::default();
         for value in element.elements() {
             if value.name() != "Value" {
-                let kind =
-                    ProblemKind::UnexpectedElement { name: value.name().into(), parent: element.name().into() };
-                self.report(value.name_range(), kind);
+                self.unexpected(value, element);
                 continue;
             }
             match value.attribute("key") {
@@ -107,8 +105,7 @@ impl DataCheck<'_> {
         let known = fields(self.db, project);
         for field in value.elements() {
             if field.name() != "Field" {
-                let kind = ProblemKind::UnexpectedElement { name: field.name().into(), parent: "Value".into() };
-                self.report(field.name_range(), kind);
+                self.unexpected(field, value);
                 continue;
             }
             let Some(name) = field.attribute("name") else {

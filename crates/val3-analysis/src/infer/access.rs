@@ -6,12 +6,13 @@ use val3_lang::types::{self, BaseType, Container};
 
 use super::Infer;
 use super::names::data_value;
-use super::value::{Form, Value, Variable};
+use super::value::{Form, Origin, Value, Variable};
 use crate::body::ExprId;
 use crate::db::Project;
 use crate::items::declarations;
 use crate::items::project::{fields, items};
 use crate::near::nearest;
+use crate::resizing;
 use crate::problem::{NameKind, Place, ProblemKind, Related, Role};
 use crate::ty::Base;
 
@@ -60,9 +61,20 @@ impl Infer<'_> {
             if !found.same_as(Base::of(BaseType::Num)) {
                 self.wrong_index(index, &name, "num", found);
             } else if let Some(number) = self.body.number(index) {
-                let size = variable.fixed.as_ref().and_then(|sizes| sizes.get(position)).copied();
+                let size = self.lasting_sizes(variable).and_then(|sizes| sizes.get(position)).copied();
                 self.bounds(index, &name, number, size);
             }
+        }
+    }
+
+    /// Sizes that no program changes: those of a local, and of data that no program passes on as a whole.
+    fn lasting_sizes<'v>(&'v self, variable: &'v Variable) -> Option<&'v [u32]> {
+        match &variable.origin {
+            Origin::Data(file, name) => {
+                let own = self.items.data.get(name).filter(|item| item.file == *file && !item.decl.public)?;
+                (!resizing::is_resized(self.db, self.project, name)).then_some(own.decl.sizes.as_slice())
+            }
+            _ => variable.fixed.as_deref(),
         }
     }
 

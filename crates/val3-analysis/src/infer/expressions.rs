@@ -98,6 +98,12 @@ impl<'db> Infer<'db> {
             (Base::User(a), Base::User(b)) if a == b && is_equality(op) => Some(Base::of(BaseType::Bool)),
             _ => None,
         };
+        let wrong_arm = result.is_none() && left_base.builtin().is_some() && left_base.builtin() == right_base.builtin();
+        if wrong_arm && !left_base.same_as(right_base) {
+            let (expected, found) = (self.show(left_base), self.show(right_base));
+            self.report(right, ProblemKind::WrongArm { found, expected });
+            return unknown_result(op);
+        }
         if let Some(base) = result {
             return Value::computed(base);
         }
@@ -140,7 +146,7 @@ impl<'db> Infer<'db> {
         if !self.assignable(place.base, base) {
             let (target, found) = (self.show(place.base), self.show(base));
             let kind = match (place.base, base) {
-                (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => {
+                (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b && !place.base.same_as(base) => {
                     ProblemKind::WrongArm { found, expected: target }
                 }
                 _ => ProblemKind::AssignmentType { target, value: found },

@@ -128,7 +128,7 @@ impl Infer<'_> {
     }
 
     fn type_misfit(&self, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
-        let base = formal.base?;
+        let base = formal.base?.on_arm(self.arm());
         if base.same_as(value.base) {
             return None;
         }

@@ -16,7 +16,7 @@ use crate::ty::Base;
 
 /// Parameters and locals of a program.
 pub(super) fn scope<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str, Value> {
-    let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown);
+    let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown).on_arm(items.arm);
     let mut scope = FxHashMap::default();
     for local in &header.locals {
         let fixed = Some(local.sizes.clone());

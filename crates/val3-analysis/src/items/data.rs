@@ -13,7 +13,7 @@ use crate::xml::{self, Element};
 pub struct DataDecl {
     /// The name.
     pub name: SmolStr,
-    /// The type as written in the file (`jointRx`, `Slot`).
+    /// The type as written in the file (`jointRx`, `Slot`); empty where it or the size cannot be read.
     pub type_name: SmolStr,
     /// How its values are stored. A single value is an array of size 1.
     pub container: Container,
@@ -23,7 +23,7 @@ pub struct DataDecl {
     pub public: bool,
 }
 
-/// Reads a `.dtx` of either dialect. Elements without a name or type are left out.
+/// Reads a `.dtx` of either dialect. Elements without a name are left out.
 #[salsa::tracked]
 pub fn data(db: &dyn Db, file: File) -> Vec<DataDecl> {
     let parse = parse(db, file);
@@ -43,14 +43,16 @@ pub(crate) fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
 /// What an element declares.
 pub(crate) fn declaration(element: Element<'_>) -> Option<DataDecl> {
     let name = SmolStr::from(element.value("name")?);
-    if element.name() == "Data" { new_declaration(element, name) } else { Some(old_declaration(element, name)) }
+    Some(if element.name() == "Data" { new_declaration(element, name) } else { old_declaration(element, name) })
 }
 
-fn new_declaration(element: Element<'_>, name: SmolStr) -> Option<DataDecl> {
-    let type_name = SmolStr::from(element.value("type")?);
+fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
+    // What has no readable type or size is still declared; nothing is known of its values.
+    let sized = element.value("size").is_none_or(|text| sizes(&text).is_some());
+    let type_name = element.value("type").filter(|_| sized).map(SmolStr::from).unwrap_or_default();
     let (container, sizes) = container(element);
     let public = element.value("access").is_some_and(|access| access.trim() == "public");
-    Some(DataDecl { name, type_name, container, sizes, public })
+    DataDecl { name, type_name, container, sizes, public }
 }
 
 /// Container and sizes of a `<Data>`, `<Field>` or `<Local>`. An unreadable size counts as one value.

@@ -1,9 +1,10 @@
 //! The configuration of the controller around a `usrapp`.
 
+mod devices;
+
 use std::sync::Arc;
 
 use camino::Utf8Path;
-use rustc_hash::FxHashSet;
 use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
 use val3_syntax::encoding::decode;
@@ -19,13 +20,13 @@ pub(super) fn read(system: &dyn System, usr: &Utf8Path) -> Option<CellConfig> {
     let tables = system.list(&app).unwrap_or_default();
     let tables: Vec<&String> = tables.iter().filter(|name| table_name(name).is_some()).collect();
     let arm_file = text(system, &configs.join("arm.cfx"));
-    let sio_file = text(system, &configs.join("sio.cfx"));
-    if tables.is_empty() && arm_file.is_none() && sio_file.is_none() {
+    let io = devices::read(|name| text(system, &configs.join(name)));
+    if tables.is_empty() && arm_file.is_none() && io.is_empty() {
         return None;
     }
     let arm = arm_file.as_deref().and_then(arm);
     let add_ons = tables.iter().filter_map(|name| table(system, &app, name, arm)).collect();
-    Some(CellConfig { arm, add_ons: Arc::new(add_ons), channels: sio_file.as_deref().map(channels) })
+    Some(CellConfig { arm, add_ons: Arc::new(add_ons), io })
 }
 
 fn text(system: &dyn System, path: &Utf8Path) -> Option<String> {
@@ -54,15 +55,4 @@ fn arm(text: &str) -> Option<Arm> {
     let named = |element: &Element<'_>| element.value("name").as_deref() == Some("arm");
     let model = root.elements().find(named)?.value("value")?;
     (!model.trim().is_empty()).then(|| Arm::from_model(&model))
-}
-
-/// The names of all channels: `<String name="name" value="…" />` in each element below the root of `sio.cfx`.
-fn channels(text: &str) -> FxHashSet<String> {
-    let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green()));
-    let settings = root.into_iter().flat_map(Element::elements).flat_map(Element::elements);
-    settings
-        .filter(|setting| setting.value("name").as_deref() == Some("name"))
-        .filter_map(|setting| setting.value("value").map(|name| name.into_owned()))
-        .collect()
 }

@@ -12,13 +12,13 @@ rule! {
     ///
     /// ## Bad
     /// ```val3
-    /// putln("The gripper did not report that it holds a part. Check the air pressure, the valve and the sensor of the gripper, then go on.")
+    /// putln("The gripper did not report that it holds a part. Check the air pressure, the valve and the sensor of the gripper, then start again.")
     /// ```
     ///
     /// ## Good
     /// ```val3
     /// putln("The gripper did not report that it holds a part.")
-    /// putln("Check the air pressure, the valve and the sensor of the gripper, then go on.")
+    /// putln("Check the air pressure, the valve and the sensor of the gripper, then start again.")
     /// ```
     V0223 "string-too-long" Error
 }

@@ -167,25 +167,23 @@ impl Blocks {
         let indent = p.indent(p.position());
         match p.matching {
             Matching::Plain => outer.next().is_some(),
-            Matching::Guided => outer.any(|open| open.indent == indent || indent <= innermost.indent),
+            Matching::Guided if indent < innermost.indent => outer.next().is_some(),
+            Matching::Guided => outer.any(|open| lines_up(p, open) && indent <= innermost.indent),
             Matching::Strict => false,
         }
     }
 
     /// With indentation as a guide: the keyword stands deeper than the block it would end.
     fn is_misplaced(&self, p: &Parser<'_>, open: &Open) -> bool {
-        p.matching == Matching::Guided
-            && p.indent(p.position()) > open.indent
-            && !self.skips_innermost(p, open.kind)
+        p.matching == Matching::Guided && !lines_up(p, open) && p.indent(p.position()) > open.indent
     }
 
     /// With indentation as a guide: the keyword lines up with a block further out, so the innermost one is unclosed.
     fn skips_innermost(&self, p: &Parser<'_>, kind: BlockKind) -> bool {
-        let indent = p.indent(p.position());
-        let lines_up = |open: &Open| open.kind == kind && open.indent == indent;
+        let mut outer = self.open.iter().rev().skip(1);
         p.matching == Matching::Guided
-            && self.open.last().is_some_and(|open| open.indent > indent)
-            && self.open.iter().rev().skip(1).any(lines_up)
+            && self.open.last().is_some_and(|open| open.indent > p.indent(p.position()))
+            && outer.any(|open| open.kind == kind && lines_up(p, open))
     }
 
     /// Notes how the statement at the current token is indented.
@@ -203,6 +201,12 @@ impl Blocks {
             };
         }
     }
+}
+
+/// The current keyword stands where those of the block do: below its first one, or deeper if it starts a case.
+fn lines_up(p: &Parser<'_>, open: &Open) -> bool {
+    let indent = p.indent(p.position());
+    indent == open.indent || indent > open.indent && matches!(p.current(), CASE_KW | DEFAULT_KW)
 }
 
 /// With indentation as a guide: the current keyword lines up with the block but ends those of another kind.

@@ -1,5 +1,7 @@
 //! `if`, `while`, `do` and `for`.
 
+use rowan::TextRange;
+
 use super::blocks::{BlockKind, Blocks};
 use super::expressions::value;
 use super::operands::place;
@@ -29,6 +31,27 @@ pub(super) fn close(p: &mut Parser<'_>, blocks: &mut Blocks, own: bool) {
     }
 }
 
+/// The branch behind which no other may stand: `else`, `default`.
+#[derive(Default)]
+pub(super) struct Last {
+    keyword: Option<TextRange>,
+    told: bool,
+}
+
+impl Last {
+    pub(super) fn found(&mut self, keyword: TextRange) {
+        self.keyword = self.keyword.or(Some(keyword));
+    }
+
+    /// The current keyword starts another branch: a fault behind the last one, said once.
+    pub(super) fn check(&mut self, p: &mut Parser<'_>, kind: SyntaxErrorKind) {
+        if self.keyword.is_some() && !self.told {
+            self.told = true;
+            p.error_at(kind, p.range(p.position()), self.keyword);
+        }
+    }
+}
+
 /// The keyword here, a condition, and the end of the line.
 pub(super) fn condition(p: &mut Parser<'_>) {
     p.bump();
@@ -46,16 +69,14 @@ pub(super) fn if_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
         condition(p);
         own = inner(p, blocks);
     }
-    let mut first_else = None;
+    let mut last = Last::default();
     while own && !p.at(END_IF_KW) {
         let clause = p.start();
         let keyword = p.range(p.position());
-        if first_else.is_some() {
-            p.error_at(SyntaxErrorKind::ElseAfterElse, keyword, first_else);
-        }
+        last.check(p, SyntaxErrorKind::ElseAfterElse);
         let kind = clause_head(p);
         if kind == ELSE_CLAUSE {
-            first_else = first_else.or(Some(keyword));
+            last.found(keyword);
         }
         own = inner(p, blocks);
         clause.complete(p, kind);
@@ -67,7 +88,8 @@ pub(super) fn if_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
 /// The line of an `else` or `elseIf`.
 fn clause_head(p: &mut Parser<'_>) -> SyntaxKind {
     if p.at(ELSE_KW) && p.next_here() == IF_KW {
-        p.error(SyntaxErrorKind::ForeignSpelling { found: "else if".to_owned(), instead: "elseIf" });
+        let kind = SyntaxErrorKind::ForeignSpelling { found: "else if".to_owned(), instead: "elseIf" };
+        p.error_at(kind, p.range_of_two(), None);
         p.bump();
         condition(p);
         return ELSE_IF_CLAUSE;

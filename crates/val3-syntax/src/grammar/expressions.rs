@@ -87,7 +87,8 @@ fn binary(p: &mut Parser<'_>, min: u8) -> Option<Completed> {
 fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
     let kind = p.here();
     if kind == LT && p.next_here() == GT && p.touches_next(p.position()) {
-        foreign(p, "<>", "!=");
+        let kind = SyntaxErrorKind::ForeignSpelling { found: "<>".to_owned(), instead: "!=" };
+        p.error_at(kind, p.range_of_two(), None);
         return Some((4, 2));
     }
     if kind == ERROR_TOKEN {
@@ -96,21 +97,22 @@ fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
             "||" => ("or", 1),
             _ => return None,
         };
-        foreign(p, p.text(), instead);
+        foreign(p, instead);
         return Some((level, 1));
     }
     precedence(kind).map(|level| (level, 1))
 }
 
-fn foreign(p: &mut Parser<'_>, found: &str, instead: &'static str) {
-    p.error(SyntaxErrorKind::ForeignSpelling { found: found.to_owned(), instead });
+fn foreign(p: &mut Parser<'_>, instead: &'static str) {
+    let found = p.text().to_owned();
+    p.error(SyntaxErrorKind::ForeignSpelling { found, instead });
 }
 
 fn unary(p: &mut Parser<'_>) -> Option<Completed> {
     match p.here() {
         MINUS | BANG => prefix(p),
         IDENT if is_foreign_not(p) => {
-            foreign(p, p.text(), "!");
+            foreign(p, "!");
             prefix(p)
         }
         _ => postfix(p),
@@ -124,12 +126,10 @@ fn is_foreign_not(p: &Parser<'_>) -> bool {
 
 fn prefix(p: &mut Parser<'_>) -> Option<Completed> {
     let m = p.start();
-    let operator = p.position();
-    p.bump();
-    if matches!(p.here(), MINUS | BANG) {
-        let range = p.range(operator).cover(p.range(p.position()));
-        p.error_at(SyntaxErrorKind::DoubleUnary, range, None);
+    if matches!(p.next_here(), MINUS | BANG) {
+        p.error_at(SyntaxErrorKind::DoubleUnary, p.range_of_two(), None);
     }
+    p.bump();
     needed(p, unary);
     Some(m.complete(p, PREFIX_EXPR))
 }

@@ -7,7 +7,7 @@ use crate::parser::{Completed, Parser};
 
 /// A variable with its indexes and fields, as the counter of `for`.
 pub(super) fn place(p: &mut Parser<'_>) {
-    if postfix(p).is_none() && !p.failed() {
+    if p.here() != IDENT || postfix(p).is_none() {
         p.expected(Expected::Name);
     }
 }
@@ -124,9 +124,7 @@ fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: ch
 
 /// A token of `kind` stands further on this line.
 fn is_ahead(p: &Parser<'_>, kind: SyntaxKind) -> bool {
-    (p.position()..)
-        .take_while(|&at| !p.starts_line(at) && p.kind_at(at) != EOF)
-        .any(|at| p.kind_at(at) == kind)
+    (p.position()..).take_while(|&at| !p.starts_line(at) && p.kind_at(at) != EOF).any(|at| p.kind_at(at) == kind)
 }
 
 /// Skips to the closing bracket on this line and takes it, so that what follows is read in its place.

@@ -1,9 +1,7 @@
 //! `switch` with its cases.
 
-use rowan::TextRange;
-
 use super::blocks::{BlockKind, Blocks, Ending};
-use super::control::{close, condition, inner};
+use super::control::{Last, close, condition, inner};
 use super::expressions::value;
 use super::statements::{line_end, statement, stray_keyword};
 use crate::error::{Expected, SyntaxErrorKind};
@@ -26,8 +24,7 @@ pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
 /// The cases of a `switch` read so far.
 #[derive(Default)]
 struct Cases {
-    /// The first `default`.
-    default: Option<TextRange>,
+    default: Last,
     any: bool,
 }
 
@@ -51,13 +48,14 @@ impl Cases {
     fn case(&mut self, p: &mut Parser<'_>, blocks: &mut Blocks) {
         let keyword = p.range(p.position());
         let is_case = p.at(CASE_KW);
-        match self.default {
-            Some(first) if is_case => p.error_at(SyntaxErrorKind::CaseAfterDefault, keyword, Some(first)),
-            Some(first) => p.error_at(SyntaxErrorKind::SecondDefault, keyword, Some(first)),
-            None if is_case => {}
-            None => self.default = Some(keyword),
+        if is_case {
+            self.default.check(p, SyntaxErrorKind::CaseAfterDefault);
+        } else {
+            self.default.check(p, SyntaxErrorKind::SecondDefault);
+            self.default.found(keyword);
         }
         self.any = true;
+        blocks.note_layout(p);
         let m = p.start();
         blocks.push(p, BlockKind::Case, false);
         p.bump();

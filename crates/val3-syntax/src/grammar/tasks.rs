@@ -3,7 +3,7 @@
 use super::expressions::value;
 use super::operands::{argument_list, name_or_path};
 use super::statements::line_end;
-use crate::error::Expected;
+use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
@@ -11,10 +11,10 @@ use crate::parser::Parser;
 pub(super) fn call_statement(p: &mut Parser<'_>) {
     let m = p.start();
     p.bump();
-    if p.here() == IDENT {
-        called_program(p);
-    } else {
-        p.expected(Expected::Program);
+    match p.here() {
+        IDENT => called_program(p),
+        word if word.is_keyword() => p.error(SyntaxErrorKind::ReservedWord { word: p.text().to_owned() }),
+        _ => p.expected(Expected::Program),
     }
     line_end(p);
     m.complete(p, CALL_STMT);

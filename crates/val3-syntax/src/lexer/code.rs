@@ -112,9 +112,8 @@ impl Lexer<'_> {
     /// `12`, `12.5`, `.5`, `1e3`, `1e-3`.
     fn number(&mut self, stretch: Stretch) {
         let bytes = self.stretch_bytes(stretch);
-        let digits = |from: usize| {
-            bytes.get(from..).unwrap_or(b"").iter().take_while(|byte| byte.is_ascii_digit()).count()
-        };
+        let digits =
+            |from: usize| bytes.get(from..).unwrap_or(b"").iter().take_while(|byte| byte.is_ascii_digit()).count();
         let mut len = digits(0);
         if bytes.get(len) == Some(&b'.') && digits(len + 1) > 0 {
             len += 1 + digits(len + 1);
@@ -136,18 +135,19 @@ impl Lexer<'_> {
         loop {
             match self.text.as_bytes().get(at).filter(|_| at < stretch.end) {
                 Some(b'"') => return self.string_token(stretch, at + 1),
-                Some(b'&') if stretch.escaped => {
-                    match self.text.get(at..stretch.end).and_then(entity::resolve) {
-                        Some(('"', len)) => return self.string_token(stretch, at + len),
-                        Some((_, len)) => at += len,
-                        None => at += 1,
-                    }
-                }
+                Some(b'&') if stretch.escaped => match self.text.get(at..stretch.end).and_then(entity::resolve) {
+                    Some(('"', len)) => return self.string_token(stretch, at + len),
+                    Some((_, len)) => at += len,
+                    None => at += 1,
+                },
                 Some(b'\n' | b'\r') | None => break,
                 Some(_) => at += 1,
             }
         }
-        self.error(SyntaxErrorKind::UnterminatedString, start, at);
+        // Where the file breaks off, the element that is not closed has the message.
+        if at < self.text.len() {
+            self.error(SyntaxErrorKind::UnterminatedString, start, at);
+        }
         self.string_token(stretch, at);
     }
 

@@ -81,12 +81,16 @@ impl Lexer<'_> {
         self.error(SyntaxErrorKind::Unterminated(XmlPart::CData), self.pos, start);
         let end_tag = memmem::find(body, b"</");
         self.out.cut_off |= end_tag.is_none();
-        start + end_tag.unwrap_or(body.len())
+        let body = self.text.get(start..start + end_tag.unwrap_or(body.len())).unwrap_or("");
+        start + body.trim_end_matches([']', '>']).len()
     }
 
+    /// The end of a CDATA section, or what stands in its place.
     pub(super) fn cdata_close(&mut self) {
-        if self.rest().starts_with("]]>") {
-            self.token(CDATA_CLOSE, self.pos + 3);
+        let mark = self.rest().bytes().take_while(|byte| matches!(byte, b']' | b'>')).count();
+        let len = if self.rest().starts_with("]]>") { 3 } else { mark };
+        if len > 0 {
+            self.token(CDATA_CLOSE, self.pos + len);
         }
     }
 
@@ -112,10 +116,23 @@ impl Lexer<'_> {
                 b' ' | b'\t' | b'\r' | b'\n' => self.blanks(),
                 b'=' => self.token(XML_EQ, self.pos + 1),
                 b'"' | b'\'' => self.attribute_value(byte),
+                _ if self.behind_equals_sign() => self.unquoted_value(),
                 byte if is_name_start(byte) => self.token(XML_NAME, self.pos + self.name_len()),
                 _ => self.stray_character(),
             }
         }
+    }
+
+    fn behind_equals_sign(&self) -> bool {
+        self.out.tokens.last().is_some_and(|token| token.kind == XML_EQ)
+    }
+
+    /// A value without quotes; the grammar misses the quoted one and says so.
+    fn unquoted_value(&mut self) {
+        let rest = self.rest();
+        let end = rest.find(|next: char| next.is_ascii_whitespace() || matches!(next, '>' | '/' | '<' | '"' | '\''));
+        let len = end.unwrap_or(rest.len()).max(rest.chars().next().map_or(1, char::len_utf8));
+        self.token(ERROR_TOKEN, self.pos + len);
     }
 
     fn stray_character(&mut self) {
@@ -135,7 +152,7 @@ impl Lexer<'_> {
         self.token(WHITESPACE, self.pos + len);
     }
 
-    /// A quoted value. XML forbids `<` in it: there an unclosed one ends, or at the end of its line.
+    /// A quoted value. XML forbids `<` in it, so there is none behind the next `<`.
     fn attribute_value(&mut self, quote: u8) {
         let start = self.pos;
         let body = self.text.as_bytes().get(start + 1..).unwrap_or(b"");
@@ -143,8 +160,7 @@ impl Lexer<'_> {
             Some(at) if body.get(at) == Some(&quote) => start + at + 2,
             other => {
                 self.error(SyntaxErrorKind::Unterminated(XmlPart::AttributeValue), start, start + 1);
-                let limit = other.unwrap_or(body.len());
-                start + 1 + memchr(b'\n', body.get(..limit).unwrap_or(b"")).unwrap_or(limit)
+                start + 1 + unclosed_value(body.get(..other.unwrap_or(body.len())).unwrap_or(b""))
             }
         };
         self.check_entities(start, end);
@@ -199,6 +215,14 @@ impl Lexer<'_> {
         let len = if name == 0 { 1 } else { 1 + name + closed };
         let text = rest.get(..len).unwrap_or("&").to_owned();
         self.error(SyntaxErrorKind::UnknownEntity { text }, at, at + len);
+    }
+}
+
+/// Where a value without its closing quote ends: before the end of its tag or line.
+fn unclosed_value(body: &[u8]) -> usize {
+    match memchr2(b'>', b'\n', body) {
+        Some(at) if body.get(..at).is_some_and(|value| value.ends_with(b"/")) => at - 1,
+        end => end.unwrap_or(body.len()),
     }
 }
 

@@ -50,7 +50,9 @@ fn drop_echoes(text: &str, faults: Vec<Fault>) -> Vec<SyntaxError> {
             Some(first) => at == first || !fault.of_lexer && is_about_other_lines(&fault.error.kind),
             None => true,
         };
-        kept.extend(line.iter().enumerate().filter(|(at, fault)| keep(*at, fault)).map(|(_, fault)| fault.error.clone()));
+        kept.extend(
+            line.iter().enumerate().filter(|(at, fault)| keep(*at, fault)).map(|(_, fault)| fault.error.clone()),
+        );
     }
     kept
 }

@@ -21,6 +21,8 @@ instruction! {
     ///   endIf
     /// --- part
     /// public num nWeight
+    /// --- bolt
+    /// public num nWeight
     /// ```
     "libLoad": Libraries "6.7", blocking;
     modifier (string sPath) -> num on library;

@@ -6,6 +6,7 @@ instruction! {
     /// - `scPage`: the page to show; without it, the default page.
     /// - `bFixed`: `true` keeps the operator on the user page (the user profile can still be changed), `false` sets
     ///   the other pages free again.
+    /// - `sPage` (s8): the name of a page made with HTML, among those in the `interface` folder of the application.
     ///
     /// ## Example
     /// ```val3
@@ -18,4 +19,5 @@ instruction! {
     modifier ();
     modifier (screen scPage);
     modifier (bool bFixed);
+    modifier (string sPage) since 8;
 }

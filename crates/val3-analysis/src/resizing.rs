@@ -1,0 +1,50 @@
+//! Which data change their size while the application runs.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_lang::instruction::Shape;
+use val3_lang::instructions;
+
+use crate::body::{Body, Expr, ExprId, body};
+use crate::db::{Db, File, Project};
+use crate::items::project::program_files;
+
+/// A program of the project may change the size of the data called `name`.
+pub fn is_resized(db: &dyn Db, project: Project, name: &str) -> bool {
+    program_files(db, project).iter().any(|file| resized(db, *file).contains(name))
+}
+
+/// The variables a program hands over as a whole, which is how instructions (`insert`, `resize`, `libList` …) and
+/// programs come to change their size. An index that says where a part starts counts as the whole.
+#[salsa::tracked]
+fn resized(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
+    let body = body(db, file);
+    let mut names = FxHashSet::default();
+    for (_, expr, _) in body.exprs() {
+        if let Expr::Call(callee, args) = expr {
+            let handed_over = args.iter().enumerate().filter(|(position, _)| takes_container(body, *callee, *position));
+            names.extend(handed_over.filter_map(|(_, id)| variable(body, *id)));
+        }
+    }
+    names
+}
+
+/// The parameter may be a container: that of a program always, that of an instruction where its row says so.
+fn takes_container(body: &Body, callee: ExprId, position: usize) -> bool {
+    let instruction = match body.expr(callee) {
+        Expr::Name(name) => instructions::find(name),
+        _ => None,
+    };
+    instruction.is_none_or(|instruction| {
+        let params = instruction.overloads.iter().filter_map(|form| form.params.get(position));
+        params.into_iter().any(|param| param.shape != Shape::Value)
+    })
+}
+
+fn variable(body: &Body, id: ExprId) -> Option<SmolStr> {
+    match body.expr(id) {
+        Expr::Name(name) => Some(name.clone()),
+        Expr::Index(base, _) => variable(body, *base),
+        _ => None,
+    }
+}

@@ -1,0 +1,103 @@
+//! Tags and attributes.
+
+use rowan::TextRange;
+
+use crate::error::{SyntaxErrorKind, XmlPart};
+use crate::kind::SyntaxKind::*;
+use crate::parser::{Marker, Parser};
+
+/// A start tag; true if content follows.
+pub(super) fn start_tag(p: &mut Parser<'_>) -> bool {
+    let m = p.start();
+    let opener = if p.nth(1) == XML_NAME { p.range_of_two() } else { p.range(p.position()) };
+    p.bump();
+    p.eat(XML_NAME);
+    attributes(p);
+    let has_content = p.at(R_ANGLE);
+    close_tag(p, opener, None);
+    m.complete(p, START_TAG);
+    has_content
+}
+
+fn attributes(p: &mut Parser<'_>) {
+    let mut seen = Vec::new();
+    loop {
+        match p.current() {
+            XML_NAME => {
+                seen.push((p.text(), p.position()));
+                attribute(p);
+            }
+            XML_EQ | XML_STRING => {
+                let name = p.text().to_owned();
+                p.structure_error(SyntaxErrorKind::MalformedAttribute { name }, p.range(p.position()), None);
+                p.bump();
+            }
+            ERROR_TOKEN => p.bump(),
+            _ => break,
+        }
+    }
+    seen.sort_unstable();
+    for pair in seen.windows(2) {
+        if let [(first, at), (second, again)] = pair
+            && first == second
+        {
+            let name = (*first).to_owned();
+            let first = p.range(*at);
+            p.structure_error(SyntaxErrorKind::DuplicateAttribute { name }, p.range(*again), Some(first));
+        }
+    }
+}
+
+fn attribute(p: &mut Parser<'_>) {
+    let m = p.start();
+    let (name, at) = (p.text(), p.position());
+    p.bump();
+    if !(p.eat(XML_EQ) && p.eat(XML_STRING)) {
+        let kind = SyntaxErrorKind::MalformedAttribute { name: name.to_owned() };
+        p.structure_error(kind, p.range(at), None);
+    }
+    m.complete(p, ATTRIBUTE);
+}
+
+/// The end tag of the element that opened at `opened`.
+pub(super) fn end_tag(p: &mut Parser<'_>, opened: usize) {
+    let m = p.start();
+    p.bump();
+    p.bump();
+    finish_end_tag(p, m, opened);
+}
+
+fn finish_end_tag(p: &mut Parser<'_>, m: Marker, opened: usize) {
+    while matches!(p.current(), XML_NAME | XML_EQ | XML_STRING | ERROR_TOKEN) {
+        p.bump();
+    }
+    close_tag(p, p.range(p.position().saturating_sub(1)), Some(p.range(opened)));
+    m.complete(p, END_TAG);
+}
+
+/// The `>` of a tag, or the message at `place` that it is missing.
+fn close_tag(p: &mut Parser<'_>, place: TextRange, opened: Option<TextRange>) {
+    if p.eat(R_ANGLE) || p.eat(SLASH_R_ANGLE) {
+        return;
+    }
+    if !p.at(EOF) || !p.end_told() {
+        p.structure_error(SyntaxErrorKind::Unterminated(XmlPart::Tag), place, opened);
+    }
+    if p.at(EOF) {
+        p.tell_end();
+    }
+}
+
+/// An end tag that closes nothing, or another element than its name says.
+pub(super) fn unmatched_end_tag(p: &mut Parser<'_>) {
+    let m = p.start();
+    let opened = p.position();
+    let tag = if p.nth(1) == XML_NAME { p.range_of_two() } else { p.range(opened) };
+    p.bump();
+    let name = if p.at(XML_NAME) { p.text().to_owned() } else { String::new() };
+    finish_end_tag(p, m, opened);
+    // A tag in which the file breaks off may be any.
+    if !(p.at(EOF) && p.end_told()) {
+        p.structure_error(SyntaxErrorKind::UnmatchedEndTag { name }, tag, None);
+    }
+}

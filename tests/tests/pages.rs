@@ -1,0 +1,78 @@
+//! Every VAL 3 example of the pages is run through the check.
+
+use val3_check::rules;
+use val3_check::testing::{CheckedFinding, check_files};
+use val3_lang::{instructions, page, statements};
+use val3_test::{Fixture, ROOT};
+
+/// The findings in a listing.
+fn check(listing: &str) -> Vec<CheckedFinding> {
+    let fixture = Fixture::parse(listing);
+    let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
+    check_files(&files.collect::<Vec<_>>())
+}
+
+/// The VAL 3 listings below a heading of a page.
+fn listings_below(page: &str, heading: &str) -> Vec<String> {
+    let text = page::text(page);
+    let Some((_, section)) = text.split_once(heading) else { return Vec::new() };
+    let section = section.split("\n## ").next().unwrap_or("");
+    let blocks = section.split("```val3\n").skip(1);
+    blocks.filter_map(|block| block.split("\n```").next()).map(str::to_owned).collect()
+}
+
+#[test]
+fn the_bad_example_of_a_rule_shows_its_finding_alone() {
+    let mut faults = Vec::new();
+    for rule in rules::all() {
+        for listing in listings_below(rule.page, "## Bad") {
+            let found = check(&listing);
+            if found.len() != 1 || found.iter().any(|finding| finding.code != rule.code) {
+                faults.push(format!("{} {}: {found:#?}\n{listing}", rule.code, rule.name));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} rules\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn the_good_example_of_a_rule_is_clean() {
+    let mut faults = Vec::new();
+    for rule in rules::all() {
+        for listing in listings_below(rule.page, "## Good") {
+            let found = check(&listing);
+            if !found.is_empty() {
+                faults.push(format!("{} {}: {found:#?}\n{listing}", rule.code, rule.name));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} rules\n{}", faults.len(), faults.join("\n"));
+}
+
+/// Rules whose fault no text can show: bytes in a wrong encoding, and files that cannot be read.
+const WITHOUT_LISTING: [&str; 2] = ["V0005", "V0502"];
+
+#[test]
+fn every_rule_has_both_examples() {
+    for rule in rules::all().iter().filter(|rule| !WITHOUT_LISTING.contains(&rule.code)) {
+        assert!(!listings_below(rule.page, "## Bad").is_empty(), "{}", rule.code);
+        assert!(!listings_below(rule.page, "## Good").is_empty(), "{}", rule.code);
+    }
+}
+
+#[test]
+fn the_examples_of_instructions_and_statements_are_clean() {
+    let mut faults = Vec::new();
+    let instructions = instructions::all().iter().map(|instruction| (instruction.name, instruction.page));
+    let statements = statements::STATEMENTS.iter().map(|statement| (statement.name, statement.page));
+    for (name, text) in instructions.chain(statements) {
+        for example in page::examples(text) {
+            // The table of an add-on is not part of its page.
+            let found: Vec<_> = check(&example).into_iter().filter(|finding| finding.code != "V0104").collect();
+            if !found.is_empty() {
+                faults.push(format!("{name}: {found:#?}\n{example}"));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} pages\n{}", faults.len(), faults.join("\n"));
+}
