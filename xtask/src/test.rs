@@ -3,7 +3,7 @@
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
 
-use anyhow::{Context, bail};
+use anyhow::Context;
 
 use crate::project;
 
@@ -32,23 +32,25 @@ struct Tally {
     failed: usize,
 }
 
-/// Runs everything and prints the count.
+/// Runs everything; the last line is the count. The process ends with 1 when a check or a test failed.
 ///
 /// # Errors
-/// When a check or a test fails.
+/// When a step cannot be started.
 pub fn run() -> anyhow::Result<()> {
     let mut total = Tally::default();
+    let mut failed = Vec::new();
     for step in STEPS {
         println!("==> {}", step.name);
         let tally = run_step(step)?;
         total.passed += tally.passed;
         total.failed += tally.failed;
+        failed.extend((tally.failed > 0).then_some(step.name));
+    }
+    if !failed.is_empty() {
+        println!("failed: {}", failed.join(", "));
     }
     println!("{} passed, {} failed", total.passed, total.failed);
-    if total.failed > 0 {
-        bail!("{} failed", total.failed);
-    }
-    Ok(())
+    if failed.is_empty() { Ok(()) } else { std::process::exit(1) }
 }
 
 /// Runs a step. It counts as the tests it reports, or as one check where it reports none.

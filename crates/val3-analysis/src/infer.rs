@@ -87,6 +87,10 @@ impl<'db> Infer<'db> {
     }
 
     fn report_at(&mut self, range: TextRange, kind: ProblemKind, related: Option<Related>) {
+        // A name that is missing is one mistake, however often the program uses it.
+        if kind.is_about_missing_name() && self.problems.iter().any(|problem| problem.kind == kind) {
+            return;
+        }
         let place = self.place(range);
         self.problems.push(Problem { kind, place, related: related.into_iter().collect() });
     }

@@ -570,6 +570,20 @@ pub enum ProblemKind {
     },
 }
 
+impl ProblemKind {
+    /// A declaration is missing: every use of the name has the same fault.
+    pub fn is_about_missing_name(&self) -> bool {
+        matches!(
+            self,
+            Self::UnknownName { .. }
+                | Self::UnknownProgram { .. }
+                | Self::UnknownInstruction { .. }
+                | Self::UnknownLibrary { .. }
+                | Self::LibraryItemUnknown { .. }
+        )
+    }
+}
+
 /// What a name names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameKind {

@@ -3,7 +3,7 @@
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::infer::infer;
 use val3_analysis::items::{parse, project};
-use val3_analysis::problem::Problem;
+use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, interfaces, project_check};
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
@@ -138,7 +138,10 @@ impl Check<'_> {
                 message: related::role(other.role),
             });
             let place = Span { file: problem.place.file, range: problem.place.range };
-            let diagnostic = self.diagnostic(rule, wording, place, related.collect());
+            let mut diagnostic = self.diagnostic(rule, wording, place, related.collect());
+            if self.is_uncertain(&problem.kind) {
+                diagnostic.severity = Severity::Warning;
+            }
             self.found.push(diagnostic);
         }
     }
@@ -153,7 +156,7 @@ impl Check<'_> {
         let (project, program) = self.owner(place.file);
         Diagnostic {
             rule,
-            severity: self.severity(rule),
+            severity: rule.severity,
             message: wording.message,
             place,
             label: wording.label,
@@ -165,11 +168,21 @@ impl Check<'_> {
         }
     }
 
-    /// Where no controller's tables are at hand, a missing add-on is only likely.
-    fn severity(&self, rule: &Rule) -> Severity {
+    /// The fault may lie in what is at hand: a controller can have add-ons and libraries that a repository lacks.
+    fn is_uncertain(&self, kind: &ProblemKind) -> bool {
         let project = self.owner_project();
-        let has_tables = project.cell(self.db).is_some_and(|cell| !cell.config(self.db).add_ons.is_empty());
-        if rule.code == MISSING_ADD_ON && !has_tables { Severity::Warning } else { rule.severity }
+        match kind {
+            ProblemKind::MissingAddOn { .. } => {
+                project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty())
+            }
+            ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => !self.is_in_usrapp(project),
+            _ => false,
+        }
+    }
+
+    fn is_in_usrapp(&self, project: Project) -> bool {
+        let disk = project.disk(self.db).as_ref().and_then(|disk| disk.file_name());
+        disk.is_some_and(|name| name.eq_ignore_ascii_case("usrapp"))
     }
 
     fn owner_project(&self) -> Project {

@@ -1,5 +1,7 @@
 //! From text to tree, whole or in part.
 
+#[cfg(test)]
+mod linear;
 mod merge;
 mod reparse;
 

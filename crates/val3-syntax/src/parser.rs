@@ -15,9 +15,11 @@ use crate::error::{Expected, SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
 use crate::lexer::Indent;
 
-/// Operands, blocks and elements nest at most this deep, and operators in a row make the tree at most this high:
-/// far more than the controller takes, and little enough for every recursive walk over the tree.
+/// Operands, blocks and elements together nest at most this deep, and operators in a row make the tree at most this
+/// high: far more than the controller takes, and little enough for every recursive walk over the tree.
 pub(crate) const NESTING_LIMIT: u32 = 200;
+/// Blocks and elements leave at least this much of it to the expressions inside of them.
+const LEFT_TO_EXPRESSIONS: u32 = 100;
 
 /// What the grammar did, in order; the tree is built from it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -189,9 +191,18 @@ impl<'i> Parser<'i> {
         self.failed = false;
     }
 
-    /// Runs `inner` one level deeper; `None` and a message where the limit is reached.
+    /// Runs `inner` for an operand, one level deeper; `None` and a message where the limit is reached.
     pub(crate) fn nested<T>(&mut self, inner: impl FnOnce(&mut Self) -> T) -> Option<T> {
-        if self.depth >= NESTING_LIMIT {
+        self.nested_up_to(NESTING_LIMIT, inner)
+    }
+
+    /// As [`Parser::nested`], for a block or an element.
+    pub(crate) fn nested_block<T>(&mut self, inner: impl FnOnce(&mut Self) -> T) -> Option<T> {
+        self.nested_up_to(NESTING_LIMIT - LEFT_TO_EXPRESSIONS, inner)
+    }
+
+    fn nested_up_to<T>(&mut self, limit: u32, inner: impl FnOnce(&mut Self) -> T) -> Option<T> {
+        if self.depth >= limit {
             self.error(SyntaxErrorKind::NestingTooDeep);
             return None;
         }

@@ -13,10 +13,20 @@ pub(super) struct Callee<'a> {
     /// As the code writes it.
     pub(super) name: SmolStr,
     pub(super) forms: Vec<Formals<'a>>,
-    /// Its syntax lines.
-    pub(super) lines: Vec<SmolStr>,
-    /// Where it is declared.
-    pub(super) declared: Option<Place>,
+    /// Its syntax lines; asked for only where a message shows them.
+    pub(super) lines: &'a dyn Fn() -> Vec<SmolStr>,
+    /// Where it is declared; asked for only where a message points there, because that reads another file.
+    pub(super) declared: &'a dyn Fn() -> Option<Place>,
+}
+
+/// The forms of a callee that its arguments suit.
+pub(super) enum Chosen {
+    /// This one, or the one that was most likely meant.
+    Form(usize),
+    /// Several: the type of an argument is not known.
+    Several(Vec<usize>),
+    /// None, which was reported.
+    None,
 }
 
 /// The argument that keeps a form from suiting.
@@ -28,24 +38,26 @@ struct Miss<'a> {
 }
 
 impl Infer<'_> {
-    /// Matches the arguments against the forms; the index of the form that suits, or was most likely meant.
-    pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> Option<usize> {
+    /// Matches the arguments against the forms.
+    pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> Chosen {
         let arguments: Vec<Argument> = args.iter().map(|id| self.argument(*id)).collect();
         let candidates: Vec<(usize, Formals<'_>)> =
             callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len()).collect();
         if candidates.is_empty() {
             self.literals_alone(&arguments);
             self.argument_count(call, args.len(), callee);
-            return None;
+            return Chosen::None;
         }
         let misses: Vec<(usize, Option<Miss<'_>>)> =
             candidates.iter().map(|(index, form)| (*index, self.first_miss(&arguments, *form))).collect();
-        if let Some((index, _)) = misses.iter().find(|(_, miss)| miss.is_none()) {
-            self.literals(&arguments, callee.forms.get(*index).copied());
-            return Some(*index);
+        let fits: Vec<usize> = misses.iter().filter(|(_, miss)| miss.is_none()).map(|(index, _)| *index).collect();
+        if let Some(&first) = fits.first() {
+            self.literals(&arguments, callee.forms.get(first).copied());
+            let certain = arguments.iter().all(|argument| argument.literal.is_some() || !argument.value.is_unknown());
+            return if certain { Chosen::Form(first) } else { Chosen::Several(fits) };
         }
         self.report_miss(&arguments, &misses, callee);
-        misses.first().map(|(index, _)| *index)
+        misses.first().map_or(Chosen::None, |(index, _)| Chosen::Form(*index))
     }
 
     fn first_miss<'a>(&self, arguments: &[Argument], form: Formals<'a>) -> Option<Miss<'a>> {
@@ -80,9 +92,9 @@ impl Infer<'_> {
             callee: callee.name.clone(),
             expected,
             found,
-            forms: callee.lines.clone(),
+            forms: (callee.lines)(),
         };
-        self.report_with(call, kind, Role::Declared, callee.declared);
+        self.report_with(call, kind, Role::Declared, (callee.declared)());
     }
 
     /// Reports the argument that stops the forms which suit furthest.
@@ -105,7 +117,7 @@ impl Infer<'_> {
         let mut expected: Vec<SmolStr> = best.iter().map(|miss| self.show_formal(miss.formal)).collect();
         expected.dedup();
         let kind = self.miss_kind(argument, miss, expected, callee);
-        self.report_with(argument.id, kind, Role::Declared, callee.declared);
+        self.report_with(argument.id, kind, Role::Declared, (callee.declared)());
     }
 
     fn miss_kind(&self, argument: &Argument, miss: Miss<'_>, expected: Vec<SmolStr>, callee: &Callee<'_>) -> ProblemKind {
@@ -119,7 +131,8 @@ impl Infer<'_> {
             }
             Misfit::Type => ProblemKind::ArgumentType { callee: name, parameter, expected, found },
             Misfit::Arm => {
-                ProblemKind::WrongArm { found: base, expected: expected.first().cloned().unwrap_or_default() }
+                let expected = miss.formal.base.map_or_else(SmolStr::default, |base| self.show(base.on_arm(self.arm())));
+                ProblemKind::WrongArm { found: base, expected }
             }
             Misfit::Constant => ProblemKind::VariableExpected { callee: name, parameter },
             Misfit::Container => {

@@ -8,7 +8,7 @@ use val3_lang::instructions;
 use val3_lang::types::BaseType;
 
 use super::Infer;
-use super::arguments::Callee;
+use super::arguments::{Callee, Chosen};
 use super::fit::Formals;
 use super::value::Value;
 use crate::body::{Expr, ExprId};
@@ -18,6 +18,9 @@ use crate::items::project::{Signature, items, signature};
 use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind, Role};
 use crate::ty::{Base, Ty, brackets};
+
+/// Result and class of a form.
+type Outcome = (Option<BaseType>, Class);
 
 /// What a call of an instruction comes to.
 struct Called {
@@ -113,18 +116,24 @@ impl Infer<'_> {
         args: &[ExprId],
     ) -> Option<Called> {
         let forms: Vec<_> = instruction.overloads.iter().filter(|form| form.on_library == on_library).collect();
-        let lines = forms.iter().map(|form| form.signature(instruction.name).into()).collect();
+        let lines = || forms.iter().map(|form| form.signature(instruction.name).into()).collect();
         let formals = forms.iter().map(|form| Formals::Instruction(form.params)).collect();
-        let name = self.text(callee);
-        let chosen = self.arguments(id, args, &Callee { name, forms: formals, lines, declared: None });
-        let form = chosen.and_then(|index| forms.get(index)).or_else(|| self.sole(&forms))?;
-        let result = form.result.map(|ty| Base::Builtin(ty, self.arm().filter(|_| ty.depends_on_arm())));
-        Some(Called { result, class: form.class })
+        let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
+        let chosen = self.arguments(id, args, &callee);
+        let outcomes: Vec<Outcome> = forms.iter().map(|form| (form.result, form.class)).collect();
+        self.outcome(&chosen, &outcomes)
     }
 
-    /// The form whose result and class hold even though the arguments fit none.
-    fn sole<'f, T>(&self, forms: &'f [T]) -> Option<&'f T> {
-        forms.first().filter(|_| forms.len() == 1)
+    /// What a call comes to: where several forms suit, or none, only what they all agree on.
+    fn outcome(&self, chosen: &Chosen, outcomes: &[Outcome]) -> Option<Called> {
+        let mut possible: Vec<Outcome> = match chosen {
+            Chosen::Form(index) => outcomes.get(*index).copied().into_iter().collect(),
+            Chosen::Several(indexes) => indexes.iter().filter_map(|index| outcomes.get(*index).copied()).collect(),
+            Chosen::None => outcomes.to_vec(),
+        };
+        possible.dedup();
+        let [(result, class)] = possible.as_slice() else { return None };
+        Some(Called { result: result.map(|ty| Base::of(ty).on_arm(self.arm())), class: *class })
     }
 
     fn unknown_instruction(&mut self, callee: ExprId, name: &SmolStr, library: Option<&SmolStr>) {
@@ -165,13 +174,12 @@ impl Infer<'_> {
         };
         let forms: Vec<&AddOnOverload> =
             function.overloads.iter().filter(|form| form.on_library == on_library).collect();
-        let lines = forms.iter().map(|form| add_on_line(name, form)).collect();
+        let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
-        let callee = Callee { name: self.text(callee), forms: formals, lines, declared: None };
+        let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
-        let form = chosen.and_then(|index| forms.get(index)).or_else(|| self.sole(&forms))?;
-        let result = form.result.map(|ty| Base::Builtin(ty, self.arm().filter(|_| ty.depends_on_arm())));
-        Some(Called { result, class: form.class })
+        let outcomes: Vec<Outcome> = forms.iter().map(|form| (form.result, form.class)).collect();
+        self.outcome(&chosen, &outcomes)
     }
 
     /// `call program(…)`
@@ -180,11 +188,12 @@ impl Infer<'_> {
         match self.program(*callee) {
             Some((project, file)) => {
                 let signature = signature(self.db, project, file);
+                let db = self.db;
                 let callee = Callee {
                     name: self.text(*callee),
                     forms: vec![Formals::Program(&signature.params)],
-                    lines: vec![self.syntax_line(signature)],
-                    declared: declarations::program(self.db, file),
+                    lines: &|| vec![syntax_line(db, signature)],
+                    declared: &|| declarations::program(db, file),
                 };
                 self.arguments(call, args, &callee);
             }
@@ -239,11 +248,6 @@ impl Infer<'_> {
                 None
             }
         }
-    }
-
-    /// `pick(num x_nCount, string& x_sName)`
-    fn syntax_line(&self, signature: &Signature) -> SmolStr {
-        syntax_line(self.db, signature)
     }
 
     /// `taskCreate name, priority, program(…)` and `taskCreateSync name, period, overrun, program(…)` (5.10).

@@ -19,7 +19,7 @@ pub(super) struct Formal<'a> {
     /// `None` takes any type.
     pub(super) base: Option<Base>,
     pub(super) shape: Shape,
-    /// A parameter of the old dialect, which does not tell an element by reference from an array.
+    /// A parameter of the old dialect, which does not tell an element by reference from an array, and takes constants.
     pub(super) loose: bool,
 }
 
@@ -112,7 +112,7 @@ impl Infer<'_> {
         if value.is_unknown() {
             return None;
         }
-        if formal.shape != Shape::Value && !value.is_variable() {
+        if formal.shape != Shape::Value && !value.is_variable() && !formal.loose {
             return Some(self.type_misfit(value, formal).unwrap_or(Misfit::Constant));
         }
         self.container_misfit(value, formal).or_else(|| self.type_misfit(value, formal))
@@ -121,7 +121,7 @@ impl Infer<'_> {
     fn literal_misfit(&self, values: usize, formal: Formal<'_>) -> Option<Misfit> {
         match formal.base {
             Some(base) if !self.literal_suits(values, base) => Some(Misfit::Type),
-            _ if formal.shape != Shape::Value => Some(Misfit::Constant),
+            _ if formal.shape != Shape::Value && !formal.loose => Some(Misfit::Constant),
             Some(_) => None,
             None => Some(Misfit::Type),
         }

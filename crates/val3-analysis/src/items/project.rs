@@ -139,18 +139,15 @@ pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> 
     Some(Base::Builtin(base, arm))
 }
 
-/// The arm of a project: the cell's, or the one all its positions are for.
+/// The arm of a project: the one all its positions are for, else the cell's.
 #[salsa::tracked(returns(copy))]
 fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
-    if let Some(arm) = project.cell_arm(db) {
-        return Some(arm);
-    }
     let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
         let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
         arm.filter(|_| !is_old_section(&decl.type_name))
     });
-    let first = arms.next()?;
-    arms.all(|arm| arm == first).then_some(first)
+    let own = arms.next().filter(|first| arms.all(|arm| arm == *first));
+    own.or_else(|| project.cell_arm(db))
 }
 
 /// The old dialect has a section of every kind of arm.

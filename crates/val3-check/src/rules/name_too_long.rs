@@ -7,8 +7,8 @@ rule! {
     ///
     /// ## Why
     /// Up to s7, the name of data, a local variable, a parameter, a program or a library identifier has at most 15
-    /// characters; the controller does not load an application with a longer one. From s8 on longer names are accepted,
-    /// so an application that is moved from a CS9 to a CS8 controller meets this limit first.
+    /// characters (2.5.1). From s8 on longer names are accepted. A project that declares s7 and runs on a CS9
+    /// controller gets away with longer names; on a CS8 controller it does not load.
     ///
     /// ## Bad
     /// ```val3
@@ -25,7 +25,7 @@ rule! {
     ///
     /// nPartsOnConv=0
     /// ```
-    V0109 "name-too-long" Error
+    V0109 "name-too-long" Warning
 }
 
 /// Words the finding.

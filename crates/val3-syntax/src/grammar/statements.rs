@@ -41,7 +41,7 @@ pub(super) fn statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
 }
 
 fn block_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
-    let read = p.nested(|p| match p.current() {
+    let read = p.nested_block(|p| match p.current() {
         WHILE_KW => control::while_statement(p, blocks),
         DO_KW => control::do_statement(p, blocks),
         FOR_KW => control::for_statement(p, blocks),

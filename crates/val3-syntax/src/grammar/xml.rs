@@ -40,7 +40,7 @@ pub(crate) fn file(p: &mut Parser<'_>) {
 /// An element; `names` are the names of the elements around it.
 fn element<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
     p.start_statement();
-    if p.nested(|p| element_inner(p, names)).is_none() {
+    if p.nested_block(|p| element_inner(p, names)).is_none() {
         p.tell_end();
         let m = p.start();
         while !p.at(EOF) {

@@ -130,9 +130,11 @@ impl Lexer<'_> {
     /// A value without quotes; the grammar misses the quoted one and says so.
     fn unquoted_value(&mut self) {
         let rest = self.rest();
-        let end = rest.find(|next: char| next.is_ascii_whitespace() || matches!(next, '>' | '/' | '<' | '"' | '\''));
-        let len = end.unwrap_or(rest.len()).max(rest.chars().next().map_or(1, char::len_utf8));
-        self.token(ERROR_TOKEN, self.pos + len);
+        let ends = |next: char| next.is_ascii_whitespace() || matches!(next, '>' | '<' | '"' | '\'');
+        let value = rest.split(ends).next().unwrap_or("");
+        let at_end = rest.get(value.len()..).is_some_and(|behind| behind.starts_with('>'));
+        let value = if at_end { value.strip_suffix('/').unwrap_or(value) } else { value };
+        self.token(ERROR_TOKEN, self.pos + value.len());
     }
 
     fn stray_character(&mut self) {

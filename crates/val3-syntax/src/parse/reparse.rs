@@ -142,3 +142,36 @@ fn shifted(error: &SyntaxError, by: impl Fn(TextSize) -> TextSize) -> SyntaxErro
     let shift = |range: TextRange| TextRange::new(by(range.start()), by(range.end()));
     SyntaxError { kind: error.kind.clone(), range: shift(error.range), related: error.related.map(shift) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TEXT: &str = "<a>\n<b c=\"1\"/>\n<Code><![CDATA[begin\n  x=1\nend]]></Code>\n</a>";
+
+    /// What an edit of `old` to `new` gives if the element alone is parsed again.
+    fn alone(old: &str, new: &str) -> Option<Parse> {
+        let start = TextSize::try_from(TEXT.find(old).unwrap()).unwrap();
+        let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };
+        let new_text = TEXT.replacen(old, new, 1);
+        let again = parse(TEXT).reparse_element(TEXT, &new_text, change);
+        assert!(again.as_ref().is_none_or(|again| *again == parse(&new_text)));
+        again
+    }
+
+    #[test]
+    fn code_is_parsed_alone() {
+        assert!(alone("x=1", "y=(2").is_some());
+        assert!(alone("begin", "").is_some());
+    }
+
+    #[test]
+    fn what_touches_the_xml_is_parsed_as_a_whole() {
+        assert!(alone("]]>", "").is_none());
+        assert!(alone("</Code>", "</Codes>").is_none());
+        assert!(alone("x=1", "<a>").is_some());
+        assert!(alone("x=1", "]]></Code><Code>").is_none());
+        assert!(alone("<a>", "<a >").is_none());
+        assert!(alone("\n<b", " <b").is_none());
+    }
+}

@@ -11,6 +11,9 @@ pub(crate) struct Input<'t> {
     tokens: &'t [Token],
     solid: Vec<Solid>,
     cut_off: bool,
+    /// How often a token was looked at.
+    #[cfg(test)]
+    pub(crate) looks: std::cell::Cell<usize>,
 }
 
 /// What the grammar asks of a token most often, and where to find the rest.
@@ -31,7 +34,14 @@ impl<'t> Input<'t> {
                 solid.push(Solid { kind: token.kind, indent: token.indent, index });
             }
         }
-        Self { text, tokens, solid, cut_off: lexed.cut_off }
+        Self {
+            text,
+            tokens,
+            solid,
+            cut_off: lexed.cut_off,
+            #[cfg(test)]
+            looks: std::cell::Cell::default(),
+        }
     }
 
     pub(crate) fn len(&self) -> usize {
@@ -44,6 +54,8 @@ impl<'t> Input<'t> {
     }
 
     pub(crate) fn kind(&self, pos: usize) -> SyntaxKind {
+        #[cfg(test)]
+        self.looks.set(self.looks.get() + 1);
         self.solid.get(pos).map_or(SyntaxKind::EOF, |token| token.kind)
     }
 

@@ -124,12 +124,12 @@ fn code_in_an_unterminated_section_ends_before_the_end_tag() {
 #[test]
 fn malformed_attribute() {
     check_file(
-        "<a b c=d =\"e\" \"f\"/>",
+        "<a b c=d/e \"f\"/>",
         expect![[r#"
-        0:4 "b" MalformedAttribute { name: "b" }
-        0:6 "c" MalformedAttribute { name: "c" }
-        0:15 "\"f\"" MalformedAttribute { name: "\"f\"" }
-    "#]],
+            0:4 "b" MalformedAttribute { name: "b" }
+            0:6 "c" MalformedAttribute { name: "c" }
+            0:12 "\"f\"" MalformedAttribute { name: "\"f\"" }
+        "#]],
     );
     check_file(
         "<a b/>",

@@ -1,1 +1,243 @@
+//! What holds for every text.
 
+use proptest::prelude::*;
+use proptest::sample::{Index, select};
+use val3_syntax::Edit;
+use val3_syntax::{TextRange, TextSize, parse};
+
+use crate::show::parsed;
+
+/// Pieces of XML and of code, whole and broken.
+const PIECES: &[&str] = &[
+    "<a>",
+    "</a>",
+    "<a b=\"c\"/>",
+    "<Program name=\"p\">",
+    "</Program>",
+    "<Code>",
+    "</Code>",
+    "<Code><![CDATA[",
+    "]]></Code>",
+    "<![CDATA[",
+    "]]>",
+    "<!-- ",
+    " -->",
+    "<?x ",
+    "?>",
+    "<!DOCTYPE a>",
+    "<",
+    ">",
+    "/>",
+    "=",
+    "\"",
+    "'",
+    "&lt;",
+    "&gt;=",
+    "&quot;",
+    "&amp;",
+    "&#10;",
+    "&x;",
+    "&",
+    "begin\n",
+    "\nend",
+    "\n",
+    "\r\n",
+    "\r",
+    "  ",
+    "\t",
+    "if ",
+    "elseIf a\n",
+    "else\n",
+    "endIf\n",
+    "while a\n",
+    "endWhile\n",
+    "do\n",
+    "until a\n",
+    "for i=0 to 9 step 1\n",
+    "endFor\n",
+    "switch n\n",
+    "case 1, 2\n",
+    "default\n",
+    "break\n",
+    "endSwitch\n",
+    "call ",
+    "return",
+    "taskCreate ",
+    "taskCreateSync ",
+    "? ",
+    "nA",
+    "lib:p",
+    "(",
+    ")",
+    "[",
+    "]",
+    "{",
+    "}",
+    ",",
+    ".",
+    ":",
+    "==",
+    "!=",
+    "!",
+    "-",
+    "+",
+    "*",
+    "%",
+    " and ",
+    " or ",
+    " xor ",
+    "&&",
+    "||",
+    "<>",
+    "not ",
+    "then",
+    "true",
+    "1",
+    ".5",
+    "1e-3",
+    "\"s\"",
+    "\"",
+    "// c",
+    "<<<<<<< a\n",
+    "=======\n",
+    ">>>>>>> b\n",
+    "\u{feff}",
+    "é",
+    "日",
+    "\0",
+    ";",
+    "$x",
+];
+
+fn soup() -> impl Strategy<Value = String> {
+    prop::collection::vec(select(PIECES), 0..60).prop_map(|pieces| pieces.concat())
+}
+
+fn expression() -> impl Strategy<Value = String> {
+    let leaf = select(vec!["a", "b[0]", "c.d", "lib:e", "1", "-2.5", "\"s\"", "true", "f()"]).prop_map(str::to_owned);
+    leaf.prop_recursive(3, 8, 3, |inner| {
+        prop_oneof![
+            (inner.clone(), select(vec!["+", "*", " and ", "==", "<", " or "]), inner.clone())
+                .prop_map(|(a, op, b)| format!("{a}{op}{b}")),
+            inner.clone().prop_map(|a| format!("({a})")),
+            prop::collection::vec(inner, 0..3).prop_map(|all| format!("g({})", all.join(", "))),
+        ]
+    })
+}
+
+/// Lines of a body, whole.
+fn lines() -> impl Strategy<Value = String> {
+    let simple = prop_oneof![
+        expression().prop_map(|value| format!("x={value}\n")),
+        expression().prop_map(|value| format!("movej({value}, t, m)\n")),
+        Just("// comment <a> & \"\n".to_owned()),
+        Just("call lib:p(1)\n".to_owned()),
+        Just("\n".to_owned()),
+    ];
+    simple.prop_recursive(3, 24, 4, |inner| {
+        let block = prop::collection::vec(inner, 0..4).prop_map(|lines| lines.concat());
+        prop_oneof![
+            (expression(), block.clone(), block.clone()).prop_map(|(a, x, y)| format!("if {a}\n{x}else\n{y}endIf\n")),
+            (expression(), block.clone()).prop_map(|(a, x)| format!("while {a}\n{x}endWhile\n")),
+            block.clone().prop_map(|x| format!("for i=0 to 9\n{x}endFor\n")),
+            (block.clone(), block)
+                .prop_map(|(x, y)| format!("switch n\ncase 1\n{x}break\ndefault\n{y}break\nendSwitch\n")),
+        ]
+    })
+}
+
+/// A file of either dialect with one program or several.
+fn file() -> impl Strategy<Value = String> {
+    let program = (lines(), any::<bool>(), select(vec!["", "\n  "])).prop_map(|(lines, escaped, gap)| {
+        let code = format!("begin\n{lines}end");
+        let code = if escaped {
+            let text = code.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
+            format!("<code>{text}</code>")
+        } else {
+            format!("<Code><![CDATA[{code}]]></Code>")
+        };
+        format!("{gap}<Program name=\"p\">{gap}<Locals><Local name=\"l\" /></Locals>{gap}{code}</Program>")
+    });
+    (prop::collection::vec(program, 1..3), any::<bool>()).prop_map(|(programs, bom)| {
+        let mark = if bom { "\u{feff}" } else { "" };
+        format!("{mark}<?xml version=\"1.0\"?>\n<Programs>{}</Programs>\n", programs.concat())
+    })
+}
+
+/// A replacement somewhere: a few characters, or one piece for another.
+fn edit() -> impl Strategy<Value = (Index, usize, String)> {
+    let insert =
+        prop_oneof![Just(String::new()), select(PIECES).prop_map(str::to_owned), lines(), "[a-z0-9=()<>&\"/\n ]{0,4}",];
+    (any::<Index>(), prop_oneof![Just(0_usize), 1..4_usize, 0..80_usize], insert)
+}
+
+/// Applies the edits one after the other: parsing anew and parsing again give the same.
+fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(), TestCaseError> {
+    let mut before = parse(&text);
+    for (at, len, insert) in edits {
+        let size = |offset: usize| TextSize::try_from(offset).unwrap();
+        let start = at.index(text.len() + 1);
+        let edit = Edit { range: TextRange::new(size(start), size(start + len)), insert };
+        let new_text = edit.apply(&text);
+        let (again, anew) = (before.reparse(&text, &edit), parse(&new_text));
+        prop_assert_eq!(again.errors(), anew.errors(), "{:?}\n{:?}", &text, &edit);
+        prop_assert!(again == anew, "{:?}\n{:?}", &text, &edit);
+        (text, before) = (new_text, anew);
+    }
+    Ok(())
+}
+
+proptest! {
+    #[test]
+    fn any_text_survives(text in "(?s).{0,200}") {
+        parsed(&text);
+    }
+
+    #[test]
+    fn any_soup_survives(text in soup()) {
+        parsed(&text);
+    }
+
+    #[test]
+    fn any_soup_in_code_survives(code in soup(), escaped: bool) {
+        parsed(&if escaped { format!("<code>begin\n{code}end</code>") } else { crate::show::body(&code) });
+    }
+
+    #[test]
+    fn errors_are_in_order(text in soup()) {
+        let parse = parse(&text);
+        prop_assert!(parse.errors().is_sorted_by_key(|error| error.range.start()));
+    }
+
+    #[test]
+    fn whole_files_have_no_faults(text in file()) {
+        let parse = parsed(&text);
+        prop_assert!(parse.errors().is_empty(), "{:?}", parse.errors());
+    }
+
+    #[test]
+    fn parsing_again_is_parsing_anew(text in file(), edits in prop::collection::vec(edit(), 1..5)) {
+        check_edits(text, edits)?;
+    }
+
+    #[test]
+    fn parsing_broken_text_again_is_parsing_it_anew(text in soup(), edits in prop::collection::vec(edit(), 1..5)) {
+        check_edits(format!("<a><Code><![CDATA[begin\n{text}\nend]]></Code></a>"), edits)?;
+    }
+}
+
+#[test]
+fn an_edit_of_a_body_keeps_the_rest_of_the_tree() {
+    let text = crate::show::body("x=1");
+    let before = parse(&text);
+    let at = TextSize::try_from(text.find("x=").unwrap()).unwrap();
+    let edit = Edit { range: TextRange::empty(at), insert: "y=".to_owned() };
+    let after = before.reparse(&text, &edit);
+    assert_eq!(after, parse(&edit.apply(&text)));
+}
+
+#[test]
+fn edits_outside_of_the_text_are_cut_to_it() {
+    let edit = Edit { range: TextRange::new(2.into(), 900.into()), insert: "!".to_owned() };
+    assert_eq!(edit.apply("aé"), "a!");
+}

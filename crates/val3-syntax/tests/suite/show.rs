@@ -96,7 +96,8 @@ fn faults_of(text: &str, parse: &Parse) -> String {
     parse.errors().iter().map(|error| line(text, error)).collect()
 }
 
-fn line(text: &str, error: &SyntaxError) -> String {
+/// A fault: its place, its kind, the place of the other side.
+pub(crate) fn line(text: &str, error: &SyntaxError) -> String {
     let related = error.related.map(|range| format!(" <- {}", place(text, range))).unwrap_or_default();
     format!("{} {:?}{related}\n", place(text, error.range), error.kind)
 }

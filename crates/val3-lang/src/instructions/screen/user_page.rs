@@ -19,5 +19,5 @@ instruction! {
     modifier ();
     modifier (screen scPage);
     modifier (bool bFixed);
-    modifier (string sPage) since 8;
+    modifier (string sPage) -> num since 8;
 }

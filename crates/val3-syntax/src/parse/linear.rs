@@ -1,0 +1,57 @@
+//! The time of the parser grows with the text and no faster: counted in looks at tokens, not by the clock.
+
+use super::run;
+use crate::lexer::lex;
+use crate::parser::Input;
+
+/// Texts that make a careless parser look at the same tokens again and again.
+const SHAPES: &[(&str, &str, &str)] = &[
+    ("begin\nx=", "(", "\nend"),
+    ("begin\nx=", "f(a b, g[1 ", "\nend"),
+    ("begin\nx=", "(a ]", ")\nend"),
+    ("begin\nx=", "{(", ") ) ) ] } }\nend"),
+    ("begin\nx=1", "+a*b-c", "\nend"),
+    ("begin\nx=", "-", "1\nend"),
+    ("begin\n", "x=", "1\nend"),
+    ("begin\n", "if a\n", "\nend"),
+    ("begin\n", "if a\nwhile b\nendIf\n", "\nend"),
+    ("begin\n", "case 1\nelse\nbreak\n", "\nend"),
+    ("begin\n", "  endFor\nend\n", "\nend"),
+    ("", "begin\n", ""),
+    ("", "x=1\n", "end"),
+    ("begin\n", "a ", "\nend"),
+];
+
+fn looks(code: &str) -> usize {
+    let text = format!("<Code><![CDATA[{code}]]></Code>");
+    let lexed = lex(&text);
+    let input = Input::new(&text, &lexed);
+    run(&input, 0);
+    input.looks.get()
+}
+
+#[test]
+fn looks_grow_with_the_text() {
+    for (head, unit, tail) in SHAPES {
+        let of = |times: usize| looks(&format!("{head}{}{tail}", unit.repeat(times)));
+        let (once, tenfold) = (of(1_000), of(10_000));
+        assert!(tenfold <= 11 * once, "{unit:?}: {once} -> {tenfold}");
+        // Some look far ahead, but no more than a fixed number of times.
+        assert!(tenfold < 100 * 10_000 * unit.len().max(4), "{unit:?}: {tenfold}");
+    }
+}
+
+#[test]
+fn looks_at_elements_grow_with_the_text() {
+    for unit in ["<a>", "<a b='c' b='c'/>", "</a>", "<a ", "<a></b>", "<a><b></a>", "text &", "<![CDATA["] {
+        let of = |times: usize| {
+            let text = unit.repeat(times);
+            let lexed = lex(&text);
+            let input = Input::new(&text, &lexed);
+            run(&input, 0);
+            input.looks.get()
+        };
+        let (once, tenfold) = (of(1_000), of(10_000));
+        assert!(tenfold <= 11 * once, "{unit:?}: {once} -> {tenfold}");
+    }
+}
