@@ -2,16 +2,17 @@
 
 mod cells;
 mod discover;
+mod disk;
+mod files;
 mod references;
 
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::{FxHashMap, FxHashSet};
-use val3_syntax::encoding::decode;
 use val3_syntax::view::View;
 
-use crate::db::{Cell, Database, File, FileStatus, Project, Sources, path_key};
+use crate::db::{Cell, Database, File, Project, Sources, path_key};
 use crate::items::manifest::{self, Manifest};
 use crate::paths::{self, Target};
 use crate::system::{Kind, System};
@@ -105,22 +106,23 @@ impl<'s> Loader<'s> {
 
     /// Reads the project at `path` and its files, and queues the projects it refers to.
     fn project(&mut self, path: &Utf8Path) {
-        let Some(path) = self.actual(path) else { return };
         let key = path_key(path.as_str());
         if self.projects.contains_key(&key) {
             return;
         }
-        let Some(file) = self.file(&path) else { return };
+        let Some(file) = self.found_file(path) else { return };
+        let path = file.path(&self.db).clone();
         let text = Arc::clone(file.text(&self.db));
         let manifest = manifest::read(View::root(val3_syntax::parse(&text).green()));
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
-        let disk = self.disk(&folder, &manifest);
+        let disk = disk::root(self.system, &folder, &manifest);
         let cell = self.cell(disk.as_deref());
         let project = Project::new(&self.db, file, disk.clone(), cell);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
         self.files_of(&folder, &manifest, disk.as_deref());
-        let entries = manifest.libraries.iter().map(|entry| &entry.path).chain(manifest.types.iter().map(|entry| &entry.path));
+        let entries =
+            manifest.libraries.iter().map(|entry| &entry.path).chain(manifest.types.iter().map(|entry| &entry.path));
         for reference in entries {
             self.enqueue(&folder, disk.as_deref(), reference);
         }
@@ -134,6 +136,8 @@ impl<'s> Loader<'s> {
 
     /// Reads the programs and data of a project; programs may load further libraries by name.
     fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, disk: Option<&Utf8Path>) {
+        let named = manifest.data.iter().chain(&manifest.programs);
+        self.read_ahead(named.map(|reference| paths::file_in(folder, reference)).collect());
         for reference in &manifest.data {
             self.found_file(&paths::file_in(folder, reference));
         }
@@ -161,81 +165,6 @@ impl<'s> Loader<'s> {
                 self.queue.push(manifest);
             }
         }
-    }
-
-    fn found_file(&mut self, path: &Utf8Path) -> Option<File> {
-        let path = self.actual(path)?;
-        self.file(&path)
-    }
-
-    /// The input for the file at `path`; `None` where there is no file.
-    fn file(&mut self, path: &Utf8Path) -> Option<File> {
-        let key = path_key(path.as_str());
-        if let Some(file) = self.files.get(&key) {
-            return Some(*file);
-        }
-        let (text, status) = match self.system.read(path) {
-            Ok(bytes) if bytes.len() >= u32::MAX as usize => {
-                (String::new(), FileStatus::Unreadable("it is larger than 4 GiB".to_owned()))
-            }
-            Ok(bytes) => {
-                let decoded = decode(bytes);
-                let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
-                (decoded.text, status)
-            }
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return None,
-            Err(error) => (String::new(), FileStatus::Unreadable(error.to_string())),
-        };
-        let file = File::builder(path.to_owned(), text.into(), status)
-            .durability(salsa::Durability::LOW)
-            .path_durability(salsa::Durability::HIGH)
-            .new(&self.db);
-        self.files.insert(key, file);
-        Some(file)
-    }
-
-    /// The path as the disk spells it: references are written without regard to letter case.
-    fn actual(&mut self, path: &Utf8Path) -> Option<Utf8PathBuf> {
-        if self.system.kind(path).is_some() {
-            return Some(path.to_owned());
-        }
-        let parent = self.actual(path.parent()?)?;
-        let wanted = path.file_name()?.to_lowercase();
-        let names = self.folders.entry(parent.clone()).or_insert_with(|| {
-            let names = self.system.list(&parent).unwrap_or_default();
-            names.into_iter().map(|name| (name.to_lowercase(), name)).collect()
-        });
-        names.get(&wanted).map(|name| parent.join(name))
-    }
-
-    /// What `Disk://` stands for: the nearest `usrapp` above, else the nearest folder above from which the
-    /// project's own `Disk://` references lead somewhere.
-    fn disk(&self, folder: &Utf8Path, manifest: &Manifest) -> Option<Utf8PathBuf> {
-        let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
-        if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
-            return Some(usrapp.to_owned());
-        }
-        let references: Vec<&str> = manifest
-            .libraries
-            .iter()
-            .map(|entry| entry.path.as_str())
-            .chain(manifest.types.iter().map(|entry| entry.path.as_str()))
-            .filter(|reference| !reference.starts_with('.'))
-            .collect();
-        let resolves = |disk: &Utf8Path| {
-            references.iter().filter(|reference| match paths::project(folder, Some(disk), reference) {
-                Target::Path(path) => self.system.kind(&path) == Some(Kind::File),
-                Target::Elsewhere => false,
-            }).count()
-        };
-        let scored = folder.ancestors().skip(1).take(6).map(|disk| (resolves(disk), disk));
-        // Of equal ones the nearest.
-        let best = scored.fold(None, |best: Option<(usize, &Utf8Path)>, (score, disk)| match best {
-            Some((top, _)) if top >= score => best,
-            _ => Some((score, disk)),
-        })?;
-        let (score, disk) = best;
-        (score > 0 || references.is_empty()).then(|| disk.to_owned())
     }
 
     fn cell(&mut self, disk: Option<&Utf8Path>) -> Option<Cell> {

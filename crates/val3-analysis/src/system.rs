@@ -23,6 +23,11 @@ pub trait System: Send + Sync + Debug {
     /// Those of the file system.
     fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>>;
 
+    /// The bytes of several files, in the same order. An implementation may read them side by side.
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<io::Result<Vec<u8>>> {
+        paths.iter().map(|path| self.read(path)).collect()
+    }
+
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
     ///
     /// # Errors

@@ -7,16 +7,17 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use rustc_hash::FxHashMap;
+use salsa::Database as _;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
 use val3_analysis::load::{self, Workspace};
-use val3_analysis::system::Disk;
 use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
-use val3_check::{check_unit, finish};
+use val3_check::{Unit, check_unit, finish};
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
 
 use crate::code_lines::CodeLines;
+use crate::parallel_disk::ParallelDisk;
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
@@ -26,6 +27,9 @@ use crate::user_error::UserError;
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
 const STACK_SIZE: usize = 16 << 20;
 
+/// Pieces of work between which trees that are no longer needed are dropped.
+const BATCH: usize = 512;
+
 /// Checks everything that `asked` leads to, on `jobs` threads.
 pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
     let started = Instant::now();
@@ -34,12 +38,15 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     let paths = Paths::new(&folders(asked), &current);
     // Only an absolute path shows the `usrapp` above the current folder.
     let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-    let workspace = load::load(&Disk, &absolute).map_err(|error| refused(&error, &paths))?;
-    let diagnostics = diagnostics(&workspace, selection, &threads);
+    let mut workspace = load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
+    let diagnostics = diagnostics(&mut workspace, selection, &threads);
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
     let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    Ok(Report::new(statistics(&workspace, started), findings, unreadable))
+    let report = Report::new(statistics(&workspace, started), findings, unreadable);
+    // The process is about to end: taking the database apart piece by piece would only cost time.
+    std::mem::forget(workspace);
+    Ok(report)
 }
 
 fn refused(error: &load::LoadError, paths: &Paths) -> UserError {
@@ -52,17 +59,21 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
 }
 
 /// The findings in the order of the files, however many threads there are.
-fn diagnostics(workspace: &Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
+fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
     let units = val3_check::units(&workspace.db, &workspace.projects);
     let progress = Progress::new(units.len());
-    let check = |db: &mut Database, unit| {
-        let mut found = check_unit(db, unit);
+    let check = |db: &mut Database, unit: &Unit| {
+        let mut found = check_unit(db, *unit);
         found.retain(|diagnostic| selection.contains(diagnostic.rule));
         progress.advance();
         found
     };
-    let db = workspace.db.clone();
-    let found = threads.install(|| units.into_par_iter().map_with(db, check).flatten_iter().collect());
+    let mut found = Vec::new();
+    for batch in units.chunks(BATCH) {
+        let db = workspace.db.clone();
+        found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
+        workspace.db.trigger_lru_eviction();
+    }
     finish(found)
 }
 

@@ -11,6 +11,7 @@ mod format;
 mod line_index;
 mod markdown;
 mod output;
+mod parallel_disk;
 mod paths;
 mod progress;
 mod report;
@@ -27,6 +28,10 @@ use clap::Parser;
 use crate::args::{Args, Command};
 use crate::output::to_stderr;
 use crate::user_error::{EXIT_USAGE, UserError};
+
+/// Trees are many small allocations made by several threads at once.
+#[global_allocator]
+static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;
 
 fn main() -> ExitCode {
     run(&Args::parse()).unwrap_or_else(|error| {

@@ -22,7 +22,7 @@ pub enum SyntaxErrorKind {
         /// Name of the element.
         name: String,
     },
-    /// An end tag that closes nothing.
+    /// An end tag that closes nothing, or has another name than its start tag (related).
     UnmatchedEndTag {
         /// Name in the end tag.
         name: String,

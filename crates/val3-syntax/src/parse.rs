@@ -13,7 +13,7 @@ use crate::error::SyntaxError;
 use crate::grammar;
 use crate::kind::SyntaxNode;
 use crate::lexer::lex;
-use crate::parser::{Event, Input, Matching, Parser, build_tree};
+use crate::parser::{Input, Parser, build_tree};
 
 pub use reparse::Edit;
 
@@ -34,33 +34,11 @@ pub fn parse(text: &str) -> Parse {
 fn parse_within(text: &str, depth: u32) -> Parse {
     let lexed = lex(text);
     let input = Input::new(text, &lexed);
-    let (events, errors) = run(&input, depth);
+    let mut parser = Parser::new(&input, depth);
+    grammar::file(&mut parser);
+    let (events, errors) = parser.finish();
     let green = build_tree(text, &lexed.tokens, events);
     Parse { green, errors: merge::merge(text, lexed.errors, errors).into() }
-}
-
-type Reading = (Vec<Event>, Vec<SyntaxError>);
-
-/// Runs the grammar. Where blocks do not match up, the reading with the fewest faults stands; of equals the one that
-/// heeds the indentation.
-fn run(input: &Input<'_>, depth: u32) -> Reading {
-    let plain = run_once(input, depth, Matching::Plain);
-    if !plain.1.iter().any(|error| error.kind.is_about_blocks()) {
-        return plain;
-    }
-    let guided = run_once(input, depth, Matching::Guided);
-    let best = if guided.1.len() <= plain.1.len() { guided } else { plain };
-    if best.1.len() == 1 {
-        return best;
-    }
-    let strict = run_once(input, depth, Matching::Strict);
-    if strict.1.len() < best.1.len() { strict } else { best }
-}
-
-fn run_once(input: &Input<'_>, depth: u32, matching: Matching) -> Reading {
-    let mut parser = Parser::new(input, depth, matching);
-    grammar::file(&mut parser);
-    parser.finish()
 }
 
 impl Parse {

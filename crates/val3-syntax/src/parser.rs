@@ -2,6 +2,7 @@
 
 mod input;
 mod marker;
+mod reading;
 mod sharing;
 mod sink;
 
@@ -66,7 +67,7 @@ pub(crate) struct Parser<'i> {
 
 impl<'i> Parser<'i> {
     /// A parser for a text that stands inside of `depth` elements.
-    pub(crate) fn new(input: &'i Input<'i>, depth: u32, matching: Matching) -> Self {
+    pub(crate) fn new(input: &'i Input<'i>, depth: u32) -> Self {
         Self {
             input,
             pos: 0,
@@ -75,7 +76,7 @@ impl<'i> Parser<'i> {
             end_told: input.is_cut_off(),
             depth,
             height: 0,
-            matching,
+            matching: Matching::Plain,
             events: Vec::with_capacity(input.len() * 2),
             errors: Vec::new(),
         }

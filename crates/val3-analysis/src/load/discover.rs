@@ -41,9 +41,9 @@ fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, Loa
     if is_manifest(path) {
         return Ok(vec![path.to_owned()]);
     }
-    let is_ours = path.extension().is_some_and(|extension| {
-        extension.eq_ignore_ascii_case("pgx") || extension.eq_ignore_ascii_case("dtx")
-    });
+    let is_ours = path
+        .extension()
+        .is_some_and(|extension| extension.eq_ignore_ascii_case("pgx") || extension.eq_ignore_ascii_case("dtx"));
     if !is_ours {
         return Err(error(path, "this is no VAL 3 file; give a `.pjx`, or the folder of an application"));
     }
@@ -91,6 +91,8 @@ impl Search<'_> {
 /// Spares asking the disk about files whose names tell what they are.
 fn may_be_folder(name: &str) -> bool {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
-    !["pgx", "dtx", "ltx", "cfx", "html", "json", "png", "xml"].iter().any(|known| extension.eq_ignore_ascii_case(known))
+    !["pgx", "dtx", "ltx", "cfx", "html", "json", "png", "xml"]
+        .iter()
+        .any(|known| extension.eq_ignore_ascii_case(known))
         && name != "node_modules"
 }

@@ -14,7 +14,9 @@ pub(super) enum Loaded {
 
 /// The paths that the code in `text` loads, as far as it spells them out.
 pub(super) fn loaded_libraries(text: &str) -> Vec<Loaded> {
-    memmem::find_iter(text.as_bytes(), b"libLoad").filter_map(|at| argument(text.get(at + "libLoad".len()..)?)).collect()
+    memmem::find_iter(text.as_bytes(), b"libLoad")
+        .filter_map(|at| argument(text.get(at + "libLoad".len()..)?))
+        .collect()
 }
 
 fn argument(rest: &str) -> Option<Loaded> {

@@ -13,7 +13,7 @@ pub(super) fn code(p: &mut Parser<'_>, opened: usize) {
     if p.at_code_end() {
         p.error_at(SyntaxErrorKind::NoCode, p.range(opened).cover(p.range(opened + 1)), None);
     } else {
-        body(p);
+        p.best_reading(body);
     }
     m.complete(p, CODE);
     p.start_statement();

@@ -6,14 +6,14 @@ use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::*;
 use crate::parser::{Marker, Parser};
 
-/// A start tag; true if content follows.
-pub(super) fn start_tag(p: &mut Parser<'_>) -> bool {
+/// A start tag; true if content follows. One that is not closed may be any, but the root always has content.
+pub(super) fn start_tag(p: &mut Parser<'_>, is_root: bool) -> bool {
     let m = p.start();
     let opener = if p.nth(1) == XML_NAME { p.range_of_two() } else { p.range(p.position()) };
     p.bump();
     p.eat(XML_NAME);
     attributes(p);
-    let has_content = p.at(R_ANGLE);
+    let has_content = p.at(R_ANGLE) || is_root && !p.at(SLASH_R_ANGLE);
     close_tag(p, opener, None);
     m.complete(p, START_TAG);
     has_content
@@ -21,21 +21,46 @@ pub(super) fn start_tag(p: &mut Parser<'_>) -> bool {
 
 fn attributes(p: &mut Parser<'_>) {
     let mut seen = Vec::new();
+    // A tag that is not closed runs on over what follows: it has one message.
+    let mut told = false;
     loop {
-        match p.current() {
+        let (kind, name, range) = (p.current(), p.text(), p.range(p.position()));
+        let sound = match kind {
             XML_NAME => {
-                seen.push((p.text(), p.position()));
-                attribute(p);
+                seen.push((name, p.position()));
+                attribute(p)
             }
-            XML_EQ | XML_STRING => {
-                let name = p.text().to_owned();
-                p.structure_error(SyntaxErrorKind::MalformedAttribute { name }, p.range(p.position()), None);
+            XML_EQ | XML_STRING | ERROR_TOKEN => {
                 p.bump();
+                false
             }
-            ERROR_TOKEN => p.bump(),
             _ => break,
+        };
+        // The lexer has said what it could not read.
+        if !sound && !told && kind != ERROR_TOKEN {
+            p.structure_error(SyntaxErrorKind::MalformedAttribute { name: name.to_owned() }, range, None);
         }
+        told |= !sound;
     }
+    if !told {
+        report_duplicates(p, seen);
+    }
+}
+
+/// An attribute; false if it lacks its `=` or its value.
+fn attribute(p: &mut Parser<'_>) -> bool {
+    let m = p.start();
+    p.bump();
+    let has_equals_sign = p.eat(XML_EQ);
+    let sound = has_equals_sign && p.eat(XML_STRING);
+    if has_equals_sign && !sound {
+        p.eat(ERROR_TOKEN);
+    }
+    m.complete(p, ATTRIBUTE);
+    sound
+}
+
+fn report_duplicates(p: &mut Parser<'_>, mut seen: Vec<(&str, usize)>) {
     seen.sort_unstable();
     for pair in seen.windows(2) {
         if let [(first, at), (second, again)] = pair
@@ -46,17 +71,6 @@ fn attributes(p: &mut Parser<'_>) {
             p.structure_error(SyntaxErrorKind::DuplicateAttribute { name }, p.range(*again), Some(first));
         }
     }
-}
-
-fn attribute(p: &mut Parser<'_>) {
-    let m = p.start();
-    let (name, at) = (p.text(), p.position());
-    p.bump();
-    if !(p.eat(XML_EQ) && p.eat(XML_STRING)) {
-        let kind = SyntaxErrorKind::MalformedAttribute { name: name.to_owned() };
-        p.structure_error(kind, p.range(at), None);
-    }
-    m.complete(p, ATTRIBUTE);
 }
 
 /// The end tag of the element that opened at `opened`.
@@ -88,8 +102,8 @@ fn close_tag(p: &mut Parser<'_>, place: TextRange, opened: Option<TextRange>) {
     }
 }
 
-/// An end tag that closes nothing, or another element than its name says.
-pub(super) fn unmatched_end_tag(p: &mut Parser<'_>) {
+/// An end tag that closes nothing, or by its place the element that opened at `meant`.
+pub(super) fn unmatched_end_tag(p: &mut Parser<'_>, meant: Option<usize>) {
     let m = p.start();
     let opened = p.position();
     let tag = if p.nth(1) == XML_NAME { p.range_of_two() } else { p.range(opened) };
@@ -98,6 +112,7 @@ pub(super) fn unmatched_end_tag(p: &mut Parser<'_>) {
     finish_end_tag(p, m, opened);
     // A tag in which the file breaks off may be any.
     if !(p.at(EOF) && p.end_told()) {
-        p.structure_error(SyntaxErrorKind::UnmatchedEndTag { name }, tag, None);
+        let start = meant.map(|opened| p.range(opened).cover(p.range(opened + 1)));
+        p.structure_error(SyntaxErrorKind::UnmatchedEndTag { name }, tag, start);
     }
 }

@@ -20,7 +20,7 @@ pub(crate) fn file(p: &mut Parser<'_>) {
                 }
                 element(p, &mut names);
             }
-            L_ANGLE_SLASH => unmatched_end_tag(p),
+            L_ANGLE_SLASH => unmatched_end_tag(p, None),
             ERROR_TOKEN => p.bump(),
             _ => {
                 strays += 1;
@@ -54,7 +54,7 @@ fn element_inner<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
     let m = p.start();
     let opened = p.position();
     let name = if p.nth(1) == XML_NAME { p.text_at(opened + 1) } else { "" };
-    if start_tag(p) {
+    if start_tag(p, names.is_empty()) {
         names.push(name);
         if matches!(name, "Code" | "code") {
             code(p, opened);
@@ -73,11 +73,8 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
             L_ANGLE_SLASH => match end_tag_target(p, names) {
                 EndTag::Mine => return end_tag(p, opened),
                 EndTag::Outer => return unclosed(p, names, opened),
-                EndTag::Misspelt => {
-                    unmatched_end_tag(p);
-                    return;
-                }
-                EndTag::Nobody => unmatched_end_tag(p),
+                EndTag::Misspelt => return unmatched_end_tag(p, Some(opened)),
+                EndTag::Nobody => unmatched_end_tag(p, None),
             },
             EOF => {
                 // One truncated file is one fault: the innermost element has the message.
@@ -96,7 +93,7 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
 enum EndTag {
     Mine,
     Outer,
-    /// Its name is nobody's, but the innermost element needs an end tag here.
+    /// Its name is nobody's, but much like that of the innermost element, or that one needs an end tag here.
     Misspelt,
     Nobody,
 }
@@ -107,11 +104,18 @@ fn end_tag_target(p: &Parser<'_>, names: &[&str]) -> EndTag {
         EndTag::Mine
     } else if name.is_some_and(|name| names.contains(&name)) {
         EndTag::Outer
-    } else if p.nth(2) == R_ANGLE && is_end_of_outer(p, names) {
+    } else if p.nth(2) == R_ANGLE && (is_alike(name, names.last()) || is_end_of_outer(p, names)) {
         EndTag::Misspelt
     } else {
         EndTag::Nobody
     }
+}
+
+/// The names start alike for at least half of their length, in any letter case.
+fn is_alike(name: Option<&str>, other: Option<&&str>) -> bool {
+    let (Some(name), Some(other)) = (name, other) else { return false };
+    let same = name.bytes().zip(other.bytes()).take_while(|(a, b)| a.eq_ignore_ascii_case(b)).count();
+    2 * same >= name.len().max(other.len())
 }
 
 /// Behind the end tag here comes the one of the element around the innermost, or the end of the text behind the root.

@@ -105,8 +105,9 @@ impl Lexer<'_> {
         }
     }
 
-    /// The inside of a tag, up to and with its `>`.
+    /// The inside of a tag, up to and with its `>`. What does not belong there is one fault.
     fn tag(&mut self) {
+        let faults = self.out.errors.len();
         while let Some(byte) = self.byte() {
             match byte {
                 b'>' => return self.token(R_ANGLE, self.pos + 1),
@@ -118,6 +119,7 @@ impl Lexer<'_> {
                 b'"' | b'\'' => self.attribute_value(byte),
                 _ if self.behind_equals_sign() => self.unquoted_value(),
                 byte if is_name_start(byte) => self.token(XML_NAME, self.pos + self.name_len()),
+                _ if self.out.errors.len() > faults => self.token(ERROR_TOKEN, self.pos + self.character_len()),
                 _ => self.stray_character(),
             }
         }
@@ -138,9 +140,13 @@ impl Lexer<'_> {
     }
 
     fn stray_character(&mut self) {
-        let len = self.rest().chars().next().map_or(1, char::len_utf8);
-        self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + len);
-        self.token(ERROR_TOKEN, self.pos + len);
+        let end = self.pos + self.character_len();
+        self.error(SyntaxErrorKind::UnexpectedText, self.pos, end);
+        self.token(ERROR_TOKEN, end);
+    }
+
+    fn character_len(&self) -> usize {
+        self.rest().chars().next().map_or(1, char::len_utf8)
     }
 
     fn name_len(&self) -> usize {

@@ -1,8 +1,8 @@
 //! The time of the parser grows with the text and no faster: counted in looks at tokens, not by the clock.
 
-use super::run;
+use crate::grammar;
 use crate::lexer::lex;
-use crate::parser::Input;
+use crate::parser::{Input, Parser};
 
 /// Texts that make a careless parser look at the same tokens again and again.
 const SHAPES: &[(&str, &str, &str)] = &[
@@ -22,18 +22,18 @@ const SHAPES: &[(&str, &str, &str)] = &[
     ("begin\n", "a ", "\nend"),
 ];
 
-fn looks(code: &str) -> usize {
-    let text = format!("<Code><![CDATA[{code}]]></Code>");
-    let lexed = lex(&text);
-    let input = Input::new(&text, &lexed);
-    run(&input, 0);
+/// How often the parser looks at a token of `text`.
+fn looks(text: &str) -> usize {
+    let lexed = lex(text);
+    let input = Input::new(text, &lexed);
+    grammar::file(&mut Parser::new(&input, 0));
     input.looks.get()
 }
 
 #[test]
 fn looks_grow_with_the_text() {
     for (head, unit, tail) in SHAPES {
-        let of = |times: usize| looks(&format!("{head}{}{tail}", unit.repeat(times)));
+        let of = |times: usize| looks(&format!("<Code><![CDATA[{head}{}{tail}]]></Code>", unit.repeat(times)));
         let (once, tenfold) = (of(1_000), of(10_000));
         assert!(tenfold <= 11 * once, "{unit:?}: {once} -> {tenfold}");
         // Some look far ahead, but no more than a fixed number of times.
@@ -44,13 +44,7 @@ fn looks_grow_with_the_text() {
 #[test]
 fn looks_at_elements_grow_with_the_text() {
     for unit in ["<a>", "<a b='c' b='c'/>", "</a>", "<a ", "<a></b>", "<a><b></a>", "text &", "<![CDATA["] {
-        let of = |times: usize| {
-            let text = unit.repeat(times);
-            let lexed = lex(&text);
-            let input = Input::new(&text, &lexed);
-            run(&input, 0);
-            input.looks.get()
-        };
+        let of = |times: usize| looks(&unit.repeat(times));
         let (once, tenfold) = (of(1_000), of(10_000));
         assert!(tenfold <= 11 * once, "{unit:?}: {once} -> {tenfold}");
     }

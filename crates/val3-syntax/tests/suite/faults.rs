@@ -66,6 +66,40 @@ fn unmatched_end_tag() {
 }
 
 #[test]
+fn misspelt_tags() {
+    check_file(
+        "<Programs>\n<Program>\n</Programm>\n</Programs>",
+        expect![[r#"
+            2:1 "</Programm" UnmatchedEndTag { name: "Programm" } <- 1:1 "<Program"
+        "#]],
+    );
+    check_file(
+        "<Programs>\n<Locals>\n</locals>\n<Code/>\n</Programs>",
+        expect![[r#"
+            2:1 "</locals" UnmatchedEndTag { name: "locals" } <- 1:1 "<Locals"
+        "#]],
+    );
+    check_file(
+        "<Programs>\n<Codes>\n</Code>\n<a/>\n</Programs>",
+        expect![[r#"
+            2:1 "</Code" UnmatchedEndTag { name: "Code" } <- 1:1 "<Codes"
+        "#]],
+    );
+    check_file(
+        "<Programs>\n</Project>",
+        expect![[r#"
+            1:1 "</Project" UnmatchedEndTag { name: "Project" } <- 0:1 "<Programs"
+        "#]],
+    );
+    check_file(
+        "<Programs a=\"b\"\n<Program>\n</Program>\n</Programs>",
+        expect![[r#"
+        0:1 "<Programs" Unterminated(Tag)
+    "#]],
+    );
+}
+
+#[test]
 fn unterminated_parts() {
     check_file(
         "<a>\n<!-- b -- </a>",
@@ -127,8 +161,6 @@ fn malformed_attribute() {
         "<a b c=d/e \"f\"/>",
         expect![[r#"
             0:4 "b" MalformedAttribute { name: "b" }
-            0:6 "c" MalformedAttribute { name: "c" }
-            0:12 "\"f\"" MalformedAttribute { name: "\"f\"" }
         "#]],
     );
     check_file(

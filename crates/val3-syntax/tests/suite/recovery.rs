@@ -317,3 +317,15 @@ fn one_slip_one_message() {
     "#]],
     );
 }
+
+#[test]
+fn programs_of_one_file_are_read_on_their_own() {
+    let extra_end = "<Program><Code><![CDATA[begin\nwhile a\nif b\nendWhile\nendIf\nendWhile\nend]]></Code></Program>";
+    let missing_end = "<Program><Code><![CDATA[begin\nif a\n  if b\n    x=1\n  y=1\nendIf\nend]]></Code></Program>";
+    let both = format!("<Programs>\n{extra_end}\n{missing_end}\n</Programs>");
+    expect![[r#"
+        4:1 "endWhile" UnmatchedBlockEnd { found: "endWhile", opener: "while" }
+        12:3 "y" UnclosedBlock { block: "if", missing: "endIf" } <- 10:3 "if"
+    "#]]
+    .assert_eq(&crate::show::faults_in(&both));
+}

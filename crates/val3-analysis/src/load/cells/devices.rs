@@ -46,7 +46,8 @@ fn basic_io(text: &str) -> Device {
 fn channels(text: &str, wanted: impl Fn(Element<'_>) -> bool) -> Device {
     let parse = val3_syntax::parse(text);
     let root = xml::root(View::root(parse.green()));
-    let settings = root.into_iter().flat_map(Element::elements).filter(|channel| wanted(*channel)).flat_map(Element::elements);
+    let settings =
+        root.into_iter().flat_map(Element::elements).filter(|channel| wanted(*channel)).flat_map(Element::elements);
     settings
         .filter(|setting| setting.value("name").as_deref() == Some("name"))
         .filter_map(|setting| Some((setting.value("value")?.into_owned(), BaseType::Sio)))

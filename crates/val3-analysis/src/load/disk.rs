@@ -1,0 +1,40 @@
+//! The root of the controller's disk, seen from a project.
+
+use camino::{Utf8Path, Utf8PathBuf};
+
+use crate::items::manifest::Manifest;
+use crate::paths::{self, Target};
+use crate::system::{Kind, System};
+
+/// What `Disk://` stands for: the nearest `usrapp` above, else the nearest folder above from which the
+/// project's own `Disk://` references lead somewhere.
+pub(super) fn root(system: &dyn System, folder: &Utf8Path, manifest: &Manifest) -> Option<Utf8PathBuf> {
+    let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
+    if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
+        return Some(usrapp.to_owned());
+    }
+    let references: Vec<&str> = manifest
+        .libraries
+        .iter()
+        .map(|entry| entry.path.as_str())
+        .chain(manifest.types.iter().map(|entry| entry.path.as_str()))
+        .filter(|reference| !reference.starts_with('.'))
+        .collect();
+    let resolves = |disk: &Utf8Path| {
+        references
+            .iter()
+            .filter(|reference| match paths::project(folder, Some(disk), reference) {
+                Target::Path(path) => system.kind(&path) == Some(Kind::File),
+                Target::Elsewhere => false,
+            })
+            .count()
+    };
+    let scored = folder.ancestors().skip(1).take(6).map(|disk| (resolves(disk), disk));
+    // Of equal ones the nearest.
+    let best = scored.fold(None, |best: Option<(usize, &Utf8Path)>, (score, disk)| match best {
+        Some((top, _)) if top >= score => best,
+        _ => Some((score, disk)),
+    })?;
+    let (score, disk) = best;
+    (score > 0 || references.is_empty()).then(|| disk.to_owned())
+}

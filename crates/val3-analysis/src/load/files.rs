@@ -1,0 +1,76 @@
+//! Reading files into the database.
+
+use std::io;
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_syntax::encoding::decode;
+
+use super::Loader;
+use crate::db::{File, FileStatus, path_key};
+
+/// The largest file that is read, in bytes: offsets have 32 bits.
+const SIZE_LIMIT: usize = u32::MAX as usize / 2;
+
+impl Loader<'_> {
+    /// Reads several files at once. What is not there under its exact name is left for `found_file`.
+    pub(super) fn read_ahead(&mut self, mut paths: Vec<Utf8PathBuf>) {
+        paths.retain(|path| !self.files.contains_key(&path_key(path.as_str())));
+        let contents = self.system.read_all(&paths);
+        for (path, content) in paths.iter().zip(contents) {
+            self.add(path, content);
+        }
+    }
+
+    /// The input for the file at `path`, whatever the letter case of its name; `None` where there is none.
+    pub(super) fn found_file(&mut self, path: &Utf8Path) -> Option<File> {
+        self.file(path).or_else(|| {
+            let path = self.actual(path)?;
+            self.file(&path)
+        })
+    }
+
+    fn file(&mut self, path: &Utf8Path) -> Option<File> {
+        match self.files.get(&path_key(path.as_str())) {
+            Some(file) => Some(*file),
+            None => self.add(path, self.system.read(path)),
+        }
+    }
+
+    /// Makes an input of what was read; `None` where there is no file.
+    fn add(&mut self, path: &Utf8Path, content: io::Result<Vec<u8>>) -> Option<File> {
+        let key = path_key(path.as_str());
+        if let Some(file) = self.files.get(&key) {
+            return Some(*file);
+        }
+        let (text, status): (Arc<str>, _) = match content {
+            Ok(bytes) if bytes.len() > SIZE_LIMIT => {
+                ("".into(), FileStatus::Unreadable("it is larger than 2 GiB".to_owned()))
+            }
+            Ok(bytes) => {
+                let decoded = decode(bytes);
+                let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
+                (decoded.text.into(), status)
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => return None,
+            Err(error) => ("".into(), FileStatus::Unreadable(error.to_string())),
+        };
+        let file = File::builder(path.to_owned(), text, status).path_durability(salsa::Durability::HIGH).new(&self.db);
+        self.files.insert(key, file);
+        Some(file)
+    }
+
+    /// The path as the disk spells it: references are written without regard to letter case.
+    fn actual(&mut self, path: &Utf8Path) -> Option<Utf8PathBuf> {
+        if self.system.kind(path).is_some() {
+            return Some(path.to_owned());
+        }
+        let parent = self.actual(path.parent()?)?;
+        let wanted = path.file_name()?.to_lowercase();
+        let names = self.folders.entry(parent.clone()).or_insert_with(|| {
+            let names = self.system.list(&parent).unwrap_or_default();
+            names.into_iter().map(|name| (name.to_lowercase(), name)).collect()
+        });
+        names.get(&wanted).map(|name| parent.join(name))
+    }
+}

@@ -1,0 +1,45 @@
+//! Reading the same tokens in several ways, and keeping the best.
+
+use super::{Event, Matching, Parser};
+use crate::error::SyntaxError;
+
+/// What reading some tokens gave.
+struct Reading {
+    events: Vec<Event>,
+    errors: Vec<SyntaxError>,
+}
+
+impl Parser<'_> {
+    /// Runs `read`, which reads the code at the cursor to its end. Where blocks do not match up, the way with the
+    /// fewest faults stands; of equals the one that heeds the indentation.
+    pub(crate) fn best_reading(&mut self, read: impl Fn(&mut Self)) {
+        let start = (self.position(), self.events.len(), self.errors.len());
+        read(self);
+        if !self.errors.iter().skip(start.2).any(|error| error.kind.is_about_blocks()) {
+            return;
+        }
+        let plain = self.take_reading(start);
+        let guided = self.read_by(Matching::Guided, start, &read);
+        let mut best = if guided.errors.len() <= plain.errors.len() { guided } else { plain };
+        if best.errors.len() > 1 {
+            let strict = self.read_by(Matching::Strict, start, &read);
+            best = if strict.errors.len() < best.errors.len() { strict } else { best };
+        }
+        self.events.append(&mut best.events);
+        self.errors.append(&mut best.errors);
+    }
+
+    fn read_by(&mut self, matching: Matching, start: (usize, usize, usize), read: impl Fn(&mut Self)) -> Reading {
+        let end = self.pos;
+        self.pos = start.0;
+        self.matching = matching;
+        read(self);
+        self.matching = Matching::Plain;
+        debug_assert_eq!(self.pos, end, "every way reads all of the code");
+        self.take_reading(start)
+    }
+
+    fn take_reading(&mut self, (_, events, errors): (usize, usize, usize)) -> Reading {
+        Reading { events: self.events.split_off(events), errors: self.errors.split_off(errors) }
+    }
+}
