@@ -19,6 +19,7 @@ use crate::ty::Base;
 use crate::xml::{self, Element};
 
 /// What is wrong in a data file.
+#[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let parse = parse(db, file);
     let view = View::root(parse.green());

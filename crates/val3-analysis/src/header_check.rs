@@ -12,6 +12,7 @@ use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
 
 /// What is wrong with the file and the header of a program.
+#[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let parse = parse(db, file);
     let mut check = Header { names: NameCheck::new(file, items(db, project)), items: items(db, project), file };

@@ -18,6 +18,7 @@ use crate::problem::{Place, Problem, ProblemKind};
 pub use usage::{Load, LoadedPath, Uses, uses};
 
 /// What is wrong with the libraries of a project.
+#[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let items = items(db, project);
     if items.libraries.is_empty() {

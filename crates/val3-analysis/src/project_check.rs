@@ -16,6 +16,7 @@ use crate::problem::{FileRole, NameKind, Place, Problem, ProblemKind, Related, R
 use crate::xml::{self, Attribute, Element};
 
 /// What is wrong in a project file.
+#[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let file = project.manifest(db);
     let parse = parse(db, file);

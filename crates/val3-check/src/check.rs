@@ -2,7 +2,8 @@
 
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::infer::infer;
-use val3_analysis::items::{parse, project};
+use val3_analysis::items::faults::text_faults;
+use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, interfaces, project_check};
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
@@ -73,7 +74,7 @@ impl Check<'_> {
                 self.problems(header_check::problems(db, project, file));
                 if !broken {
                     let problems = self.on_sound_lines(file, &infer(db, project, file).problems);
-                    self.problems(problems);
+                    self.problems(&problems);
                     self.found.extend(keywords::spelling(db, project, file));
                 }
             }
@@ -94,7 +95,7 @@ impl Check<'_> {
         if matches!(file.status(self.db), FileStatus::Unreadable(_)) {
             return true;
         }
-        let errors = parse(self.db, file).errors();
+        let errors = &text_faults(self.db, file).errors;
         let mut too_deep = false;
         for error in errors {
             // What nests too deep does so in many places; one of them is enough to find it.
@@ -108,7 +109,7 @@ impl Check<'_> {
 
     /// What a broken line is taken for may be wrong: the fault of its text is its only message.
     fn on_sound_lines(&self, file: File, problems: &[Problem]) -> Vec<Problem> {
-        let errors = parse(self.db, file).errors();
+        let errors = &text_faults(self.db, file).errors;
         if errors.is_empty() || problems.is_empty() {
             return problems.to_vec();
         }
@@ -130,7 +131,7 @@ impl Check<'_> {
         self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect())
     }
 
-    fn problems(&mut self, problems: Vec<Problem>) {
+    fn problems(&mut self, problems: &[Problem]) {
         for problem in problems {
             let (rule, wording) = word_problem(&problem.kind);
             let related = problem.related.iter().map(|other| RelatedNote {

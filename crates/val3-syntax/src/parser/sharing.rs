@@ -65,6 +65,9 @@ impl Sharing {
 }
 
 fn token_hash(kind: SyntaxKind, text: &str) -> usize {
+    if let [byte] = text.as_bytes() {
+        return usize::from(*byte);
+    }
     let mut hasher = FxHasher::default();
     hasher.write(text.as_bytes());
     hasher.write_u16(kind as u16);

@@ -1,0 +1,50 @@
+//! What is wrong with the text of a file, kept when its tree is dropped.
+
+use rowan::NodeOrToken;
+use val3_syntax::TextRange;
+use val3_syntax::error::SyntaxError;
+use val3_syntax::view::{TokenView, View};
+
+use super::parse;
+use crate::db::{Db, File};
+
+/// The faults of a text.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct TextFaults {
+    /// What the parser found, by position.
+    pub errors: Vec<SyntaxError>,
+    /// Keywords that are not written in their usual letter case.
+    pub odd_keywords: Vec<OddKeyword>,
+}
+
+/// A keyword in another letter case than usual.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct OddKeyword {
+    /// Where it stands.
+    pub range: TextRange,
+    /// How it is usually written.
+    pub canonical: &'static str,
+}
+
+/// What is wrong with the text of `file`.
+#[salsa::tracked]
+pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
+    let parse = parse(db, file);
+    let mut odd_keywords = Vec::new();
+    collect(View::root(parse.green()), &mut odd_keywords);
+    TextFaults { errors: parse.errors().to_vec(), odd_keywords }
+}
+
+fn collect(node: View<'_>, odd: &mut Vec<OddKeyword>) {
+    for child in node.children_with_tokens() {
+        match child {
+            NodeOrToken::Node(node) => collect(node, odd),
+            NodeOrToken::Token(token) => odd.extend(odd_keyword(token)),
+        }
+    }
+}
+
+fn odd_keyword(token: TokenView<'_>) -> Option<OddKeyword> {
+    let canonical = token.kind().is_keyword().then(|| token.kind().keyword_text()).flatten()?;
+    (token.text() != canonical).then(|| OddKeyword { range: token.range(), canonical })
+}
