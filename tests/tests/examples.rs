@@ -54,7 +54,9 @@ fn the_sorter_has_its_faults_and_no_others() {
     let cell = cell::files("faulty");
     let mut expected: Vec<(String, String, usize)> = FAULTS
         .iter()
-        .map(|(code, file, text)| cell::place_of(&cell, file, text).map(|(path, line)| ((*code).to_owned(), path, line)))
+        .map(|(code, file, text)| {
+            cell::place_of(&cell, file, text).map(|(path, line)| ((*code).to_owned(), path, line))
+        })
         .collect::<Result<_, _>>()
         .unwrap_or_default();
     expected.sort();

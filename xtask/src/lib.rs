@@ -5,6 +5,7 @@
 
 pub mod codegen;
 pub mod dist;
+pub mod format;
 pub mod install;
 pub mod metrics;
 pub mod project;

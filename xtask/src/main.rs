@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{codegen, dist, install, metrics, test, tidy, workspace};
+use xtask::{codegen, dist, format, install, metrics, test, tidy, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -17,6 +17,8 @@ struct Arguments {
 enum Task {
     /// Write the typed syntax tree from crates/val3-syntax/val3.ungram
     Codegen(codegen::Arguments),
+    /// Format every Rust file, also those that a macro declares
+    Fmt(format::Arguments),
     /// Look for what a formatter does not see, and list the largest files and functions
     Tidy,
     /// Run every check and every test of the project
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
 fn run(task: Task) -> anyhow::Result<()> {
     match task {
         Task::Codegen(arguments) => codegen::run(&arguments),
+        Task::Fmt(arguments) => format::run(&arguments),
         Task::Tidy => tidy::run(),
         Task::Test => test::run(),
         Task::Dist => dist::run(),

@@ -15,7 +15,7 @@ struct Step {
 }
 
 const STEPS: &[Step] = &[
-    Step { name: "format", arguments: &["fmt", "--all", "--check"] },
+    Step { name: "format", arguments: &["xtask", "fmt", "--check"] },
     Step { name: "generated code", arguments: &["xtask", "codegen", "--check"] },
     Step { name: "tidy", arguments: &["xtask", "tidy"] },
     Step {

@@ -20,14 +20,23 @@ use crate::db::{Db, File, Project};
 use crate::items::program::header;
 use crate::items::project::{Items, items};
 use crate::problem::{Place, Problem, ProblemKind, Related, Role};
+use crate::resizing::is_resized;
 use crate::ty::{Base, Ty};
 
 /// What the analysis knows about the code of one program.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inference {
     types: Vec<Ty>,
-    /// What is wrong, in the order of the statements.
-    pub problems: Vec<Problem>,
+    problems: Vec<Problem>,
+    overflows: Vec<Overflow>,
+}
+
+/// A constant index beyond the size at the start: wrong where no program of the project changes that size. Asking
+/// them here would make every body depend on all others.
+#[derive(Debug, Clone, PartialEq)]
+struct Overflow {
+    data: SmolStr,
+    problem: Problem,
 }
 
 impl Inference {
@@ -43,7 +52,17 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     let body = body(db, file);
     let mut infer = Infer::new(db, project, file, body);
     infer.block(&body.block);
-    Inference { types: infer.types, problems: infer.problems }
+    Inference { types: infer.types, problems: infer.problems, overflows: infer.overflows }
+}
+
+/// What is wrong with the code of the program in `file`, by position.
+pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
+    let inference = infer(db, project, file);
+    let lasting = inference.overflows.iter().filter(|overflow| !is_resized(db, project, &overflow.data));
+    let overflows = lasting.map(|overflow| &overflow.problem);
+    let mut problems: Vec<Problem> = inference.problems.iter().chain(overflows).cloned().collect();
+    problems.sort_by_key(|problem| problem.place.range.start());
+    problems
 }
 
 /// The walk over one body.
@@ -57,6 +76,11 @@ struct Infer<'db> {
     scope: FxHashMap<&'db str, value::Value>,
     types: Vec<Ty>,
     problems: Vec<Problem>,
+    overflows: Vec<Overflow>,
+    /// Every parameter and local is known.
+    scope_is_complete: bool,
+    /// The expression names a value that need not be there: its index has no bounds.
+    may_be_absent: bool,
 }
 
 impl<'db> Infer<'db> {
@@ -65,7 +89,7 @@ impl<'db> Infer<'db> {
         let header = header(db, file);
         let scope = names::scope(items, header);
         let types = vec![Ty::UNKNOWN; body.len()];
-        Self { db, project, file, body, items, scope, types, problems: Vec::new() }
+        Self { db, project, file, body, items, scope, types, problems: Vec::new(), overflows: Vec::new(), scope_is_complete: header.complete, may_be_absent: false }
     }
 
     fn arm(&self) -> Option<Arm> {

@@ -9,7 +9,7 @@ mod usage;
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
-use crate::db::{Db, File, Project};
+use crate::db::{Db, File, Project, Sources, path_key};
 use crate::items::declarations;
 use crate::items::project::{find_project, folder, items, program_files};
 use crate::paths::{self, Target};
@@ -51,7 +51,7 @@ impl Interfaces<'_> {
         if autoload || loaded || !used {
             return;
         }
-        if let Some(place) = declarations::library(self.db, self.project, alias) {
+        if let Some(place) = declarations::library(self.db, self.project, alias.clone()) {
             let kind = ProblemKind::LibraryNeverLoaded { alias: alias.clone() };
             self.problems.push(Problem { kind, place, related: Vec::new() });
         }
@@ -68,7 +68,7 @@ impl Interfaces<'_> {
             .collect();
         for (file, load) in loads {
             let place = Place { file, range: load.range };
-            for library in self.candidates(place, &load.path) {
+            for library in self.candidates(alias, place, &load.path) {
                 if compared.insert(library) {
                     self.compare(alias, library, place);
                 }
@@ -76,11 +76,15 @@ impl Interfaces<'_> {
         }
     }
 
-    fn candidates(&mut self, place: Place, path: &LoadedPath) -> Vec<Project> {
+    fn candidates(&mut self, alias: &SmolStr, place: Place, path: &LoadedPath) -> Vec<Project> {
         let db = self.db;
         match path {
             LoadedPath::Unknown => Vec::new(),
-            LoadedPath::Prefix(prefix) => self.projects_from(prefix),
+            LoadedPath::Prefix(prefix) => {
+                let mut found = self.projects_from(prefix);
+                found.retain(|library| self.resembles(alias, *library));
+                found
+            }
             LoadedPath::Whole(path) => {
                 if let Some(found) = find_project(db, self.project, path) {
                     return vec![found];
@@ -95,17 +99,23 @@ impl Interfaces<'_> {
         }
     }
 
+    /// The project has something of what is used of the interface: an application that only happens to lie beside the
+    /// libraries has nothing of it.
+    fn resembles(&self, alias: &SmolStr, library: Project) -> bool {
+        let offered = items(self.db, library);
+        let offers = |item: &SmolStr| offered.data.contains_key(item) || offered.programs.contains_key(item);
+        self.needed(alias).iter().any(offers)
+    }
+
     /// The projects whose folder begins as the code says: `"Disk://parts/part" + sName`.
     fn projects_from(&self, prefix: &str) -> Vec<Project> {
         let db = self.db;
-        let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
         let disk = self.project.disk(db).as_deref();
-        let Target::Path(probe) = paths::project(folder(db, self.project), disk, &format!("{start}/x.pjx")) else {
+        let Some((start, partial)) = paths::projects_from(folder(db, self.project), disk, prefix) else {
             return Vec::new();
         };
-        let start = probe.parent().map(|start| start.as_str().to_lowercase()).unwrap_or_default();
-        let partial = partial.to_lowercase();
-        let sources = crate::db::Sources::get(db);
+        let start = path_key(start.as_str());
+        let sources = Sources::get(db);
         let mut found: Vec<(&String, Project)> = sources
             .projects(db)
             .iter()

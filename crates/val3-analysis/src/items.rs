@@ -12,12 +12,17 @@ pub mod project;
 
 use val3_syntax::Parse;
 
-use crate::db::{Db, File};
+use crate::db::{Db, File, FileStatus};
 
 /// The tree of a file. Only the most recent ones are kept; they are cheap to make again.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn parse(db: &dyn Db, file: File) -> Parse {
     val3_syntax::parse(file.text(db))
+}
+
+/// The file was read, and its XML is well formed.
+fn is_sound(db: &dyn Db, file: File) -> bool {
+    matches!(file.status(db), FileStatus::Read { .. }) && parse(db, file).errors().is_empty()
 }
 
 /// `true` and `false` as files write them.

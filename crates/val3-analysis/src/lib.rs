@@ -7,7 +7,7 @@ pub mod body;
 pub mod cell;
 pub mod data_check;
 pub mod db;
-mod declared_name;
+mod file_check;
 pub mod header_check;
 pub mod infer;
 pub mod interfaces;

@@ -155,11 +155,8 @@ impl<'s> Loader<'s> {
 
     /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.
     fn enqueue_prefix(&mut self, folder: &Utf8Path, disk: Option<&Utf8Path>, prefix: &str) {
-        let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
-        let Target::Path(start) = paths::project(folder, disk, &format!("{start}/x.pjx")) else { return };
-        let Some(start) = start.parent() else { return };
-        let partial = partial.to_lowercase();
-        for name in self.system.list(start).unwrap_or_default() {
+        let Some((start, partial)) = paths::projects_from(folder, disk, prefix) else { return };
+        for name in self.system.list(&start).unwrap_or_default() {
             let manifest = start.join(&name).join(format!("{name}.pjx"));
             if name.to_lowercase().starts_with(&partial) && self.system.kind(&manifest) == Some(Kind::File) {
                 self.queue.push(manifest);

@@ -21,12 +21,24 @@ pub fn file_in(folder: &Utf8Path, reference: &str) -> Utf8PathBuf {
 pub fn project(folder: &Utf8Path, disk: Option<&Utf8Path>, reference: &str) -> Target {
     let reference = reference.trim().replace('\\', "/");
     let path = match reference.split_once("://") {
-        Some((root, rest)) if root.eq_ignore_ascii_case("Disk") => disk.map(|disk| disk.join(rest.trim_start_matches('/'))),
+        Some((root, rest)) if root.eq_ignore_ascii_case("Disk") => {
+            disk.map(|disk| disk.join(rest.trim_start_matches('/')))
+        }
         Some(_) => None,
         None if reference.starts_with("./") || reference.starts_with("../") => Some(folder.join(&reference)),
         None => disk.map(|disk| disk.join(reference.trim_start_matches('/'))),
     };
     path.map_or(Target::Elsewhere, |path| Target::Path(with_manifest(normalise(&path))))
+}
+
+/// Reads the start of such a reference (`"Disk://parts/part" + sName`): the folder that holds the projects, and how
+/// the names of their own folders begin, in lower case.
+pub fn projects_from(folder: &Utf8Path, disk: Option<&Utf8Path>, prefix: &str) -> Option<(Utf8PathBuf, String)> {
+    let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
+    match project(folder, disk, &format!("{start}/x.pjx")) {
+        Target::Path(probe) => Some((probe.parent()?.to_owned(), partial.to_lowercase())),
+        Target::Elsewhere => None,
+    }
 }
 
 /// `a/b` names the project `a/b/b.pjx`.

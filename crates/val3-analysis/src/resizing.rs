@@ -11,7 +11,12 @@ use crate::items::project::program_files;
 
 /// A program of the project may change the size of the data called `name`.
 pub fn is_resized(db: &dyn Db, project: Project, name: &str) -> bool {
-    program_files(db, project).iter().any(|file| resized(db, *file).contains(name))
+    resized_data(db, project).contains(name)
+}
+
+#[salsa::tracked]
+fn resized_data(db: &dyn Db, project: Project) -> FxHashSet<SmolStr> {
+    program_files(db, project).iter().flat_map(|file| resized(db, *file)).cloned().collect()
 }
 
 /// The variables a program hands over as a whole, which is how instructions (`insert`, `resize`, `libList` …) and

@@ -52,7 +52,9 @@ impl Base {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => true,
             (Self::User(a), Self::User(b)) => a == b,
-            (Self::Builtin(a, arm), Self::Builtin(b, other)) => a == b && !(arm.is_some() && other.is_some() && arm != other),
+            (Self::Builtin(a, arm), Self::Builtin(b, other)) => {
+                a == b && !(arm.is_some() && other.is_some() && arm != other)
+            }
             _ => false,
         }
     }

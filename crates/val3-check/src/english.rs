@@ -45,8 +45,9 @@ pub(crate) fn a_name_kind(kind: NameKind) -> String {
     }
 }
 
+/// `mdesc` is spoken with its first letter on its own: "em-desc".
 fn article(word: &str) -> &'static str {
-    let vowel = word.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']);
+    let vowel = word.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']) || word == "mdesc";
     if vowel { "an" } else { "a" }
 }
 
@@ -94,6 +95,7 @@ mod tests {
     fn articles_follow_the_sound() {
         assert_eq!(a("aio"), "an `aio`");
         assert_eq!(a("num"), "a `num`");
+        assert_eq!(a("mdesc"), "an `mdesc`");
         assert_eq!(a_name_kind(NameKind::Instruction), "an instruction");
         assert_eq!(a_name_kind(NameKind::Data), "data");
     }

@@ -4,6 +4,7 @@ mod built_in;
 mod check;
 mod conversion;
 pub mod diagnostic;
+mod echoes;
 mod english;
 mod keywords;
 mod phrase;

@@ -20,8 +20,11 @@ pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError>
     Ok(exit_code(args, &report))
 }
 
+/// The rule on files that cannot be read: without them the check is not complete.
+const UNREADABLE_FILE: &str = "V0502";
+
 fn exit_code(args: &CheckArgs, report: &Report) -> ExitCode {
-    if !report.unreadable.is_empty() {
+    if !report.unreadable.is_empty() || report.has(UNREADABLE_FILE) {
         return ExitCode::from(EXIT_USAGE);
     }
     let failed = report.reaches(args.fail_level) && !args.exit_zero;

@@ -38,7 +38,8 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     let paths = Paths::new(&folders(asked), &current);
     // Only an absolute path shows the `usrapp` above the current folder.
     let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-    let mut workspace = load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
+    let mut workspace =
+        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
     let diagnostics = diagnostics(&mut workspace, selection, &threads);
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);

@@ -176,6 +176,11 @@ impl Report {
         paths.collect::<BTreeSet<_>>().len()
     }
 
+    /// There is a finding of the rule with this code.
+    pub(crate) fn has(&self, code: &str) -> bool {
+        self.findings.iter().any(|finding| finding.code == code)
+    }
+
     /// Whether a finding reaches a level.
     pub(crate) fn reaches(&self, level: Severity) -> bool {
         self.findings.iter().any(|finding| finding.severity >= level)

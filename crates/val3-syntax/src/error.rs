@@ -221,6 +221,11 @@ impl SyntaxErrorKind {
         )
     }
 
+    /// Which element holds which is not certain.
+    pub fn breaks_structure(&self) -> bool {
+        matches!(self, Self::UnclosedElement { .. } | Self::UnmatchedEndTag { .. } | Self::Unterminated(_))
+    }
+
     /// The line it stands on cannot be read as it is meant. A block without its end leaves its lines as they are.
     pub fn breaks_line(&self) -> bool {
         !matches!(

@@ -90,3 +90,22 @@ impl<'g> TokenView<'g> {
         TextRange::at(self.start, self.green.text_len())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse;
+
+    #[test]
+    fn ranges_are_those_of_the_file() {
+        let text = "<Code><![CDATA[begin\n  a=b[1] // c\nend]]></Code>";
+        let parse = parse(text);
+        let root = View::root(parse.green());
+        let code = root.child(SyntaxKind::ELEMENT).and_then(|element| element.child(SyntaxKind::CODE)).unwrap();
+        let statement = code.child(SyntaxKind::BLOCK).and_then(|block| block.children().next()).unwrap();
+        assert_eq!(&text[statement.range()], "a=b[1]");
+        assert_eq!(&text[statement.token(SyntaxKind::EQ).unwrap().range()], "=");
+        assert_eq!(code.tokens().map(TokenView::text).collect::<Vec<_>>(), ["begin", "end"]);
+        assert_eq!(root.range(), TextRange::up_to(TextSize::of(text)));
+    }
+}

@@ -13,16 +13,10 @@ use crate::items::program;
 /// Reads the code of the first program of a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {
     let mut lowering = Lowering::default();
-    let Some(code) = code_of(file) else { return Body::default() };
+    let Some(code) = program::code(file) else { return Body::default() };
     lowering.escaped = !code.children_with_tokens().any(|child| kind_of(&child) == CDATA_OPEN);
     let block = lowering.block(code);
     Body { exprs: lowering.exprs, block }
-}
-
-fn code_of(file: View<'_>) -> Option<View<'_>> {
-    let program = program::element(file)?;
-    let code = program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))?;
-    code.view().child(CODE)
 }
 
 fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {

@@ -9,7 +9,7 @@ use val3_syntax::view::View;
 
 use super::{DataCheck, show_size_of};
 use crate::items::data;
-use crate::items::project::{DataItem, fields};
+use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
 use crate::problem::ProblemKind;
 use crate::ty::Base;
@@ -63,6 +63,9 @@ impl DataCheck<'_> {
             };
             let fields = fields(self.db, project);
             let Some(field) = fields.get(next.name.as_str()) else {
+                if items(self.db, project).lacks_data {
+                    return Resolved::Silent;
+                }
                 return Resolved::Missing(nearest(&next.name, fields.keys().map(SmolStr::as_str)));
             };
             (item, step) = (field, next);
@@ -76,9 +79,11 @@ impl DataCheck<'_> {
         if self.items.lacks_data {
             return Resolved::Silent;
         }
-        let fathers = self.items.data.iter().filter(|(_, item)| {
-            matches!(item.base.builtin(), Some(BaseType::Frame | BaseType::Tool))
-        });
+        let fathers = self
+            .items
+            .data
+            .iter()
+            .filter(|(_, item)| matches!(item.base.builtin(), Some(BaseType::Frame | BaseType::Tool)));
         let names = fathers.map(|(name, _)| name.as_str()).chain(["world", "flange"]);
         Resolved::Missing(nearest(name, names))
     }
@@ -143,10 +148,10 @@ enum Resolved {
 }
 
 fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
-    let Container::Array { dims: 1 } = item.decl.container else { return None };
-    let index: u32 = step.index.as_ref()?.trim().parse().ok()?;
-    let size = item.decl.sizes.first()?;
-    (index >= *size).then(|| show_size_of(&item.decl))
+    let Container::Array { .. } = item.decl.container else { return None };
+    let mut indexes = step.index.as_ref()?.split(',').map(|index| index.trim().parse::<u32>());
+    let too_large = item.decl.sizes.iter().any(|size| indexes.next().is_some_and(|index| index.is_ok_and(|at| at >= *size)));
+    too_large.then(|| show_size_of(&item.decl))
 }
 
 /// Splits `tSlot["a"].fFrame[0]` into its steps; `None` where it is no reference.

@@ -6,8 +6,9 @@ use val3_lang::enumerations;
 use val3_lang::types::{AttributeValue, BaseType, Container, attribute, attributes};
 
 use super::{DataCheck, show_sizes};
+use crate::file_check::alternatives;
 use crate::items::data::container;
-use crate::items::project::{DataItem, fields};
+use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
 use crate::problem::ProblemKind;
 use crate::ty::{Base, brackets};
@@ -19,11 +20,11 @@ impl DataCheck<'_> {
         let mut seen = FxHashSet::default();
         for value in element.elements() {
             if value.name() != "Value" {
-                self.unexpected(value, element);
+                self.found.unexpected(value, element);
                 continue;
             }
             match value.attribute("key") {
-                None => self.missing(value, "key"),
+                None => self.found.missing(value, "key"),
                 Some(key) => self.key(key, container, sizes, &mut seen),
             }
             match base {
@@ -72,11 +73,8 @@ impl DataCheck<'_> {
                 Some(known) => self.attribute_value(found, ty, known.value),
                 None => {
                     let near = nearest(found.name, attributes(ty, arm).iter().map(|attribute| attribute.name));
-                    let kind = ProblemKind::UnknownValueAttribute {
-                        ty: ty.name().into(),
-                        attribute: found.name.into(),
-                        near,
-                    };
+                    let kind =
+                        ProblemKind::UnknownValueAttribute { ty: ty.name().into(), attribute: found.name.into(), near };
                     self.report(found.name_range, kind);
                 }
             }
@@ -88,14 +86,15 @@ impl DataCheck<'_> {
         let expected = match wanted {
             AttributeValue::Truth if !matches!(text.trim(), "true" | "false") => "`true` or `false`".into(),
             AttributeValue::Number if !is_number(&text) => "a number".into(),
-            AttributeValue::Choice(choice) if enumerations::find_in_file(choice, text.trim()).is_none() => choices(choice),
+            AttributeValue::Choice(choice) if enumerations::find_in_file(choice, text.trim()).is_none() => {
+                choices(choice)
+            }
             AttributeValue::Father(father) => return self.father(found, father),
             AttributeValue::Link => return self.link(found, ty),
             _ => return,
         };
         let value = SmolStr::from(text.as_ref());
-        let kind =
-            ProblemKind::InvalidValue { ty: ty.name().into(), attribute: found.name.into(), value, expected };
+        let kind = ProblemKind::InvalidValue { ty: ty.name().into(), attribute: found.name.into(), value, expected };
         self.report(found.range, kind);
     }
 
@@ -105,15 +104,16 @@ impl DataCheck<'_> {
         let known = fields(self.db, project);
         for field in value.elements() {
             if field.name() != "Field" {
-                self.unexpected(field, value);
+                self.found.unexpected(field, value);
                 continue;
             }
             let Some(name) = field.attribute("name") else {
-                self.missing(field, "name");
+                self.found.missing(field, "name");
                 continue;
             };
             match known.get(name.text().as_ref()) {
                 Some(item) => self.known_field(field, name, base, item),
+                None if items(self.db, project).lacks_data => {}
                 None => {
                     let near = nearest(&name.text(), known.keys().map(SmolStr::as_str));
                     let kind = ProblemKind::UnknownUserField {
@@ -145,7 +145,7 @@ impl DataCheck<'_> {
             };
             return self.report(name.range, kind);
         }
-        let sound = self.size(field);
+        let sound = self.found.size(field);
         self.values(field, item.base, found, if sound { &sizes } else { &[] });
     }
 }
@@ -163,9 +163,6 @@ fn is_number(text: &str) -> bool {
 
 /// The values of an enumeration, as files spell them.
 fn choices(ty: BaseType) -> SmolStr {
-    let names: Vec<String> = enumerations::values(ty).map(|value| format!("`{}`", value.file_name)).collect();
-    match names.split_last() {
-        Some((last, rest)) if !rest.is_empty() => format_smolstr!("{} or {last}", rest.join(", ")),
-        _ => names.concat().into(),
-    }
+    let names: Vec<SmolStr> = enumerations::values(ty).map(|value| format_smolstr!("`{}`", value.file_name)).collect();
+    alternatives(&names)
 }

@@ -4,7 +4,7 @@ use rowan::TextRange;
 use smol_str::SmolStr;
 use val3_lang::types::{self, BaseType, Container};
 
-use super::Infer;
+use super::{Infer, Overflow};
 use super::names::data_value;
 use super::value::{Form, Origin, Value, Variable};
 use crate::body::ExprId;
@@ -12,8 +12,7 @@ use crate::db::Project;
 use crate::items::declarations;
 use crate::items::project::{fields, items};
 use crate::near::nearest;
-use crate::resizing;
-use crate::problem::{NameKind, Place, ProblemKind, Related, Role};
+use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
 use crate::ty::Base;
 
 impl Infer<'_> {
@@ -61,31 +60,37 @@ impl Infer<'_> {
             if !found.same_as(Base::of(BaseType::Num)) {
                 self.wrong_index(index, &name, "num", found);
             } else if let Some(number) = self.body.number(index) {
-                let size = self.lasting_sizes(variable).and_then(|sizes| sizes.get(position)).copied();
-                self.bounds(index, &name, number, size);
+                self.bounds(index, &name, (variable, position), number);
             }
-        }
-    }
-
-    /// Sizes that no program changes: those of a local, and of data that no program passes on as a whole.
-    fn lasting_sizes<'v>(&'v self, variable: &'v Variable) -> Option<&'v [u32]> {
-        match &variable.origin {
-            Origin::Data(file, name) => {
-                let own = self.items.data.get(name).filter(|item| item.file == *file && !item.decl.public)?;
-                (!resizing::is_resized(self.db, self.project, name)).then_some(own.decl.sizes.as_slice())
-            }
-            _ => variable.fixed.as_deref(),
         }
     }
 
     /// A constant index: below zero is always wrong, above the size only where the size cannot change.
-    fn bounds(&mut self, id: ExprId, name: &SmolStr, number: f64, size: Option<u32>) {
+    fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&Variable, usize), number: f64) {
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
-        let too_large = size.is_some_and(|size| index >= i64::from(size));
-        if index < 0 || too_large {
-            let size = size.map_or(0, |size| size as usize);
-            self.report(id, ProblemKind::IndexOutOfBounds { name: name.clone(), index, size });
+        let size = self.sizes(variable).and_then(|sizes| sizes.get(position)).copied();
+        let too_large = !self.may_be_absent && size.is_some_and(|size| index >= i64::from(size));
+        if index >= 0 && !too_large {
+            return;
+        }
+        let size = size.map_or(0, |size| size as usize);
+        let kind = ProblemKind::IndexOutOfBounds { name: name.clone(), index, size };
+        let problem = Problem { kind, place: self.place(self.body.range(id)), related: Vec::new() };
+        match &variable.origin {
+            Origin::Data(_, name) if index >= 0 => self.overflows.push(Overflow { data: name.clone(), problem }),
+            _ => self.problems.push(problem),
+        }
+    }
+
+    /// Sizes that only this project can change: those of locals and of its private data.
+    fn sizes<'v>(&'v self, variable: &'v Variable) -> Option<&'v [u32]> {
+        match &variable.origin {
+            Origin::Data(file, name) => {
+                let own = self.items.data.get(name).filter(|item| item.file == *file && !item.decl.public)?;
+                Some(&own.decl.sizes)
+            }
+            _ => variable.fixed.as_deref(),
         }
     }
 
@@ -124,7 +129,9 @@ impl Infer<'_> {
             Base::Builtin(ty, arm) => {
                 let arm = arm.or(self.arm());
                 match types::field(ty, arm, field) {
-                    Some(found) => self.part(&value, Base::Builtin(found.ty, arm.filter(|_| found.ty.depends_on_arm()))),
+                    Some(found) => {
+                        self.part(&value, Base::Builtin(found.ty, arm.filter(|_| found.ty.depends_on_arm())))
+                    }
                     None => {
                         let names = types::fields(ty, arm).iter().map(|field| field.name);
                         let near = nearest(field, names);
@@ -148,8 +155,12 @@ impl Infer<'_> {
         if let Some(item) = fields.get(field) {
             return data_value(item);
         }
+        if items(self.db, project).lacks_data {
+            return Value::UNKNOWN;
+        }
         let near = nearest(field, fields.keys().map(SmolStr::as_str));
-        let private = items(self.db, project).data.get(field).and_then(|item| declarations::data(self.db, item.file, field));
+        let private =
+            items(self.db, project).data.get(field).and_then(|item| declarations::data(self.db, item.file, field.clone()));
         self.unknown_field(base, field, near, range, private)
     }
 
@@ -173,7 +184,7 @@ impl Infer<'_> {
         match items.data.get(item) {
             Some(found) if found.decl.public => data_value(found),
             Some(found) => {
-                let place = declarations::data(self.db, found.file, item);
+                let place = declarations::data(self.db, found.file, item.clone());
                 let kind = self.private_item(library, item, NameKind::Data);
                 self.report_with(id, kind, Role::Declared, place);
                 Value::UNKNOWN
@@ -188,7 +199,7 @@ impl Infer<'_> {
                 let public = items.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name.as_str());
                 let near = nearest(item, public);
                 let (alias, item) = (library.clone(), item.clone());
-                let place = declarations::library(self.db, self.project, library);
+                let place = declarations::library(self.db, self.project, library.clone());
                 let kind = ProblemKind::LibraryItemUnknown { alias, item, what: NameKind::Data, near };
                 self.report_with(id, kind, Role::Interface, place);
                 Value::UNKNOWN
@@ -204,6 +215,9 @@ impl Infer<'_> {
     pub(super) fn interface(&mut self, id: ExprId, library: &SmolStr) -> Option<Project> {
         if let Some(found) = self.items.libraries.get(library) {
             return found.interface;
+        }
+        if self.items.incomplete {
+            return None;
         }
         let near = nearest(library, self.items.libraries.keys().map(SmolStr::as_str));
         self.report(id, ProblemKind::UnknownLibrary { alias: library.clone(), near });

@@ -19,6 +19,14 @@ pub(super) struct Callee<'a> {
     pub(super) declared: &'a dyn Fn() -> Option<Place>,
 }
 
+impl Callee<'_> {
+    /// Some form takes an index or key that need not be there, as `insert` and `isDefined` do.
+    fn takes_slot(&self, position: usize) -> bool {
+        let mut formals = self.forms.iter().filter_map(|form| form.get(position));
+        formals.any(|formal| formal.shape == Shape::Slot)
+    }
+}
+
 /// The forms of a callee that its arguments suit.
 pub(super) enum Chosen {
     /// This one, or the one that was most likely meant.
@@ -40,7 +48,8 @@ struct Miss<'a> {
 impl Infer<'_> {
     /// Matches the arguments against the forms.
     pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> Chosen {
-        let arguments: Vec<Argument> = args.iter().map(|id| self.argument(*id)).collect();
+        let arguments: Vec<Argument> =
+            args.iter().enumerate().map(|(position, id)| self.argument(*id, callee.takes_slot(position))).collect();
         let candidates: Vec<(usize, Formals<'_>)> =
             callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len()).collect();
         if candidates.is_empty() {
@@ -88,25 +97,27 @@ impl Infer<'_> {
         let mut expected: Vec<usize> = callee.forms.iter().map(|form| form.len()).collect();
         expected.sort_unstable();
         expected.dedup();
-        let kind = ProblemKind::ArgumentCount {
-            callee: callee.name.clone(),
-            expected,
-            found,
-            forms: (callee.lines)(),
-        };
+        let kind = ProblemKind::ArgumentCount { callee: callee.name.clone(), expected, found, forms: (callee.lines)() };
         self.report_with(call, kind, Role::Declared, (callee.declared)());
     }
 
     /// Reports the argument that stops the forms which suit furthest.
     fn report_miss(&mut self, arguments: &[Argument], misses: &[(usize, Option<Miss<'_>>)], callee: &Callee<'_>) {
         let furthest = misses.iter().filter_map(|(_, miss)| miss.as_ref()).map(|miss| miss.position).max();
-        let best: Vec<&Miss<'_>> =
-            misses.iter().filter_map(|(_, miss)| miss.as_ref()).filter(|miss| Some(miss.position) == furthest).collect();
+        let best: Vec<&Miss<'_>> = misses
+            .iter()
+            .filter_map(|(_, miss)| miss.as_ref())
+            .filter(|miss| Some(miss.position) == furthest)
+            .collect();
         // A wrong container or a constant says more than a wrong type of another form.
         let chosen = best.iter().find(|miss| miss.misfit != Misfit::Type).or(best.first());
         let Some(&&miss) = chosen else { return };
-        let others: Vec<Argument> =
-            arguments.iter().enumerate().filter(|(at, _)| *at != miss.position).map(|(_, other)| other.clone()).collect();
+        let others: Vec<Argument> = arguments
+            .iter()
+            .enumerate()
+            .filter(|(at, _)| *at != miss.position)
+            .map(|(_, other)| other.clone())
+            .collect();
         self.literals_alone(&others);
         let Some(argument) = arguments.get(miss.position) else { return };
         if argument.literal.is_some() && miss.misfit == Misfit::Type {
@@ -120,7 +131,13 @@ impl Infer<'_> {
         self.report_with(argument.id, kind, Role::Declared, (callee.declared)());
     }
 
-    fn miss_kind(&self, argument: &Argument, miss: Miss<'_>, expected: Vec<SmolStr>, callee: &Callee<'_>) -> ProblemKind {
+    fn miss_kind(
+        &self,
+        argument: &Argument,
+        miss: Miss<'_>,
+        expected: Vec<SmolStr>,
+        callee: &Callee<'_>,
+    ) -> ProblemKind {
         let (name, parameter) = (callee.name.clone(), SmolStr::from(miss.formal.name));
         let found = argument.value.ty().display(self.db);
         let base = self.show(argument.value.base);
@@ -131,7 +148,8 @@ impl Infer<'_> {
             }
             Misfit::Type => ProblemKind::ArgumentType { callee: name, parameter, expected, found },
             Misfit::Arm => {
-                let expected = miss.formal.base.map_or_else(SmolStr::default, |base| self.show(base.on_arm(self.arm())));
+                let expected =
+                    miss.formal.base.map_or_else(SmolStr::default, |base| self.show(base.on_arm(self.arm())));
                 ProblemKind::WrongArm { found: base, expected }
             }
             Misfit::Constant => ProblemKind::VariableExpected { callee: name, parameter },

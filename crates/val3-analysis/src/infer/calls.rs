@@ -162,18 +162,14 @@ impl Infer<'_> {
     ) -> Option<Called> {
         let db = self.db;
         let tables = self.project.cell(db).map(|cell| cell.config(db).add_ons.as_slice()).unwrap_or_default();
-        let function = tables.iter().find_map(|table| table.find(name));
-        let Some(function) = function else {
+        let functions = tables.iter().filter_map(|table| table.find(name));
+        let forms = functions.flat_map(|function| &function.overloads).filter(|form| form.on_library == on_library);
+        let forms: Vec<&AddOnOverload> = forms.collect();
+        if forms.is_empty() {
             self.arguments_alone(args);
-            let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
-                Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
-                _ => None,
-            });
-            self.report(callee, ProblemKind::MissingAddOn { name: name.clone(), add_on });
+            self.missing_add_on(callee, name);
             return None;
-        };
-        let forms: Vec<&AddOnOverload> =
-            function.overloads.iter().filter(|form| form.on_library == on_library).collect();
+        }
         let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
@@ -182,13 +178,21 @@ impl Infer<'_> {
         self.outcome(&chosen, &outcomes)
     }
 
+    fn missing_add_on(&mut self, callee: ExprId, name: &SmolStr) {
+        let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
+            Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
+            _ => None,
+        });
+        self.report(callee, ProblemKind::MissingAddOn { name: name.clone(), add_on });
+    }
+
     /// `call program(…)`
     pub(super) fn call_stmt(&mut self, call: ExprId) {
         let Expr::Call(callee, args) = self.body.expr(call) else { return };
-        match self.program(*callee) {
-            Some((project, file)) => {
-                let signature = signature(self.db, project, file);
-                let db = self.db;
+        let db = self.db;
+        let program = self.program(*callee).map(|(project, file)| (signature(db, project, file), file));
+        match program.filter(|(signature, _)| signature.complete) {
+            Some((signature, file)) => {
                 let callee = Callee {
                     name: self.text(*callee),
                     forms: vec![Formals::Program(&signature.params)],
@@ -243,7 +247,7 @@ impl Infer<'_> {
                     what: NameKind::Program,
                     near,
                 };
-                let place = declarations::library(self.db, self.project, library);
+                let place = declarations::library(self.db, self.project, library.clone());
                 self.report_with(id, kind, Role::Interface, place);
                 None
             }
@@ -289,11 +293,15 @@ impl Infer<'_> {
 
 /// `num $fileOpen(string s1, num& n2[])`
 fn add_on_line(name: &str, form: &AddOnOverload) -> SmolStr {
-    let params: Vec<String> = form.params.iter().map(|param| {
-        let ty = param.ty.map_or("any type", BaseType::name);
-        let reference = if param.shape.is_by_reference() { "&" } else { "" };
-        format!("{ty}{reference} {}", param.name)
-    }).collect();
+    let params: Vec<String> = form
+        .params
+        .iter()
+        .map(|param| {
+            let ty = param.ty.map_or("any type", BaseType::name);
+            let reference = if param.shape.is_by_reference() { "&" } else { "" };
+            format!("{ty}{reference} {}", param.name)
+        })
+        .collect();
     let result = form.result.map_or("void", BaseType::name);
     format_smolstr!("{result} {name}({})", params.join(", "))
 }

@@ -98,7 +98,8 @@ impl<'db> Infer<'db> {
             (Base::User(a), Base::User(b)) if a == b && is_equality(op) => Some(Base::of(BaseType::Bool)),
             _ => None,
         };
-        let wrong_arm = result.is_none() && left_base.builtin().is_some() && left_base.builtin() == right_base.builtin();
+        let wrong_arm =
+            result.is_none() && left_base.builtin().is_some() && left_base.builtin() == right_base.builtin();
         if wrong_arm && !left_base.same_as(right_base) {
             let (expected, found) = (self.show(left_base), self.show(right_base));
             self.report(right, ProblemKind::WrongArm { found, expected });
@@ -132,14 +133,9 @@ impl<'db> Infer<'db> {
     /// `target = value`; the type of the value.
     pub(super) fn assign(&mut self, target: ExprId, value: ExprId) -> Base {
         let place = self.expr(target);
-        if !place.is_variable() {
-            self.element(value);
-            self.report(target, ProblemKind::NotAssignable);
-            return place.base;
-        }
-        if place.lacks_index() {
-            self.index_missing(target, &place);
-            self.element(value);
+        if !place.is_variable() || place.lacks_index() {
+            self.element_as(value, Some(Base::Unknown));
+            self.not_assignable(target, &place);
             return Base::Unknown;
         }
         let base = self.element_as(value, Some(place.base));
@@ -154,6 +150,14 @@ impl<'db> Infer<'db> {
             self.report(value, kind);
         }
         place.base
+    }
+
+    fn not_assignable(&mut self, target: ExprId, place: &Value) {
+        if place.is_variable() {
+            self.index_missing(target, place);
+        } else {
+            self.report(target, ProblemKind::NotAssignable);
+        }
     }
 
     /// A value of type `value` may be assigned to a variable of type `target`.

@@ -95,16 +95,22 @@ pub(super) enum Misfit {
 }
 
 impl Infer<'_> {
-    /// Looks at an argument; `{…}` waits for the parameter it is for.
-    pub(super) fn argument(&mut self, id: ExprId) -> Argument {
+    /// Looks at an argument, a `slot` if it may name what is not there; `{…}` waits for the parameter it is for.
+    pub(super) fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
         if let Expr::Struct(values) = self.body.expr(self.body.peel(id)) {
             return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
         }
-        Argument { id, literal: None, value: self.expr(id) }
+        let around = std::mem::replace(&mut self.may_be_absent, slot);
+        let value = self.expr(id);
+        self.may_be_absent = around;
+        Argument { id, literal: None, value }
     }
 
     /// What keeps `argument` from suiting `formal`.
     pub(super) fn misfit(&self, argument: &Argument, formal: Formal<'_>) -> Option<Misfit> {
+        if formal.base == Some(Base::Unknown) {
+            return None;
+        }
         if let Some(values) = argument.literal {
             return self.literal_misfit(values, formal);
         }
@@ -154,10 +160,14 @@ impl Infer<'_> {
                 (_, Container::Array { dims: 2.. } | Container::Collection) => Some(Misfit::Container),
                 _ => None,
             },
-            Shape::Array { .. } => whole(value, formal.shape, |found| Shape::Array { dims: dims(found) } == formal.shape),
+            Shape::Array { .. } => {
+                whole(value, formal.shape, |found| Shape::Array { dims: dims(found) } == formal.shape)
+            }
             Shape::Collection => whole(value, formal.shape, |found| found == Container::Collection),
             Shape::Whole => match &value.form {
-                Form::Indexed { of: Container::Array { dims: 2.. } | Container::Collection } => Some(Misfit::IndexNotAllowed),
+                Form::Indexed { of: Container::Array { dims: 2.. } | Container::Collection } => {
+                    Some(Misfit::IndexNotAllowed)
+                }
                 _ => None,
             },
             Shape::Slot | Shape::ProgramCall => None,

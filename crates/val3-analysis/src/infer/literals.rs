@@ -40,14 +40,7 @@ impl Infer<'_> {
         }
     }
 
-    fn fields_of(
-        &mut self,
-        id: ExprId,
-        base: Base,
-        ty: BaseType,
-        fields: &[types::Field],
-        values: &[Option<ExprId>],
-    ) {
+    fn fields_of(&mut self, id: ExprId, base: Base, ty: BaseType, fields: &[types::Field], values: &[Option<ExprId>]) {
         if values.len() > fields.len() {
             self.inner_values(values);
             let (expected, found) = (fields.len(), values.len());

@@ -44,7 +44,7 @@ impl Infer<'_> {
         if let Some(value) = self.known_name(name) {
             return value;
         }
-        if self.items.lacks_data {
+        if self.items.lacks_data || !self.scope_is_complete {
             return Value::UNKNOWN;
         }
         let kind = match self.other_use(name) {
@@ -99,11 +99,12 @@ impl Infer<'_> {
 
     /// Where the variable at the root of an expression is declared.
     pub(super) fn declared(&self, value: &Value, name: &str) -> Option<Place> {
-        match &value.form {
-            Form::Whole(Variable { origin: Origin::Data(file, name), .. }) => declarations::data(self.db, *file, name),
-            Form::Whole(Variable { origin: Origin::Local, .. }) => declarations::local(self.db, self.file, name),
-            Form::Whole(Variable { origin: Origin::Parameter, .. }) => declarations::param(self.db, self.file, name),
-            _ => None,
+        let Form::Whole(Variable { origin, .. }) = &value.form else { return None };
+        match origin {
+            Origin::Data(file, name) => declarations::data(self.db, *file, name.clone()),
+            Origin::Local => declarations::local(self.db, self.file, name.into()),
+            Origin::Parameter => declarations::param(self.db, self.file, name.into()),
+            Origin::Builtin => None,
         }
     }
 }

@@ -79,7 +79,9 @@ impl Value {
     pub(super) fn ty(&self) -> Ty {
         let container = match (&self.form, self.container()) {
             // A single value is stored as an array of size 1.
-            (Form::Whole(variable), Container::Array { dims: 1 }) if variable.fixed.as_deref() == Some(&[1]) => Container::Element,
+            (Form::Whole(variable), Container::Array { dims: 1 }) if variable.fixed.as_deref() == Some(&[1]) => {
+                Container::Element
+            }
             (_, container) => container,
         };
         Ty { base: self.base, container }

@@ -33,7 +33,7 @@ impl Interfaces<'_> {
         for item in self.needed(alias) {
             let pair = |what, interface| Pair { alias, library: &library_name, item: &item, what, load, interface };
             if let Some(data) = wanted.data.get(&item).filter(|data| data.decl.public) {
-                let place = declarations::data(db, data.file, &item);
+                let place = declarations::data(db, data.file, item.clone());
                 self.data(&pair(NameKind::Data, place), data, offered);
             } else if let Some(&file) = wanted.programs.get(&item) {
                 let signature = signature(db, interface, file);
@@ -47,15 +47,13 @@ impl Interfaces<'_> {
 
     /// The items that programs use without testing beforehand whether they are there. A library that lacks others
     /// is loaded; the controller only says so with code 11.
-    fn needed(&self, alias: &SmolStr) -> Vec<SmolStr> {
+    pub(super) fn needed(&self, alias: &SmolStr) -> Vec<SmolStr> {
         let guarded = |item: &SmolStr| {
             self.programs.iter().any(|(_, uses)| uses.guarded.contains(&(alias.clone(), item.clone())))
         };
         let used = self.programs.iter().flat_map(|(_, uses)| &uses.items);
-        let mut needed: Vec<SmolStr> = used
-            .filter(|(library, item)| library == alias && !guarded(item))
-            .map(|(_, item)| item.clone())
-            .collect();
+        let mut needed: Vec<SmolStr> =
+            used.filter(|(library, item)| library == alias && !guarded(item)).map(|(_, item)| item.clone()).collect();
         needed.sort_unstable();
         needed.dedup();
         needed
@@ -68,7 +66,7 @@ impl Interfaces<'_> {
             }
             return;
         };
-        let there = declarations::data(self.db, found.file, pair.item);
+        let there = declarations::data(self.db, found.file, pair.item.clone());
         // Sizes may differ: instructions change them.
         let same = wanted.base.same_as(found.base) && wanted.decl.container == found.decl.container;
         if !found.decl.public {
@@ -90,7 +88,7 @@ impl Interfaces<'_> {
         let there = declarations::program(db, file);
         if !found.public {
             self.private(pair, there);
-        } else if !same_parameters(wanted, found) {
+        } else if wanted.complete && found.complete && !same_parameters(wanted, found) {
             self.different(pair, syntax_line(db, wanted), syntax_line(db, found), there);
         }
     }

@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_lang::types::Container;
 use val3_syntax::view::View;
 
-use super::{flag, parse, sizes};
+use super::{flag, is_sound, parse, sizes};
 use crate::db::{Db, File};
 use crate::xml::{self, Element};
 
@@ -30,6 +30,26 @@ pub fn data(db: &dyn Db, file: File) -> Vec<DataDecl> {
     elements(View::root(parse.green())).filter_map(declaration).collect()
 }
 
+/// Every declaration of the file can be read: a name that it does not declare is declared nowhere in it.
+#[salsa::tracked(returns(copy))]
+pub fn is_complete(db: &dyn Db, file: File) -> bool {
+    let parse = parse(db, file);
+    let root = xml::root(View::root(parse.green()));
+    is_sound(db, file) && root.is_some_and(|root| sections(root).all(|(section, item)| declares(section, item)))
+}
+
+/// The elements of the root, and how their items are called; an item of the old dialect is called as its type.
+fn sections<'g>(root: Element<'g>) -> impl Iterator<Item = (Element<'g>, Option<&'static str>)> {
+    let item = (root.name() == "Database").then_some("Data");
+    root.elements().map(move |section| (section, item))
+}
+
+fn declares(section: Element<'_>, item: Option<&str>) -> bool {
+    let known = if item.is_some() { section.name() == "Datas" } else { section.name().ends_with("Section") };
+    let mut items = section.elements();
+    known && items.all(|element| item.is_none_or(|item| element.name() == item) && element.value("name").is_some())
+}
+
 /// The elements that declare data, in order, those without a name included.
 pub(crate) fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
     let root = xml::root(file);
@@ -47,12 +67,17 @@ pub(crate) fn declaration(element: Element<'_>) -> Option<DataDecl> {
 }
 
 fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
-    // What has no readable type or size is still declared; nothing is known of its values.
-    let sized = element.value("size").is_none_or(|text| sizes(&text).is_some());
-    let type_name = element.value("type").filter(|_| sized).map(SmolStr::from).unwrap_or_default();
+    let type_name = readable_type(element);
     let (container, sizes) = container(element);
     let public = element.value("access").is_some_and(|access| access.trim() == "public");
     DataDecl { name, type_name, container, sizes, public }
+}
+
+/// The type of an element. What has no readable type or size is still declared: nothing is known of its values, and
+/// its type is empty.
+pub(crate) fn readable_type(element: Element<'_>) -> SmolStr {
+    let sized = element.value("size").is_none_or(|text| sizes(&text).is_some());
+    element.value("type").filter(|_| sized).map(SmolStr::from).unwrap_or_default()
 }
 
 /// Container and sizes of a `<Data>`, `<Field>` or `<Local>`. An unreadable size counts as one value.

@@ -3,7 +3,7 @@
 use smol_str::SmolStr;
 use val3_syntax::view::View;
 
-use super::parse;
+use super::{is_sound, parse};
 use crate::db::{Db, File};
 use crate::xml::{self, Element};
 
@@ -20,6 +20,8 @@ pub struct Manifest {
     pub libraries: Vec<LibraryEntry>,
     /// User types, in order.
     pub types: Vec<TypeEntry>,
+    /// Every entry can be read.
+    pub complete: bool,
 }
 
 /// `<Library alias path autoload>`
@@ -49,6 +51,7 @@ pub(crate) struct Spelling {
     pub(crate) programs: (&'static str, &'static str),
     pub(crate) data: (&'static str, &'static str),
     pub(crate) libraries: (&'static str, &'static str),
+    pub(crate) library_name: &'static str,
     pub(crate) library_path: &'static str,
     pub(crate) types: (&'static str, &'static str),
 }
@@ -60,6 +63,7 @@ pub(crate) const NEW: Spelling = Spelling {
     programs: ("Programs", "Program"),
     data: ("Database", "Data"),
     libraries: ("Libraries", "Library"),
+    library_name: "alias",
     library_path: "path",
     types: ("Types", "Type"),
 };
@@ -71,6 +75,7 @@ pub(crate) const OLD: Spelling = Spelling {
     programs: ("programSection", "program"),
     data: ("dataSection", "data"),
     libraries: ("aliasSection", "alias"),
+    library_name: "name",
     library_path: "interface",
     types: ("typeSection", "type"),
 };
@@ -83,7 +88,9 @@ pub(crate) fn spelling(root: Element<'_>) -> &'static Spelling {
 /// Reads a `.pjx`.
 #[salsa::tracked]
 pub fn manifest(db: &dyn Db, file: File) -> Manifest {
-    read(View::root(parse(db, file).green()))
+    let mut manifest = read(View::root(parse(db, file).green()));
+    manifest.complete &= is_sound(db, file);
+    manifest
 }
 
 /// Reads the tree of a `.pjx`.
@@ -98,7 +105,25 @@ pub fn read(file: View<'_>) -> Manifest {
         types: entries(root, spelling.types)
             .map(|element| TypeEntry { name: value(element, "name"), path: value(element, "path") })
             .collect(),
+        complete: is_complete(root, spelling),
     }
+}
+
+/// No element is unknown, and none lacks the attribute that names what it stands for.
+fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
+    let lists = [
+        (spelling.programs, "file"),
+        (spelling.data, "file"),
+        (spelling.libraries, spelling.library_name),
+        (spelling.types, "name"),
+    ];
+    root.name() == spelling.root
+        && root.elements().filter(|list| list.name() != spelling.parameters).all(|list| {
+            let known = lists.iter().find(|((name, _), _)| *name == list.name());
+            known.is_some_and(|((_, item), attribute)| {
+                list.elements().all(|entry| entry.name() == *item && entry.value(attribute).is_some())
+            })
+        })
 }
 
 /// The elements of one list of a project file.
@@ -111,7 +136,7 @@ pub(crate) fn entries<'g>(
 
 fn library(element: Element<'_>, spelling: &Spelling) -> LibraryEntry {
     LibraryEntry {
-        alias: value(element, if spelling.root == OLD.root { "name" } else { "alias" }),
+        alias: value(element, spelling.library_name),
         path: value(element, spelling.library_path),
         autoload: element.value("autoload").is_none_or(|text| text.trim() != "false"),
     }

@@ -2,11 +2,12 @@
 
 use smol_str::SmolStr;
 use val3_lang::types::Container;
+use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
 
-use super::data::container;
+use super::data::{container, readable_type};
 use super::{flag, parse};
-use crate::db::{Db, File};
+use crate::db::{Db, File, FileStatus};
 use crate::xml::{self, Element};
 
 /// The header of a program.
@@ -20,6 +21,8 @@ pub struct Header {
     pub params: Vec<ParamDecl>,
     /// Locals in order.
     pub locals: Vec<LocalDecl>,
+    /// Every parameter and local can be read.
+    pub complete: bool,
 }
 
 /// A parameter.
@@ -53,12 +56,47 @@ pub struct LocalDecl {
 /// Reads the header of a `.pgx` of either dialect.
 #[salsa::tracked]
 pub fn header(db: &dyn Db, file: File) -> Header {
-    read(View::root(parse(db, file).green()))
+    let parse = parse(db, file);
+    let root = View::root(parse.green());
+    let mut header = read(root);
+    header.complete &= matches!(file.status(db), FileStatus::Read { .. })
+        && parse.errors().iter().all(|error| code(root).is_some_and(|code| code.range().start() <= error.range.start()));
+    header
 }
 
 /// The element of the program in a file.
 pub(crate) fn element(file: View<'_>) -> Option<Element<'_>> {
     xml::root(file)?.child(&["Program", "program"])
+}
+
+/// The code of the program in a file.
+pub(crate) fn code(file: View<'_>) -> Option<View<'_>> {
+    let program = element(file)?;
+    let code = program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))?;
+    code.view().child(SyntaxKind::CODE)
+}
+
+/// The lists that a program may hold, and what each lists; nothing for those that list no elements.
+pub(crate) const LISTS: [(&str, Option<&str>); 8] = [
+    ("Parameters", Some("Parameter")),
+    ("paramSection", Some("param")),
+    ("Locals", Some("Local")),
+    ("localSection", Some("local")),
+    ("Code", None),
+    ("source", None),
+    ("Description", None),
+    ("description", None),
+];
+
+fn is_complete(program: Element<'_>) -> bool {
+    program.value("name").is_some()
+        && program.elements().all(|list| {
+            let known = LISTS.iter().find(|(name, _)| *name == list.name());
+            known.is_some_and(|(_, item)| {
+                let declares = |item: &&str, element: Element<'_>| element.name() == *item && element.value("name").is_some();
+                item.is_none_or(|item| list.elements().all(|element| declares(&item, element)))
+            })
+        })
 }
 
 /// The elements that declare parameters.
@@ -80,12 +118,13 @@ fn read(file: View<'_>) -> Header {
             || value("public").and_then(|text| flag(&text)).unwrap_or(false),
         params: params(program).filter_map(param).collect(),
         locals: locals(program).filter_map(local).collect(),
+        complete: is_complete(program),
     }
 }
 
 fn param(element: Element<'_>) -> Option<ParamDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let type_name = SmolStr::from(element.value("type")?);
+    let type_name = element.value("type").map(SmolStr::from).unwrap_or_default();
     if let Some(by_value) = element.value("byVal") {
         let by_reference = by_value.trim() == "false";
         let container = if by_reference { Container::Array { dims: 1 } } else { Container::Element };
@@ -104,7 +143,7 @@ fn param(element: Element<'_>) -> Option<ParamDecl> {
 
 fn local(element: Element<'_>) -> Option<LocalDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let type_name = SmolStr::from(element.value("type")?);
+    let type_name = readable_type(element);
     let (container, sizes) = container(element);
     Some(LocalDecl { name, type_name, container, sizes })
 }

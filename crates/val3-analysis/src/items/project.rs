@@ -1,14 +1,15 @@
 //! What a project offers to its own programs: the firewall between files and bodies.
 
+use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::versions::Version;
 
-use super::data::{DataDecl, data};
-use super::manifest::manifest;
+use super::data::{DataDecl, data, is_complete};
+use super::manifest::{Manifest, manifest};
 use super::program::{Header, header};
-use crate::db::{Db, File, FileStatus, Project, Sources, path_key};
+use crate::db::{Db, File, Project, Sources, path_key};
 use crate::paths::{self, Target};
 use crate::ty::Base;
 
@@ -23,10 +24,13 @@ pub struct Items {
     pub libraries: FxHashMap<SmolStr, LibraryItem>,
     /// User types by name; `None` where the type's project cannot be found.
     pub types: FxHashMap<SmolStr, Option<Project>>,
-    /// A data file is missing, so that names it would declare are not known.
+    /// A data file is missing or cannot be read whole, so that names it would declare are not known.
     pub lacks_data: bool,
-    /// Names of program files that are missing, without `.pgx`, in lower case.
+    /// Names under which programs may exist whose files are missing, cannot be read, or hold a program of another
+    /// name; in lower case.
     pub lacking_programs: FxHashSet<SmolStr>,
+    /// The project file cannot be read whole, so that any program, library or type may be missing here.
+    pub incomplete: bool,
     /// The version the project declares, or the manual's.
     pub version: Version,
     /// The arm its positions are for, where the data or the cell tell.
@@ -56,7 +60,8 @@ pub struct LibraryItem {
 impl Items {
     /// A program of this name may lie in a file that is missing.
     pub fn may_have_program(&self, name: &str) -> bool {
-        !self.lacking_programs.is_empty() && self.lacking_programs.contains(name.to_lowercase().as_str())
+        self.incomplete
+            || !self.lacking_programs.is_empty() && self.lacking_programs.contains(name.to_lowercase().as_str())
     }
 }
 
@@ -69,8 +74,8 @@ pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Pr
 }
 
 /// The folder of a project.
-pub fn folder(db: &dyn Db, project: Project) -> &camino::Utf8Path {
-    project.manifest(db).path(db).parent().unwrap_or(camino::Utf8Path::new(""))
+pub fn folder(db: &dyn Db, project: Project) -> &Utf8Path {
+    project.manifest(db).path(db).parent().unwrap_or(Utf8Path::new(""))
 }
 
 /// The file that `reference` names in the project's folder, if it was found.
@@ -100,34 +105,52 @@ pub fn items(db: &dyn Db, project: Project) -> Items {
     let mut items = Items {
         version: Version::parse(&manifest.version).unwrap_or(Version::DEFAULT),
         arm: arm(db, project),
+        incomplete: !manifest.complete,
         ..Items::default()
     };
-    for entry in &manifest.types {
-        items.types.entry(entry.name.clone()).or_insert_with(|| find_project(db, project, &entry.path));
-    }
-    for entry in &manifest.libraries {
-        let interface = find_project(db, project, &entry.path);
-        items.libraries.entry(entry.alias.clone()).or_insert(LibraryItem { interface, autoload: entry.autoload });
-    }
-    let readable = |file: &File| matches!(file.status(db), FileStatus::Read { .. });
-    for reference in &manifest.programs {
-        if !find_file(db, project, reference).as_ref().is_some_and(readable) {
-            let stem = camino::Utf8Path::new(reference).file_stem().unwrap_or("");
-            items.lacking_programs.insert(stem.to_lowercase().into());
-        }
-    }
-    items.lacks_data = manifest.data.iter().any(|reference| !find_file(db, project, reference).as_ref().is_some_and(readable));
-    for &file in program_files(db, project) {
-        items.programs.entry(header(db, file).name.clone()).or_insert(file);
-    }
-    for &file in data_files(db, project) {
-        for decl in data(db, file) {
-            let base = resolve_type(&items.types, &decl.type_name);
-            let item = DataItem { decl: decl.clone(), base: base.unwrap_or(Base::Unknown), file };
-            items.data.entry(decl.name.clone()).or_insert(item);
-        }
-    }
+    items.add_projects(db, project, manifest);
+    items.add_programs(db, project, manifest);
+    items.add_data(db, project, manifest);
     items
+}
+
+impl Items {
+    fn add_projects(&mut self, db: &dyn Db, project: Project, manifest: &Manifest) {
+        for entry in &manifest.types {
+            self.types.entry(entry.name.clone()).or_insert_with(|| find_project(db, project, &entry.path));
+        }
+        for entry in &manifest.libraries {
+            let interface = find_project(db, project, &entry.path);
+            let item = LibraryItem { interface, autoload: entry.autoload };
+            self.libraries.entry(entry.alias.clone()).or_insert(item);
+        }
+    }
+
+    fn add_programs(&mut self, db: &dyn Db, project: Project, manifest: &Manifest) {
+        for reference in &manifest.programs {
+            let file = find_file(db, project, reference);
+            let name = file.map(|file| &header(db, file).name).filter(|name| !name.is_empty());
+            let stem = Utf8Path::new(reference).file_stem().unwrap_or("");
+            if name.is_none_or(|name| !name.eq_ignore_ascii_case(stem)) {
+                self.lacking_programs.insert(stem.to_lowercase().into());
+            }
+            if let (Some(file), Some(name)) = (file, name) {
+                self.programs.entry(name.clone()).or_insert(file);
+            }
+        }
+    }
+
+    fn add_data(&mut self, db: &dyn Db, project: Project, manifest: &Manifest) {
+        let is_there = |reference| find_file(db, project, reference).is_some_and(|file| is_complete(db, file));
+        self.lacks_data = self.incomplete || !manifest.data.iter().all(|reference| is_there(reference));
+        for &file in data_files(db, project) {
+            for decl in data(db, file) {
+                let base = resolve_type(&self.types, &decl.type_name).unwrap_or(Base::Unknown);
+                let item = DataItem { decl: decl.clone(), base, file };
+                self.data.entry(decl.name.clone()).or_insert(item);
+            }
+        }
+    }
 }
 
 /// The type called `name`; `None` where there is no such type.
@@ -171,6 +194,8 @@ pub struct Signature {
     pub public: bool,
     /// Parameters in order.
     pub params: Vec<Param>,
+    /// Every parameter can be read.
+    pub complete: bool,
 }
 
 /// A parameter as callers see it.
@@ -191,7 +216,7 @@ pub struct Param {
 /// The signature of the program in `file`, with the types of `project`.
 #[salsa::tracked]
 pub fn signature(db: &dyn Db, project: Project, file: File) -> Signature {
-    let Header { name, public, params, .. } = header(db, file);
+    let Header { name, public, params, complete, .. } = header(db, file);
     let types = &items(db, project).types;
     let params = params.iter().map(|param| Param {
         name: param.name.clone(),
@@ -200,5 +225,5 @@ pub fn signature(db: &dyn Db, project: Project, file: File) -> Signature {
         by_reference: param.by_reference,
         loose: param.loose,
     });
-    Signature { name: name.clone(), public: *public, params: params.collect() }
+    Signature { name: name.clone(), public: *public, params: params.collect(), complete: *complete }
 }

@@ -39,7 +39,7 @@ rule! {
     ///   </Program>
     /// </Programs>
     /// ```
-    V0508 "program-name-mismatch" Error
+    V0508 "program-name-mismatch" Warning
 }
 
 /// Words the finding.

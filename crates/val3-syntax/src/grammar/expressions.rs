@@ -4,6 +4,7 @@ use super::operands::postfix;
 use super::statements::skip_line;
 use crate::error::{Expected, SyntaxErrorKind};
 use crate::kind::SyntaxKind::{self, *};
+use crate::lexer::decode_entities;
 use crate::parser::{Completed, NESTING_LIMIT, Parser};
 
 /// How tight a binary operator binds; higher is tighter, equal ones group from the left.
@@ -93,7 +94,7 @@ fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
     }
     if kind == ERROR_TOKEN {
         let (instead, level) = match p.text() {
-            "&&" => ("and", 2),
+            "&&" | "&amp;&amp;" => ("and", 2),
             "||" => ("or", 1),
             _ => return None,
         };
@@ -104,7 +105,7 @@ fn binary_operator(p: &mut Parser<'_>) -> Option<(u8, usize)> {
 }
 
 fn foreign(p: &mut Parser<'_>, instead: &'static str) {
-    let found = p.text().to_owned();
+    let found = decode_entities(p.text()).into_owned();
     p.error(SyntaxErrorKind::ForeignSpelling { found, instead });
 }
 

@@ -186,6 +186,10 @@ impl Lexer<'_> {
             '>' if with_eq => self.token(GE, end + 1),
             '>' => self.token(GT, end),
             '"' => self.string(stretch, len),
+            // The parser knows what to write instead of `&&`.
+            '&' if rest.get(len..).is_some_and(|behind| behind.starts_with("&amp;")) => {
+                self.token(ERROR_TOKEN, end + 5)
+            }
             '\n' | '\r' => {
                 self.token(NEWLINE, end);
                 self.indent = Indent::ZERO;

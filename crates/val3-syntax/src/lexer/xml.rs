@@ -132,7 +132,7 @@ impl Lexer<'_> {
     /// A value without quotes; the grammar misses the quoted one and says so.
     fn unquoted_value(&mut self) {
         let rest = self.rest();
-        let ends = |next: char| next.is_ascii_whitespace() || matches!(next, '>' | '<' | '"' | '\'');
+        let ends = |next: char| matches!(next, ' ' | '\t' | '\r' | '\n' | '>' | '<' | '"' | '\'');
         let value = rest.split(ends).next().unwrap_or("");
         let at_end = rest.get(value.len()..).is_some_and(|behind| behind.starts_with('>'));
         let value = if at_end { value.strip_suffix('/').unwrap_or(value) } else { value };

@@ -22,8 +22,8 @@ pub(super) struct Sharing {
 
 /// The least and the most entries of a table.
 const TABLE: (usize, usize) = (64, 4096);
-/// Longer tokens are comments and texts, which do not repeat.
-const LONGEST_TOKEN: usize = 48;
+/// Longer tokens are comments and texts, which seldom repeat.
+const LONGEST_TOKEN: usize = 16;
 /// Nodes with more children do not repeat.
 const MOST_CHILDREN: usize = 3;
 
@@ -65,9 +65,6 @@ impl Sharing {
 }
 
 fn token_hash(kind: SyntaxKind, text: &str) -> usize {
-    if let [byte] = text.as_bytes() {
-        return usize::from(*byte);
-    }
     let mut hasher = FxHasher::default();
     hasher.write(text.as_bytes());
     hasher.write_u16(kind as u16);

@@ -1,0 +1,148 @@
+//! Checks that every file shares: how it was read, its elements and attributes, and the names it declares.
+
+use rustc_hash::FxHashMap;
+use smol_str::{SmolStr, format_smolstr};
+use val3_lang::keywords;
+use val3_lang::types::BaseType;
+use val3_syntax::{TextRange, TextSize};
+
+use crate::db::{Db, File, FileStatus};
+use crate::items::project::{Items, resolve_type};
+use crate::items::sizes;
+use crate::near::nearest;
+use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::xml::{Attribute, Element};
+
+/// Collects what is wrong in one file.
+pub(crate) struct FileCheck<'db> {
+    file: File,
+    items: &'db Items,
+    pub(crate) problems: Vec<Problem>,
+}
+
+impl<'db> FileCheck<'db> {
+    /// Starts with what reading the file brought to light.
+    pub(crate) fn new(db: &'db dyn Db, file: File, items: &'db Items) -> Self {
+        let mut check = Self { file, items, problems: Vec::new() };
+        match file.status(db) {
+            FileStatus::Unreadable(reason) => {
+                check.report(TextRange::default(), ProblemKind::FileUnreadable { reason: reason.as_str().into() });
+            }
+            FileStatus::Read { undeclared: true, .. } => {
+                check.report(first_foreign(file.text(db)), ProblemKind::Encoding);
+            }
+            FileStatus::Read { .. } => {}
+        }
+        check
+    }
+
+    pub(crate) fn report(&mut self, range: TextRange, kind: ProblemKind) {
+        self.problems.push(Problem { kind, place: Place { file: self.file, range }, related: Vec::new() });
+    }
+
+    /// Reports the second of two equal things.
+    pub(crate) fn report_again(&mut self, range: TextRange, kind: ProblemKind, first: Option<Place>) {
+        let related = first.into_iter().map(|place| Related { place, role: Role::First }).collect();
+        self.problems.push(Problem { kind, place: Place { file: self.file, range }, related });
+    }
+
+    /// An element that does not belong where it stands.
+    pub(crate) fn unexpected(&mut self, element: Element<'_>, parent: Element<'_>) {
+        let kind = ProblemKind::UnexpectedElement { name: element.name().into(), parent: parent.name().into() };
+        self.report(element.name_range(), kind);
+    }
+
+    /// An attribute or element that is missing in `element`.
+    pub(crate) fn missing(&mut self, element: Element<'_>, what: &'static str) {
+        let kind =
+            ProblemKind::MissingAttribute { element: element.name().into(), attribute: SmolStr::new_static(what) };
+        self.report(element.name_range(), kind);
+    }
+
+    /// The value of the attribute, if it is there, is one of `values`.
+    pub(crate) fn one_of(&mut self, element: Element<'_>, attribute: &str, values: &[&str]) {
+        if let Some(found) = element.attribute(attribute)
+            && !values.contains(&found.text().trim())
+        {
+            let quoted: Vec<SmolStr> = values.iter().map(|value| format_smolstr!("`{value}`")).collect();
+            self.invalid(element, found, alternatives(&quoted));
+        }
+    }
+
+    /// An attribute with another value than `expected`.
+    pub(crate) fn invalid(&mut self, element: Element<'_>, found: Attribute<'_>, expected: SmolStr) {
+        let kind = ProblemKind::InvalidAttribute {
+            element: element.name().into(),
+            attribute: found.name.into(),
+            value: found.text().as_ref().into(),
+            expected,
+        };
+        self.report(found.range, kind);
+    }
+
+    /// The `size` of an array; true if it can be relied on.
+    pub(crate) fn size(&mut self, element: Element<'_>) -> bool {
+        let Some(found) = element.attribute("size") else { return true };
+        let sound = sizes(&found.text()).is_some_and(|sizes| !sizes.contains(&0));
+        if !sound {
+            self.report(found.range, ProblemKind::InvalidSize { size: found.text().as_ref().into() });
+        }
+        sound
+    }
+
+    /// A declared name: its characters, its length, and no word of the language.
+    pub(crate) fn name(&mut self, attribute: Attribute<'_>, what: NameKind) {
+        let name = SmolStr::from(attribute.text());
+        let limit = self.items.version.identifier_limit();
+        if !is_identifier(&name) {
+            self.report(attribute.range, ProblemKind::InvalidName { name });
+        } else if keywords::canonical(&name).is_some() && what != NameKind::Library {
+            self.report(attribute.range, ProblemKind::ReservedName { name });
+        } else if let Some(limit) = limit.filter(|limit| name.len() > *limit) {
+            self.report(attribute.range, ProblemKind::NameTooLong { name, limit });
+        }
+    }
+
+    /// No other declaration of this scope has the name.
+    pub(crate) fn once(&mut self, found: Attribute<'_>, what: NameKind, seen: &mut FxHashMap<String, TextRange>) {
+        let name = found.text().into_owned();
+        let kind = ProblemKind::DuplicateName { name: name.as_str().into(), what };
+        match seen.get(&name) {
+            Some(first) => self.report_again(found.range, kind, Some(Place { file: self.file, range: *first })),
+            None => {
+                seen.insert(name, found.range);
+            }
+        }
+    }
+
+    /// The type is built in or a user type of the project.
+    pub(crate) fn ty(&mut self, attribute: Attribute<'_>) {
+        let name = attribute.text();
+        if resolve_type(&self.items.types, &name).is_none() && !self.items.incomplete {
+            let built_in = BaseType::DECLARABLE.iter().map(|base| base.name());
+            let near = nearest(&name, self.items.types.keys().map(SmolStr::as_str).chain(built_in));
+            self.report(attribute.range, ProblemKind::UnknownType { name: name.as_ref().into(), near });
+        }
+    }
+}
+
+/// `a, b or c`
+pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
+    match names.split_last() {
+        Some((last, rest)) if !rest.is_empty() => format_smolstr!("{} or {last}", rest.join(", ")),
+        _ => names.concat().into(),
+    }
+}
+
+/// Letters, digits and underscores, no digit first (2.5.1).
+fn is_identifier(name: &str) -> bool {
+    let starts_well = name.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');
+    starts_well && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+}
+
+/// The first character that is not ASCII.
+fn first_foreign(text: &str) -> TextRange {
+    let at = text.find(|character: char| !character.is_ascii()).unwrap_or(0);
+    let len = text.get(at..).and_then(|rest| rest.chars().next()).map_or(TextSize::new(0), TextSize::of);
+    TextRange::at(u32::try_from(at).unwrap_or(u32::MAX).into(), len)
+}

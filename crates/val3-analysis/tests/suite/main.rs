@@ -1,0 +1,19 @@
+//! The analysis from outside: types of expressions, faults of every file kind, interfaces, incrementality.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
+
+mod show;
+
+mod arguments;
+mod data;
+mod dialect;
+mod discovery;
+mod expressions;
+mod firewall;
+mod headers;
+mod hostile;
+mod interfaces;
+mod literals;
+mod operators;
+mod projects;
+mod silence;
+mod variables;

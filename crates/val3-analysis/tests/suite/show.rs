@@ -1,0 +1,106 @@
+//! What the analysis says about a listing, as text to compare.
+
+use camino::Utf8PathBuf;
+use val3_analysis::body::{Expr, body};
+use val3_analysis::db::{Database, File, Project};
+use val3_analysis::items::project::{data_files, program_files};
+use val3_analysis::load::{Workspace, load};
+use val3_analysis::problem::{Place, Problem};
+use val3_analysis::system::Memory;
+use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
+use val3_test::{Fixture, ROOT};
+
+/// The files of a listing in memory.
+pub(crate) fn memory(listing: &str) -> Memory {
+    let fixture = Fixture::parse(listing);
+    Memory::new(fixture.files.into_iter().map(|(path, text)| (Utf8PathBuf::from(ROOT).join(path), text)))
+}
+
+/// Every project of a listing.
+pub(crate) fn workspace(listing: &str) -> Workspace {
+    load(&memory(listing), &[ROOT.into()]).unwrap()
+}
+
+/// The project at `usrapp/FOLDER`.
+pub(crate) fn project(workspace: &Workspace, folder: &str) -> Project {
+    let db = &workspace.db;
+    let is_it = |project: &&Project| relative(project.manifest(db).path(db).parent().unwrap().as_str()) == folder;
+    *workspace.projects.iter().find(is_it).unwrap()
+}
+
+/// The program called `name`.
+pub(crate) fn program(db: &Database, project: Project, name: &str) -> File {
+    let is_it = |file: &&File| file.path(db).file_stem() == Some(name);
+    *program_files(db, project).iter().find(is_it).unwrap()
+}
+
+/// The type of every expression of the program `start` of `main`, inner ones first; literals of one value and the
+/// names of instructions left out. Faults follow.
+pub(crate) fn types(listing: &str) -> String {
+    let workspace = workspace(listing);
+    let db = &workspace.db;
+    let main = project(&workspace, "main");
+    let file = program(db, main, "start");
+    let (body, inference) = (body(db, file), infer::infer(db, main, file));
+    let mut out = String::new();
+    for (id, expr, range) in body.exprs() {
+        let is_callee = body.exprs().any(|(_, outer, _)| matches!(outer, Expr::Call(callee, _) if *callee == id));
+        if !is_callee && !is_literal(expr) {
+            out += &format!("{}: {}\n", &file.text(db)[range], inference.ty(id).display(db));
+        }
+    }
+    for problem in infer::problems(db, main, file) {
+        out += &format!("! {}", show_short(db, &problem));
+    }
+    out
+}
+
+fn is_literal(expr: &Expr) -> bool {
+    matches!(expr, Expr::Number(_) | Expr::String(_) | Expr::Bool(_))
+}
+
+/// Every fault of every project, with the places it names.
+pub(crate) fn faults(listing: &str) -> String {
+    faults_in(&workspace(listing))
+}
+
+/// Every fault of the projects asked for.
+pub(crate) fn faults_in(workspace: &Workspace) -> String {
+    let db = &workspace.db;
+    let mut problems = Vec::new();
+    for &project in &workspace.projects {
+        problems.extend_from_slice(project_check::problems(db, project));
+        problems.extend_from_slice(interfaces::problems(db, project));
+        for &file in data_files(db, project) {
+            problems.extend_from_slice(data_check::problems(db, project, file));
+        }
+        for &file in program_files(db, project) {
+            problems.extend_from_slice(header_check::problems(db, project, file));
+            problems.extend(infer::problems(db, project, file));
+        }
+    }
+    problems.iter().map(|problem| show(db, problem)).collect()
+}
+
+fn show(db: &Database, problem: &Problem) -> String {
+    let related = problem.related.iter().map(|other| format!("    {:?} {}\n", other.role, place(db, other.place)));
+    format!("{} {:?}\n{}", place(db, problem.place), problem.kind, related.collect::<String>())
+}
+
+fn show_short(db: &Database, problem: &Problem) -> String {
+    let text = &problem.place.file.text(db)[problem.place.range];
+    format!("{text}: {:?}\n", problem.kind)
+}
+
+/// `main/start.pgx:3 text`
+fn place(db: &Database, place: Place) -> String {
+    let text = place.file.text(db);
+    let line = 1 + text[..usize::from(place.range.start())].matches('\n').count();
+    let shown = text[place.range].lines().next().unwrap_or("");
+    format!("{}:{line} `{shown}`", relative(place.file.path(db).as_str()))
+}
+
+fn relative(path: &str) -> &str {
+    let path = path.strip_prefix(ROOT).unwrap_or(path).trim_start_matches('/');
+    path.strip_prefix("usrapp/").unwrap_or(path)
+}

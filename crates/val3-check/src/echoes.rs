@@ -1,0 +1,47 @@
+//! One mistake, one message: faults that only echo a fault of the text are left out.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::faults::text_faults;
+use val3_analysis::problem::{Problem, ProblemKind};
+use val3_syntax::TextSize;
+
+/// The problems in `file` that say something its text does not say already: those on a line that cannot be read are
+/// dropped, and where elements are not closed properly, those about elements in a wrong place.
+pub(crate) fn without_echoes<'p>(db: &dyn Db, file: File, problems: &'p [Problem]) -> Vec<&'p Problem> {
+    let errors = &text_faults(db, file).errors;
+    if errors.is_empty() || problems.is_empty() {
+        return problems.iter().collect();
+    }
+    let lines = LineStarts::new(file.text(db));
+    let broken_structure = errors.iter().any(|error| error.kind.breaks_structure());
+    let broken_lines: FxHashSet<usize> = errors
+        .iter()
+        .filter(|error| error.kind.breaks_line())
+        .flat_map(|error| lines.line(error.range.start())..=lines.line(error.range.end()))
+        .collect();
+    let is_echo = |problem: &Problem| {
+        broken_structure && is_about_structure(&problem.kind)
+            || problem.place.file == file && broken_lines.contains(&lines.line(problem.place.range.start()))
+    };
+    problems.iter().filter(|problem| !is_echo(problem)).collect()
+}
+
+fn is_about_structure(kind: &ProblemKind) -> bool {
+    matches!(kind, ProblemKind::UnexpectedElement { .. } | ProblemKind::MissingAttribute { .. })
+}
+
+/// Where the lines of a text start.
+struct LineStarts(Vec<u32>);
+
+impl LineStarts {
+    fn new(text: &str) -> Self {
+        let ends = (1u32..).zip(text.bytes()).filter(|(_, byte)| *byte == b'\n');
+        Self(ends.map(|(next, _)| next).collect())
+    }
+
+    /// Number of the line, from 0.
+    fn line(&self, at: TextSize) -> usize {
+        self.0.partition_point(|start| *start <= u32::from(at))
+    }
+}
