@@ -90,8 +90,9 @@ impl<'db> FileCheck<'db> {
         sound
     }
 
-    /// A declared name: its characters, its length, and no word of the language.
-    pub(crate) fn name(&mut self, attribute: Attribute<'_>, what: NameKind) {
+    /// A declared name: its characters, its length, and no word of the language; true if it is sound.
+    pub(crate) fn name(&mut self, attribute: Attribute<'_>, what: NameKind) -> bool {
+        let before = self.problems.len();
         let name = SmolStr::from(attribute.text());
         let limit = self.items.version.identifier_limit();
         if !is_identifier(&name) {
@@ -101,6 +102,7 @@ impl<'db> FileCheck<'db> {
         } else if let Some(limit) = limit.filter(|limit| name.len() > *limit) {
             self.report(attribute.range, ProblemKind::NameTooLong { name, limit });
         }
+        self.problems.len() == before
     }
 
     /// No other declaration of this scope has the name.
@@ -140,9 +142,34 @@ fn is_identifier(name: &str) -> bool {
     starts_well && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
 }
 
-/// The first character that is not ASCII.
+/// The first character that is not ASCII; empty where there is none.
 fn first_foreign(text: &str) -> TextRange {
-    let at = text.find(|character: char| !character.is_ascii()).unwrap_or(0);
-    let len = text.get(at..).and_then(|rest| rest.chars().next()).map_or(TextSize::new(0), TextSize::of);
-    TextRange::at(u32::try_from(at).unwrap_or(u32::MAX).into(), len)
+    let found = text.char_indices().find(|(_, character)| !character.is_ascii());
+    found.map_or_else(TextRange::default, |(at, character)| {
+        TextRange::at(u32::try_from(at).unwrap_or(u32::MAX).into(), TextSize::of(character))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{alternatives, first_foreign, is_identifier};
+
+    #[test]
+    fn identifiers() {
+        assert!(is_identifier("nA_1") && is_identifier("_control"));
+        assert!(!is_identifier("") && !is_identifier("1a") && !is_identifier("a-b") && !is_identifier("é"));
+    }
+
+    #[test]
+    fn lists_read_as_a_sentence() {
+        assert_eq!(alternatives(&[]), "");
+        assert_eq!(alternatives(&["a".into()]), "a");
+        assert_eq!(alternatives(&["a".into(), "b".into(), "c".into()]), "a, b or c");
+    }
+
+    #[test]
+    fn the_first_character_beyond_ascii() {
+        assert_eq!(first_foreign("abé"), val3_syntax::TextRange::new(2.into(), 4.into()));
+        assert!(first_foreign("ab").is_empty());
+    }
 }

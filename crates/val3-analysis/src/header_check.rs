@@ -33,8 +33,9 @@ fn root(check: &mut FileCheck<'_>, root: Element<'_>, program: Option<Element<'_
     match program.attribute("name") {
         None => check.missing(program, "name"),
         Some(name) => {
-            check.name(name, NameKind::Program);
-            file_name(check, name, stem);
+            if check.name(name, NameKind::Program) {
+                file_name(check, name, stem);
+            }
         }
     }
     check.one_of(program, "access", &["public", "private"]);

@@ -2,11 +2,12 @@
 
 mod access;
 mod arguments;
-pub(crate) mod calls;
+mod calls;
 mod expressions;
 mod fit;
 mod literals;
 mod names;
+pub(crate) mod programs;
 mod statements;
 mod value;
 
@@ -17,7 +18,7 @@ use val3_lang::types::Arm;
 
 use crate::body::{Body, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::items::program::header;
+use crate::items::program::{Header, header};
 use crate::items::project::{Items, items};
 use crate::problem::{Place, Problem, ProblemKind, Related, Role};
 use crate::resizing::is_resized;
@@ -72,13 +73,12 @@ struct Infer<'db> {
     file: File,
     body: &'db Body,
     items: &'db Items,
+    header: &'db Header,
     /// Parameters and locals.
     scope: FxHashMap<&'db str, value::Value>,
     types: Vec<Ty>,
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
-    /// Every parameter and local is known.
-    scope_is_complete: bool,
     /// The expression names a value that need not be there: its index has no bounds.
     may_be_absent: bool,
 }
@@ -89,7 +89,19 @@ impl<'db> Infer<'db> {
         let header = header(db, file);
         let scope = names::scope(items, header);
         let types = vec![Ty::UNKNOWN; body.len()];
-        Self { db, project, file, body, items, scope, types, problems: Vec::new(), overflows: Vec::new(), scope_is_complete: header.complete, may_be_absent: false }
+        Self {
+            db,
+            project,
+            file,
+            body,
+            items,
+            header,
+            scope,
+            types,
+            problems: Vec::new(),
+            overflows: Vec::new(),
+            may_be_absent: false,
+        }
     }
 
     fn arm(&self) -> Option<Arm> {

@@ -39,3 +39,17 @@ pub fn sizes(text: &str) -> Option<Vec<u32>> {
     let sizes: Option<Vec<u32>> = text.split_ascii_whitespace().map(|size| size.parse().ok()).collect();
     sizes.filter(|sizes| (1..=3).contains(&sizes.len()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::sizes;
+
+    #[test]
+    fn one_to_three_sizes() {
+        assert_eq!(sizes("3"), Some(vec![3]));
+        assert_eq!(sizes(" 30 1  1 "), Some(vec![30, 1, 1]));
+        for text in ["", " ", "1 2 3 4", "1,2", "-1", "1.0", "4294967296"] {
+            assert_eq!(sizes(text), None, "{text}");
+        }
+    }
+}

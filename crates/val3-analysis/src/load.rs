@@ -16,6 +16,7 @@ use crate::db::{Cell, Database, File, Project, Sources, path_key};
 use crate::items::manifest::{self, Manifest};
 use crate::paths::{self, Target};
 use crate::system::{Kind, System};
+use references::Loaded;
 
 /// Everything that was found under some paths, ready to be asked.
 #[derive(Debug)]
@@ -50,7 +51,15 @@ impl std::error::Error for LoadError {}
 /// # Errors
 /// If a path does not exist, holds no project, or is a file that belongs to none.
 pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
-    let mut loader = Loader::new(system);
+    load_into(Database::default(), system, paths)
+}
+
+/// As [`load`], into a database that is empty so far.
+///
+/// # Errors
+/// Those of [`load`].
+pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
+    let mut loader = Loader::new(db, system);
     let mut manifests = Vec::new();
     for path in paths {
         manifests.extend(discover::manifests(system, &paths::normalise(path), &mut loader.unreadable)?);
@@ -78,10 +87,10 @@ struct Loader<'s> {
 }
 
 impl<'s> Loader<'s> {
-    fn new(system: &'s dyn System) -> Self {
+    fn new(db: Database, system: &'s dyn System) -> Self {
         Self {
             system,
-            db: Database::default(),
+            db,
             files: FxHashMap::default(),
             projects: FxHashMap::default(),
             order: Vec::new(),
@@ -115,17 +124,17 @@ impl<'s> Loader<'s> {
         let text = Arc::clone(file.text(&self.db));
         let manifest = manifest::read(View::root(val3_syntax::parse(&text).green()));
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
-        let disk = disk::root(self.system, &folder, &manifest);
+        let loaded = self.files_of(&folder, &manifest);
+        let mut named = manifest.projects();
+        named.extend(loaded.iter().filter_map(Loaded::whole));
+        let disk = disk::root(self.system, &folder, &named);
         let cell = self.cell(disk.as_deref());
         let project = Project::new(&self.db, file, disk.clone(), cell);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
-        self.files_of(&folder, &manifest, disk.as_deref());
-        let entries =
-            manifest.libraries.iter().map(|entry| &entry.path).chain(manifest.types.iter().map(|entry| &entry.path));
-        for reference in entries {
-            self.enqueue(&folder, disk.as_deref(), reference);
-        }
+        named.into_iter().for_each(|reference| self.enqueue(&folder, disk.as_deref(), reference));
+        let prefixes = loaded.iter().filter_map(Loaded::prefix);
+        prefixes.for_each(|prefix| self.enqueue_prefix(&folder, disk.as_deref(), prefix));
     }
 
     fn enqueue(&mut self, folder: &Utf8Path, disk: Option<&Utf8Path>, reference: &str) {
@@ -134,23 +143,17 @@ impl<'s> Loader<'s> {
         }
     }
 
-    /// Reads the programs and data of a project; programs may load further libraries by name.
-    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest, disk: Option<&Utf8Path>) {
+    /// Reads the programs and data of a project; the libraries that the programs load.
+    fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest) -> Vec<Loaded> {
         let named = manifest.data.iter().chain(&manifest.programs);
         self.read_ahead(named.map(|reference| paths::file_in(folder, reference)).collect());
         for reference in &manifest.data {
             self.found_file(&paths::file_in(folder, reference));
         }
-        for reference in &manifest.programs {
-            let Some(file) = self.found_file(&paths::file_in(folder, reference)) else { continue };
-            let text = Arc::clone(file.text(&self.db));
-            for target in references::loaded_libraries(&text) {
-                match target {
-                    references::Loaded::Path(path) => self.enqueue(folder, disk, &path),
-                    references::Loaded::Prefix(prefix) => self.enqueue_prefix(folder, disk, &prefix),
-                }
-            }
-        }
+        let programs = manifest.programs.iter();
+        let programs: Vec<File> =
+            programs.filter_map(|reference| self.found_file(&paths::file_in(folder, reference))).collect();
+        programs.iter().flat_map(|program| references::loaded_libraries(program.text(&self.db))).collect()
     }
 
     /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.

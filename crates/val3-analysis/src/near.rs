@@ -13,7 +13,7 @@ pub fn nearest<'c>(name: &str, candidates: impl Iterator<Item = &'c str>) -> Opt
         .filter(|candidate| candidate.len().abs_diff(name.len()) <= 4 * limit)
         .filter(|candidate| (letters ^ self::letters(candidate)).count_ones() as usize <= 2 * limit)
         .filter_map(|candidate| {
-            let distance = strsim::damerau_levenshtein(&lower, &candidate.to_lowercase());
+            let distance = strsim::osa_distance(&lower, &candidate.to_lowercase());
             (distance <= limit).then_some((distance, candidate))
         })
         .min_by(|a, b| a.cmp(b))

@@ -91,4 +91,24 @@ mod tests {
         assert_eq!(resolve("/Libraries/x"), "/cell/usrapp/Libraries/x/x.pjx");
         assert_eq!(resolve("USB0://articles/a1"), "elsewhere");
     }
+
+    #[test]
+    fn steps_up_end_at_the_root() {
+        let normal = |path: &str| normalise(Utf8Path::new(path)).into_string();
+        assert_eq!(normal("/a/./b//c/../d"), "/a/b/d");
+        assert_eq!(normal("../a"), "../a");
+        assert_eq!(normal("a/../../b"), "../b");
+    }
+
+    #[test]
+    fn starts_of_references() {
+        let disk = Some(Utf8Path::new("/cell/usrapp"));
+        let start = |prefix: &str| projects_from(Utf8Path::new("/cell/usrapp/app"), disk, prefix);
+        let found = |folder: &str, partial: &str| Some((folder.into(), partial.to_owned()));
+        assert_eq!(start("Disk://parts/Part"), found("/cell/usrapp/parts", "part"));
+        assert_eq!(start("Disk://"), found("/cell/usrapp", ""));
+        assert_eq!(start("part"), found("/cell/usrapp", "part"));
+        assert_eq!(start("./parts/"), found("/cell/usrapp/app/parts", ""));
+        assert_eq!(start("USB0://parts/"), None);
+    }
 }

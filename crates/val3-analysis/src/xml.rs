@@ -108,3 +108,22 @@ impl<'g> Attribute<'g> {
         decode_entities(self.raw)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use val3_syntax::view::View;
+
+    use super::root;
+
+    #[test]
+    fn elements_and_attributes() {
+        let text = "<a><b x='1' y=\"&lt;2&gt;\" z=\"\"/><c><b/></c></a>";
+        let parse = val3_syntax::parse(text);
+        let root = root(View::root(parse.green())).unwrap();
+        let b = root.child(&["b"]).unwrap();
+        let shown = b.attributes().map(|found| format!("{}={} at {:?}", found.name, found.text(), found.range));
+        assert_eq!(shown.collect::<Vec<_>>(), ["x=1 at 9..10", "y=<2> at 15..24", "z= at 29..29"]);
+        assert_eq!(root.list("c", "b").count(), 1);
+        assert!(b.value("w").is_none() && root.child(&["d"]).is_none());
+    }
+}

@@ -70,10 +70,12 @@ fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &Threa
         found
     };
     let mut found = Vec::new();
-    for batch in units.chunks(BATCH) {
+    for (index, batch) in units.chunks(BATCH).enumerate() {
+        if index > 0 {
+            workspace.db.trigger_lru_eviction();
+        }
         let db = workspace.db.clone();
         found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
-        workspace.db.trigger_lru_eviction();
     }
     finish(found)
 }

@@ -150,7 +150,8 @@ enum Resolved {
 fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
     let Container::Array { .. } = item.decl.container else { return None };
     let mut indexes = step.index.as_ref()?.split(',').map(|index| index.trim().parse::<u32>());
-    let too_large = item.decl.sizes.iter().any(|size| indexes.next().is_some_and(|index| index.is_ok_and(|at| at >= *size)));
+    let too_large =
+        item.decl.sizes.iter().any(|size| indexes.next().is_some_and(|index| index.is_ok_and(|at| at >= *size)));
     too_large.then(|| show_size_of(&item.decl))
 }
 
@@ -201,4 +202,25 @@ fn links(view: View<'_>) -> Links {
         }
     }
     links
+}
+
+#[cfg(test)]
+mod tests {
+    use super::steps;
+
+    fn shown(reference: &str) -> Option<String> {
+        let steps = steps(reference)?;
+        let step = |step: &super::Step| format!("{}({})", step.name, step.index.as_deref().unwrap_or("-"));
+        Some(steps.iter().map(step).collect::<Vec<_>>().join(" "))
+    }
+
+    #[test]
+    fn references() {
+        assert_eq!(shown("fTray").as_deref(), Some("fTray(-)"));
+        assert_eq!(shown(" fTray[1,2] ").as_deref(), Some("fTray(1,2)"));
+        assert_eq!(shown("slot[\"a\"].fIn[0].fOut").as_deref(), Some("slot(\"a\") fIn(0) fOut(-)"));
+        for reference in ["", "[0]", "a[0", "a.", ".a", "a[0]b", "a[0][1]"] {
+            assert_eq!(shown(reference), None, "{reference}");
+        }
+    }
 }

@@ -4,9 +4,9 @@ use rowan::TextRange;
 use smol_str::SmolStr;
 use val3_lang::types::{self, BaseType, Container};
 
-use super::{Infer, Overflow};
 use super::names::data_value;
 use super::value::{Form, Origin, Value, Variable};
+use super::{Infer, Overflow};
 use crate::body::ExprId;
 use crate::db::Project;
 use crate::items::declarations;
@@ -69,7 +69,7 @@ impl Infer<'_> {
     fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&Variable, usize), number: f64) {
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
-        let size = self.sizes(variable).and_then(|sizes| sizes.get(position)).copied();
+        let size = self.sizes(variable, name).and_then(|sizes| sizes.get(position)).copied();
         let too_large = !self.may_be_absent && size.is_some_and(|size| index >= i64::from(size));
         if index >= 0 && !too_large {
             return;
@@ -84,13 +84,17 @@ impl Infer<'_> {
     }
 
     /// Sizes that only this project can change: those of locals and of its private data.
-    fn sizes<'v>(&'v self, variable: &'v Variable) -> Option<&'v [u32]> {
+    fn sizes(&self, variable: &Variable, name: &str) -> Option<&[u32]> {
         match &variable.origin {
             Origin::Data(file, name) => {
                 let own = self.items.data.get(name).filter(|item| item.file == *file && !item.decl.public)?;
                 Some(&own.decl.sizes)
             }
-            _ => variable.fixed.as_deref(),
+            Origin::Local => {
+                let local = self.header.locals.iter().find(|local| local.name == name)?;
+                Some(&local.sizes)
+            }
+            Origin::Parameter | Origin::Builtin => None,
         }
     }
 
@@ -159,8 +163,10 @@ impl Infer<'_> {
             return Value::UNKNOWN;
         }
         let near = nearest(field, fields.keys().map(SmolStr::as_str));
-        let private =
-            items(self.db, project).data.get(field).and_then(|item| declarations::data(self.db, item.file, field.clone()));
+        let private = items(self.db, project)
+            .data
+            .get(field)
+            .and_then(|item| declarations::data(self.db, item.file, field.clone()));
         self.unknown_field(base, field, near, range, private)
     }
 

@@ -11,6 +11,7 @@ use crate::ty::Base;
 impl Infer<'_> {
     /// `{values}` where `expected` is needed.
     pub(super) fn literal(&mut self, id: ExprId, values: &[Option<ExprId>], expected: Option<Base>) -> Value {
+        let expected = expected.map(|base| base.on_arm(self.arm()));
         let fields = match expected {
             Some(Base::Builtin(ty, arm)) => types::fields(ty, arm.or(self.arm())),
             _ => &[],

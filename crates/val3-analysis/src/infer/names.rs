@@ -19,13 +19,13 @@ pub(super) fn scope<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'
     let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown).on_arm(items.arm);
     let mut scope = FxHashMap::default();
     for local in &header.locals {
-        let fixed = Some(local.sizes.clone());
-        let variable = Variable { container: local.container, fixed, loose: false, origin: Origin::Local };
+        let single = local.sizes == [1];
+        let variable = Variable { container: local.container, single, loose: false, origin: Origin::Local };
         scope.insert(local.name.as_str(), Value { base: base(&local.type_name), form: Form::Whole(variable) });
     }
     for param in &header.params {
         let variable =
-            Variable { container: param.container, fixed: None, loose: param.loose, origin: Origin::Parameter };
+            Variable { container: param.container, single: false, loose: param.loose, origin: Origin::Parameter };
         scope.insert(param.name.as_str(), Value { base: base(&param.type_name), form: Form::Whole(variable) });
     }
     scope
@@ -34,7 +34,8 @@ pub(super) fn scope<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'
 /// A global variable, or a field of a user type.
 pub(super) fn data_value(item: &DataItem) -> Value {
     let origin = Origin::Data(item.file, item.decl.name.clone());
-    let variable = Variable { container: item.decl.container, fixed: None, loose: false, origin };
+    let single = item.decl.sizes == [1];
+    let variable = Variable { container: item.decl.container, single, loose: false, origin };
     Value { base: item.base, form: Form::Whole(variable) }
 }
 
@@ -44,7 +45,7 @@ impl Infer<'_> {
         if let Some(value) = self.known_name(name) {
             return value;
         }
-        if self.items.lacks_data || !self.scope_is_complete {
+        if self.items.lacks_data || !self.header.complete {
             return Value::UNKNOWN;
         }
         let kind = match self.other_use(name) {
@@ -115,6 +116,6 @@ fn builtin_value(builtin: &builtins::Builtin) -> Value {
         return Value::computed(base);
     }
     let container = val3_lang::types::Container::Array { dims: 1 };
-    let variable = Variable { container, fixed: None, loose: false, origin: Origin::Builtin };
+    let variable = Variable { container, single: true, loose: false, origin: Origin::Builtin };
     Value { base, form: Form::Whole(variable) }
 }

@@ -31,8 +31,8 @@ pub(super) enum Form {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Variable {
     pub(super) container: Container,
-    /// Sizes that no instruction can change: those of a local.
-    pub(super) fixed: Option<Vec<u32>>,
+    /// An array declared with one value, which is written and shown as an element (2.3.4).
+    pub(super) single: bool,
     /// A parameter of the old dialect: an element or an array.
     pub(super) loose: bool,
     pub(super) origin: Origin,
@@ -77,12 +77,9 @@ impl Value {
     }
 
     pub(super) fn ty(&self) -> Ty {
-        let container = match (&self.form, self.container()) {
-            // A single value is stored as an array of size 1.
-            (Form::Whole(variable), Container::Array { dims: 1 }) if variable.fixed.as_deref() == Some(&[1]) => {
-                Container::Element
-            }
-            (_, container) => container,
+        let container = match &self.form {
+            Form::Whole(variable) if variable.single => Container::Element,
+            _ => self.container(),
         };
         Ty { base: self.base, container }
     }

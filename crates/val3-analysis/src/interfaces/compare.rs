@@ -4,7 +4,7 @@ use smol_str::{SmolStr, format_smolstr};
 
 use super::Interfaces;
 use crate::db::Project;
-use crate::infer::calls::syntax_line;
+use crate::infer::programs::syntax_line;
 use crate::items::declarations;
 use crate::items::project::{DataItem, Items, Signature, items, signature};
 use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};

@@ -49,7 +49,7 @@ pub fn uses(db: &dyn Db, file: File) -> Uses {
     let mut uses = Uses::default();
     for (_, expr, _) in body.exprs() {
         match expr {
-            Expr::Path { library, item } if instructions::find(item).is_none() => {
+            Expr::Path { library, item } if !is_instruction(item) => {
                 uses.items.insert((library.clone(), item.clone()));
             }
             Expr::Call(callee, args) => call(body, *callee, args, &mut uses),
@@ -57,6 +57,12 @@ pub fn uses(db: &dyn Db, file: File) -> Uses {
         }
     }
     uses
+}
+
+/// The item is no item of a library but an instruction that acts on it: `library:libLoad`.
+fn is_instruction(item: &str) -> bool {
+    item.starts_with('$')
+        || instructions::find(item).is_some_and(|found| found.overloads.iter().any(|form| form.on_library))
 }
 
 fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut Uses) {

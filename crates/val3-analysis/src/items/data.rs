@@ -73,11 +73,18 @@ fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
     DataDecl { name, type_name, container, sizes, public }
 }
 
-/// The type of an element. What has no readable type or size is still declared: nothing is known of its values, and
-/// its type is empty.
+/// The type of an element. What has no readable type or container is still declared: nothing is known of its values,
+/// and its type is empty.
 pub(crate) fn readable_type(element: Element<'_>) -> SmolStr {
-    let sized = element.value("size").is_none_or(|text| sizes(&text).is_some());
-    element.value("type").filter(|_| sized).map(SmolStr::from).unwrap_or_default()
+    element.value("type").filter(|_| has_container(element)).map(SmolStr::from).unwrap_or_default()
+}
+
+/// The attributes that tell the container can be read, or are left out.
+fn has_container(element: Element<'_>) -> bool {
+    let readable = |attribute: &str, suits: fn(&str) -> bool| element.value(attribute).is_none_or(|text| suits(&text));
+    readable("xsi:type", |kind| matches!(kind.trim(), "element" | "array" | "collection"))
+        && readable("size", |size| sizes(size).is_some())
+        && readable("dimensions", |dims| matches!(dims.trim(), "1" | "2" | "3"))
 }
 
 /// Container and sizes of a `<Data>`, `<Field>` or `<Local>`. An unreadable size counts as one value.

@@ -1,9 +1,9 @@
 //! What is wrong with the text of a file, kept when its tree is dropped.
 
 use rowan::NodeOrToken;
-use val3_syntax::TextRange;
 use val3_syntax::error::SyntaxError;
 use val3_syntax::view::{TokenView, View};
+use val3_syntax::{SyntaxKind, TextRange};
 
 use super::parse;
 use crate::db::{Db, File};
@@ -38,10 +38,16 @@ pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
 fn collect(node: View<'_>, odd: &mut Vec<OddKeyword>) {
     for child in node.children_with_tokens() {
         match child {
-            NodeOrToken::Node(node) => collect(node, odd),
+            NodeOrToken::Node(node) if !is_tag(node.kind()) => collect(node, odd),
+            NodeOrToken::Node(_) => {}
             NodeOrToken::Token(token) => odd.extend(odd_keyword(token)),
         }
     }
+}
+
+/// Tags hold no code.
+fn is_tag(kind: SyntaxKind) -> bool {
+    matches!(kind, SyntaxKind::START_TAG | SyntaxKind::END_TAG)
 }
 
 fn odd_keyword(token: TokenView<'_>) -> Option<OddKeyword> {

@@ -24,6 +24,14 @@ pub struct Manifest {
     pub complete: bool,
 }
 
+impl Manifest {
+    /// The paths of the libraries and types, as written.
+    pub fn projects(&self) -> Vec<&str> {
+        let libraries = self.libraries.iter().map(|entry| entry.path.as_str());
+        libraries.chain(self.types.iter().map(|entry| entry.path.as_str())).collect()
+    }
+}
+
 /// `<Library alias path autoload>`
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LibraryEntry {

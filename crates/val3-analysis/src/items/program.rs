@@ -60,7 +60,10 @@ pub fn header(db: &dyn Db, file: File) -> Header {
     let root = View::root(parse.green());
     let mut header = read(root);
     header.complete &= matches!(file.status(db), FileStatus::Read { .. })
-        && parse.errors().iter().all(|error| code(root).is_some_and(|code| code.range().start() <= error.range.start()));
+        && parse
+            .errors()
+            .iter()
+            .all(|error| code(root).is_some_and(|code| code.range().start() <= error.range.start()));
     header
 }
 
@@ -93,7 +96,8 @@ fn is_complete(program: Element<'_>) -> bool {
         && program.elements().all(|list| {
             let known = LISTS.iter().find(|(name, _)| *name == list.name());
             known.is_some_and(|(_, item)| {
-                let declares = |item: &&str, element: Element<'_>| element.name() == *item && element.value("name").is_some();
+                let declares =
+                    |item: &&str, element: Element<'_>| element.name() == *item && element.value("name").is_some();
                 item.is_none_or(|item| list.elements().all(|element| declares(&item, element)))
             })
         })
@@ -124,7 +128,7 @@ fn read(file: View<'_>) -> Header {
 
 fn param(element: Element<'_>) -> Option<ParamDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let type_name = element.value("type").map(SmolStr::from).unwrap_or_default();
+    let type_name = readable_type(element);
     if let Some(by_value) = element.value("byVal") {
         let by_reference = by_value.trim() == "false";
         let container = if by_reference { Container::Array { dims: 1 } } else { Container::Element };

@@ -2,24 +2,17 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-use crate::items::manifest::Manifest;
 use crate::paths::{self, Target};
 use crate::system::{Kind, System};
 
 /// What `Disk://` stands for: the nearest `usrapp` above, else the nearest folder above from which the
 /// project's own `Disk://` references lead somewhere.
-pub(super) fn root(system: &dyn System, folder: &Utf8Path, manifest: &Manifest) -> Option<Utf8PathBuf> {
+pub(super) fn root(system: &dyn System, folder: &Utf8Path, references: &[&str]) -> Option<Utf8PathBuf> {
     let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
     if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
         return Some(usrapp.to_owned());
     }
-    let references: Vec<&str> = manifest
-        .libraries
-        .iter()
-        .map(|entry| entry.path.as_str())
-        .chain(manifest.types.iter().map(|entry| entry.path.as_str()))
-        .filter(|reference| !reference.starts_with('.'))
-        .collect();
+    let references: Vec<&&str> = references.iter().filter(|reference| !reference.starts_with('.')).collect();
     let resolves = |disk: &Utf8Path| {
         references
             .iter()

@@ -12,6 +12,22 @@ pub(super) enum Loaded {
     Prefix(String),
 }
 
+impl Loaded {
+    pub(super) fn whole(&self) -> Option<&str> {
+        match self {
+            Self::Path(path) => Some(path),
+            Self::Prefix(_) => None,
+        }
+    }
+
+    pub(super) fn prefix(&self) -> Option<&str> {
+        match self {
+            Self::Path(_) => None,
+            Self::Prefix(prefix) => Some(prefix),
+        }
+    }
+}
+
 /// The paths that the code in `text` loads, as far as it spells them out.
 pub(super) fn loaded_libraries(text: &str) -> Vec<Loaded> {
     memmem::find_iter(text.as_bytes(), b"libLoad")

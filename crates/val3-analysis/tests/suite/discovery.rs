@@ -1,0 +1,250 @@
+//! What is found on a disk: projects, roots, files under other letter cases, and what stands in the way.
+
+use std::io;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use expect_test::expect;
+use val3_analysis::load::load;
+#[cfg(unix)]
+use val3_analysis::system::Disk;
+use val3_analysis::system::{Kind, Memory, System};
+
+use crate::show::faults_in;
+
+const PROGRAM: &str = "<Programs><Program name=\"start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
+
+fn manifest(libraries: &[&str]) -> String {
+    let entries: String =
+        (0..).zip(libraries).map(|(index, path)| format!("<Library alias=\"a{index}\" path=\"{path}\" />")).collect();
+    format!("<Project><Programs><Program file=\"start.pgx\" /></Programs><Libraries>{entries}</Libraries></Project>")
+}
+
+/// Projects at `folder/name`, each with libraries.
+fn disk(projects: &[(&str, &[&str])]) -> Memory {
+    let files = projects.iter().flat_map(|(folder, libraries)| {
+        let name = folder.rsplit('/').next().unwrap();
+        [(format!("{folder}/{name}.pjx"), manifest(libraries)), (format!("{folder}/start.pgx"), PROGRAM.to_owned())]
+    });
+    Memory::new(files)
+}
+
+/// The projects found under `path`, what `Disk://` is to each, and all faults.
+fn found(system: &dyn System, path: &str) -> String {
+    let workspace = match load(system, &[path.into()]) {
+        Ok(workspace) => workspace,
+        Err(error) => return format!("{error}\n"),
+    };
+    let db = &workspace.db;
+    let projects = workspace.projects.iter().map(|project| {
+        let disk = project.disk(db).as_ref().map_or("?", |disk| disk.as_str());
+        format!("{} on {disk}\n", project.manifest(db).path(db))
+    });
+    let unreadable = workspace.unreadable.iter().map(|(path, reason)| format!("{path}: {reason}\n"));
+    projects.chain(unreadable).collect::<String>() + &faults_in(&workspace)
+}
+
+#[test]
+fn every_way_to_name_an_application() {
+    let disk = disk(&[("/cell/usr/usrapp/a", &[]), ("/cell/usr/usrapp/sub/b", &[])]);
+    expect![[r#"
+        /cell/usr/usrapp/a/a.pjx on /cell/usr/usrapp
+        /cell/usr/usrapp/sub/b/b.pjx on /cell/usr/usrapp
+    "#]]
+    .assert_eq(&found(&disk, "/cell"));
+    expect![[r#"
+        /cell/usr/usrapp/a/a.pjx on /cell/usr/usrapp
+    "#]]
+    .assert_eq(&found(&disk, "/cell/usr/usrapp/a"));
+    expect![[r#"
+        /cell/usr/usrapp/a/a.pjx on /cell/usr/usrapp
+    "#]]
+    .assert_eq(&found(&disk, "/cell/usr/../usr/usrapp/a/a.pjx"));
+    expect![[r#"
+        /cell/usr/usrapp/a/a.pjx on /cell/usr/usrapp
+    "#]]
+    .assert_eq(&found(&disk, "/cell/usr/usrapp/a/start.pgx"));
+    expect![[r#"
+        /cell/usr/usrapp/a/other.pgx: there is no such file or folder
+    "#]]
+    .assert_eq(&found(&disk, "/cell/usr/usrapp/a/other.pgx"));
+    expect![[r#"
+        /x/readme.md: this is no VAL 3 file; give a `.pjx`, or the folder of an application
+    "#]]
+    .assert_eq(&found(&Memory::new([("/x/readme.md", "")]), "/x/readme.md"));
+    expect![[r#"
+        /x: no VAL 3 application (`.pjx`) lies here or in a folder below; name an application folder, a `.pjx`, or a controller folder
+    "#]].assert_eq(&found(&Memory::new([("/x/readme.md", "")]), "/x"));
+    expect![[r#"
+        /x/start.pgx: no `.pjx` lies beside this file, so the application it belongs to is not known
+    "#]]
+    .assert_eq(&found(&Memory::new([("/x/start.pgx", "")]), "/x/start.pgx"));
+}
+
+#[test]
+fn roots_without_usrapp() {
+    let beside = disk(&[("/repo/a", &["Disk://b"]), ("/repo/b", &[])]);
+    expect![[r#"
+        /repo/a/a.pjx on /repo
+        /repo/b/b.pjx on /repo
+    "#]]
+    .assert_eq(&found(&beside, "/repo"));
+    let deeper = disk(&[
+        ("/repo/val3/apps/a", &["Disk://libs/b", "Disk://apps/c"]),
+        ("/repo/val3/libs/b", &[]),
+        ("/repo/val3/apps/c", &[]),
+    ]);
+    expect![[r#"
+        /repo/val3/apps/a/a.pjx on /repo/val3
+        /repo/val3/apps/c/c.pjx on /repo/val3/apps
+        /repo/val3/libs/b/b.pjx on /repo/val3/libs
+    "#]]
+    .assert_eq(&found(&deeper, "/repo"));
+    let lost = disk(&[("/repo/a", &["Disk://gone"])]);
+    expect![[r#"
+        /repo/a/a.pjx on ?
+    "#]]
+    .assert_eq(&found(&lost, "/repo"));
+    let relative = disk(&[
+        ("/repo/a", &["./inner", "../b", "../../far/c"]),
+        ("/repo/a/inner", &[]),
+        ("/repo/b", &[]),
+        ("/far/c", &[]),
+    ]);
+    expect![[r#"
+        /repo/a/a.pjx on /repo
+        /repo/a/inner/inner.pjx on /repo/a
+        /repo/b/b.pjx on /repo
+    "#]]
+    .assert_eq(&found(&relative, "/repo"));
+}
+
+#[test]
+fn libraries_that_code_loads_tell_the_root() {
+    let load = PROGRAM
+        .replace("begin", "begin\n  a0:libLoad(\"Disk://libs/b\")\n  a0:libLoad(\"Disk://libs/\"+toString(\"\",1))");
+    let files = [
+        ("/repo/apps/a/a.pjx", manifest(&["./inner"])),
+        ("/repo/apps/a/start.pgx", load),
+        ("/repo/apps/a/inner/inner.pjx", manifest(&[])),
+        ("/repo/apps/a/inner/start.pgx", PROGRAM.to_owned()),
+        ("/repo/libs/b/b.pjx", manifest(&[])),
+        ("/repo/libs/b/start.pgx", PROGRAM.to_owned()),
+    ];
+    expect![[r#"
+        /repo/apps/a/a.pjx on /repo
+        /repo/apps/a/inner/inner.pjx on /repo/apps/a
+    "#]]
+    .assert_eq(&found(&Memory::new(files), "/repo/apps"));
+}
+
+#[test]
+fn letter_case_does_not_count() {
+    let disk = disk(&[
+        ("/cell/usr/UsrApp/Main", &["DISK://LIBS/part", "disk://libs/Part/PART.PJX"]),
+        ("/cell/usr/UsrApp/libs/Part", &[]),
+    ]);
+    expect![[r#"
+        /cell/usr/UsrApp/Main/Main.pjx on /cell/usr/UsrApp
+    "#]]
+    .assert_eq(&found(&disk, "/cell/usr/UsrApp/Main"));
+}
+
+#[test]
+fn folders_called_like_files() {
+    let files = [
+        ("/cell/usrapp/x.pjx/x.pjx", manifest(&["Disk://x.pjx"])),
+        ("/cell/usrapp/x.pjx/start.pgx", PROGRAM.to_owned()),
+    ];
+    expect![[r#"
+        /cell/usrapp/x.pjx/x.pjx on /cell/usrapp
+        app/x.pjx/x.pjx:1 `Disk://x.pjx` FileMissing { what: Library, path: "Disk://x.pjx" }
+    "#]]
+    .assert_eq(&found(&Memory::new(files), "/cell"));
+}
+
+/// A disk with a file that cannot be read, a folder that cannot be listed, and a folder that holds itself.
+#[derive(Debug)]
+struct Rough(Memory);
+
+impl System for Rough {
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        if path.as_str().contains("locked") {
+            Err(io::ErrorKind::PermissionDenied.into())
+        } else {
+            self.0.read(&real(path))
+        }
+    }
+
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        if path.ends_with("closed") {
+            return Err(io::ErrorKind::PermissionDenied.into());
+        }
+        let mut names = self.0.list(&real(path))?;
+        names.extend(path.ends_with("loop").then(|| "again".to_owned()));
+        Ok(names)
+    }
+
+    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+        self.0.kind(&real(path))
+    }
+
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
+        real(path)
+    }
+}
+
+/// `loop/again` leads to `loop`.
+fn real(path: &Utf8Path) -> Utf8PathBuf {
+    path.as_str().replace("/again", "").into()
+}
+
+#[test]
+fn what_cannot_be_read() {
+    let mut files = vec![
+        ("/cell/usrapp/a/a.pjx".to_owned(), r#"<Project><Programs><Program file="locked.pgx" /></Programs><Database><Data file="locked.dtx" /></Database><Libraries><Library alias="b" path="Disk://locked" /></Libraries></Project>"#.to_owned()),
+        ("/cell/usrapp/a/locked.pgx".to_owned(), String::new()),
+        ("/cell/usrapp/a/locked.dtx".to_owned(), String::new()),
+        ("/cell/usrapp/locked/locked.pjx".to_owned(), String::new()),
+        ("/cell/usrapp/closed/x/x.pjx".to_owned(), String::new()),
+    ];
+    files.extend([
+        ("/cell/usrapp/loop/c/c.pjx".to_owned(), manifest(&[])),
+        ("/cell/usrapp/loop/c/start.pgx".to_owned(), PROGRAM.to_owned()),
+    ]);
+    expect![[r#"
+        /cell/usrapp/a/a.pjx on /cell/usrapp
+        /cell/usrapp/locked/locked.pjx on /cell/usrapp
+        /cell/usrapp/loop/c/c.pjx on /cell/usrapp
+        /cell/usrapp/closed: permission denied
+        app/a/locked.dtx:1 `` FileUnreadable { reason: "permission denied" }
+        app/a/locked.pgx:1 `` FileUnreadable { reason: "permission denied" }
+        app/locked/locked.pjx:1 `` FileUnreadable { reason: "permission denied" }
+    "#]]
+    .assert_eq(&found(&Rough(Memory::new(files)), "/cell"));
+}
+
+#[cfg(unix)]
+#[test]
+fn links_in_a_circle_on_a_real_disk() {
+    let root = fresh_folder();
+    let app = root.join("usrapp/a");
+    std::fs::create_dir_all(&app).unwrap();
+    std::fs::write(app.join("a.pjx"), manifest(&["Disk://a.pgx"])).unwrap();
+    std::fs::create_dir(app.join("start.pgx")).unwrap();
+    std::os::unix::fs::symlink(&root, app.join("up")).unwrap();
+    let shown = found(&Disk, root.as_str()).replace(root.as_str().trim_start_matches('/'), "root");
+    std::fs::remove_dir_all(&root).unwrap();
+    expect![[r#"
+        /root/usrapp/a/a.pjx on /root/usrapp
+        root/usrapp/a/a.pjx:1 `Disk://a.pgx` FileMissing { what: Library, path: "Disk://a.pgx" }
+        root/usrapp/a/start.pgx:1 `` FileUnreadable { reason: "Is a directory (os error 21)" }
+    "#]]
+    .assert_eq(&shown);
+}
+
+#[cfg(unix)]
+fn fresh_folder() -> Utf8PathBuf {
+    let folder = Utf8PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("links_in_a_circle");
+    std::fs::remove_dir_all(&folder).ok();
+    folder
+}

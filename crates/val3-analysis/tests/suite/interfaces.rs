@@ -1,0 +1,229 @@
+//! Library identifiers: what they name, what is used of them, and what is loaded under them (6).
+
+use expect_test::expect;
+
+use crate::show::{faults, types};
+
+#[test]
+fn items_of_an_interface() {
+    let listing = r#"
+        library part "Disk://part/part.pjx"
+        num nA
+        point pA
+        nA=part:nWeight[1]+part:nByName["a"]
+        pA=part:pGrip
+        part:nWeight[0]=1
+        nA=part:pGrip.trsf.x
+        call part:grip(nA,part:nWeight)
+        --- part
+        public num nWeight[2]
+        public num nByName[""]
+        public point pGrip
+        public program grip(num x_n, num& x_a[])
+        begin
+        end
+    "#;
+    expect![[r#"
+        nA: num | part:nWeight: num[] | part:nWeight[1]: num | part:nByName: num[""] | part:nByName["a"]: num | part:nWeight[1]+part:nByName["a"]: num
+        pA: pointRx | part:pGrip: pointRx
+        part:nWeight: num[] | part:nWeight[0]: num
+        nA: num | part:pGrip: pointRx | part:pGrip.trsf: trsf | part:pGrip.trsf.x: num
+        nA: num | part:nWeight: num[] | part:grip(nA,part:nWeight): ?
+    "#]]
+    .assert_eq(&types(listing));
+}
+
+#[test]
+fn items_that_an_interface_does_not_have() {
+    let listing = r#"
+        library part "Disk://part/part.pjx"
+        num nA
+        nA=prat:nWeight
+        nA=part:nWieght
+        nA=part:nSecret
+        nA=part:grip
+        call part:grib()
+        call part:hide()
+        call part:nWeight()
+        call prat:grip()
+        nA=part:grip()
+        nA=part:nWeight["a"]
+        call part:grip(1)
+        nA=prat:size(nA)
+        --- part
+        public num nWeight[2]
+        num nSecret
+        public program grip()
+        begin
+        end
+        program hide()
+        begin
+        end
+    "#;
+    expect![[r#"
+        main/start.pgx:5 `prat:nWeight` UnknownLibrary { alias: "prat", near: Some("part") }
+        main/start.pgx:6 `part:nWieght` LibraryItemUnknown { alias: "part", item: "nWieght", what: Data, near: Some("nWeight") }
+            Interface main/main.pjx:11 `part`
+        main/start.pgx:7 `part:nSecret` LibraryItemPrivate { alias: "part", item: "nSecret", what: Data }
+            Declared part/part.dtx:5 `nSecret`
+        main/start.pgx:8 `part:grip` NotAValue { name: "part:grip", is: Program }
+        main/start.pgx:9 `part:grib` LibraryItemUnknown { alias: "part", item: "grib", what: Program, near: Some("grip") }
+            Interface main/main.pjx:11 `part`
+        main/start.pgx:10 `part:hide` LibraryItemPrivate { alias: "part", item: "hide", what: Program }
+            Declared part/hide.pgx:3 `hide`
+        main/start.pgx:11 `part:nWeight` LibraryItemUnknown { alias: "part", item: "nWeight", what: Program, near: None }
+            Interface main/main.pjx:11 `part`
+        main/start.pgx:13 `part:grip` UnknownInstruction { name: "part:grip", near: None, is: Some(Program) }
+        main/start.pgx:14 `"a"` IndexType { name: "part:nWeight", expected: "num", found: "string" }
+        main/start.pgx:15 `part:grip(1)` ArgumentCount { callee: "part:grip", expected: [0], found: 1, forms: ["grip()"] }
+            Declared part/grip.pgx:3 `grip`
+    "#]].assert_eq(&faults(listing));
+}
+
+/// An application that loads `path` under an identifier and uses `use_`, and two libraries beside the interface.
+fn loads(path: &str, use_: &str) -> String {
+    faults(&format!(
+        r#"
+library part "Disk://parts/box/box.pjx" autoload=false
+string sName
+num nA
+bool bA
+part:libLoad({path})
+{use_}
+--- parts/box
+public num nWeight[2]
+public point pGrip
+num nSecret
+public program grip(num x_n, num& x_a[])
+begin
+end
+public program open()
+begin
+end
+--- parts/bag
+public num nWeight
+public point pGrip
+public program grip(num x_other, num& x_name[])
+begin
+end
+--- parts/can
+public string nWeight
+num pGrip
+public program grip(num& x_n, num& x_a[,])
+begin
+end
+--- other
+num nThing
+"#
+    ))
+}
+
+#[test]
+fn a_library_that_suits() {
+    let used = "nA=part:nWeight[1]\npart:pGrip.trsf.x=1\ncall part:grip(1,nA)";
+    assert_eq!(loads("\"Disk://parts/box\"", used), "");
+    assert_eq!(loads("\"Disk://parts/bag\"", used), "");
+    assert_eq!(loads("\"Disk://parts/BAG/bag.pjx\"", used), "");
+    assert_eq!(loads("\"../parts/bag\"", used), "");
+    assert_eq!(loads("\"USB0://parts/can\"", used), "");
+    assert_eq!(loads("sName", used), "");
+    assert_eq!(loads("\"Disk://\"+sName", "nA=part:nWeight"), "");
+}
+
+#[test]
+fn a_library_that_does_not_suit() {
+    let used = "nA=part:nWeight[1]\npart:pGrip.trsf.x=1\ncall part:grip(1,nA)";
+    expect![[r#"
+        main/start.pgx:5 `"Disk://parts/can"` ImplementationDifferent { alias: "part", library: "can", item: "grip", what: Program, expected: "grip(num x_n, num& x_a[])", found: "grip(num& x_n, num& x_a[,])" }
+            Interface parts/box/grip.pgx:3 `grip`
+            Implementation parts/can/grip.pgx:3 `grip`
+        main/start.pgx:5 `"Disk://parts/can"` ImplementationDifferent { alias: "part", library: "can", item: "nWeight", what: Data, expected: "num nWeight[2]", found: "string nWeight" }
+            Interface parts/box/box.dtx:4 `nWeight`
+            Implementation parts/can/can.dtx:4 `nWeight`
+        main/start.pgx:5 `"Disk://parts/can"` ImplementationPrivate { alias: "part", library: "can", item: "pGrip", what: Data }
+            Interface parts/box/box.dtx:5 `pGrip`
+            Implementation parts/can/can.dtx:5 `pGrip`
+    "#]].assert_eq(&loads("\"Disk://parts/can\"", used));
+}
+
+#[test]
+fn only_what_is_used_counts() {
+    assert_eq!(loads("\"Disk://parts/can\"", "nA=1"), "");
+    expect![[r#"
+        main/start.pgx:5 `"Disk://parts/can"` ImplementationDifferent { alias: "part", library: "can", item: "nWeight", what: Data, expected: "num nWeight[2]", found: "string nWeight" }
+            Interface parts/box/box.dtx:4 `nWeight`
+            Implementation parts/can/can.dtx:4 `nWeight`
+    "#]].assert_eq(&loads("\"Disk://parts/can\"", "nA=part:nWeight"));
+    expect![[r#"
+        main/start.pgx:5 `"Disk://parts/bag"` ImplementationMissing { alias: "part", library: "bag", item: "open", what: Program }
+            Interface parts/box/open.pgx:3 `open`
+    "#]].assert_eq(&loads("\"Disk://parts/bag\"", "call part:open()"));
+}
+
+#[test]
+fn every_library_that_the_code_can_mean() {
+    expect![[r#"
+        main/start.pgx:5 `"Disk://parts/"+sName` ImplementationDifferent { alias: "part", library: "can", item: "nWeight", what: Data, expected: "num nWeight[2]", found: "string nWeight" }
+            Interface parts/box/box.dtx:4 `nWeight`
+            Implementation parts/can/can.dtx:4 `nWeight`
+    "#]].assert_eq(&loads("\"Disk://parts/\"+sName", "nA=part:nWeight"));
+    expect![[r#""#]].assert_eq(&loads("\"Disk://parts/b\"+sName", "nA=part:nWeight"));
+}
+
+#[test]
+fn guards() {
+    let data = "if part:libExist(\"pGrip\")\npart:pGrip.trsf.x=1\nendIf";
+    assert_eq!(loads("\"Disk://parts/can\"", data), "");
+    let program = "if part:libExist(\"open()\")\ncall part:open()\nendIf";
+    assert_eq!(loads("\"Disk://parts/bag\"", program), "");
+    let defined = "if isDefined(part:pGrip)\npart:pGrip.trsf.x=1\nendIf";
+    assert_eq!(loads("\"Disk://parts/can\"", defined), "");
+}
+
+#[test]
+fn paths_that_lead_nowhere() {
+    let faulty = ["\"Disk://parts/bux\"", "\"./parts/box\"", "\"parts/box/box.pjx.pjx\"", "\"\""];
+    expect![[r#"
+        main/start.pgx:5 `"Disk://parts/bux"` LibLoadPath { path: "Disk://parts/bux" }
+        main/start.pgx:5 `"./parts/box"` LibLoadPath { path: "./parts/box" }
+        main/start.pgx:5 `"parts/box/box.pjx.pjx"` LibLoadPath { path: "parts/box/box.pjx.pjx" }
+        main/start.pgx:5 `""` LibLoadPath { path: "" }
+    "#]]
+    .assert_eq(&faulty.map(|path| loads(path, "nA=1")).concat());
+}
+
+#[test]
+fn never_loaded() {
+    let listing = |autoload: &str, line: &str| {
+        faults(&format!(
+            "library part \"Disk://part\"{autoload}\nnum nA\nstring sA\n{line}\n--- part\npublic num nWeight\n"
+        ))
+    };
+    assert_eq!(listing("", "nA=part:nWeight"), "");
+    assert_eq!(listing(" autoload=false", "nA=1"), "");
+    assert_eq!(listing(" autoload=false", "part:libLoad(sA)\nnA=part:nWeight"), "");
+    expect![[r#"
+        main/main.pjx:11 `part` LibraryNeverLoaded { alias: "part" }
+    "#]]
+    .assert_eq(&listing(" autoload=false", "nA=part:nWeight"));
+}
+
+#[test]
+fn types_of_libraries_are_one() {
+    let listing = r#"
+        library part "Disk://part"
+        type Slot "Disk://types/Slot/Slot.pjx"
+        Slot tA
+        tA=part:tSlot
+        call part:put(tA)
+        --- part
+        type Place "Disk://types/SLOT"
+        public Place tSlot
+        public program put(Place x_t)
+        begin
+        end
+        --- types/Slot
+        public num nA
+    "#;
+    assert_eq!(faults(listing), "");
+}

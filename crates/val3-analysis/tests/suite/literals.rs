@@ -26,44 +26,19 @@ fn every_structured_type() {
         jA={,,90}
     "#;
     expect![[r#"
-        trA: trsf[]
-        -50: num
-        {100,-50,200,0,0,0}: trsf
-        fA: frame[]
-        fA.trsf: trsf
-        {1,2,3,4,5,6}: trsf
-        tA: tool[]
-        {0,0,150,0,0,0}: trsf
-        dMissing: ?
-        {{0,0,150,0,0,0},dMissing,0.1,0.2}: tool
-        pA: pointRx[]
-        -50: num
-        {100,-50,200,0,0,0}: trsf
-        sfree: shoulder
-        efree: elbow
-        wfree: wrist
-        {sfree,efree,wfree}: config
-        {{100,-50,200,0,0,0},{sfree,efree,wfree}}: pointRx
-        pA: pointRx[]
-        pA.trsf: trsf
-        -50: num
-        {100,-50,200,,,}: trsf
-        jA: jointRx[]
-        {0,10,20,30,40,50}: jointRx
-        cA: configRx[]
-        lefty: shoulder
-        epositive: elbow
-        wnegative: wrist
-        {lefty,epositive,wnegative}: configRx
-        mA: mdesc[]
-        off: blend
-        {100,100,100,9999,9999,off,50,50}: mdesc
-        trA: trsf[]
-        {}: trsf
-        jA: jointRx[]
-        {,,90}: jointRx
+        trA: trsf | -50: num | {100,-50,200,0,0,0}: trsf
+        fA: frame | fA.trsf: trsf | {1,2,3,4,5,6}: trsf
+        tA: tool | {0,0,150,0,0,0}: trsf | dMissing: ? | {{0,0,150,0,0,0},dMissing,0.1,0.2}: tool
+        pA: pointRx | -50: num | {100,-50,200,0,0,0}: trsf | sfree: shoulder | efree: elbow | wfree: wrist | {sfree,efree,wfree}: configRx | {{100,-50,200,0,0,0},{sfree,efree,wfree}}: pointRx
+        pA: pointRx | pA.trsf: trsf | -50: num | {100,-50,200,,,}: trsf
+        jA: jointRx | {0,10,20,30,40,50}: jointRx
+        cA: configRx | lefty: shoulder | epositive: elbow | wnegative: wrist | {lefty,epositive,wnegative}: configRx
+        mA: mdesc | off: blend | {100,100,100,9999,9999,off,50,50}: mdesc
+        trA: trsf | {}: trsf
+        jA: jointRx | {,,90}: jointRx
         ! dMissing: UnknownName { name: "dMissing", near: None }
-    "#]].assert_eq(&types(listing));
+    "#]]
+    .assert_eq(&types(listing));
 }
 
 #[test]
@@ -89,42 +64,16 @@ fn where_braces_may_stand() {
         end
     "#;
     expect![[r#"
-        trA: trsf[]
-        trA[0]: trsf
-        trA: trsf[]
-        trA[1]: trsf
-        {0,0,10,0,0,0}: trsf
-        trA[1]*{0,0,10,0,0,0}: trsf
-        trA: trsf[]
-        trA[0]: trsf
-        {0,0,10,0,0,0}: trsf
-        trA: trsf[]
-        trA[1]: trsf
-        {0,0,10,0,0,0}*trA[1]: trsf
-        bA: bool[]
-        trA: trsf[]
-        trA[0]: trsf
-        {1,2,3}: trsf
-        trA[0]=={1,2,3}: bool
-        pA: pointRx[]
-        pA: pointRx[]
-        -100: num
-        {0,0,-100,0,0,0}: trsf
-        appro(pA,{0,0,-100,0,0,0}): pointRx
-        {0,0,0,0,0,0}: joint
-        tA: tool[]
-        mA: mdesc[]
-        movej({0,0,0,0,0,0},tA,mA): num
-        {1,2,3,4,5,6}: trsf
-        {0,0,0,0,0,0}: joint
-        p({1,2,3,4,5,6},{0,0,0,0,0,0}): ?
-        pA: pointRx[]
-        pA.config: configRx
-        sfree: shoulder
-        efree: elbow
-        wfree: wrist
-        {sfree,efree,wfree}: configRx
-    "#]].assert_eq(&types(listing));
+        trA: trsf[] | trA[0]: trsf | trA: trsf[] | trA[1]: trsf | {0,0,10,0,0,0}: trsf | trA[1]*{0,0,10,0,0,0}: trsf
+        trA: trsf[] | trA[0]: trsf | {0,0,10,0,0,0}: trsf | trA: trsf[] | trA[1]: trsf | {0,0,10,0,0,0}*trA[1]: trsf
+        bA: bool | trA: trsf[] | trA[0]: trsf | {1,2,3}: trsf | trA[0]=={1,2,3}: bool
+        pA: pointRx | pA: pointRx | -100: num | {0,0,-100,0,0,0}: trsf | appro(pA,{0,0,-100,0,0,0}): pointRx
+        {0,0,0,0,0,0}: jointRx | tA: tool | mA: mdesc | movej({0,0,0,0,0,0},tA,mA): num
+        {1,2,3,4,5,6}: trsf | {0,0,0,0,0,0}: jointRx | p({1,2,3,4,5,6},{0,0,0,0,0,0}): ?
+        pA: pointRx | pA.config: configRx
+        sfree: shoulder | efree: elbow | wfree: wrist | {sfree,efree,wfree}: configRx
+    "#]]
+    .assert_eq(&types(listing));
 }
 
 #[test]
@@ -138,20 +87,14 @@ fn joints_follow_the_arm() {
         cA={righty,efree}
     "#;
     expect![[r#"
-        jA: jointRs[]
-        {1,2,3,4}: jointRs
-        jA: jointRs[]
-        {1,2,3,4,5}: jointRs
-        cA: configRs[]
-        righty: shoulder
-        {righty}: configRs
-        cA: configRs[]
-        righty: shoulder
-        efree: elbow
-        {righty,efree}: configRs
+        jA: jointRs | {1,2,3,4}: jointRs
+        jA: jointRs | {1,2,3,4,5}: jointRs
+        cA: configRs | righty: shoulder | {righty}: configRs
+        cA: configRs | righty: shoulder | efree: elbow | {righty,efree}: configRs
         ! {1,2,3,4,5}: LiteralFieldCount { ty: "jointRs", expected: 4, found: 5 }
         ! {righty,efree}: LiteralFieldCount { ty: "configRs", expected: 1, found: 2 }
-    "#]].assert_eq(&types(listing));
+    "#]]
+    .assert_eq(&types(listing));
 }
 
 #[test]
@@ -192,7 +135,8 @@ fn what_braces_cannot_be() {
         main/start.pgx:14 `{1}` LiteralWithoutType { expected: Some("num") }
         main/start.pgx:15 `{1,2,3}` VariableExpected { callee: "p", parameter: "x_tr" }
             Declared main/p.pgx:3 `p`
-    "#]].assert_eq(&faults(listing));
+    "#]]
+    .assert_eq(&faults(listing));
 }
 
 #[test]
@@ -206,12 +150,9 @@ fn user_types_take_anything() {
         public num nA
     "#;
     expect![[r#"
-        tA: Slot[]
-        {3,4}: ?
-        {1,"two",{3,4}}: Slot
-        tA: Slot[]
-        nMissing: ?
-        {nMissing}: Slot
+        tA: Slot | {3,4}: ? | {1,"two",{3,4}}: Slot
+        tA: Slot | nMissing: ? | {nMissing}: Slot
         ! nMissing: UnknownName { name: "nMissing", near: None }
-    "#]].assert_eq(&types(listing));
+    "#]]
+    .assert_eq(&types(listing));
 }

@@ -4,15 +4,19 @@
 mod show;
 
 mod arguments;
+mod calls;
 mod data;
 mod dialect;
 mod discovery;
 mod expressions;
+mod fathers;
+mod fields;
 mod firewall;
 mod headers;
 mod hostile;
 mod interfaces;
 mod literals;
+mod names;
 mod operators;
 mod projects;
 mod silence;

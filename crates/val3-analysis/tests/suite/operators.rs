@@ -97,7 +97,8 @@ fn every_operator_with_every_pair_of_types() {
         config != config = bool
         mdesc == mdesc = bool
         mdesc != mdesc = bool
-    "#]].assert_eq(&results(expressions));
+    "#]]
+    .assert_eq(&results(expressions));
 }
 
 #[test]
@@ -108,7 +109,8 @@ fn unary_operators() {
         -num = num
         !dio = bool
         !trsf = trsf
-    "#]].assert_eq(&results(expressions));
+    "#]]
+    .assert_eq(&results(expressions));
 }
 
 #[test]
@@ -123,34 +125,16 @@ fn one_wrong_operand_is_one_fault() {
         endIf
     "#;
     expect![[r#"
-        nA: num[]
-        nA: num[]
-        sA: string[]
-        nA+sA: ?
-        (nA+sA): ?
-        (nA+sA)*2: ?
-        nA: num[]
-        (nA+sA)*2+nA: ?
-        nA: num[]
-        sA: string[]
-        (sA): string
-        -(sA): ?
-        -(sA)+1: ?
-        nA: num[]
-        nMissing: ?
-        sA: string[]
-        nMissing+sA: ?
-        nA: num[]
-        nA and true: bool
-        (nA and true): bool
-        nA: num[]
-        nA==1: bool
-        (nA and true) or nA==1: bool
+        nA: num | nA: num | sA: string | nA+sA: ? | (nA+sA): ? | (nA+sA)*2: ? | nA: num | (nA+sA)*2+nA: ?
+        nA: num | sA: string | (sA): string | -(sA): ? | -(sA)+1: ?
+        nA: num | nMissing: ? | sA: string | nMissing+sA: ?
+        nA: num | nA and true: bool | (nA and true): bool | nA: num | nA==1: bool | (nA and true) or nA==1: bool
         ! nA+sA: OperatorType { op: "+", left: Some("num"), right: "string" }
         ! -(sA): OperatorType { op: "-", left: None, right: "string" }
         ! nMissing: UnknownName { name: "nMissing", near: None }
         ! nA and true: OperatorType { op: "and", left: Some("num"), right: "bool" }
-    "#]].assert_eq(&types(listing));
+    "#]]
+    .assert_eq(&types(listing));
 }
 
 #[test]
@@ -161,21 +145,12 @@ fn results_of_unknown_operands() {
         bA=zMissing+1
     "#;
     expect![[r#"
-        bA: bool[]
-        nMissing: ?
-        nMissing==1: bool
-        (nMissing==1): bool
-        xMissing: ?
-        yMissing: ?
-        xMissing<yMissing: bool
-        (xMissing<yMissing): bool
-        (nMissing==1) and (xMissing<yMissing): bool
-        bA: bool[]
-        zMissing: ?
-        zMissing+1: ?
+        bA: bool | nMissing: ? | nMissing==1: bool | (nMissing==1): bool | xMissing: ? | yMissing: ? | xMissing<yMissing: bool | (xMissing<yMissing): bool | (nMissing==1) and (xMissing<yMissing): bool
+        bA: bool | zMissing: ? | zMissing+1: ?
         ! nMissing: UnknownName { name: "nMissing", near: None }
         ! xMissing: UnknownName { name: "xMissing", near: None }
         ! yMissing: UnknownName { name: "yMissing", near: None }
         ! zMissing: UnknownName { name: "zMissing", near: None }
-    "#]].assert_eq(&types(listing));
+    "#]]
+    .assert_eq(&types(listing));
 }

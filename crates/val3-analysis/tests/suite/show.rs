@@ -1,7 +1,9 @@
 //! What the analysis says about a listing, as text to compare.
 
+use std::collections::BTreeMap;
+
 use camino::Utf8PathBuf;
-use val3_analysis::body::{Expr, body};
+use val3_analysis::body::{Expr, ExprId, body};
 use val3_analysis::db::{Database, File, Project};
 use val3_analysis::items::project::{data_files, program_files};
 use val3_analysis::load::{Workspace, load};
@@ -34,25 +36,31 @@ pub(crate) fn program(db: &Database, project: Project, name: &str) -> File {
     *program_files(db, project).iter().find(is_it).unwrap()
 }
 
-/// The type of every expression of the program `start` of `main`, inner ones first; literals of one value and the
-/// names of instructions left out. Faults follow.
+/// The type of every expression of the program `start` of `main`, line by line, inner ones first; literals of one
+/// value and the names of instructions left out. Faults follow.
 pub(crate) fn types(listing: &str) -> String {
     let workspace = workspace(listing);
     let db = &workspace.db;
     let main = project(&workspace, "main");
     let file = program(db, main, "start");
     let (body, inference) = (body(db, file), infer::infer(db, main, file));
-    let mut out = String::new();
-    for (id, expr, range) in body.exprs() {
-        let is_callee = body.exprs().any(|(_, outer, _)| matches!(outer, Expr::Call(callee, _) if *callee == id));
-        if !is_callee && !is_literal(expr) {
-            out += &format!("{}: {}\n", &file.text(db)[range], inference.ty(id).display(db));
-        }
+    let text = file.text(db);
+    let callees: Vec<ExprId> = body.exprs().filter_map(|(_, expr, _)| callee(expr)).collect();
+    let mut lines: BTreeMap<usize, Vec<String>> = BTreeMap::new();
+    for (id, _, range) in body.exprs().filter(|(id, expr, _)| !callees.contains(id) && !is_literal(expr)) {
+        let line = text[..usize::from(range.start())].matches('\n').count();
+        lines.entry(line).or_default().push(format!("{}: {}", &text[range], inference.ty(id).display(db)));
     }
-    for problem in infer::problems(db, main, file) {
-        out += &format!("! {}", show_short(db, &problem));
+    let faults = infer::problems(db, main, file);
+    let faults = faults.iter().map(|problem| format!("! {}: {:?}", &text[problem.place.range], problem.kind));
+    lines.values().map(|line| line.join(" | ")).chain(faults).map(|line| line + "\n").collect()
+}
+
+fn callee(expr: &Expr) -> Option<ExprId> {
+    match expr {
+        Expr::Call(callee, _) => Some(*callee),
+        _ => None,
     }
-    out
 }
 
 fn is_literal(expr: &Expr) -> bool {
@@ -85,11 +93,6 @@ pub(crate) fn faults_in(workspace: &Workspace) -> String {
 fn show(db: &Database, problem: &Problem) -> String {
     let related = problem.related.iter().map(|other| format!("    {:?} {}\n", other.role, place(db, other.place)));
     format!("{} {:?}\n{}", place(db, problem.place), problem.kind, related.collect::<String>())
-}
-
-fn show_short(db: &Database, problem: &Problem) -> String {
-    let text = &problem.place.file.text(db)[problem.place.range];
-    format!("{text}: {:?}\n", problem.kind)
 }
 
 /// `main/start.pgx:3 text`

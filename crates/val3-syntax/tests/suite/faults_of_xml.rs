@@ -162,9 +162,12 @@ fn malformed_attribute() {
         0:4 "b" MalformedAttribute { name: "b" }
     "#]],
     );
-    check_file("<a b=\u{c}/>", expect![[r#"
+    check_file(
+        "<a b=\u{c}/>",
+        expect![[r#"
         0:4 "b" MalformedAttribute { name: "b" }
-    "#]]);
+    "#]],
+    );
     check_file(
         "<a b=/>",
         expect![[r#"
