@@ -97,7 +97,9 @@ impl<'db> FileCheck<'db> {
         let limit = self.items.version.identifier_limit();
         if !is_identifier(&name) {
             self.report(attribute.range, ProblemKind::InvalidName { name });
-        } else if keywords::canonical(&name).is_some() && what != NameKind::Library {
+        } else if keywords::canonical(&name).is_some() && what != NameKind::Library
+            || what == NameKind::Type && BaseType::from_file_name(&name).is_some()
+        {
             self.report(attribute.range, ProblemKind::ReservedName { name });
         } else if let Some(limit) = limit.filter(|limit| name.len() > *limit) {
             self.report(attribute.range, ProblemKind::NameTooLong { name, limit });

@@ -1,6 +1,6 @@
 //! The header of a program: names, types, attributes, and whether the file holds what it should.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
@@ -40,6 +40,8 @@ fn root(check: &mut FileCheck<'_>, root: Element<'_>, program: Option<Element<'_
     }
     check.one_of(program, "access", &["public", "private"]);
     check.one_of(program, "public", &["true", "false"]);
+    let others = root.elements().filter(|element| element.name_range() != program.name_range());
+    others.for_each(|element| check.unexpected(element, root));
     foreign_elements(check, program);
     declarations(check, program);
 }
@@ -54,7 +56,12 @@ fn file_name(check: &mut FileCheck<'_>, name: Attribute<'_>, stem: &str) {
 }
 
 fn foreign_elements(check: &mut FileCheck<'_>, program: Element<'_>) {
+    let mut seen = FxHashSet::default();
     for list in program.elements() {
+        if !seen.insert(list.name()) {
+            check.unexpected(list, program);
+            continue;
+        }
         match program::LISTS.iter().find(|(name, _)| *name == list.name()) {
             None => check.unexpected(list, program),
             Some((_, Some(item))) => {

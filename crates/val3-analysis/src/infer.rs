@@ -11,6 +11,8 @@ pub(crate) mod programs;
 mod statements;
 mod value;
 
+pub(crate) use expressions::STRING_LIMIT;
+
 use rowan::TextRange;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -56,7 +58,8 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     Inference { types: infer.types, problems: infer.problems, overflows: infer.overflows }
 }
 
-/// What is wrong with the code of the program in `file`, by position.
+/// What is wrong with the code of the program in `file`, by position. Kept when the types are dropped.
+#[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let inference = infer(db, project, file);
     let lasting = inference.overflows.iter().filter(|overflow| !is_resized(db, project, &overflow.data));

@@ -45,6 +45,7 @@ impl ProjectCheck<'_> {
         let spelling = spelling(root);
         self.children(root, spelling);
         self.version(root, spelling);
+        self.parameters(root, spelling);
         self.files(root, spelling.programs, FileRole::Program);
         self.files(root, spelling.data, FileRole::Data);
         self.projects(root, spelling.libraries, (spelling.library_name, spelling.library_path), FileRole::Library);
@@ -70,6 +71,15 @@ impl ProjectCheck<'_> {
         let version = parameters.attribute("version").filter(|version| !version.raw.trim().is_empty());
         if let Some(version) = version.filter(|version| Version::parse(&version.text()).is_none()) {
             self.found.invalid(parameters, version, SmolStr::new_static("a version such as `s7.11.3`"));
+        }
+    }
+
+    fn parameters(&mut self, root: Element<'_>, spelling: &Spelling) {
+        let Some(parameters) = root.child(&[spelling.parameters]) else { return };
+        self.found.one_of(parameters, "millimeterUnit", &["true", "false"]);
+        let stack = parameters.attribute("stackSize").filter(|size| size.text().trim().parse::<u32>().is_err());
+        if let Some(stack) = stack {
+            self.found.invalid(parameters, stack, SmolStr::new_static("a number of bytes such as `5000`"));
         }
     }
 

@@ -73,7 +73,7 @@ impl Check<'_> {
                 let broken = self.text(file);
                 self.problems(file, header_check::problems(db, project, file));
                 if !broken {
-                    self.problems(file, &infer::problems(db, project, file));
+                    self.problems(file, infer::problems(db, project, file));
                     self.found.extend(keywords::spelling(db, project, file));
                 }
             }

@@ -6,7 +6,7 @@
 /// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
 /// a form: `function` (only yields a value) or `modifier` (may stand alone), parameters as in a syntax line,
 /// `-> type` for a value, `on library` for a form of a library identifier, `since major` for a younger form.
-/// Instead of a type a parameter says `any`, `Whole`, `Slot`
+/// Instead of a type a parameter says `any`, `Whole`, `Slot`, `Item`
 /// ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
 macro_rules! instruction {
     (
@@ -48,6 +48,9 @@ macro_rules! param {
     };
     (Slot $name:ident) => {
         $crate::declare::param!(@ $name, None, Slot)
+    };
+    (Item $name:ident) => {
+        $crate::declare::param!(@ $name, None, Item)
     };
     ($ty:ident $name:ident) => {
         $crate::declare::param!(@ $name, $crate::declare::base_type!($ty), Value)

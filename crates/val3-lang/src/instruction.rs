@@ -74,9 +74,10 @@ pub enum Shape {
     /// The name of a whole container: an array or a collection; a one-dimensional array may have an index that
     /// says where a part of it starts (`size`, `resize`, `append`).
     Whole,
-    /// A place in a container: an index or key that need not exist (`insert`, `delete`, `isDefined`, `next`,
-    /// `prev`).
+    /// A place in a container: an index or key that need not exist (`insert`, `delete`, `next`, `prev`).
     Slot,
+    /// A place in a container or the whole variable; either need not exist (`isDefined`).
+    Item,
     /// The call of a program with its arguments (`taskCreate`).
     ProgramCall,
 }

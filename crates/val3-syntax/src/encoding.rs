@@ -29,7 +29,9 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     }
     match String::from_utf8(bytes) {
         Ok(text) => Decoded { text, encoding: Encoding::Utf8, undeclared: false },
-        Err(error) => Decoded { text: latin1(error.as_bytes()), encoding: Encoding::Latin1, undeclared: true },
+        Err(error) => {
+            Decoded { text: latin1_behind_mark(error.as_bytes()), encoding: Encoding::Latin1, undeclared: true }
+        }
     }
 }
 
@@ -38,6 +40,10 @@ impl Encoding {
     pub fn encode(self, text: &str) -> Vec<u8> {
         match self {
             Self::Utf8 => text.as_bytes().to_vec(),
+            // Only a text whose bytes are not as their mark says starts with one.
+            Self::Latin1 if let Some(text) = text.strip_prefix(MARK) => {
+                [MARK.to_string().into_bytes(), self.encode(text)].concat()
+            }
             Self::Latin1 => text.chars().fold(Vec::with_capacity(text.len()), |mut bytes, character| {
                 match u8::try_from(u32::from(character)) {
                     Ok(byte) => bytes.push(byte),
@@ -46,6 +52,17 @@ impl Encoding {
                 bytes
             }),
         }
+    }
+}
+
+/// The byte order mark.
+const MARK: char = '\u{feff}';
+
+/// As [`latin1`], but a byte order mark of UTF-8 stays one: it tells what the bytes were before one was damaged.
+fn latin1_behind_mark(bytes: &[u8]) -> String {
+    match bytes.strip_prefix(b"\xef\xbb\xbf") {
+        Some(bytes) => MARK.to_string() + &latin1(bytes),
+        None => latin1(bytes),
     }
 }
 
@@ -91,6 +108,15 @@ mod tests {
         let bytes = b"<a b=\"\xff\xfe\"/>".to_vec();
         let decoded = decode(bytes.clone());
         assert!(decoded.undeclared);
+        assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
+    }
+
+    #[test]
+    fn a_byte_order_mark_survives_a_damaged_byte() {
+        let bytes = b"\xef\xbb\xbf<a b=\"\xf6\"/>".to_vec();
+        let decoded = decode(bytes.clone());
+        assert!(decoded.undeclared);
+        assert_eq!(decoded.text, "\u{feff}<a b=\"\u{f6}\"/>");
         assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
     }
 }

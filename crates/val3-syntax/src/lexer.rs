@@ -5,6 +5,7 @@
 
 mod code;
 mod entity;
+mod foreign;
 mod xml;
 
 pub use entity::{decode_entities, resolve as resolve_entity};

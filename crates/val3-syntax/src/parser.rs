@@ -137,6 +137,13 @@ impl<'i> Parser<'i> {
         self.input.indent(pos).starts_line()
     }
 
+    /// The positions of the tokens on the line of the statement.
+    pub(crate) fn line(&self) -> impl Iterator<Item = usize> {
+        let is_first = |at: usize| at == self.statement;
+        let on_line = move |&at: &usize| (is_first(at) || !self.starts_line(at)) && self.kind_at(at) != EOF;
+        (self.statement..).take_while(on_line)
+    }
+
     pub(crate) fn text(&self) -> &'i str {
         self.input.text(self.pos)
     }

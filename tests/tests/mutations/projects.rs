@@ -61,6 +61,16 @@ pub(crate) const FILES: &[Mutation] = &[
         "name=\"nLayer\" access=\"private\" xsi:type=\"list\"",
         "V0506",
     ),
+    slip("size of the stack in words", "palletiser/palletiser.pjx", "stackSize=\"5000\"", "stackSize=\"5k\"", "V0506"),
+    slip("unknown unit", "palletiser/palletiser.pjx", "millimeterUnit=\"true\"", "millimeterUnit=\"yes\"", "V0506"),
+    slip("access in another letter case", "partBox/grip.pgx", "access=\"public\"", "access=\"Public\"", "V0506"),
+    slip(
+        "user type called as a built-in one",
+        "palletiser/palletiser.pjx",
+        "    <Type name=\"Slot\"",
+        "    <Type name=\"num\" path=\"Disk://types/Slot/Slot.pjx\" />\n    <Type name=\"Slot\"",
+        "V0111",
+    ),
     slip(
         "foreign element",
         "palletiser/palletiser.dtx",
@@ -119,6 +129,22 @@ pub(crate) const VALUES: &[Mutation] = &[
         "type=\"num\" size=\"1\" />\n      </Value>\n      <Value key=\"0,1\">",
         "V0516",
     ),
+    slip(
+        "field twice",
+        "palletiser/palletiser.dtx",
+        "type=\"string\" size=\"1\" />\n      </Value>\n    </Data>",
+        "type=\"string\" size=\"1\" />\n        \
+         <Field name=\"bFull\" xsi:type=\"array\" type=\"bool\" size=\"1\" />$0\n      </Value>\n    </Data>",
+        "V0108",
+    ),
+    slip(
+        "string too long in data",
+        "palletiser/palletiser.dtx",
+        "value=\"waiting\"",
+        "value=\"waiting for a part, for the pallet, for the operator, for the host, for the gripper, for the weight, \
+         for the lamp, for the vacuum\"",
+        "V0223",
+    ),
     slip("size in words", "palletiser/palletiser.dtx", "size=\"10\"", "size=\"ten\"", "V0517"),
     slip("comma in a size", "palletiser/palletiser.dtx", "size=\"2 3\"", "size=\"2,3\"", "V0517"),
 ];
@@ -157,6 +183,20 @@ pub(crate) const LINKS: &[Mutation] = &[
         "palletiser/palletiser.dtx",
         "fatherId=\"fConveyor[0]\"",
         "fatherId=\"fConveyor[3]\"",
+        "V0524",
+    ),
+    slip(
+        "father with an index too many",
+        "palletiser/palletiser.dtx",
+        "fatherId=\"fConveyor[0]\"",
+        "fatherId=\"fConveyor[0,0]\"",
+        "V0524",
+    ),
+    slip(
+        "father with a negative index",
+        "palletiser/palletiser.dtx",
+        "fatherId=\"fConveyor[0]\"",
+        "fatherId=\"fConveyor[-1]\"",
         "V0524",
     ),
     slip("unknown input", "io/io.dtx", "BasicIO-1\\%I3", "BasicIO-1\\%I33", "V0525"),

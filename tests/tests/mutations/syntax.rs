@@ -42,6 +42,12 @@ pub(crate) const BLOCKS: &[Mutation] = &[
     slip("statement before case", "palletiser/onKey.pgx", "switch x_nKey\n", "switch x_nKey\n    cls()$0\n", "V0021"),
     slip("code behind end", "palletiser/stop.pgx", "\nend]]>", "\nend\n  cls()$0]]>", "V0029"),
     slip("comma for to", "palletiser/clearPallet.pgx", "l_nRow=0 to ", "l_nRow=0, ", "V0030"),
+    slip("end if for endIf", "palletiser/layerFull.pgx", "  endIf\n", "  end if\n", "V0026"),
+    slip("end for for endFor", "palletiser/average.pgx", "  endFor\n", "  End For\n", "V0026"),
+    slip("repeat for do", "palletiser/pick.pgx", "  do\n", "  repeat\n", "V0026"),
+    slip("case in an if", "palletiser/layerFull.pgx", "    nLayer=0\n", "    case 3$0\n    nLayer=0\n", "V0018"),
+    slip("line of another language", "palletiser/init.pgx", "  nLayer=0\n", "  PTP HOME Vel=100 % DEFAULT\n", "V0010"),
+    slip("wend for endWhile", "palletiser/total.pgx", "  endWhile\n", "  wend\n", "V0026"),
     slip("step without a value", "palletiser/nextSlot.pgx", "step -1", "step", "V0030"),
 ];
 
@@ -59,6 +65,10 @@ pub(crate) const LINES: &[Mutation] = &[
     slip("&& for and", "palletiser/sensors.pgx", "==true and ", "==true && ", "V0026"),
     slip("<> for !=", "palletiser/production.pgx", "sWanted!=sLoaded", "sWanted<>sLoaded", "V0026"),
     slip("if with then", "palletiser/production.pgx", "if sWanted!=sLoaded", "if sWanted!=sLoaded then", "V0026"),
+    slip("while with do", "palletiser/total.pgx", "while l_sKey!=\"\"", "while l_sKey!=\"\" do", "V0026"),
+    slip("elsif for elseIf", "palletiser/watchTasks.pgx", "elseIf l_nStatus==1\n", "elsif l_nStatus==1\n", "V0026"),
+    slip("missing ) in a call", "partBag/offset.pgx", "sel((x_nRow+x_nColumn)%2", "sel((x_nRow+x_nColumn%2", "V0011"),
+    slip("a ) too many between braces", "partBag/offset.pgx", "180,0)}", "180,0))}", "V0012"),
     slip("semicolon", "palletiser/start.pgx", "call init()", "call init();", "V0010"),
     slip("call without ()", "palletiser/start.pgx", "call init()", "call init", "V0010"),
     slip("keyword as a name", "palletiser/start.pgx", "call init()", "call for()", "V0025"),
@@ -85,6 +95,39 @@ pub(crate) const XML: &[Mutation] = &[
         ("palletiser/place.pgx", "name=\"l_trOffset\""),
     ]),
     slip("bare &", "palletiser/palletiser.dtx", "value=\"waiting\"", "value=\"waiting & idle\"", "V0002"),
+    slip("bare <", "palletiser/palletiser.dtx", "value=\"waiting\"", "value=\"<waiting\"", "V0002"),
+    slip(
+        "letter before an element",
+        "palletiser/palletiser.dtx",
+        "    <Data name=\"nLayer\"",
+        "    j<Data name=\"nLayer\"",
+        "V0002",
+    ),
+    slip("lost start of CDATA", "palletiser/tower.pgx", "<![CDATA[begin", "begin", "V0002")
+        .at(&[("palletiser/tower.pgx", "]]>")]),
+    slip("lost start tag", "palletiser/palletiser.dtx", "  <Datas>\n", "", "V0001")
+        .at(&[("palletiser/palletiser.dtx", "</Datas>")]),
+    slip(
+        "element closed twice",
+        "palletiser/palletiser.dtx",
+        "<Data name=\"nAbove\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\">\n      <Value key=\"0\" value=\"150\" />\n    </Data>",
+        "<Data name=\"nAbove\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n      <Value key=\"0\" value=\"150\" />\n    </Data>$0",
+        "V0001",
+    ),
+    slip(
+        "second list of locals",
+        "palletiser/average.pgx",
+        "    <Code>",
+        "    <Locals>$0\n    </Locals>\n    <Code>",
+        "V0507",
+    ),
+    slip(
+        "second program in a file",
+        "palletiser/stop.pgx",
+        "</Programs>",
+        "  <Program name=\"halt\">$0\n    <Code><![CDATA[begin\nend]]></Code>\n  </Program>\n</Programs>",
+        "V0507",
+    ),
     slip("attribute without quotes", "palletiser/palletiser.dtx", "size=\"10\"", "size=10", "V0003"),
     slip("attribute twice", "palletiser/palletiser.dtx", "size=\"10\"", "size=\"10\" size=\"10\"", "V0003"),
     slip(

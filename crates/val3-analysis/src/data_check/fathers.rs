@@ -149,10 +149,11 @@ enum Resolved {
 
 fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
     let Container::Array { .. } = item.decl.container else { return None };
-    let mut indexes = step.index.as_ref()?.split(',').map(|index| index.trim().parse::<u32>());
-    let too_large =
-        item.decl.sizes.iter().any(|size| indexes.next().is_some_and(|index| index.is_ok_and(|at| at >= *size)));
-    too_large.then(|| show_size_of(&item.decl))
+    let indexes: Vec<Option<u32>> = step.index.as_ref()?.split(',').map(|index| index.trim().parse().ok()).collect();
+    let sizes = &item.decl.sizes;
+    let inside = indexes.len() == sizes.len()
+        && indexes.iter().zip(sizes).all(|(index, size)| index.is_some_and(|index| index < *size));
+    (!inside).then(|| show_size_of(&item.decl))
 }
 
 /// Splits `tSlot["a"].fFrame[0]` into its steps; `None` where it is no reference.

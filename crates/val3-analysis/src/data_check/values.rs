@@ -1,16 +1,17 @@
 //! `<Value>` and `<Field>`: keys, attributes and nested values.
 
-use rustc_hash::FxHashSet;
+use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::enumerations;
 use val3_lang::types::{AttributeValue, BaseType, Container, attribute, attributes};
 
 use super::{DataCheck, show_sizes};
 use crate::file_check::alternatives;
+use crate::infer::STRING_LIMIT;
 use crate::items::data::container;
 use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
-use crate::problem::ProblemKind;
+use crate::problem::{NameKind, ProblemKind};
 use crate::ty::{Base, brackets};
 use crate::xml::{Attribute, Element};
 
@@ -89,6 +90,9 @@ impl DataCheck<'_> {
             AttributeValue::Choice(choice) if enumerations::find_in_file(choice, text.trim()).is_none() => {
                 choices(choice)
             }
+            _ if ty == BaseType::String && text.len() > STRING_LIMIT => {
+                return self.report(found.range, ProblemKind::StringTooLong { bytes: text.len() });
+            }
             AttributeValue::Father(father) => return self.father(found, father),
             AttributeValue::Link => return self.link(found, ty),
             _ => return,
@@ -102,6 +106,7 @@ impl DataCheck<'_> {
     fn fields(&mut self, value: Element<'_>, base: Base) {
         let Base::User(project) = base else { return };
         let known = fields(self.db, project);
+        let mut seen = FxHashMap::default();
         for field in value.elements() {
             if field.name() != "Field" {
                 self.found.unexpected(field, value);
@@ -111,6 +116,7 @@ impl DataCheck<'_> {
                 self.found.missing(field, "name");
                 continue;
             };
+            self.found.once(name, NameKind::Data, &mut seen);
             match known.get(name.text().as_ref()) {
                 Some(item) => self.known_field(field, name, base, item),
                 None if items(self.db, project).lacks_data => {}

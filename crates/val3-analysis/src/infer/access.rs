@@ -28,7 +28,10 @@ impl Infer<'_> {
         };
         match variable.container {
             Container::Element => return self.index_not_allowed(base, &value),
-            Container::Array { dims } => self.array_index(base, &value, variable, dims, indexes, &found),
+            Container::Array { dims } if indexes.len() != usize::from(dims) => {
+                return self.index_count(base, &value, usize::from(dims), indexes.len());
+            }
+            Container::Array { .. } => self.array_index(base, variable, indexes, &found),
             Container::Collection => self.key(base, &value, indexes, &found),
         }
         Value { base: value.base, form: Form::Indexed { of: variable.container } }
@@ -41,21 +44,16 @@ impl Infer<'_> {
         Value::UNKNOWN
     }
 
-    fn array_index(
-        &mut self,
-        base: ExprId,
-        value: &Value,
-        variable: &Variable,
-        dims: u8,
-        indexes: &[ExprId],
-        found: &[Base],
-    ) {
+    fn index_count(&mut self, base: ExprId, value: &Value, expected: usize, found: usize) -> Value {
         let name = self.text(base);
-        if indexes.len() != usize::from(dims) {
-            let declared = self.declared(value, &name);
-            let kind = ProblemKind::IndexCount { name, expected: usize::from(dims), found: indexes.len() };
-            return self.report_with(base, kind, Role::Declared, declared);
-        }
+        let declared = self.declared(value, &name);
+        let kind = ProblemKind::IndexCount { name, expected, found };
+        self.report_with(base, kind, Role::Declared, declared);
+        Value::UNKNOWN
+    }
+
+    fn array_index(&mut self, base: ExprId, variable: &Variable, indexes: &[ExprId], found: &[Base]) {
+        let name = self.text(base);
         for (position, (&index, &found)) in indexes.iter().zip(found).enumerate() {
             if !found.same_as(Base::of(BaseType::Num)) {
                 self.wrong_index(index, &name, "num", found);
@@ -107,9 +105,7 @@ impl Infer<'_> {
                 }
             }
             _ => {
-                let declared = self.declared(value, &name);
-                let kind = ProblemKind::IndexCount { name, expected: 1, found: indexes.len() };
-                self.report_with(base, kind, Role::Declared, declared);
+                self.index_count(base, value, 1, indexes.len());
             }
         }
     }

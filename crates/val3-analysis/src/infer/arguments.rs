@@ -23,7 +23,7 @@ impl Callee<'_> {
     /// Some form takes an index or key that need not be there, as `insert` and `isDefined` do.
     fn takes_slot(&self, position: usize) -> bool {
         let mut formals = self.forms.iter().filter_map(|form| form.get(position));
-        formals.any(|formal| formal.shape == Shape::Slot)
+        formals.any(|formal| matches!(formal.shape, Shape::Slot | Shape::Item))
     }
 }
 
@@ -66,7 +66,7 @@ impl Infer<'_> {
             return if certain { Chosen::Form(first) } else { Chosen::Several(fits) };
         }
         self.report_miss(&arguments, &misses, callee);
-        misses.first().map_or(Chosen::None, |(index, _)| Chosen::Form(*index))
+        Chosen::Several(misses.iter().map(|(index, _)| *index).collect())
     }
 
     fn first_miss<'a>(&self, arguments: &[Argument], form: Formals<'a>) -> Option<Miss<'a>> {

@@ -11,7 +11,7 @@ use crate::problem::ProblemKind;
 use crate::ty::Base;
 
 /// The longest string, in bytes of UTF-8 (3.4.1).
-const STRING_LIMIT: usize = 128;
+pub(crate) const STRING_LIMIT: usize = 128;
 
 impl<'db> Infer<'db> {
     /// The value of an expression whose type nothing around it tells.
@@ -30,8 +30,8 @@ impl<'db> Infer<'db> {
             Expr::Name(name) => self.name(id, name),
             Expr::Path { library, item } => self.path(id, library, item),
             Expr::Paren(inner) => Value::computed(self.element_as(*inner, expected)),
-            Expr::Unary(op, operand) => self.unary(id, *op, *operand),
-            Expr::Binary(op, left, right) => self.binary(id, *op, *left, *right),
+            Expr::Unary(op, operand) => self.unary(id, *op, *operand, expected),
+            Expr::Binary(op, left, right) => self.binary(id, *op, (*left, *right), expected),
             Expr::Assign(target, value) => Value::computed(self.assign(*target, *value)),
             Expr::Index(base, indexes) => self.index(*base, indexes),
             Expr::Field { base, field, range } => self.field(*base, field, *range),
@@ -71,8 +71,8 @@ impl<'db> Infer<'db> {
         Value::of(BaseType::String)
     }
 
-    fn unary(&mut self, id: ExprId, op: UnaryOp, operand: ExprId) -> Value {
-        let base = self.element(operand);
+    fn unary(&mut self, id: ExprId, op: UnaryOp, operand: ExprId, expected: Option<Base>) -> Value {
+        let base = self.element_as(operand, expected);
         match base {
             Base::Unknown => Value::UNKNOWN,
             Base::Builtin(ty, arm) if operators::unary(op, ty).is_some() => {
@@ -87,8 +87,9 @@ impl<'db> Infer<'db> {
         }
     }
 
-    fn binary(&mut self, id: ExprId, op: BinaryOp, left: ExprId, right: ExprId) -> Value {
-        let (left_base, right_base) = self.operands(left, right);
+    fn binary(&mut self, id: ExprId, op: BinaryOp, (left, right): (ExprId, ExprId), expected: Option<Base>) -> Value {
+        let expected = expected.filter(|_| is_arithmetic(op));
+        let (left_base, right_base) = self.operands(left, right, expected);
         let result = match (left_base, right_base) {
             (Base::Unknown, _) | (_, Base::Unknown) => return unknown_result(op),
             (Base::Builtin(a, arm), Base::Builtin(b, _)) if a != b || left_base.same_as(right_base) => {
@@ -114,14 +115,14 @@ impl<'db> Infer<'db> {
         unknown_result(op)
     }
 
-    /// The types of two operands; `{…}` on one side takes the type of the other.
-    fn operands(&mut self, left: ExprId, right: ExprId) -> (Base, Base) {
+    /// The types of two operands; `{…}` on one side takes the type of the other, and on both sides the `expected` one.
+    fn operands(&mut self, left: ExprId, right: ExprId, expected: Option<Base>) -> (Base, Base) {
         if self.is_literal(left) {
-            let right = self.element(right);
+            let right = self.element_as(right, expected);
             return (self.element_as(left, Some(right)), right);
         }
-        let left = self.element(left);
-        let expected = if self.is_literal(right) { Some(left) } else { None };
+        let left = self.element_as(left, expected);
+        let expected = if self.is_literal(right) { Some(left) } else { expected };
         (left, self.element_as(right, expected))
     }
 
@@ -148,6 +149,7 @@ impl<'db> Infer<'db> {
                 _ => ProblemKind::AssignmentType { target, value: found },
             };
             self.report(value, kind);
+            return Base::Unknown;
         }
         place.base
     }
@@ -189,12 +191,13 @@ fn is_equality(op: BinaryOp) -> bool {
     matches!(op, BinaryOp::Equal | BinaryOp::NotEqual)
 }
 
+/// The operator yields a value of the type of its operands.
+fn is_arithmetic(op: BinaryOp) -> bool {
+    use BinaryOp::{Add, Divide, Multiply, Remainder, Subtract};
+    matches!(op, Add | Subtract | Multiply | Divide | Remainder)
+}
+
 /// What an operator yields where an operand is not known: comparisons and logic always yield `bool`.
 fn unknown_result(op: BinaryOp) -> Value {
-    match op {
-        BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply | BinaryOp::Divide | BinaryOp::Remainder => {
-            Value::UNKNOWN
-        }
-        _ => Value::of(BaseType::Bool),
-    }
+    if is_arithmetic(op) { Value::UNKNOWN } else { Value::of(BaseType::Bool) }
 }

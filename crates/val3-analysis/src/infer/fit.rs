@@ -170,7 +170,8 @@ impl Infer<'_> {
                 }
                 _ => None,
             },
-            Shape::Slot | Shape::ProgramCall => None,
+            Shape::Slot => value.lacks_index().then_some(Misfit::IndexMissing),
+            Shape::Item | Shape::ProgramCall => None,
         }
     }
 

@@ -51,7 +51,8 @@ impl Infer<'_> {
             let Some(value) = *value else { continue };
             let wanted = Base::of(field.ty);
             let found = self.element_as(value, Some(wanted));
-            if !self.assignable(wanted, found) {
+            // A tool takes its valve so, though no input or output can be assigned to another.
+            if !self.assignable(wanted, found) && !found.same_as(wanted) {
                 let (expected, found) = (self.show(wanted), self.show(found));
                 let ty = ty.name().into();
                 self.report(value, ProblemKind::LiteralFieldType { ty, field: field.name.into(), expected, found });

@@ -69,7 +69,7 @@ pub(crate) fn declaration(element: Element<'_>) -> Option<DataDecl> {
 fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
     let type_name = readable_type(element);
     let (container, sizes) = container(element);
-    let public = element.value("access").is_some_and(|access| access.trim() == "public");
+    let public = element.value("access").is_some_and(|access| access.trim() != "private");
     DataDecl { name, type_name, container, sizes, public }
 }
 

@@ -38,19 +38,20 @@ pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
 fn collect(node: View<'_>, odd: &mut Vec<OddKeyword>) {
     for child in node.children_with_tokens() {
         match child {
-            NodeOrToken::Node(node) if !is_tag(node.kind()) => collect(node, odd),
+            NodeOrToken::Node(node) if !is_skipped(node.kind()) => collect(node, odd),
             NodeOrToken::Node(_) => {}
             NodeOrToken::Token(token) => odd.extend(odd_keyword(token)),
         }
     }
 }
 
-/// Tags hold no code.
-fn is_tag(kind: SyntaxKind) -> bool {
-    matches!(kind, SyntaxKind::START_TAG | SyntaxKind::END_TAG)
+/// Tags hold no code, and code that could not be read has a message already.
+fn is_skipped(kind: SyntaxKind) -> bool {
+    matches!(kind, SyntaxKind::START_TAG | SyntaxKind::END_TAG | SyntaxKind::ERROR)
 }
 
 fn odd_keyword(token: TokenView<'_>) -> Option<OddKeyword> {
     let canonical = token.kind().is_keyword().then(|| token.kind().keyword_text()).flatten()?;
-    (token.text() != canonical).then(|| OddKeyword { range: token.range(), canonical })
+    (token.text() != canonical && token.text().eq_ignore_ascii_case(canonical))
+        .then(|| OddKeyword { range: token.range(), canonical })
 }

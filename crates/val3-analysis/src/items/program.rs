@@ -118,7 +118,8 @@ fn read(file: View<'_>) -> Header {
     let value = |name: &str| program.value(name);
     Header {
         name: value("name").map(SmolStr::from).unwrap_or_default(),
-        public: value("access").is_some_and(|text| text.trim() == "public")
+        // A word that is neither is a fault of its own, told once.
+        public: value("access").is_some_and(|text| text.trim() != "private")
             || value("public").and_then(|text| flag(&text)).unwrap_or(false),
         params: params(program).filter_map(param).collect(),
         locals: locals(program).filter_map(local).collect(),

@@ -155,11 +155,10 @@ impl Items {
 
 /// The type called `name`; `None` where there is no such type.
 pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> Option<Base> {
-    if let Some(project) = types.get(name) {
-        return Some(project.map_or(Base::Unknown, Base::User));
+    if let Some((base, arm)) = BaseType::from_file_name(name) {
+        return Some(Base::Builtin(base, arm));
     }
-    let (base, arm) = BaseType::from_file_name(name)?;
-    Some(Base::Builtin(base, arm))
+    types.get(name).map(|project| project.map_or(Base::Unknown, Base::User))
 }
 
 /// The arm of a project: the one all its positions are for, else the cell's.

@@ -131,6 +131,7 @@ fn instructions_by_reference() {
         main/start.pgx:7 `nG` ContainerMismatch { callee: "fromBinary", parameter: "nDataByte", expected: "num[]", found: "num[,]" }
         main/start.pgx:8 `1` VariableExpected { callee: "fromBinary", parameter: "nValue" }
         main/start.pgx:10 `nBytes` ContainerMismatch { callee: "first", parameter: "variable", expected: "any type[\"\"]", found: "num[]" }
+        main/start.pgx:12 `nC` IndexMissing { name: "nC", ty: "num[\"\"]" }
         main/start.pgx:14 `nG[0,0]` IndexNotAllowed { name: "nG", ty: "num", callee: Some("size") }
         main/start.pgx:17 `nC["a"]` IndexNotAllowed { name: "nC", ty: "num", callee: Some("append") }
     "#]].assert_eq(&faults(listing));

@@ -240,7 +240,7 @@ fn instructions_of_add_ons() {
     expect![[r#"
         nA: num | $thing(1): num
         sA: string | $thing("x"): string
-        nA: num | $thing(true): num
+        nA: num | $thing(true): ?
         nA: num | $nothing(1): ?
         $fileOpen(1): ?
         ! true: ArgumentType { callee: "$thing", parameter: "n1", expected: ["num", "string"], found: "bool" }

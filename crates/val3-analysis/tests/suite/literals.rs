@@ -156,3 +156,32 @@ fn user_types_take_anything() {
     "#]]
     .assert_eq(&types(listing));
 }
+
+#[test]
+fn braces_on_both_sides_of_an_operator() {
+    let listing = r#"
+        point pA
+        bool bA
+        pA.trsf={0,0,0,0,0,90}*{0,0,1,0,0,0}*!{0,0,2,0,0,0}
+        bA={1,2}=={1,2}
+    "#;
+    expect![[r#"
+        main/start.pgx:6 `{1,2}` LiteralWithoutType { expected: None }
+    "#]]
+    .assert_eq(&faults(listing));
+}
+
+#[test]
+fn a_tool_takes_its_valve() {
+    let listing = r#"
+        tool tA
+        dio diA
+        num nA
+        tA={{0,0,150,0,0,0},diA,0.1,0.2}
+        tA={{0,0,150,0,0,0},nA}
+    "#;
+    expect![[r#"
+        main/start.pgx:6 `nA` LiteralFieldType { ty: "tool", field: "gripper", expected: "dio", found: "num" }
+    "#]]
+    .assert_eq(&faults(listing));
+}

@@ -84,7 +84,7 @@ pub(crate) fn faults_in(workspace: &Workspace) -> String {
         }
         for &file in program_files(db, project) {
             problems.extend_from_slice(header_check::problems(db, project, file));
-            problems.extend(infer::problems(db, project, file));
+            problems.extend_from_slice(infer::problems(db, project, file));
         }
     }
     problems.iter().map(|problem| show(db, problem)).collect()

@@ -72,7 +72,7 @@ impl Shape {
             Self::Array { dims: 2 } => "[,]",
             Self::Array { .. } => "[,,]",
             Self::Collection => "[\"\"]",
-            Self::Value | Self::Reference | Self::Whole | Self::Slot | Self::ProgramCall => "",
+            Self::Value | Self::Reference | Self::Whole | Self::Slot | Self::Item | Self::ProgramCall => "",
         }
     }
 }

@@ -110,13 +110,17 @@ fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: ch
     }
     let behind = p.at_line_end();
     let range = if behind { p.here_behind() } else { p.range(p.position()) };
-    let closed_later = !behind && is_ahead(p, close);
+    let closed_later = !behind && is_ahead(p, close) && surplus(p, close) >= 0;
     let kind = match p.here() {
+        found @ (R_PAREN | R_BRACK | R_CURLY) if closed_later && surplus(p, found) > 0 => {
+            SyntaxErrorKind::UnmatchedBracket { bracket: p.text().chars().next().unwrap_or(missing) }
+        }
         R_PAREN | R_BRACK | R_CURLY => SyntaxErrorKind::UnclosedBracket { missing },
         _ if closed_later => SyntaxErrorKind::TrailingText { found: p.text().to_owned() },
         _ => SyntaxErrorKind::UnclosedBracket { missing },
     };
-    p.error_at(kind, range, Some(p.range(open)));
+    let related = (!matches!(kind, SyntaxErrorKind::UnmatchedBracket { .. })).then(|| p.range(open));
+    p.error_at(kind, range, related);
     if closed_later {
         skip_to(p, close);
     }
@@ -125,6 +129,17 @@ fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: ch
 /// A token of `kind` stands further on this line.
 fn is_ahead(p: &Parser<'_>, kind: SyntaxKind) -> bool {
     (p.position()..).take_while(|&at| !p.starts_line(at) && p.kind_at(at) != EOF).any(|at| p.kind_at(at) == kind)
+}
+
+/// How many more brackets of the kind `close` this line closes than it opens.
+fn surplus(p: &Parser<'_>, close: SyntaxKind) -> isize {
+    let open = match close {
+        R_PAREN => L_PAREN,
+        R_BRACK => L_BRACK,
+        _ => L_CURLY,
+    };
+    let count = |kind| p.line().filter(|&at| p.kind_at(at) == kind).count().cast_signed();
+    count(close) - count(open)
 }
 
 /// Skips to the closing bracket on this line and takes it, so that what follows is read in its place.

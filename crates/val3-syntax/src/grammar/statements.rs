@@ -83,7 +83,9 @@ pub(super) fn line_end(p: &mut Parser<'_>) {
         R_PAREN | R_BRACK | R_CURLY => {
             SyntaxErrorKind::UnmatchedBracket { bracket: found.chars().next().unwrap_or(')') }
         }
-        IDENT if found.eq_ignore_ascii_case("then") => SyntaxErrorKind::ForeignSpelling { found, instead: "" },
+        IDENT | DO_KW if ["then", "do"].contains(&found.to_ascii_lowercase().as_str()) => {
+            SyntaxErrorKind::ForeignSpelling { found, instead: "" }
+        }
         _ => SyntaxErrorKind::TrailingText { found },
     });
     skip_line(p);

@@ -16,7 +16,7 @@ pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
     if !headless {
         condition(p);
     }
-    let own = Cases::default().read(p, blocks);
+    let own = Cases { headless, ..Cases::default() }.read(p, blocks);
     close(p, blocks, own);
     m.complete(p, SWITCH_STMT);
 }
@@ -26,6 +26,8 @@ pub(super) fn switch_statement(p: &mut Parser<'_>, blocks: &mut Blocks) {
 struct Cases {
     default: Last,
     any: bool,
+    /// The `switch` is missing, which has been said.
+    headless: bool,
 }
 
 impl Cases {
@@ -57,7 +59,7 @@ impl Cases {
         self.any = true;
         blocks.note_layout(p);
         let m = p.start();
-        blocks.push(p, BlockKind::Case, false);
+        blocks.push(p, BlockKind::Case, self.headless);
         p.bump();
         if is_case {
             case_values(p);

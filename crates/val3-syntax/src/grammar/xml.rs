@@ -6,6 +6,31 @@ use crate::error::SyntaxErrorKind;
 use crate::kind::SyntaxKind::*;
 use crate::parser::Parser;
 
+/// Elements of program, data and project files that hold other elements but no text.
+const HOLDS_ELEMENTS: &[&str] = &[
+    "Programs",
+    "Program",
+    "Parameters",
+    "Locals",
+    "Database",
+    "Datas",
+    "Data",
+    "Value",
+    "Field",
+    "Project",
+    "Libraries",
+    "Types",
+    "programList",
+    "program",
+    "paramSection",
+    "localSection",
+    "dataList",
+    "project",
+    "programSection",
+    "dataSection",
+    "aliasSection",
+];
+
 /// A whole file: one element, with anything else around it reported once.
 pub(crate) fn file(p: &mut Parser<'_>) {
     let m = p.start();
@@ -67,9 +92,15 @@ fn element_inner<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
 
 /// What stands between the tags of the element that opened at `opened`, and its end tag.
 fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
+    let mut told = names.last().is_none_or(|name| !HOLDS_ELEMENTS.contains(name));
     loop {
         match p.current() {
             L_ANGLE => element(p, names),
+            XML_TEXT if !told => {
+                told = true;
+                p.structure_error(SyntaxErrorKind::UnexpectedText, p.range(p.position()), None);
+                p.bump();
+            }
             L_ANGLE_SLASH => match end_tag_target(p, names) {
                 EndTag::Mine => return end_tag(p, opened),
                 EndTag::Outer => return unclosed(p, names, opened),
@@ -104,11 +135,19 @@ fn end_tag_target(p: &Parser<'_>, names: &[&str]) -> EndTag {
         EndTag::Mine
     } else if name.is_some_and(|name| names.contains(&name)) {
         EndTag::Outer
-    } else if p.nth(2) == R_ANGLE && (is_alike(name, names.last()) || is_end_of_outer(p, names)) {
+    } else if p.nth(2) == R_ANGLE && !goes_on(p, names) && (is_alike(name, names.last()) || is_end_of_outer(p, names)) {
         EndTag::Misspelt
     } else {
         EndTag::Nobody
     }
+}
+
+/// Behind the end tag here comes the true one of the innermost element, or a sibling of what the tag would close:
+/// the tag is one too many.
+fn goes_on(p: &Parser<'_>, names: &[&str]) -> bool {
+    let closed = end_tag_name(p, 0);
+    let next_opened = (p.nth(3) == L_ANGLE && p.nth(4) == XML_NAME).then(|| p.text_at(p.position() + 4));
+    end_tag_name(p, 3) == names.last().copied() || next_opened == closed
 }
 
 /// The names start alike for at least half of their length, in any letter case.

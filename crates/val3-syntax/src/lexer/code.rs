@@ -3,7 +3,7 @@
 use memchr::{memchr, memchr2, memrchr2};
 
 use super::xml::CDATA;
-use super::{Indent, Lexer, entity};
+use super::{Indent, Lexer, entity, foreign};
 use crate::error::{SyntaxErrorKind, XmlPart};
 use crate::kind::SyntaxKind::{self, *};
 
@@ -67,8 +67,23 @@ impl Lexer<'_> {
             b'"' => self.string(stretch, 1),
             b'/' if self.next_byte(stretch) == Some(b'/') => self.comment(stretch),
             b'&' if stretch.escaped => self.reference(stretch),
+            b']' if stretch.escaped && self.is_cdata_close(stretch) => self.stray_cdata_close(),
             _ => self.operator(stretch, byte),
         }
+    }
+
+    /// `]]>` ends the code, but no CDATA section is open.
+    fn is_cdata_close(&self, stretch: Stretch) -> bool {
+        self.stretch_bytes(stretch).strip_prefix(b"]]>").is_some_and(|behind| behind.trim_ascii().is_empty())
+    }
+
+    /// Damage at the start of the section may have been reported.
+    fn stray_cdata_close(&mut self) {
+        let told = self.out.errors.last().is_some_and(|error| error.kind == SyntaxErrorKind::UnexpectedText);
+        if !told {
+            self.error(SyntaxErrorKind::UnexpectedText, self.pos, self.pos + 3);
+        }
+        self.token(CDATA_CLOSE, self.pos + 3);
     }
 
     fn next_byte(&self, stretch: Stretch) -> Option<u8> {
@@ -105,8 +120,19 @@ impl Lexer<'_> {
         let is_name = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'_';
         let len = 1 + bytes.iter().skip(1).position(|byte| !is_name(byte)).unwrap_or(bytes.len() - 1);
         let end = self.pos + len;
-        let kind = self.text.get(self.pos..end).and_then(SyntaxKind::from_keyword).unwrap_or(IDENT);
-        self.token(kind, end);
+        let foreign = if self.indent.starts_line() { foreign::word(bytes, len) } else { None };
+        match foreign {
+            Some((len, instead)) => {
+                let end = self.pos + len;
+                let found = self.text.get(self.pos..end).unwrap_or("").to_owned();
+                self.error(SyntaxErrorKind::ForeignSpelling { found, instead }, self.pos, end);
+                self.token(SyntaxKind::from_keyword(instead).unwrap_or(IDENT), end);
+            }
+            None => {
+                let kind = self.text.get(self.pos..end).and_then(SyntaxKind::from_keyword).unwrap_or(IDENT);
+                self.token(kind, end);
+            }
+        }
     }
 
     /// `12`, `12.5`, `.5`, `1e3`, `1e-3`.

@@ -160,12 +160,16 @@ impl Lexer<'_> {
         self.token(WHITESPACE, self.pos + len);
     }
 
-    /// A quoted value. XML forbids `<` in it, so there is none behind the next `<`.
+    /// A quoted value. XML forbids `<` in it: either that was not escaped, or the closing quote is missing.
     fn attribute_value(&mut self, quote: u8) {
         let start = self.pos;
         let body = self.text.as_bytes().get(start + 1..).unwrap_or(b"");
         let end = match memchr2(quote, b'<', body) {
             Some(at) if body.get(at) == Some(&quote) => start + at + 2,
+            Some(at) if let Some(len) = unescaped_value(body, at, quote) => {
+                self.error(SyntaxErrorKind::UnexpectedText, start + 1 + at, start + 2 + at);
+                start + 1 + len
+            }
             other => {
                 self.error(SyntaxErrorKind::Unterminated(XmlPart::AttributeValue), start, start + 1);
                 start + 1 + unclosed_value(body.get(..other.unwrap_or(body.len())).unwrap_or(b""))
@@ -224,6 +228,15 @@ impl Lexer<'_> {
         let text = rest.get(..len).unwrap_or("&").to_owned();
         self.error(SyntaxErrorKind::UnknownEntity { text }, at, at + len);
     }
+}
+
+/// Length with its closing quote of a value in which `<` stands unescaped at `at`: no tag starts there, for the quote
+/// comes before anything that a tag has.
+fn unescaped_value(body: &[u8], at: usize, quote: u8) -> Option<usize> {
+    let behind = body.get(at..)?;
+    let len = memchr(quote, behind)?;
+    let is_text = !behind.get(..len)?.iter().any(|byte| matches!(byte, b'>' | b'=' | b'\n'));
+    is_text.then_some(at + len + 1)
 }
 
 /// Where a value without its closing quote ends: before the end of its tag or line.

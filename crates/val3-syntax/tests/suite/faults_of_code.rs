@@ -355,6 +355,40 @@ fn foreign_spelling() {
 }
 
 #[test]
+fn blocks_that_end_as_in_other_languages() {
+    check(
+        "if a\n  x=1\nelsif (b)\n  x=2\nelif c\n  x=3\nend if\nwhile a do\nwend\nfor i=0 to 1\nEnd  For",
+        expect![[r#"
+            3:1 "elsif" ForeignSpelling { found: "elsif", instead: "elseIf" }
+            5:1 "elif" ForeignSpelling { found: "elif", instead: "elseIf" }
+            7:1 "end if" ForeignSpelling { found: "end if", instead: "endIf" }
+            8:9 "do" ForeignSpelling { found: "do", instead: "" }
+            9:1 "wend" ForeignSpelling { found: "wend", instead: "endWhile" }
+            11:1 "End  For" ForeignSpelling { found: "End  For", instead: "endFor" }
+        "#]],
+    );
+    check(
+        "if a\n  end=1\nendIf\nelif=2\nwend[1]=2\nelsif.x=wend",
+        expect![[r#"
+        2:3 "end" CodeOutsideBody
+    "#]],
+    );
+}
+
+#[test]
+fn brackets_that_do_not_match_up() {
+    check(
+        "x=f({1,g(a[1],2))})\ny=f(a,(b+c,d)\nz=f(a[1),b]\nx=a[f(1]+1]",
+        expect![[r#"
+        1:17 ")" UnmatchedBracket { bracket: ')' }
+        2:11 "," UnclosedBracket { missing: ')' } <- 2:7 "("
+        3:8 ")" UnclosedBracket { missing: ']' } <- 3:6 "["
+        4:8 "]" UnclosedBracket { missing: ')' } <- 4:6 "("
+    "#]],
+    );
+}
+
+#[test]
 fn foreign_spelling_in_escaped_code() {
     check_file(
         "<code>begin\nx=a &amp;&amp; b\nx=a&lt;&gt;b\nend</code>",
@@ -370,13 +404,13 @@ fn trailing_text() {
     check(
         "x=1 2\nf(a b)\nf(a b, c) + 1\nendIf2=1 x\nx=(1 2)\nif a do\nendIf",
         expect![[r#"
-        1:5 "2" TrailingText { found: "2" }
-        2:5 "b" TrailingText { found: "b" } <- 2:2 "("
-        3:5 "b" TrailingText { found: "b" } <- 3:2 "("
-        4:10 "x" TrailingText { found: "x" }
-        5:6 "2" TrailingText { found: "2" } <- 5:3 "("
-        6:6 "do" TrailingText { found: "do" }
-    "#]],
+            1:5 "2" TrailingText { found: "2" }
+            2:5 "b" TrailingText { found: "b" } <- 2:2 "("
+            3:5 "b" TrailingText { found: "b" } <- 3:2 "("
+            4:10 "x" TrailingText { found: "x" }
+            5:6 "2" TrailingText { found: "2" } <- 5:3 "("
+            6:6 "do" ForeignSpelling { found: "do", instead: "" }
+        "#]],
     );
 }
 

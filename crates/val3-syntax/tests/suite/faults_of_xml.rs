@@ -287,3 +287,71 @@ fn conflict_markers() {
     "#]],
     );
 }
+
+#[test]
+fn an_end_tag_too_many() {
+    // The start tag was closed with `/>`.
+    check_file(
+        "<Datas>\n<Data/>\n<Value/>\n</Data>\n<Data/>\n</Datas>",
+        expect![[r#"
+        3:1 "</Data" UnmatchedEndTag { name: "Data" }
+    "#]],
+    );
+    check_file(
+        "<Datas>\n<Data/>\n</Data>\n</Datas>",
+        expect![[r#"
+        2:1 "</Data" UnmatchedEndTag { name: "Data" }
+    "#]],
+    );
+    // The start tag is lost.
+    check_file(
+        "<Database>\n<Data/>\n</Datas>\n</Database>",
+        expect![[r#"
+        2:1 "</Datas" UnmatchedEndTag { name: "Datas" }
+    "#]],
+    );
+}
+
+#[test]
+fn text_between_elements() {
+    check_file(
+        "<Datas>\nj<Data/> k\n</Datas>",
+        expect![[r#"
+        1:1 "j" UnexpectedText
+    "#]],
+    );
+    check_file("<Program><Description>text</Description></Program>", expect![[r#""#]]);
+}
+
+#[test]
+fn an_unescaped_character_in_a_value() {
+    check_file(
+        "<a b=\"x < y\" c=\"<z\"/>",
+        expect![[r#"
+        0:9 "<" UnexpectedText
+    "#]],
+    );
+    check_file(
+        "<a>\n<b c=\"1/><b c=\"2\"/>\n</a>",
+        expect![[r#"
+        1:6 "\"" Unterminated(AttributeValue)
+    "#]],
+    );
+}
+
+#[test]
+fn a_cdata_section_without_its_start() {
+    check_file(
+        "<Code>begin\nend]]></Code>",
+        expect![[r#"
+        1:4 "]]>" UnexpectedText
+    "#]],
+    );
+    check_file(
+        "<Code><!CDATA[begin\nend]]></Code>",
+        expect![[r#"
+        0:7 "<" UnexpectedText
+    "#]],
+    );
+    check_file("<code>begin\n  x=a[b[1]]>3\nend</code>", expect![[r#""#]]);
+}

@@ -259,7 +259,7 @@ fn several_stretches_of_code() {
 #[test]
 fn data_with_entities_and_both_quotes() {
     check(
-        "<?xml version='1.0'?>\n<!-- c -->\n<Datas><Data name='n\"' value=\"a &gt; &#x41;\"/>text &amp;<![CDATA[<raw>]]></Datas>\n",
+        "<?xml version='1.0'?>\n<!-- c -->\n<Names><Data name='n\"' value=\"a &gt; &#x41;\"/>text &amp;<![CDATA[<raw>]]></Names>\n",
         expect![[r#"
             XML_FILE@0..115
               XML_INSTRUCTION@0..21 "<?xml version='1.0'?>"
@@ -269,7 +269,7 @@ fn data_with_entities_and_both_quotes() {
               ELEMENT@33..114
                 START_TAG@33..40
                   L_ANGLE@33..34 "<"
-                  XML_NAME@34..39 "Datas"
+                  XML_NAME@34..39 "Names"
                   R_ANGLE@39..40 ">"
                 ELEMENT@40..79
                   START_TAG@40..79
@@ -293,7 +293,7 @@ fn data_with_entities_and_both_quotes() {
                 CDATA_CLOSE@103..106 "]]>"
                 END_TAG@106..114
                   L_ANGLE_SLASH@106..108 "</"
-                  XML_NAME@108..113 "Datas"
+                  XML_NAME@108..113 "Names"
                   R_ANGLE@113..114 ">"
               WHITESPACE@114..115 "\n"
         "#]],

@@ -18,5 +18,5 @@ instruction! {
     ///   endIf
     /// ```
     "isDefined": Variables "2.5.4";
-    function (Slot variable) -> bool;
+    function (Item variable) -> bool;
 }

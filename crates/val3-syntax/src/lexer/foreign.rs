@@ -1,0 +1,36 @@
+//! Words of other languages at the start of a line.
+
+/// How other languages open, continue or end a block, in one word or two, and what VAL 3 writes.
+const FOREIGN_WORDS: &[(&str, &str, &str)] = &[
+    ("end", "if", "endIf"),
+    ("end", "while", "endWhile"),
+    ("end", "for", "endFor"),
+    ("end", "switch", "endSwitch"),
+    ("elsif", "", "elseIf"),
+    ("elif", "", "elseIf"),
+    ("wend", "", "endWhile"),
+    ("repeat", "", "do"),
+];
+
+/// `code` starts a line with a word of `len` bytes. It, or it and the next word, opens, continues or ends a block in
+/// another language: their length, and the keyword that is meant. What follows tells such a word from a variable.
+pub(super) fn word(code: &[u8], len: usize) -> Option<(usize, &'static str)> {
+    if !(3..=6).contains(&len) {
+        return None;
+    }
+    FOREIGN_WORDS.iter().find_map(|&(first, second, keyword)| {
+        let (word, behind) = code.split_at_checked(len)?;
+        if !word.eq_ignore_ascii_case(first.as_bytes()) {
+            return None;
+        }
+        let gap = behind.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count();
+        let (next, behind) = behind.get(gap..)?.split_at_checked(second.len())?;
+        let ends = match behind.first() {
+            Some(byte) if second.is_empty() => !matches!(byte, b'=' | b'[' | b'.' | b':'),
+            Some(byte) => byte.is_ascii_whitespace(),
+            None => true,
+        };
+        let length = if second.is_empty() { len } else { len + gap + second.len() };
+        (ends && next.eq_ignore_ascii_case(second.as_bytes())).then_some((length, keyword))
+    })
+}
