@@ -27,6 +27,16 @@ pub enum Unit {
     Project(Project),
 }
 
+impl Unit {
+    /// The file that is looked at.
+    pub fn file(self, db: &dyn Db) -> File {
+        match self {
+            Self::Program(_, file) | Self::Data(_, file) => file,
+            Self::Project(project) => project.manifest(db),
+        }
+    }
+}
+
 /// The pieces of work of some projects, in the order of the projects' files.
 pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     let of_project = |project: &Project| {

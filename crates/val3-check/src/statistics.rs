@@ -1,5 +1,7 @@
 //! What was looked at.
 
+use std::iter::Sum;
+
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project;
 
@@ -16,16 +18,26 @@ pub struct Statistics {
     pub code_lines: usize,
 }
 
-/// Counts what `projects` hold.
-pub fn statistics(db: &dyn Db, projects: &[Project]) -> Statistics {
-    let mut total = Statistics { applications: projects.len(), ..Statistics::default() };
-    for &project in projects {
-        let programs = project::program_files(db, project);
-        total.files += 1 + project::data_files(db, project).len() + programs.len();
-        total.programs += programs.len();
-        total.code_lines += programs.iter().map(|file| code_lines(db, *file)).sum::<usize>();
+/// Counts what `project` holds.
+pub fn statistics(db: &dyn Db, project: Project) -> Statistics {
+    let programs = project::program_files(db, project);
+    Statistics {
+        applications: 1,
+        files: 1 + project::data_files(db, project).len() + programs.len(),
+        programs: programs.len(),
+        code_lines: programs.iter().map(|file| code_lines(db, *file)).sum(),
     }
-    total
+}
+
+impl Sum for Statistics {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.fold(Self::default(), |sum, part| Self {
+            applications: sum.applications + part.applications,
+            files: sum.files + part.files,
+            programs: sum.programs + part.programs,
+            code_lines: sum.code_lines + part.code_lines,
+        })
+    }
 }
 
 /// Lines from `begin` to `end` that are neither blank nor a comment.

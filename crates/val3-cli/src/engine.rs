@@ -28,7 +28,7 @@ use crate::user_error::UserError;
 const STACK_SIZE: usize = 16 << 20;
 
 /// Pieces of work between which trees that are no longer needed are dropped.
-const BATCH: usize = 512;
+const BATCH: usize = 2048;
 
 /// Checks everything that `asked` leads to, on `jobs` threads.
 pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
@@ -44,7 +44,7 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
     let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    let report = Report::new(statistics(&workspace, started), findings, unreadable);
+    let report = Report::new(statistics(&workspace, &threads, started), findings, unreadable);
     // The process is about to end: taking the database apart piece by piece would only cost time.
     std::mem::forget(workspace);
     Ok(report)
@@ -70,18 +70,29 @@ fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &Threa
         found
     };
     let mut found = Vec::new();
-    for (index, batch) in units.chunks(BATCH).enumerate() {
-        if index > 0 {
-            workspace.db.trigger_lru_eviction();
-        }
+    let mut batches = units.chunks(BATCH).peekable();
+    while let Some(batch) = batches.next() {
         let db = workspace.db.clone();
         found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
+        if batches.peek().is_some() {
+            forget_trees(&mut workspace.db, batch, threads);
+        }
     }
     finish(found)
 }
 
-fn statistics(workspace: &Workspace, started: Instant) -> Statistics {
-    let counted = val3_check::statistics(&workspace.db, &workspace.projects);
+/// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
+fn forget_trees(db: &mut Database, batch: &[Unit], threads: &ThreadPool) {
+    let trees: Vec<_> = batch.iter().map(|unit| items::parse(db, unit.file(db)).green().clone()).collect();
+    db.trigger_lru_eviction();
+    threads.spawn(move || drop(trees));
+}
+
+fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> Statistics {
+    let count = |db: &mut Database, project: &Project| val3_check::statistics(db, *project);
+    let db = workspace.db.clone();
+    let projects = &workspace.projects;
+    let counted: val3_check::Statistics = threads.install(|| projects.par_iter().map_with(db, count).sum());
     Statistics {
         applications: counted.applications,
         files: counted.files,

@@ -73,7 +73,7 @@ struct Lexer<'t> {
 
 impl<'t> Lexer<'t> {
     fn new(text: &'t str) -> Self {
-        let out = Lexed { tokens: Vec::with_capacity(text.len() / 4), ..Lexed::default() };
+        let out = Lexed { tokens: Vec::with_capacity(text.len() / 3), ..Lexed::default() };
         Self { text, pos: 0, out, indent: Indent::NONE, no_cdata_end: false }
     }
 

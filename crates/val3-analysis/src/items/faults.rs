@@ -31,23 +31,30 @@ pub struct OddKeyword {
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
     let mut odd_keywords = Vec::new();
-    collect(View::root(parse.green()), &mut odd_keywords);
+    codes(View::root(parse.green()), &mut odd_keywords);
     TextFaults { errors: parse.errors().to_vec(), odd_keywords }
+}
+
+/// Looks into the code below `node`, which is a file or an element.
+fn codes(node: View<'_>, odd: &mut Vec<OddKeyword>) {
+    for child in node.children() {
+        match child.kind() {
+            SyntaxKind::CODE => collect(child, odd),
+            SyntaxKind::ELEMENT => codes(child, odd),
+            _ => {}
+        }
+    }
 }
 
 fn collect(node: View<'_>, odd: &mut Vec<OddKeyword>) {
     for child in node.children_with_tokens() {
         match child {
-            NodeOrToken::Node(node) if !is_skipped(node.kind()) => collect(node, odd),
+            // Code that could not be read has a message already.
+            NodeOrToken::Node(node) if node.kind() != SyntaxKind::ERROR => collect(node, odd),
             NodeOrToken::Node(_) => {}
             NodeOrToken::Token(token) => odd.extend(odd_keyword(token)),
         }
     }
-}
-
-/// Tags hold no code, and code that could not be read has a message already.
-fn is_skipped(kind: SyntaxKind) -> bool {
-    matches!(kind, SyntaxKind::START_TAG | SyntaxKind::END_TAG | SyntaxKind::ERROR)
 }
 
 fn odd_keyword(token: TokenView<'_>) -> Option<OddKeyword> {

@@ -2,7 +2,7 @@
 
 use super::SyntaxKind::{self, *};
 
-/// The keywords with their canonical spelling.
+/// The keywords with their canonical spelling, in the order of their kinds.
 pub const KEYWORDS: &[(SyntaxKind, &str)] = &[
     (BEGIN_KW, "begin"),
     (END_KW, "end"),
@@ -42,7 +42,8 @@ impl SyntaxKind {
 
     /// The canonical spelling of a keyword.
     pub fn keyword_text(self) -> Option<&'static str> {
-        KEYWORDS.iter().find(|(kind, _)| *kind == self).map(|(_, text)| *text)
+        let index = (self as usize).checked_sub(BEGIN_KW as usize)?;
+        KEYWORDS.get(index).map(|(_, text)| *text)
     }
 
     /// The keyword written as `text`, in any letter case.

@@ -1,8 +1,10 @@
 //! Green tokens and small nodes that repeat are built once and shared.
 //!
 //! In the tables a newcomer takes the place of what was there: sharing saves most of the memory, and a look-up takes
-//! the same time in a tree of any size and shape.
+//! the same time in a tree of any size and shape. Each thread has its tables for all the files it reads: what repeats
+//! in one program repeats in the next. They keep nothing large alive.
 
+use std::cell::RefCell;
 use std::hash::Hasher;
 
 use rowan::{GreenNode, GreenNodeData, GreenToken, GreenTokenData, NodeOrToken};
@@ -15,30 +17,38 @@ pub(super) type Element = NodeOrToken<GreenNode, GreenToken>;
 
 /// What was built lately.
 pub(super) struct Sharing {
-    /// As long as `nodes`: a power of two.
-    tokens: Vec<Option<GreenToken>>,
-    nodes: Vec<Option<GreenNode>>,
+    tokens: Box<[Option<GreenToken>]>,
+    nodes: Box<[Option<GreenNode>]>,
 }
 
-/// The least and the most entries of a table.
-const TABLE: (usize, usize) = (64, 4096);
+thread_local! {
+    static SHARING: RefCell<Sharing> = RefCell::new(Sharing::new());
+}
+
+/// Entries of a table, a power of two.
+const TABLE: usize = 1 << 13;
 /// Longer tokens are comments and texts, which seldom repeat.
-const LONGEST_TOKEN: usize = 16;
-/// Nodes with more children do not repeat.
+const LONGEST_TOKEN: usize = 32;
+/// Nodes with more children seldom repeat.
 const MOST_CHILDREN: usize = 3;
+/// Nor do longer ones, in bytes of text.
+const LONGEST_NODE: u32 = 64;
+
+/// Runs `build` with the tables of this thread.
+pub(super) fn with_sharing<T>(build: impl FnOnce(&mut Sharing) -> T) -> T {
+    SHARING.with_borrow_mut(build)
+}
 
 impl Sharing {
-    /// Tables for a text of so many tokens.
-    pub(super) fn new(tokens: usize) -> Self {
-        let entries = (tokens / 8).next_power_of_two().clamp(TABLE.0, TABLE.1);
-        Self { tokens: vec![None; entries], nodes: vec![None; entries] }
+    fn new() -> Self {
+        Self { tokens: vec![None; TABLE].into(), nodes: vec![None; TABLE].into() }
     }
 
     pub(super) fn token(&mut self, kind: SyntaxKind, text: &str) -> GreenToken {
         if text.len() > LONGEST_TOKEN {
             return GreenToken::new(kind.into(), text);
         }
-        let slot = token_hash(kind, text) & (self.tokens.len() - 1);
+        let slot = token_hash(kind, text) % TABLE;
         let Some(entry) = self.tokens.get_mut(slot) else {
             return GreenToken::new(kind.into(), text);
         };
@@ -50,10 +60,10 @@ impl Sharing {
 
     /// A node with `children`, which leave their place.
     pub(super) fn node(&mut self, kind: SyntaxKind, children: std::vec::Drain<'_, Element>) -> GreenNode {
-        if children.len() > MOST_CHILDREN {
+        if children.len() > MOST_CHILDREN || text_len(children.as_slice()) > LONGEST_NODE {
             return GreenNode::new(kind.into(), children);
         }
-        let slot = node_hash(kind, children.as_slice()) & (self.nodes.len() - 1);
+        let slot = node_hash(kind, children.as_slice()) % TABLE;
         let Some(entry) = self.nodes.get_mut(slot) else {
             return GreenNode::new(kind.into(), children);
         };
@@ -89,6 +99,14 @@ fn is_same(node: &GreenNode, kind: SyntaxKind, children: &[Element]) -> bool {
             (NodeOrToken::Token(old), NodeOrToken::Token(new)) => std::ptr::eq(old, &**new),
             _ => false,
         })
+}
+
+fn text_len(children: &[Element]) -> u32 {
+    let len = |child: &Element| match child {
+        NodeOrToken::Node(node) => u32::from(node.text_len()),
+        NodeOrToken::Token(token) => u32::from(token.text_len()),
+    };
+    children.iter().map(len).sum()
 }
 
 fn address(element: &Element) -> usize {

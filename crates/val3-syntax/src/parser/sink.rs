@@ -3,13 +3,16 @@
 use rowan::GreenNode;
 
 use super::Event;
-use super::sharing::{Element, Sharing};
+use super::sharing::{Element, Sharing, with_sharing};
 use crate::kind::SyntaxKind;
 use crate::lexer::Token;
 
 /// Builds the tree of `text`. Trivia goes between nodes, except that a `CODE` node holds all of its own.
-pub(crate) fn build_tree(text: &str, tokens: &[Token], mut events: Vec<Event>) -> GreenNode {
-    let mut sink = Sink::new(text, tokens);
+pub(crate) fn build_tree(text: &str, tokens: &[Token], events: Vec<Event>) -> GreenNode {
+    with_sharing(|sharing| fill(Sink::new(text, tokens, sharing), events))
+}
+
+fn fill(mut sink: Sink<'_>, mut events: Vec<Event>) -> GreenNode {
     let mut opening = Vec::new();
     for index in 0..events.len() {
         match events.get(index).copied() {
@@ -49,12 +52,11 @@ struct Sink<'t> {
     open: Vec<(SyntaxKind, usize)>,
     /// The children of all open nodes.
     children: Vec<Element>,
-    sharing: Sharing,
+    sharing: &'t mut Sharing,
 }
 
 impl<'t> Sink<'t> {
-    fn new(text: &'t str, tokens: &'t [Token]) -> Self {
-        let sharing = Sharing::new(tokens.len());
+    fn new(text: &'t str, tokens: &'t [Token], sharing: &'t mut Sharing) -> Self {
         Self { text, tokens, next: 0, start: 0, open: Vec::new(), children: Vec::new(), sharing }
     }
 
