@@ -31,6 +31,19 @@ pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
     }
 }
 
+/// "`a`, `b` and `c`"; of many names the first few.
+pub(crate) fn all_of<T: AsRef<str>>(names: &[T]) -> String {
+    const SHOWN: usize = 5;
+    let mut parts: Vec<_> = names.iter().take(SHOWN).map(|name| format!("`{}`", name.as_ref())).collect();
+    if names.len() > SHOWN {
+        parts.push(format!("{} more", names.len() - SHOWN));
+    }
+    match parts.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => parts.concat(),
+    }
+}
+
 /// A name in backticks with its article: "a `num`", "an `aio`".
 pub(crate) fn a(name: &str) -> String {
     format!("{} `{name}`", article(name))
@@ -89,6 +102,14 @@ mod tests {
         assert_eq!(one_of(&["num", "string"]), "`num` or `string`");
         assert_eq!(or(&["1", "2", "3"]), "1, 2 or 3");
         assert_eq!(or::<&str>(&[]), "");
+    }
+
+    #[test]
+    fn lists_end_in_and() {
+        assert_eq!(all_of::<&str>(&[]), "");
+        assert_eq!(all_of(&["a"]), "`a`");
+        assert_eq!(all_of(&["a", "b"]), "`a` and `b`");
+        assert_eq!(all_of(&["a", "b", "c", "d", "e", "f", "g"]), "`a`, `b`, `c`, `d`, `e` and 2 more");
     }
 
     #[test]

@@ -35,6 +35,11 @@ pub fn decode(bytes: Vec<u8>) -> Decoded {
     }
 }
 
+/// The bytes start with a byte order mark of UTF-16, which no controller reads.
+pub fn is_utf16(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff")
+}
+
 impl Encoding {
     /// The bytes to store for `text`. A character that ISO-8859-1 does not have becomes a numeric reference.
     pub fn encode(self, text: &str) -> Vec<u8> {

@@ -223,6 +223,8 @@ pub(crate) const LIBRARIES: &[Mutation] = &[
     slip("libLoad of nothing", "palletiser/loadPart.pgx", "Disk://partBag", "Disk://partBg", "V0604"),
     slip("implementation lacks a program", "partBag/partBag.pjx", "    <Program file=\"drop.pgx\" />\n", "", "V0605")
         .at(&[LOAD]),
+    slip("a library with another interface", "palletiser/loadPart.pgx", "Disk://partBag", "Disk://io", "V0605")
+        .at(&[("palletiser/loadPart.pgx", "Disk://io")]),
     slip("implementation hides a program", "partBag/grip.pgx", " access=\"public\"", "", "V0606")
         .at(&[LOAD, ("partBag/grip.pgx", "<Program name=\"grip\"")]),
     slip(

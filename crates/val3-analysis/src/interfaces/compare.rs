@@ -3,10 +3,10 @@
 use smol_str::{SmolStr, format_smolstr};
 
 use super::Interfaces;
-use crate::db::Project;
+use crate::db::{File, Project};
 use crate::infer::programs::syntax_line;
 use crate::items::declarations;
-use crate::items::project::{DataItem, Items, Signature, items, signature};
+use crate::items::project::{DataItem, Signature, items, signature};
 use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
 use crate::ty::brackets;
 
@@ -30,19 +30,31 @@ impl Interfaces<'_> {
         let Some(interface) = interface.filter(|interface| *interface != library) else { return };
         let (wanted, offered) = (items(db, interface), items(db, library));
         let library_name: SmolStr = library.manifest(db).path(db).file_stem().unwrap_or("").into();
+        let mut missing = Vec::new();
         for item in self.needed(alias) {
             let pair = |what, interface| Pair { alias, library: &library_name, item: &item, what, load, interface };
             if let Some(data) = wanted.data.get(&item).filter(|data| data.decl.public) {
                 let place = declarations::data(db, data.file, item.clone());
-                self.data(&pair(NameKind::Data, place), data, offered);
+                let pair = pair(NameKind::Data, place);
+                match offered.data.get(&item) {
+                    Some(found) => self.data(&pair, data, found),
+                    None if offered.lacks_data => {}
+                    None => missing.push((NameKind::Data, item.clone(), place)),
+                }
             } else if let Some(&file) = wanted.programs.get(&item) {
                 let signature = signature(db, interface, file);
                 if signature.public {
                     let place = declarations::program(db, file);
-                    self.program(&pair(NameKind::Program, place), signature, library, offered);
+                    let pair = pair(NameKind::Program, place);
+                    match offered.programs.get(&item) {
+                        Some(&found) => self.program(&pair, signature, library, found),
+                        None if offered.may_have_program(&item) => {}
+                        None => missing.push((NameKind::Program, item.clone(), place)),
+                    }
                 }
             }
         }
+        self.missing(alias, library_name, missing, load);
     }
 
     /// The items that programs use without testing beforehand whether they are there. A library that lacks others
@@ -59,13 +71,7 @@ impl Interfaces<'_> {
         needed
     }
 
-    fn data(&mut self, pair: &Pair<'_>, wanted: &DataItem, offered: &Items) {
-        let Some(found) = offered.data.get(pair.item) else {
-            if !offered.lacks_data {
-                self.missing(pair);
-            }
-            return;
-        };
+    fn data(&mut self, pair: &Pair<'_>, wanted: &DataItem, found: &DataItem) {
         let there = declarations::data(self.db, found.file, pair.item.clone());
         // Sizes may differ: instructions change them.
         let same = wanted.base.same_as(found.base) && wanted.decl.container == found.decl.container;
@@ -76,14 +82,8 @@ impl Interfaces<'_> {
         }
     }
 
-    fn program(&mut self, pair: &Pair<'_>, wanted: &Signature, library: Project, offered: &Items) {
+    fn program(&mut self, pair: &Pair<'_>, wanted: &Signature, library: Project, file: File) {
         let db = self.db;
-        let Some(&file) = offered.programs.get(pair.item) else {
-            if !offered.may_have_program(pair.item) {
-                self.missing(pair);
-            }
-            return;
-        };
         let found = signature(db, library, file);
         let there = declarations::program(db, file);
         if !found.public {
@@ -93,14 +93,22 @@ impl Interfaces<'_> {
         }
     }
 
-    fn missing(&mut self, pair: &Pair<'_>) {
-        let kind = ProblemKind::ImplementationMissing {
-            alias: pair.alias.clone(),
-            library: pair.library.clone(),
-            item: pair.item.clone(),
-            what: pair.what,
-        };
-        self.push(kind, pair, None);
+    /// One finding for all that a library lacks: most often it is the wrong library.
+    fn missing(
+        &mut self,
+        alias: &SmolStr,
+        library: SmolStr,
+        items: Vec<(NameKind, SmolStr, Option<Place>)>,
+        load: Place,
+    ) {
+        if items.is_empty() {
+            return;
+        }
+        let related = items.iter().filter_map(|(.., place)| Some(Related { place: (*place)?, role: Role::Interface }));
+        let related = related.collect();
+        let items = items.into_iter().map(|(what, item, _)| (what, item)).collect();
+        let kind = ProblemKind::ImplementationMissing { alias: alias.clone(), library, items };
+        self.problems.push(Problem { kind, place: load, related });
     }
 
     fn private(&mut self, pair: &Pair<'_>, there: Option<Place>) {

@@ -4,7 +4,7 @@ use std::io;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
-use val3_syntax::encoding::decode;
+use val3_syntax::encoding::{decode, is_utf16};
 
 use super::Loader;
 use crate::db::{File, FileStatus, path_key};
@@ -46,6 +46,9 @@ impl Loader<'_> {
         let (text, status): (Arc<str>, _) = match content {
             Ok(bytes) if bytes.len() > SIZE_LIMIT => {
                 ("".into(), FileStatus::Unreadable("it is larger than 2 GiB".to_owned()))
+            }
+            Ok(bytes) if is_utf16(&bytes) => {
+                ("".into(), FileStatus::Unreadable("its text is UTF-16; save it as UTF-8".to_owned()))
             }
             Ok(bytes) => {
                 let decoded = decode(bytes);

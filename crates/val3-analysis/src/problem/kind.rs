@@ -490,10 +490,8 @@ pub enum ProblemKind {
         alias: SmolStr,
         /// The library's project.
         library: SmolStr,
-        /// The item.
-        item: SmolStr,
-        /// What it is.
-        what: NameKind,
+        /// What is missing, by name; at least one.
+        items: Vec<(NameKind, SmolStr)>,
     },
     /// The item is there and private.
     ImplementationPrivate {

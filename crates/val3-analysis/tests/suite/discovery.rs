@@ -223,6 +223,22 @@ fn what_cannot_be_read() {
     .assert_eq(&found(&Rough(Memory::new(files)), "/cell"));
 }
 
+#[test]
+fn utf16_is_no_text_of_a_controller() {
+    let root = fresh_folder();
+    let app = root.join("usrapp/a");
+    std::fs::create_dir_all(&app).unwrap();
+    std::fs::write(app.join("a.pjx"), manifest(&[])).unwrap();
+    std::fs::write(app.join("start.pgx"), b"\xff\xfe<\0?\0").unwrap();
+    let shown = found(&Disk, root.as_str()).replace(root.as_str().trim_start_matches('/'), "root");
+    std::fs::remove_dir_all(&root).unwrap();
+    expect![[r#"
+        /root/usrapp/a/a.pjx on /root/usrapp
+        root/usrapp/a/start.pgx:1 `` FileUnreadable { reason: "its text is UTF-16; save it as UTF-8" }
+    "#]]
+    .assert_eq(&shown);
+}
+
 #[cfg(unix)]
 #[test]
 fn links_in_a_circle_on_a_real_disk() {

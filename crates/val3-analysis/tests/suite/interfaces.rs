@@ -155,7 +155,7 @@ fn only_what_is_used_counts() {
             Implementation parts/can/can.dtx:4 `nWeight`
     "#]].assert_eq(&loads("\"Disk://parts/can\"", "nA=part:nWeight"));
     expect![[r#"
-        main/start.pgx:5 `"Disk://parts/bag"` ImplementationMissing { alias: "part", library: "bag", item: "open", what: Program }
+        main/start.pgx:5 `"Disk://parts/bag"` ImplementationMissing { alias: "part", library: "bag", items: [(Program, "open")] }
             Interface parts/box/open.pgx:3 `open`
     "#]].assert_eq(&loads("\"Disk://parts/bag\"", "call part:open()"));
 }

@@ -7,7 +7,7 @@ rule! {
     ///
     /// ## Why
     /// What the file says stays unknown, so nothing that depends on it can be judged. The usual reasons are missing
-    /// rights, a folder that has the name of a file, and a medium that was taken out.
+    /// rights, a folder that has the name of a file, a medium that was taken out, and an editor that saved UTF-16.
     ///
     /// ## Bad
     /// ```text
@@ -28,7 +28,7 @@ pub(crate) fn word(reason: &str) -> Wording {
     Wording::new(
         format!("the file or folder cannot be read: {reason}"),
         "",
-        "give the right to read it, or correct the name",
+        "save it as UTF-8 text, give the right to read it, or correct its name",
     )
 }
 
@@ -42,7 +42,7 @@ mod tests {
     fn the_reason_is_the_systems() {
         expect![[r#"
             the file or folder cannot be read: permission denied
-            ? give the right to read it, or correct the name
+            ? save it as UTF-8 text, give the right to read it, or correct its name
         "#]]
         .assert_eq(&word("permission denied").to_string());
     }

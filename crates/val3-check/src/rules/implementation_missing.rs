@@ -1,8 +1,9 @@
 //! V0605: a library that lacks an item of the interface.
 
+use smol_str::SmolStr;
 use val3_analysis::problem::NameKind;
 
-use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
+use crate::{diagnostic::Wording, english::all_of, phrase::name_kind, rule::rule};
 
 rule! {
     /// A library that is loaded under an identifier lacks a program or data of its interface.
@@ -50,14 +51,31 @@ rule! {
     V0605 "implementation-missing" Error
 }
 
-/// Words the finding.
-pub(crate) fn word(alias: &str, library: &str, item: &str, what: NameKind) -> Wording {
+/// Words the finding; `items` are in the order of their names.
+pub(crate) fn word(alias: &str, library: &str, items: &[(NameKind, SmolStr)]) -> Wording {
+    match items {
+        [(what, item)] => one(alias, library, item, *what),
+        _ => several(alias, library, items),
+    }
+}
+
+fn one(alias: &str, library: &str, item: &str, what: NameKind) -> Wording {
     let brackets = if what == NameKind::Program { "()" } else { "" };
     let what = name_kind(what);
     Wording::new(
         format!("the library `{library}` lacks the {what} `{item}` of the interface of `{alias}`"),
         format!("has no {what} `{item}`"),
         format!("add it as public to `{library}`, or ask `{alias}:libExist(\"{item}{brackets}\")` before each use"),
+    )
+}
+
+fn several(alias: &str, library: &str, items: &[(NameKind, SmolStr)]) -> Wording {
+    let names: Vec<&str> = items.iter().map(|(_, item)| item.as_str()).collect();
+    let count = items.len();
+    Wording::new(
+        format!("the library `{library}` lacks {count} items of the interface of `{alias}`: {}", all_of(&names)),
+        format!("has none of {count} items"),
+        format!("load a library with the interface of `{alias}`, or add the items as public to `{library}`"),
     )
 }
 
@@ -74,7 +92,7 @@ mod tests {
             | has no program `pick`
             ? add it as public to `partBag`, or ask `part:libExist("pick()")` before each use
         "#]]
-        .assert_eq(&word("part", "partBag", "pick", NameKind::Program).to_string());
+        .assert_eq(&word("part", "partBag", &[(NameKind::Program, "pick".into())]).to_string());
     }
 
     #[test]
@@ -84,6 +102,17 @@ mod tests {
             | has no data `nWeight`
             ? add it as public to `partBag`, or ask `part:libExist("nWeight")` before each use
         "#]]
-        .assert_eq(&word("part", "partBag", "nWeight", NameKind::Data).to_string());
+        .assert_eq(&word("part", "partBag", &[(NameKind::Data, "nWeight".into())]).to_string());
+    }
+
+    #[test]
+    fn another_library() {
+        let items = [(NameKind::Program, "grip".into()), (NameKind::Data, "nWeight".into())];
+        expect![[r#"
+            the library `io` lacks 2 items of the interface of `part`: `grip` and `nWeight`
+            | has none of 2 items
+            ? load a library with the interface of `part`, or add the items as public to `io`
+        "#]]
+        .assert_eq(&word("part", "io", &items).to_string());
     }
 }
