@@ -125,7 +125,6 @@ pub(crate) enum Color {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use clap::CommandFactory;
 

@@ -56,7 +56,6 @@ fn code(view: View<'_>) -> Code {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use val3_syntax::encoding::Encoding;
     use val3_syntax::parse;

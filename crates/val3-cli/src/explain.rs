@@ -80,7 +80,6 @@ fn entry(topic: &Topic, out: &mut dyn WriteColor) -> io::Result<()> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use codespan_reporting::term::termcolor::NoColor;
 

@@ -58,7 +58,6 @@ pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &
 
 /// What `write` puts out without colours.
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 fn rendered(format: Format, report: &Report) -> String {
     let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());
     write(format, report, &Template::default(), &mut out).unwrap();

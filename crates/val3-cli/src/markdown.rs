@@ -141,7 +141,6 @@ pub(crate) fn code_style() -> ColorSpec {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use codespan_reporting::term::termcolor::{Ansi, NoColor};
 

@@ -193,7 +193,6 @@ fn order(finding: &Finding) -> impl Ord {
 }
 
 #[cfg(test)]
-#[allow(clippy::indexing_slicing)]
 mod tests {
     use super::*;
 

@@ -60,7 +60,6 @@ fn unknown(rules: &[&'static Rule], entry: &str, option: &str) -> UserError {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use val3_check::rule::Severity;
 

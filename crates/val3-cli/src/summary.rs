@@ -66,7 +66,6 @@ fn grouped(count: usize) -> String {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use super::*;
     use crate::report::sample;

@@ -115,7 +115,6 @@ impl<'a, 's: 'a> Files<'a> for Excerpt<'s> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use std::sync::Arc;
 

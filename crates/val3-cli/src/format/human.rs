@@ -74,7 +74,6 @@ fn level(severity: Severity) -> Level {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use codespan_reporting::term::termcolor::Ansi;
 

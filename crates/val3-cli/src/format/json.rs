@@ -155,7 +155,6 @@ impl JsonPosition {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use crate::format::{Format, rendered};
     use crate::report::sample;

@@ -78,7 +78,6 @@ impl WriteStyle for Printable<'_> {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used)]
 mod tests {
     use codespan_reporting::term::termcolor::NoColor;
 

@@ -111,7 +111,6 @@ fn section(finding: &Finding) -> &'static str {
 }
 
 #[cfg(test)]
-#[allow(clippy::unwrap_used, clippy::indexing_slicing)]
 mod tests {
     use super::*;
     use crate::format::{Format, rendered};
