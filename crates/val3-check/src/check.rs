@@ -159,7 +159,7 @@ impl Check<'_> {
             help: wording.help,
             program,
             application: Some(project.manifest(self.db)),
-            fixable: false,
+            fix: None,
         }
     }
 

@@ -26,8 +26,28 @@ pub struct Diagnostic {
     pub program: Option<String>,
     /// The `.pjx` of the application.
     pub application: Option<File>,
-    /// A fix exists.
-    pub fixable: bool,
+    /// How to mend it.
+    pub fix: Option<Fix>,
+}
+
+/// A change that mends a finding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Fix {
+    /// What it does, as an order: "write `endIf`".
+    pub title: String,
+    /// The program does the same as before, or what was plainly meant: applied without asking.
+    pub safe: bool,
+    /// What changes; the edits do not overlap.
+    pub edits: Vec<Edit>,
+}
+
+/// Replaces a range of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Edit {
+    /// Where.
+    pub place: Span,
+    /// What stands there afterwards, as it is written in the file (escaped where the code is).
+    pub text: String,
 }
 
 /// A range of a file.

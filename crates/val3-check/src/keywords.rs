@@ -25,6 +25,6 @@ fn finding(db: &dyn Db, project: Project, file: File, keyword: OddKeyword) -> Di
         help: wording.help,
         program: Some(program::header(db, file).name.to_string()),
         application: Some(project.manifest(db)),
-        fixable: false,
+        fix: None,
     }
 }

@@ -156,7 +156,7 @@ impl<'a> Translator<'a> {
             code_line: codes.line(place.range.start, &place.file.lines),
             application: diagnostic.application.map(|file| self.paths.relative(file.path(self.db))),
             related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
-            fixable: diagnostic.fixable,
+            fixable: diagnostic.fix.is_some(),
             place,
         }
     }
