@@ -34,6 +34,21 @@ pub struct Stmt {
     pub range: TextRange,
 }
 
+impl Stmt {
+    /// The blocks of the statement, in the order of the text.
+    pub fn blocks(&self) -> impl Iterator<Item = &[Stmt]> {
+        let blocks: Vec<&[Stmt]> = match &self.kind {
+            StmtKind::If { arms, otherwise } => {
+                arms.iter().map(|(_, block)| block.as_slice()).chain(otherwise.as_deref()).collect()
+            }
+            StmtKind::While { block, .. } | StmtKind::Do { block, .. } | StmtKind::For { block, .. } => vec![block],
+            StmtKind::Switch { cases, .. } => cases.iter().map(|(_, block)| block.as_slice()).collect(),
+            _ => Vec::new(),
+        };
+        blocks.into_iter()
+    }
+}
+
 /// The kinds of statements.
 #[derive(Debug, Clone, PartialEq)]
 pub enum StmtKind {

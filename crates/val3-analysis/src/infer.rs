@@ -16,6 +16,7 @@ pub(crate) use expressions::STRING_LIMIT;
 use rowan::TextRange;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::types::Arm;
 
 use crate::body::{Body, ExprId, body};
@@ -30,8 +31,21 @@ use crate::ty::{Base, Ty};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inference {
     types: Vec<Ty>,
+    /// Calls of instructions, inner ones before outer ones.
+    calls: Vec<InstructionCall>,
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
+}
+
+/// A call of an instruction of the catalogue.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InstructionCall {
+    /// The whole call, an [`Expr::Call`](crate::body::Expr::Call).
+    pub id: ExprId,
+    /// The instruction.
+    pub instruction: &'static Instruction,
+    /// The form that suits the arguments; `None` where none does, or where several might.
+    pub form: Option<&'static Overload>,
 }
 
 /// A constant index beyond the size at the start: wrong where no program of the project changes that size. Asking
@@ -47,6 +61,11 @@ impl Inference {
     pub fn ty(&self, id: ExprId) -> Ty {
         self.types.get(id.index()).copied().unwrap_or(Ty::UNKNOWN)
     }
+
+    /// Every call of an instruction, inner ones before outer ones.
+    pub fn calls(&self) -> &[InstructionCall] {
+        &self.calls
+    }
 }
 
 /// Infers the types of the program in `file` as a part of `project`.
@@ -55,7 +74,7 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     let body = body(db, file);
     let mut infer = Infer::new(db, project, file, body);
     infer.block(&body.block);
-    Inference { types: infer.types, problems: infer.problems, overflows: infer.overflows }
+    Inference { types: infer.types, calls: infer.calls, problems: infer.problems, overflows: infer.overflows }
 }
 
 /// What is wrong with the code of the program in `file`, by position. Kept when the types are dropped.
@@ -80,6 +99,7 @@ struct Infer<'db> {
     /// Parameters and locals.
     scope: FxHashMap<&'db str, value::Value>,
     types: Vec<Ty>,
+    calls: Vec<InstructionCall>,
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
     /// The expression names a value that need not be there: its index has no bounds.
@@ -101,6 +121,7 @@ impl<'db> Infer<'db> {
             header,
             scope,
             types,
+            calls: Vec::new(),
             problems: Vec::new(),
             overflows: Vec::new(),
             may_be_absent: false,

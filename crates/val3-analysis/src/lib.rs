@@ -3,11 +3,14 @@
 //! The chain of queries is short and coarse: `items::parse` → items (what files declare) → `body` → `infer`.
 //! Items are the firewall: the code of a program cannot change them, so an edit there re-infers that program alone.
 
+pub mod application;
 pub mod body;
 pub mod cell;
 pub mod data_check;
 pub mod db;
+pub mod effects;
 mod file_check;
+pub mod flow;
 pub mod header_check;
 pub mod infer;
 pub mod interfaces;

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, RelatedNote, Span};
 use crate::echoes::without_echoes;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
-use crate::{keywords, related};
+use crate::{keywords, lint, related};
 
 /// The rule of which one finding an application is enough.
 const MISSING_ADD_ON: &str = "V0104";
@@ -86,18 +86,32 @@ impl Check<'_> {
                     self.problems(file, infer::problems(db, project, file));
                     self.found.extend(keywords::spelling(db, project, file));
                 }
+                if self.is_sound() {
+                    self.found.extend(lint::program(db, project, file));
+                }
             }
             Unit::Data(project, file) => {
                 self.text(file);
                 self.problems(file, data_check::problems(db, project, file));
+                if self.is_sound() {
+                    self.found.extend(lint::data(db, project, file));
+                }
             }
             Unit::Project(project) => {
                 let file = project.manifest(db);
                 self.text(file);
                 self.problems(file, project_check::problems(db, project));
                 self.problems(file, interfaces::problems(db, project));
+                if self.is_sound() {
+                    self.found.extend(lint::project(db, project));
+                }
             }
         }
+    }
+
+    /// No error so far: what the lints would say beside one is most often its echo.
+    fn is_sound(&self) -> bool {
+        self.found.iter().all(|diagnostic| diagnostic.severity < Severity::Error)
     }
 
     /// The faults of a file's text; true if the rest of it cannot be judged.

@@ -7,6 +7,7 @@ pub mod diagnostic;
 mod echoes;
 mod english;
 mod keywords;
+mod lint;
 mod phrase;
 mod related;
 pub mod rule;

@@ -1,5 +1,7 @@
 //! What a rule is: its code, name, level and page.
 
+use crate::lint::{DataFile, Findings, Program, ProjectView};
+
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
@@ -12,7 +14,7 @@ pub enum Severity {
 }
 
 /// One rule.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Rule {
     /// `V0203`: the first digit is the family (0 syntax, 1 names, 2 types, 3 flow, 4 motion, 5 project and data,
     /// 6 library interfaces, 7 style).
@@ -21,20 +23,51 @@ pub struct Rule {
     pub name: &'static str,
     /// The level unless configured otherwise.
     pub severity: Severity,
+    /// The rule is a convention of some shops: it is silent until somebody asks for it.
+    pub off: bool,
     /// The page in Markdown, one leading blank a line: what, why, a bad and a good example.
     pub page: &'static str,
+    /// How it finds its faults; `None` where the parser or the analysis does.
+    pub(crate) lint: Option<Lint>,
 }
 
-/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`.
+/// A function that looks for the faults of one rule.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Lint {
+    /// In each program without faults.
+    Program(fn(&Program<'_>, &mut Findings)),
+    /// In each `.dtx`.
+    Data(fn(&DataFile<'_>, &mut Findings)),
+    /// In each project; its findings lie in the `.pjx`.
+    Project(fn(&ProjectView<'_>, &mut Findings)),
+}
+
+/// Codes are unique: equal codes are the same rule.
+impl PartialEq for Rule {
+    fn eq(&self, other: &Self) -> bool {
+        self.code == other.code
+    }
+}
+
+impl Eq for Rule {}
+
+/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`. Behind the level stands `off` for a
+/// rule that is silent until configured, and `, Program: check`, `, Data: check` or `, Project: check` for a lint.
 macro_rules! rule {
-    ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident) => {
+    ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident $($off:ident)? $(, $target:ident: $check:ident)?) => {
         $(#[doc = $line])*
         pub(crate) static RULE: $crate::rule::Rule = $crate::rule::Rule {
             code: stringify!($code),
             name: $name,
             severity: $crate::rule::Severity::$severity,
+            off: $crate::rule::rule!(@is $($off)?),
             page: concat!($($line, "\n"),*),
+            lint: $crate::rule::rule!(@lint $($target $check)?),
         };
     };
+    (@is off) => { true };
+    (@is) => { false };
+    (@lint $target:ident $check:ident) => { Some($crate::rule::Lint::$target($check)) };
+    (@lint) => { None };
 }
 pub(crate) use rule;

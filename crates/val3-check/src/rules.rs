@@ -82,6 +82,8 @@ rules! {
     wrong_arm,
     string_too_long,
     not_assignable,
+    // Flow and tasks
+    constant_condition,
     // Project and data
     file_missing,
     file_unreadable,

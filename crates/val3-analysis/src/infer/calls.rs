@@ -6,10 +6,10 @@ use val3_lang::instruction::{Availability, Class, Instruction};
 use val3_lang::instructions;
 use val3_lang::types::BaseType;
 
-use super::Infer;
 use super::arguments::{Callee, Chosen};
 use super::fit::Formals;
 use super::value::Value;
+use super::{Infer, InstructionCall};
 use crate::body::{Expr, ExprId};
 use crate::db::Project;
 use crate::items::project::items;
@@ -118,6 +118,8 @@ impl Infer<'_> {
         let formals = forms.iter().map(|form| Formals::Instruction(form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
+        let form = if let Chosen::Form(index) = chosen { forms.get(index).copied() } else { None };
+        self.calls.push(InstructionCall { id, instruction, form });
         let outcomes: Vec<Outcome> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
     }

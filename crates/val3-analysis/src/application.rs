@@ -1,0 +1,114 @@
+//! What an application does as a whole: who calls what, which tasks run what, who uses which data.
+//!
+//! Each program is summed up on its own, without ranges, so that an edit that changes no sum changes nothing here.
+
+mod program;
+
+pub use program::{Summary, TaskStart, Use, summary};
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+
+use crate::db::{Db, Project};
+use crate::items::project::items;
+
+/// A program of the own project (`library` is `None`) or of a library.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Callee {
+    /// The library identifier.
+    pub library: Option<SmolStr>,
+    /// The program.
+    pub program: SmolStr,
+}
+
+/// A task of the application: `start` and `stop` run in a task of their own, every `taskCreate` names another.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Task {
+    /// The program that creates it; `None` for the task the controller starts.
+    pub created_by: Option<SmolStr>,
+    /// How it is started.
+    pub start: TaskStart,
+}
+
+/// The programs of a project and how they hang together. Names are those of the project's own programs and data.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Application {
+    /// Every program could be read and has no fault of names or types, so that what is not here is not there.
+    pub sound: bool,
+    /// The tasks, those of `start` and `stop` first.
+    pub tasks: Vec<Task>,
+    /// For each program the tasks (by their place in `tasks`) that may run it. Programs without an entry are run by
+    /// no task of this project.
+    pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
+    /// Programs that call each program, or create a task with it.
+    pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
+    /// For each global the programs that use it.
+    pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
+}
+
+/// The programs the controller starts on its own (5.1, 6.2).
+pub const ENTRY_POINTS: [&str; 2] = ["start", "stop"];
+
+/// What the programs of `project` do together.
+#[salsa::tracked]
+pub fn application(db: &dyn Db, project: Project) -> Application {
+    let items = items(db, project);
+    let summaries: FxHashMap<&SmolStr, &Summary> =
+        items.programs.iter().map(|(name, file)| (name, summary(db, project, *file))).collect();
+    let mut names: Vec<&SmolStr> = summaries.keys().copied().collect();
+    names.sort_unstable();
+    let mut application = Application {
+        sound: !items.incomplete && !items.lacks_data && items.lacking_programs.is_empty(),
+        ..Application::default()
+    };
+    application.tasks = entry_tasks(items.programs.keys());
+    for name in names {
+        let Some(summary) = summaries.get(name) else { continue };
+        application.add(name, summary);
+    }
+    application.find_runs(&summaries);
+    application
+}
+
+fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<Task> {
+    let entry = |name: &&str| programs.clone().any(|program| program == name);
+    let task = |name| Task { created_by: None, start: TaskStart::of_controller(name) };
+    ENTRY_POINTS.into_iter().filter(entry).map(task).collect()
+}
+
+impl Application {
+    fn add(&mut self, name: &SmolStr, summary: &Summary) {
+        self.sound &= summary.sound;
+        let started = summary.tasks.iter().map(|start| &start.program);
+        for callee in summary.calls.iter().chain(started).filter(|callee| callee.library.is_none()) {
+            self.callers.entry(callee.program.clone()).or_default().insert(name.clone());
+        }
+        for start in &summary.tasks {
+            self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
+        }
+        for (data, uses) in &summary.data {
+            self.users.entry(data.clone()).or_default().push((name.clone(), *uses));
+        }
+    }
+
+    /// Follows the calls from the program of each task.
+    fn find_runs(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        for (index, task) in self.tasks.iter().enumerate() {
+            let first = &task.start.program;
+            let mut open: Vec<&SmolStr> = first.library.is_none().then_some(&first.program).into_iter().collect();
+            while let Some(program) = open.pop() {
+                if self.run_by.entry(program.clone()).or_default().insert(index) {
+                    let calls = summaries.get(program).map(|summary| &summary.calls);
+                    let own = calls.into_iter().flatten().filter(|callee| callee.library.is_none());
+                    open.extend(own.map(|callee| &callee.program));
+                }
+            }
+        }
+    }
+
+    /// The tasks that may run a program.
+    pub fn tasks_of(&self, program: &str) -> impl Iterator<Item = &Task> {
+        let indexes = self.run_by.get(program).into_iter().flatten();
+        indexes.filter_map(|index| self.tasks.get(*index))
+    }
+}

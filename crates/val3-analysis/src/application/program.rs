@@ -1,0 +1,128 @@
+//! What one program does, without ranges.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+
+use super::Callee;
+use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
+use crate::db::{Db, File, Project};
+use crate::effects::{AccessKind, Effects, Root};
+use crate::flow::{PointKind, flow};
+use crate::infer;
+use crate::items::faults::text_faults;
+use crate::items::program::header;
+
+/// What a program does.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Summary {
+    /// The text could be read, and the analysis found no fault in its code.
+    pub sound: bool,
+    /// Programs that it calls.
+    pub calls: FxHashSet<Callee>,
+    /// Tasks that it creates, in the order of the text.
+    pub tasks: Vec<TaskStart>,
+    /// Global data that it uses.
+    pub data: FxHashMap<SmolStr, Use>,
+}
+
+/// A `taskCreate` or `taskCreateSync`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TaskStart {
+    /// The name, where the code tells it.
+    pub name: Option<SmolStr>,
+    /// The program.
+    pub program: Callee,
+    /// It is `taskCreateSync`.
+    pub synchronous: bool,
+    /// The statement lies in a loop, so that it may create several tasks.
+    pub repeated: bool,
+}
+
+/// How a program uses a variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct Use {
+    /// It reads the value.
+    pub read: bool,
+    /// It writes the value or a part of it.
+    pub written: bool,
+    /// It hands the variable over by reference.
+    pub referenced: bool,
+}
+
+impl TaskStart {
+    /// The task in which the controller runs `program`.
+    pub(super) fn of_controller(program: &'static str) -> Self {
+        let program = Callee { library: None, program: SmolStr::new_static(program) };
+        Self { name: None, program, synchronous: false, repeated: false }
+    }
+}
+
+impl Use {
+    fn add(&mut self, kind: AccessKind) {
+        match kind {
+            AccessKind::Read => self.read = true,
+            AccessKind::Write | AccessKind::WritePart => self.written = true,
+            AccessKind::Reference => self.referenced = true,
+        }
+    }
+
+    /// It may change the value.
+    pub fn may_write(self) -> bool {
+        self.written || self.referenced
+    }
+
+    /// It may use the value.
+    pub fn may_read(self) -> bool {
+        self.read || self.referenced
+    }
+}
+
+/// What the program in `file` does as a part of `project`.
+#[salsa::tracked]
+pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
+    let body = body(db, file);
+    let mut summary = Summary {
+        sound: header(db, file).complete
+            && text_faults(db, file).errors.is_empty()
+            && infer::problems(db, project, file).is_empty(),
+        ..Summary::default()
+    };
+    for (_, point) in flow(db, file).points() {
+        if let PointKind::Call(id) = &point.kind {
+            summary.calls.extend(callee(body, *id));
+        }
+    }
+    add_tasks(body, &body.block, false, &mut summary.tasks);
+    for access in Effects::new(db, project, file).all() {
+        if let Root::Data(name) = access.root {
+            summary.data.entry(name).or_default().add(access.kind);
+        }
+    }
+    summary
+}
+
+fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskStart>) {
+    for stmt in block {
+        if let StmtKind::TaskCreate { synchronous, arguments } = &stmt.kind {
+            tasks.extend(task_start(body, *synchronous, arguments, repeated));
+        }
+        let repeats = matches!(stmt.kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
+        stmt.blocks().for_each(|block| add_tasks(body, block, repeated || repeats, tasks));
+    }
+}
+
+fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], repeated: bool) -> Option<TaskStart> {
+    let program = callee(body, *arguments.last()?)?;
+    let name = arguments.first().and_then(|name| body.string(*name));
+    Some(TaskStart { name, program, synchronous, repeated })
+}
+
+/// The program that a call names.
+fn callee(body: &Body, call: ExprId) -> Option<Callee> {
+    let Expr::Call(callee, _) = body.expr(call) else { return None };
+    match body.expr(*callee) {
+        Expr::Name(name) => Some(Callee { library: None, program: name.clone() }),
+        Expr::Path { library, item } => Some(Callee { library: Some(library.clone()), program: item.clone() }),
+        _ => None,
+    }
+}

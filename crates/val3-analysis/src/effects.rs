@@ -1,0 +1,144 @@
+//! Which variables the lines of a program read, write and hand over.
+
+mod walk;
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_lang::instruction::{Class, Instruction, Overload, Shape};
+
+use crate::body::{Body, Expr, ExprId, body};
+use crate::db::{Db, File, Project};
+use crate::flow::{Flow, Point, flow};
+use crate::infer::{Inference, infer};
+use crate::items::program::{Header, header};
+use crate::items::project::{Items, Signature, items, signature};
+
+/// A variable by its root: `a` of `a[1].x`.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Root {
+    /// A local variable.
+    Local(SmolStr),
+    /// A parameter.
+    Param(SmolStr),
+    /// Global data of the own project.
+    Data(SmolStr),
+    /// Data of a library.
+    Item(SmolStr, SmolStr),
+}
+
+/// What happens to a variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum AccessKind {
+    /// Its value is used.
+    Read,
+    /// All of it gets a value.
+    Write,
+    /// An element or a field of it gets a value.
+    WritePart,
+    /// It is handed over by reference to something that may read and write it.
+    Reference,
+}
+
+/// One use of a variable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Access {
+    /// The variable with its indexes and fields.
+    pub id: ExprId,
+    /// What it is a part of.
+    pub root: Root,
+    /// What happens to it.
+    pub kind: AccessKind,
+}
+
+/// Everything that is needed to tell what a program does to its variables.
+pub struct Effects<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    body: &'db Body,
+    flow: &'db Flow,
+    inference: &'db Inference,
+    header: &'db Header,
+    items: &'db Items,
+    instructions: FxHashMap<ExprId, (&'static Instruction, Option<&'static Overload>)>,
+}
+
+impl<'db> Effects<'db> {
+    /// Those of the program in `file` as a part of `project`.
+    pub fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+        let inference = infer(db, project, file);
+        let instructions = inference.calls().iter().map(|call| (call.id, (call.instruction, call.form)));
+        Self {
+            db,
+            project,
+            body: body(db, file),
+            flow: flow(db, file),
+            inference,
+            instructions: instructions.collect(),
+            header: header(db, file),
+            items: items(db, project),
+        }
+    }
+
+    /// What happens at a point, in the order of evaluation.
+    pub fn at(&self, point: &Point) -> Vec<Access> {
+        walk::point(self, point)
+    }
+
+    /// Every use of a variable in the program.
+    pub fn all(&self) -> Vec<Access> {
+        self.flow.points().flat_map(|(_, point)| self.at(point)).collect()
+    }
+
+    /// The variable that `id` is or is a part of; `None` for constants, computed values and names that are built in.
+    pub fn root(&self, id: ExprId) -> Option<Root> {
+        match self.body.expr(id) {
+            Expr::Name(name) => self.named(name),
+            Expr::Path { library, item } => {
+                self.items.libraries.contains_key(library).then(|| Root::Item(library.clone(), item.clone()))
+            }
+            Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) => self.root(*base),
+            _ => None,
+        }
+    }
+
+    fn named(&self, name: &SmolStr) -> Option<Root> {
+        if self.header.locals.iter().any(|local| local.name == *name) {
+            Some(Root::Local(name.clone()))
+        } else if self.header.params.iter().any(|param| param.name == *name) {
+            Some(Root::Param(name.clone()))
+        } else {
+            self.items.data.contains_key(name).then(|| Root::Data(name.clone()))
+        }
+    }
+
+    /// The signature of the program that `callee` names, of the own project or of a library's interface.
+    pub fn program(&self, callee: ExprId) -> Option<&'db Signature> {
+        let (project, items, name) = match self.body.expr(callee) {
+            Expr::Name(name) => (self.project, self.items, name),
+            Expr::Path { library, item } => {
+                let interface = self.items.libraries.get(library)?.interface?;
+                (interface, items(self.db, interface), item)
+            }
+            _ => return None,
+        };
+        Some(signature(self.db, project, *items.programs.get(name)?))
+    }
+}
+
+/// What an instruction does with the argument at `position`; `None` for a value.
+fn handed_over(
+    instruction: &'static Instruction,
+    form: Option<&'static Overload>,
+    position: usize,
+) -> Option<AccessKind> {
+    let forms = form.map_or_else(|| instruction.overloads.iter().collect(), |form| vec![form]);
+    let mut kind = None;
+    for form in forms {
+        let Some(param) = form.params.get(position) else { continue };
+        if param.shape != Shape::Value {
+            let acts = form.class == Class::Modifier && param.shape != Shape::ProgramCall;
+            kind = kind.max(Some(if acts { AccessKind::Reference } else { AccessKind::Read }));
+        }
+    }
+    kind
+}

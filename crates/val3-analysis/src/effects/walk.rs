@@ -1,0 +1,148 @@
+//! From a point to the variables it touches.
+
+use val3_lang::types::BaseType;
+
+use super::{Access, AccessKind, Effects, handed_over};
+use crate::body::{Expr, ExprId};
+use crate::flow::{Point, PointKind};
+use crate::items::project::Signature;
+
+struct Walk<'e, 'db> {
+    effects: &'e Effects<'db>,
+    found: Vec<Access>,
+}
+
+pub(super) fn point(effects: &Effects<'_>, point: &Point) -> Vec<Access> {
+    let mut walk = Walk { effects, found: Vec::new() };
+    match &point.kind {
+        PointKind::Test { condition, .. } => walk.values(condition.as_slice()),
+        PointKind::ForStart { counter, start, stop, step } => {
+            walk.values(start.as_slice());
+            walk.values(stop.as_slice());
+            walk.values(step.as_slice());
+            walk.targets(counter.as_slice());
+        }
+        PointKind::ForTest { counter } => walk.targets(counter.as_slice()),
+        PointKind::Switch { selector, values } => {
+            walk.values(selector.as_slice());
+            walk.values(values);
+        }
+        PointKind::Call(id) => walk.program_call(*id),
+        PointKind::TaskCreate(arguments) => walk.task_create(arguments),
+        PointKind::Assign { target, value } => {
+            walk.value(*value);
+            walk.target(*target);
+        }
+        PointKind::Print(id) | PointKind::Expr(id) => walk.value(*id),
+        PointKind::Start | PointKind::End | PointKind::Return | PointKind::Empty | PointKind::Unknown => {}
+    }
+    walk.found
+}
+
+impl Walk<'_, '_> {
+    fn add(&mut self, id: ExprId, kind: AccessKind) {
+        if let Some(root) = self.effects.root(id) {
+            self.found.push(Access { id, root, kind });
+        }
+    }
+
+    fn values(&mut self, ids: &[ExprId]) {
+        for id in ids {
+            self.value(*id);
+        }
+    }
+
+    fn targets(&mut self, ids: &[ExprId]) {
+        for id in ids {
+            self.target(*id);
+        }
+    }
+
+    /// An expression whose value is used.
+    fn value(&mut self, id: ExprId) {
+        match self.effects.body.expr(id) {
+            Expr::Name(_) | Expr::Path { .. } | Expr::Index(..) | Expr::Field { .. } => {
+                self.indexes(id);
+                self.add(id, AccessKind::Read);
+            }
+            Expr::Paren(inner) | Expr::Unary(_, inner) => self.value(*inner),
+            Expr::Binary(_, left, right) => self.values(&[*left, *right]),
+            Expr::Assign(target, value) => {
+                self.value(*value);
+                self.target(*target);
+            }
+            Expr::Call(_, args) => self.instruction(id, args),
+            Expr::Struct(values) => values.iter().flatten().for_each(|value| self.value(*value)),
+            Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => {}
+        }
+    }
+
+    /// An expression that gets a value.
+    fn target(&mut self, id: ExprId) {
+        self.indexes(id);
+        let whole = matches!(self.effects.body.expr(id), Expr::Name(_) | Expr::Path { .. });
+        self.add(id, if whole { AccessKind::Write } else { AccessKind::WritePart });
+    }
+
+    /// The indexes within a variable, and whatever it is a part of that is no variable.
+    fn indexes(&mut self, id: ExprId) {
+        match self.effects.body.expr(id) {
+            Expr::Index(base, keys) => {
+                self.indexes(*base);
+                self.values(keys);
+            }
+            Expr::Field { base, .. } | Expr::Paren(base) => self.indexes(*base),
+            Expr::Name(_) | Expr::Path { .. } => {}
+            _ => self.value(id),
+        }
+    }
+
+    fn instruction(&mut self, id: ExprId, args: &[ExprId]) {
+        let Some((instruction, form)) = self.effects.instructions.get(&id).copied() else {
+            // What an unknown instruction does to its arguments is not known.
+            return args.iter().for_each(|arg| self.argument(*arg, Some(AccessKind::Reference)));
+        };
+        for (position, arg) in args.iter().enumerate() {
+            self.argument(*arg, handed_over(instruction, form, position));
+        }
+    }
+
+    /// An argument; `kind` says what becomes of a variable that is handed over.
+    fn argument(&mut self, arg: ExprId, kind: Option<AccessKind>) {
+        match kind {
+            Some(kind) if self.effects.root(arg).is_some() => {
+                self.indexes(arg);
+                self.add(arg, kind);
+            }
+            _ => self.value(arg),
+        }
+    }
+
+    fn program_call(&mut self, call: ExprId) {
+        let Expr::Call(callee, args) = self.effects.body.expr(call) else { return self.value(call) };
+        let signature = self.effects.program(*callee);
+        for (position, arg) in args.iter().enumerate() {
+            self.argument(*arg, passing(signature, position));
+        }
+    }
+
+    /// Name, priority or period with overrun flag, and the call.
+    fn task_create(&mut self, arguments: &[ExprId]) {
+        let Some((call, before)) = arguments.split_last() else { return };
+        for argument in before {
+            // The overrun flag is written by the system.
+            let is_flag = matches!(self.effects.inference.ty(*argument).base.builtin(), Some(BaseType::Bool));
+            self.argument(*argument, is_flag.then_some(AccessKind::Reference));
+        }
+        self.program_call(*call);
+    }
+}
+
+/// What a program may do with the argument at `position`; anything where the program is not known.
+fn passing(signature: Option<&Signature>, position: usize) -> Option<AccessKind> {
+    let by_reference = match signature {
+        Some(signature) => signature.params.get(position).is_some_and(|param| param.by_reference),
+        None => true,
+    };
+    by_reference.then_some(AccessKind::Reference)
+}

@@ -1,0 +1,164 @@
+//! Statements to points.
+
+use rowan::TextRange;
+
+use super::{Flow, Point, PointId, PointKind};
+use crate::body::{Body, ExprId, Stmt, StmtKind};
+
+/// A way that leads to a point not yet made: the branch of a point.
+type Loose = PointId;
+
+struct Builder<'b> {
+    body: &'b Body,
+    flow: Flow,
+    /// Points whose next branch leads to whatever comes next.
+    loose: Vec<Loose>,
+}
+
+pub(super) fn build(body: &Body) -> Flow {
+    let mut builder = Builder { body, flow: Flow::default(), loose: Vec::new() };
+    let nowhere = TextRange::default();
+    builder.add(PointKind::Start, nowhere);
+    builder.add(PointKind::End, nowhere);
+    builder.loose = vec![Flow::START];
+    builder.block(&body.block);
+    builder.join(Flow::END);
+    builder.flow
+}
+
+impl Builder<'_> {
+    fn add(&mut self, kind: PointKind, range: TextRange) -> PointId {
+        let id = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
+        self.flow.points.push(Point { kind, range, next: Vec::new() });
+        id
+    }
+
+    /// Leads every loose way to `target`.
+    fn join(&mut self, target: PointId) {
+        for from in std::mem::take(&mut self.loose) {
+            if let Some(point) = self.flow.points.get_mut(from.index()) {
+                point.next.push(target);
+            }
+        }
+    }
+
+    /// A point that comes next; afterwards it is the loose one.
+    fn then(&mut self, kind: PointKind, range: TextRange) -> PointId {
+        let id = self.add(kind, range);
+        self.join(id);
+        self.loose = vec![id];
+        id
+    }
+
+    fn block(&mut self, block: &[Stmt]) {
+        for stmt in block {
+            self.stmt(stmt);
+        }
+    }
+
+    fn stmt(&mut self, stmt: &Stmt) {
+        let range = stmt.range;
+        match &stmt.kind {
+            StmtKind::If { arms, otherwise } => self.if_stmt(arms, otherwise.as_deref(), range),
+            StmtKind::While { condition, block } => {
+                let test = self.test(*condition, true, range);
+                self.block(block);
+                self.join(test);
+                self.loose = vec![test];
+            }
+            StmtKind::Do { block, condition } => self.do_stmt(block, *condition, range),
+            StmtKind::For { counter, start, stop, step, block } => {
+                let kind = PointKind::ForStart { counter: *counter, start: *start, stop: *stop, step: *step };
+                self.then(kind, range);
+                let test = self.then(PointKind::ForTest { counter: *counter }, range);
+                self.block(block);
+                self.join(test);
+                self.loose = vec![test];
+            }
+            StmtKind::Switch { selector, cases } => self.switch(*selector, cases, range),
+            StmtKind::Return => {
+                self.then(PointKind::Return, range);
+                self.join(Flow::END);
+            }
+            StmtKind::Call(id) => {
+                self.then(PointKind::Call(*id), range);
+            }
+            StmtKind::TaskCreate { arguments, .. } => {
+                self.then(PointKind::TaskCreate(arguments.clone()), range);
+            }
+            StmtKind::Print(id) => {
+                self.then(PointKind::Print(*id), range);
+            }
+            StmtKind::Assign { target, value } => {
+                self.then(PointKind::Assign { target: *target, value: *value }, range);
+            }
+            StmtKind::Expr(id) => {
+                self.then(PointKind::Expr(*id), range);
+            }
+            StmtKind::Error => {
+                self.then(PointKind::Unknown, range);
+            }
+        }
+    }
+
+    fn test(&mut self, condition: Option<ExprId>, is_loop: bool, stmt: TextRange) -> PointId {
+        let range = condition.map_or(stmt, |id| self.body.range(id));
+        self.then(PointKind::Test { condition, is_loop }, range)
+    }
+
+    fn if_stmt(&mut self, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>, range: TextRange) {
+        let mut ends = Vec::new();
+        for (condition, block) in arms {
+            let test = self.test(*condition, false, range);
+            self.block(block);
+            ends.append(&mut self.loose);
+            // An empty block leaves the test loose in its first branch: the second must come second.
+            self.settle_empty(&mut ends, test, range);
+            self.loose = vec![test];
+        }
+        self.block(otherwise.unwrap_or(&[]));
+        self.loose.append(&mut ends);
+    }
+
+    /// Where a block is empty, the way through it gets a point of its own, so that a test has its two branches in
+    /// order.
+    fn settle_empty(&mut self, ends: &mut [Loose], test: PointId, range: TextRange) {
+        for end in ends.iter_mut().filter(|end| **end == test) {
+            let empty = self.add(PointKind::Empty, TextRange::empty(range.end()));
+            if let Some(point) = self.flow.points.get_mut(test.index()) {
+                point.next.push(empty);
+            }
+            *end = empty;
+        }
+    }
+
+    fn do_stmt(&mut self, block: &[Stmt], condition: Option<ExprId>, range: TextRange) {
+        let first = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
+        self.block(block);
+        let test = self.test(condition, true, range);
+        // `until` ends the loop where it is true. With an empty block the test itself is the first point.
+        let after = self.add(PointKind::Empty, TextRange::empty(range.end()));
+        if let Some(point) = self.flow.points.get_mut(test.index()) {
+            point.next.extend([after, first]);
+        }
+        self.loose = vec![after];
+    }
+
+    fn switch(&mut self, selector: Option<ExprId>, cases: &[(Vec<ExprId>, Vec<Stmt>)], range: TextRange) {
+        let values = cases.iter().flat_map(|(values, _)| values).copied().collect();
+        let switch = self.then(PointKind::Switch { selector, values }, range);
+        let mut ends = Vec::new();
+        let mut has_default = false;
+        for (values, block) in cases {
+            has_default |= values.is_empty();
+            self.loose = vec![switch];
+            self.block(block);
+            ends.append(&mut self.loose);
+            self.settle_empty(&mut ends, switch, range);
+        }
+        if !has_default {
+            ends.push(switch);
+        }
+        self.loose = ends;
+    }
+}

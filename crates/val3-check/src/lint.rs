@@ -1,0 +1,16 @@
+//! Rules that look at what a program does, beyond what the controller's compiler asks: the lints.
+//!
+//! A lint is a function over a [`Program`] or a [`ProjectView`]; it runs on files without faults only, so that one
+//! mistake makes one message.
+
+mod findings;
+mod program;
+mod project;
+mod run;
+#[cfg(test)]
+pub(crate) mod testing;
+
+pub(crate) use findings::Findings;
+pub(crate) use program::{Call, Program};
+pub(crate) use project::{DataFile, ProjectView};
+pub(crate) use run::{data, program, project};

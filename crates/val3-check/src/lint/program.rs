@@ -1,0 +1,93 @@
+//! A program as lints see it.
+
+use val3_analysis::application::{Application, application};
+use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::effects::Effects;
+use val3_analysis::flow::{Flow, flow};
+use val3_analysis::infer::{Inference, InstructionCall, infer};
+use val3_analysis::items::program::{Header, header};
+use val3_analysis::items::project::{Items, items};
+use val3_lang::instruction::{Instruction, Overload};
+use val3_syntax::TextRange;
+
+/// A program without faults, with all that is known of it.
+pub(crate) struct Program<'db> {
+    pub(crate) db: &'db dyn Db,
+    pub(crate) project: Project,
+    pub(crate) file: File,
+    pub(crate) header: &'db Header,
+    pub(crate) items: &'db Items,
+    pub(crate) body: &'db Body,
+    pub(crate) inference: &'db Inference,
+    /// What its lines do to variables.
+    pub(crate) effects: Effects<'db>,
+}
+
+/// A call of an instruction.
+#[derive(Clone, Copy)]
+pub(crate) struct Call<'db> {
+    /// The whole call.
+    pub(crate) id: ExprId,
+    pub(crate) instruction: &'static Instruction,
+    /// The form that suits the arguments.
+    pub(crate) form: Option<&'static Overload>,
+    /// The name that is called.
+    pub(crate) callee: ExprId,
+    pub(crate) args: &'db [ExprId],
+}
+
+impl<'db> Program<'db> {
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+        Self {
+            db,
+            project,
+            file,
+            header: header(db, file),
+            items: items(db, project),
+            body: body(db, file),
+            inference: infer(db, project, file),
+            effects: Effects::new(db, project, file),
+        }
+    }
+
+    /// The name of the program.
+    pub(crate) fn name(&self) -> &'db str {
+        &self.header.name
+    }
+
+    /// Its control-flow graph.
+    pub(crate) fn flow(&self) -> &'db Flow {
+        flow(self.db, self.file)
+    }
+
+    /// What its application does as a whole.
+    pub(crate) fn application(&self) -> &'db Application {
+        application(self.db, self.project)
+    }
+
+    /// Every call of an instruction, inner ones before outer ones.
+    pub(crate) fn calls(&self) -> impl Iterator<Item = Call<'db>> {
+        self.inference.calls().iter().filter_map(|call| self.call(call))
+    }
+
+    /// Every call of the instruction `name`.
+    pub(crate) fn calls_of(&self, name: &str) -> impl Iterator<Item = Call<'db>> {
+        self.calls().filter(move |call| call.instruction.name == name)
+    }
+
+    fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
+        let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
+        Some(Call { id: call.id, instruction: call.instruction, form: call.form, callee: *callee, args })
+    }
+
+    /// Where an expression stands.
+    pub(crate) fn range(&self, id: ExprId) -> TextRange {
+        self.body.range(id)
+    }
+
+    /// The text of an expression as it stands in the file.
+    pub(crate) fn text(&self, id: ExprId) -> &'db str {
+        self.file.text(self.db).get(std::ops::Range::<usize>::from(self.range(id))).unwrap_or("")
+    }
+}

@@ -1,0 +1,33 @@
+//! A project and its data as lints see them.
+
+use val3_analysis::application::{Application, application};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::project::{Items, items};
+
+/// A project: an application, a library or a user type.
+pub(crate) struct ProjectView<'db> {
+    pub(crate) db: &'db dyn Db,
+    pub(crate) project: Project,
+    pub(crate) items: &'db Items,
+    /// What its programs do together.
+    pub(crate) application: &'db Application,
+}
+
+impl<'db> ProjectView<'db> {
+    pub(crate) fn new(db: &'db dyn Db, project: Project) -> Self {
+        Self { db, project, items: items(db, project), application: application(db, project) }
+    }
+}
+
+/// A `.dtx` without faults of its text.
+pub(crate) struct DataFile<'db> {
+    pub(crate) file: File,
+    /// The project it belongs to.
+    pub(crate) view: ProjectView<'db>,
+}
+
+impl<'db> DataFile<'db> {
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+        Self { file, view: ProjectView::new(db, project) }
+    }
+}
