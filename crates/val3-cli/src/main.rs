@@ -18,7 +18,6 @@ mod report;
 mod selection;
 mod similar;
 mod summary;
-mod topics;
 mod user_error;
 
 use std::process::ExitCode;
