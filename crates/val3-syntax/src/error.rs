@@ -189,7 +189,7 @@ pub enum Expected {
 
 impl SyntaxErrorKind {
     /// A block that is not closed or not opened: the indentation may tell which.
-    pub(crate) fn is_about_blocks(&self) -> bool {
+    pub fn is_about_blocks(&self) -> bool {
         matches!(
             self,
             Self::UnclosedBlock { .. }

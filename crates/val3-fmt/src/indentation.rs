@@ -1,0 +1,60 @@
+//! How deep each line stands.
+
+use val3_syntax::SyntaxKind::{self, *};
+
+use crate::pieces::{Piece, breaks_line, gap};
+
+/// For each piece the levels before its line, where it starts one.
+pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
+    let mut levels = vec![None; pieces.len()];
+    // A comment belongs to what comes after it, so the last line is looked at first.
+    let mut next: Option<Line> = None;
+    for index in (1..pieces.len()).rev() {
+        let Some([before, piece]) = pieces.get(index - 1..=index) else { continue };
+        let blanks = gap(before, piece, text);
+        if !breaks_line(blanks) {
+            continue;
+        }
+        let column = width(blanks);
+        let level = if piece.kind == COMMENT { comment(piece, column, next) } else { piece.depth };
+        if let Some(slot) = levels.get_mut(index) {
+            *slot = Some(level);
+        }
+        if piece.kind != COMMENT {
+            next = Some(Line { level, column, closes: closes(piece.kind) });
+        }
+    }
+    levels
+}
+
+/// The line of code that follows.
+#[derive(Clone, Copy)]
+struct Line {
+    level: usize,
+    /// Blanks before it as it stands in the text.
+    column: usize,
+    /// It ends a block or a part of one.
+    closes: bool,
+}
+
+/// The level of a comment: that of the line that follows. Before the end of a block it may belong to the block or to
+/// the line that ends it, as its own indentation tells.
+fn comment(piece: &Piece<'_>, column: usize, next: Option<Line>) -> usize {
+    match next {
+        Some(next) if next.closes && column > next.column => next.level + 1,
+        Some(next) => next.level,
+        None => piece.depth,
+    }
+}
+
+fn closes(kind: SyntaxKind) -> bool {
+    matches!(
+        kind,
+        END_KW | END_IF_KW | ELSE_IF_KW | ELSE_KW | END_WHILE_KW | UNTIL_KW | END_FOR_KW | END_SWITCH_KW | BREAK_KW
+    )
+}
+
+/// The blanks behind the last line end.
+fn width(blanks: &str) -> usize {
+    blanks.rsplit(['\n', '\r']).next().unwrap_or("").chars().count()
+}

@@ -1,0 +1,108 @@
+//! The code as a row of pieces: its tokens without the blanks between them.
+
+use rowan::{NodeOrToken, TextRange};
+use val3_syntax::view::{TokenView, View};
+use val3_syntax::{Parse, SyntaxKind};
+
+/// A token that is no blank.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece<'t> {
+    pub(crate) kind: SyntaxKind,
+    pub(crate) text: &'t str,
+    pub(crate) range: TextRange,
+    /// The node it stands in.
+    pub(crate) parent: SyntaxKind,
+    /// Blocks around it.
+    pub(crate) depth: usize,
+    /// Its line could not be read and stays as it is.
+    pub(crate) frozen: bool,
+}
+
+/// The pieces of each `<Code>` of a file.
+pub(crate) fn codes<'t>(parse: &'t Parse, text: &'t str) -> Vec<Vec<Piece<'t>>> {
+    let mut codes = Vec::new();
+    find_codes(View::root(parse.green()), &mut codes);
+    codes.into_iter().map(|code| pieces(code, parse, text)).collect()
+}
+
+fn find_codes<'t>(node: View<'t>, codes: &mut Vec<View<'t>>) {
+    for child in node.children() {
+        match child.kind() {
+            SyntaxKind::CODE => codes.push(child),
+            SyntaxKind::ELEMENT => find_codes(child, codes),
+            _ => {}
+        }
+    }
+}
+
+fn pieces<'t>(code: View<'t>, parse: &'t Parse, text: &str) -> Vec<Piece<'t>> {
+    let mut pieces = Vec::new();
+    collect(code, 0, &mut pieces);
+    freeze(&mut pieces, parse, text);
+    pieces
+}
+
+fn collect<'t>(node: View<'t>, depth: usize, pieces: &mut Vec<Piece<'t>>) {
+    for child in node.children_with_tokens() {
+        match child {
+            NodeOrToken::Node(child) => collect(child, depth + usize::from(is_deeper(node.kind(), child.kind())), pieces),
+            NodeOrToken::Token(token) => pieces.extend(piece(token, node.kind(), depth)),
+        }
+    }
+}
+
+/// What stands in a block is one level deeper, and so is what stands in a `switch`, but for its value.
+fn is_deeper(parent: SyntaxKind, child: SyntaxKind) -> bool {
+    use SyntaxKind as K;
+    let is_stmt = (K::BLOCK..=K::EXPR_STMT).contains(&child);
+    child == K::BLOCK || parent == K::SWITCH_STMT && is_stmt
+}
+
+fn piece(token: TokenView<'_>, parent: SyntaxKind, depth: usize) -> Option<Piece<'_>> {
+    let kind = token.kind();
+    if matches!(kind, SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE) {
+        return None;
+    }
+    let frozen = parent == SyntaxKind::ERROR || kind == SyntaxKind::ERROR_TOKEN;
+    Some(Piece { kind, text: token.text(), range: token.range(), parent, depth, frozen })
+}
+
+/// Freezes whole lines: those with a piece that is frozen, and those with a fault.
+fn freeze(pieces: &mut [Piece<'_>], parse: &Parse, text: &str) {
+    for error in parse.errors().iter().filter(|error| error.kind.breaks_line()) {
+        for piece in pieces.iter_mut() {
+            piece.frozen |= piece.range.intersect(error.range).is_some();
+        }
+    }
+    let mut start = 0;
+    while start < pieces.len() {
+        let mut end = start + 1;
+        while end < pieces.len() && !breaks_line(between(pieces, end, text)) {
+            end += 1;
+        }
+        if let Some(line) = pieces.get_mut(start..end)
+            && line.iter().any(|piece| piece.frozen)
+        {
+            line.iter_mut().for_each(|piece| piece.frozen = true);
+        }
+        start = end;
+    }
+}
+
+/// The blanks before the piece at `index`.
+fn between<'x>(pieces: &[Piece<'_>], index: usize, text: &'x str) -> &'x str {
+    match pieces.get(index.wrapping_sub(1)..=index) {
+        Some([before, after]) => gap(before, after, text),
+        _ => "",
+    }
+}
+
+/// The blanks between two pieces.
+pub(crate) fn gap<'x>(before: &Piece<'_>, after: &Piece<'_>, text: &'x str) -> &'x str {
+    text.get(usize::from(before.range.end())..usize::from(after.range.start())).unwrap_or("")
+}
+
+/// A line ends in these blanks.
+pub(crate) fn breaks_line(gap: &str) -> bool {
+    gap.contains(['\n', '\r'])
+}

@@ -1,0 +1,107 @@
+//! The blanks between two pieces.
+
+use rowan::TextRange;
+use val3_syntax::SyntaxKind::{self, *};
+
+use crate::pieces::{Piece, breaks_line, gap as blanks};
+use crate::{Edit, Style};
+
+/// What has to change between two pieces; `level` is the level of the line that starts with `after`.
+pub(crate) fn gap(before: &Piece<'_>, after: &Piece<'_>, level: Option<usize>, text: &str, style: &Style) -> Option<Edit> {
+    let found = blanks(before, after, text);
+    let wanted = if breaks_line(found) {
+        line_break(before, after, found, level?, style)?
+    } else {
+        within_line(before, after, style)?.to_owned()
+    };
+    // A blank that is written as a character reference was written so on purpose.
+    let edit = Edit { range: TextRange::new(before.range.end(), after.range.start()), text: wanted };
+    (edit.text != found && !found.contains('&')).then_some(edit)
+}
+
+/// The spelling of a keyword.
+pub(crate) fn keyword(piece: &Piece<'_>) -> Option<Edit> {
+    let canonical = piece.kind.keyword_text().filter(|_| !piece.frozen)?;
+    (piece.text != canonical).then(|| Edit { range: piece.range, text: canonical.to_owned() })
+}
+
+/// Line ends are kept as they are, as many as the style allows.
+fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, style: &Style) -> Option<String> {
+    if before.kind == CDATA_OPEN || after.kind == CDATA_CLOSE || is_mark(before.kind) || is_mark(after.kind) {
+        return None;
+    }
+    let ends = line_ends(found);
+    let kept = ends.iter().take(style.blank_lines + 1).copied().collect::<String>();
+    let trailing = if before.frozen { leading_blanks(found) } else { "" };
+    let indent = if after.frozen { found.rsplit(['\n', '\r']).next().unwrap_or("").to_owned() } else { style.indent.text(level) };
+    Some([trailing, &kept, &indent].concat())
+}
+
+/// Text that is neither code nor comment.
+fn is_mark(kind: SyntaxKind) -> bool {
+    matches!(kind, XML_COMMENT | CONFLICT_MARKER)
+}
+
+fn leading_blanks(gap: &str) -> &str {
+    gap.split(['\n', '\r']).next().unwrap_or("")
+}
+
+/// The line ends in a gap, each as it is written.
+fn line_ends(gap: &str) -> Vec<&str> {
+    let mut ends = Vec::new();
+    let mut rest = gap;
+    while let Some(at) = rest.find(['\n', '\r']) {
+        let tail = rest.get(at..).unwrap_or("");
+        let len = if tail.starts_with("\r\n") { 2 } else { 1 };
+        ends.push(tail.get(..len).unwrap_or(""));
+        rest = tail.get(len..).unwrap_or("");
+    }
+    ends
+}
+
+/// The blanks between two pieces of a line; `None` where they stay as they are.
+fn within_line(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> Option<&'static str> {
+    if before.frozen || after.frozen || after.kind == COMMENT || is_outside(before.kind) || is_outside(after.kind) {
+        return None;
+    }
+    Some(if has_blank(before, after, style) { " " } else { "" })
+}
+
+/// Marks around the code.
+fn is_outside(kind: SyntaxKind) -> bool {
+    matches!(kind, CDATA_OPEN | CDATA_CLOSE | BEGIN_KW | END_KW) || is_mark(kind)
+}
+
+fn has_blank(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> bool {
+    match (before.kind, after.kind) {
+        (L_PAREN | L_BRACK | L_CURLY | DOT | COLON, _) | (_, R_PAREN | R_BRACK | R_CURLY | COMMA | DOT | COLON | L_BRACK) => {
+            false
+        }
+        (_, L_PAREN) if after.parent == ARG_LIST => false,
+        (COMMA, _) => style.after_comma,
+        _ if is_unary(before) => false,
+        // Two signs in a row would read as one.
+        (MINUS, MINUS) => true,
+        _ if is_assignment(before) || is_assignment(after) => style.around_assignment,
+        _ if is_word(before) || is_word(after) => true,
+        _ if is_operator(before) || is_operator(after) => style.around_operators,
+        _ => true,
+    }
+}
+
+fn is_unary(piece: &Piece<'_>) -> bool {
+    piece.parent == PREFIX_EXPR && matches!(piece.kind, MINUS | BANG)
+}
+
+fn is_assignment(piece: &Piece<'_>) -> bool {
+    piece.kind == EQ
+}
+
+/// A keyword that is no value, and `?`.
+fn is_word(piece: &Piece<'_>) -> bool {
+    piece.kind == QUESTION || piece.kind.is_keyword() && !matches!(piece.kind, TRUE_KW | FALSE_KW)
+}
+
+fn is_operator(piece: &Piece<'_>) -> bool {
+    piece.parent == BIN_EXPR
+}
