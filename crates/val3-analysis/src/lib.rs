@@ -17,6 +17,7 @@ pub mod interfaces;
 pub mod items;
 pub mod load;
 pub mod near;
+pub mod occurrences;
 pub mod paths;
 pub mod problem;
 pub mod project_check;

@@ -1,0 +1,87 @@
+//! Every name in a file and what it stands for: the ground of navigation, renaming and highlighting.
+
+mod code;
+mod xml_names;
+
+use smol_str::SmolStr;
+use val3_lang::types::BaseType;
+use val3_syntax::{TextRange, TextSize};
+
+use crate::db::{Db, File, Project};
+use crate::items::project::{data_files, program_files};
+
+/// What a name stands for.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub enum Symbol {
+    /// A local variable of the program in a file.
+    Local(File, SmolStr),
+    /// A parameter of the program in a file.
+    Param(File, SmolStr),
+    /// Global data of a project. A field of a user type is data of the type's project.
+    Data(Project, SmolStr),
+    /// A program of a project.
+    Program(Project, SmolStr),
+    /// A library identifier of a project.
+    Library(Project, SmolStr),
+    /// The name by which a project calls a user type.
+    Type(Project, SmolStr),
+    /// An instruction.
+    Instruction(SmolStr),
+    /// A variable or constant that is always there (`world`).
+    Builtin(SmolStr),
+    /// A value of an enumeration.
+    Enumerator(SmolStr),
+    /// A field of a built-in type.
+    Field(BaseType, SmolStr),
+    /// A built-in type.
+    BuiltinType(SmolStr),
+}
+
+/// How a name is used.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Usage {
+    /// It is declared here.
+    Declaration,
+    /// Its value is used, or it is called.
+    Read,
+    /// It gets a value.
+    Write,
+    /// It is handed over by reference.
+    Reference,
+}
+
+/// A name in a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Occurrence {
+    /// The name alone.
+    pub range: TextRange,
+    /// What it stands for.
+    pub symbol: Symbol,
+    /// How it is used.
+    pub usage: Usage,
+}
+
+/// Every name in `file` as a part of `project`, in the order of the text. Names that stand for nothing are left out.
+#[salsa::tracked(lru = 64)]
+pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
+    let mut found = xml_names::names(db, project, file);
+    if program_files(db, project).contains(&file) {
+        found.extend(code::names(db, project, file));
+    }
+    found.sort_by_key(|occurrence| occurrence.range.start());
+    found.dedup();
+    found
+}
+
+/// The name at an offset: the one that covers it, or ends there.
+pub fn occurrence_at(db: &dyn Db, project: Project, file: File, offset: TextSize) -> Option<&Occurrence> {
+    let occurrences = occurrences(db, project, file);
+    let covering = occurrences.iter().filter(|occurrence| occurrence.range.contains_inclusive(offset));
+    covering.max_by_key(|occurrence| occurrence.range.start())
+}
+
+/// The files of a project: its `.pjx`, then data, then programs.
+pub fn project_files(db: &dyn Db, project: Project) -> impl Iterator<Item = File> {
+    let data = data_files(db, project).iter().copied();
+    std::iter::once(project.manifest(db)).chain(data).chain(program_files(db, project).iter().copied())
+}

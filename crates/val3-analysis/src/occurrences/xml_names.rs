@@ -1,0 +1,144 @@
+//! The names in the XML of a file: headers of programs, data, project files.
+
+use smol_str::SmolStr;
+use val3_lang::builtins;
+use val3_lang::types::BaseType;
+use val3_syntax::view::View;
+use val3_syntax::{TextRange, TextSize};
+
+use super::{Occurrence, Symbol, Usage};
+use crate::db::{Db, File, Project};
+use crate::items::manifest::{entries, spelling};
+use crate::items::project::{Items, fields, items, resolve_type};
+use crate::items::{data, parse, program};
+use crate::ty::Base;
+use crate::xml::{self, Attribute, Element};
+
+struct Names<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    file: File,
+    items: &'db Items,
+    found: Vec<Occurrence>,
+}
+
+pub(super) fn names(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
+    let mut names = Names { db, project, file, items: items(db, project), found: Vec::new() };
+    let view = View::root(parse(db, file).green());
+    names.program(view);
+    names.data(view);
+    names.manifest(view);
+    names.found
+}
+
+impl Names<'_> {
+    fn add(&mut self, range: TextRange, symbol: Symbol, usage: Usage) {
+        self.found.push(Occurrence { range, symbol, usage });
+    }
+
+    fn declare(&mut self, name: Option<Attribute<'_>>, symbol: impl FnOnce(SmolStr) -> Symbol) {
+        if let Some(name) = name.filter(|name| !name.raw.is_empty()) {
+            self.add(name.range, symbol(name.text().into()), Usage::Declaration);
+        }
+    }
+
+    /// The type that an element names.
+    fn type_of(&mut self, element: Element<'_>) {
+        let Some(found) = element.attribute("type") else { return };
+        let name = SmolStr::from(found.text());
+        let symbol = if BaseType::from_file_name(&name).is_some() {
+            Symbol::BuiltinType(name)
+        } else if self.items.types.contains_key(&name) {
+            Symbol::Type(self.project, name)
+        } else {
+            return;
+        };
+        self.add(found.range, symbol, Usage::Read);
+    }
+
+    fn program(&mut self, view: View<'_>) {
+        let Some(element) = program::element(view) else { return };
+        let (project, file) = (self.project, self.file);
+        self.declare(element.attribute("name"), |name| Symbol::Program(project, name));
+        for param in program::params(element) {
+            self.declare(param.attribute("name"), |name| Symbol::Param(file, name));
+            self.type_of(param);
+        }
+        for local in program::locals(element) {
+            self.declare(local.attribute("name"), |name| Symbol::Local(file, name));
+            self.type_of(local);
+        }
+    }
+
+    fn data(&mut self, view: View<'_>) {
+        let project = self.project;
+        for element in data::elements(view) {
+            self.declare(element.attribute("name"), |name| Symbol::Data(project, name));
+            self.type_of(element);
+            let base = data::declaration(element)
+                .and_then(|decl| resolve_type(&self.items.types, &decl.type_name))
+                .unwrap_or(Base::Unknown);
+            self.values(element, base);
+        }
+    }
+
+    /// The values of a variable or field: fathers, and the fields of user types.
+    fn values(&mut self, element: Element<'_>, base: Base) {
+        for value in element.elements() {
+            let father = value.attribute("fatherId");
+            let old = value.attribute("name").filter(|_| value.name().ends_with("Father"));
+            if let Some(father) = father.or(old) {
+                self.father(father);
+            }
+            if let Base::User(project) = base {
+                value.elements().for_each(|field| self.field(field, project));
+            }
+        }
+    }
+
+    fn field(&mut self, element: Element<'_>, project: Project) {
+        let Some(name) = element.attribute("name") else { return };
+        let Some(item) = fields(self.db, project).get(name.text().as_ref()) else { return };
+        self.add(name.range, Symbol::Data(project, name.text().into()), Usage::Write);
+        self.values(element, item.base);
+    }
+
+    /// The name that a reference to a father starts with: `fTable` of `fTable[0]`.
+    fn father(&mut self, found: Attribute<'_>) {
+        let end = found.raw.find(['[', '.', ':']).unwrap_or(found.raw.len());
+        let Some(name) = found.raw.get(..end).filter(|name| !name.is_empty()) else { return };
+        let symbol = if self.items.data.contains_key(name) {
+            Symbol::Data(self.project, name.into())
+        } else if builtins::find(name).is_some() {
+            Symbol::Builtin(name.into())
+        } else {
+            return;
+        };
+        self.add(TextRange::at(found.range.start(), TextSize::of(name)), symbol, Usage::Read);
+    }
+
+    fn manifest(&mut self, view: View<'_>) {
+        let Some(root) = xml::root(view).filter(|_| self.file == self.project.manifest(self.db)) else { return };
+        let spelling = spelling(root);
+        let project = self.project;
+        for entry in entries(root, spelling.libraries) {
+            self.declare(entry.attribute(spelling.library_name), |name| Symbol::Library(project, name));
+        }
+        for entry in entries(root, spelling.types) {
+            self.declare(entry.attribute("name"), |name| Symbol::Type(project, name));
+        }
+        for entry in entries(root, spelling.programs) {
+            self.program_file(entry);
+        }
+    }
+
+    /// `file="pick.pgx"` names the program `pick`.
+    fn program_file(&mut self, entry: Element<'_>) {
+        let Some(file) = entry.attribute("file") else { return };
+        let start = file.raw.rfind(['/', '\\']).map_or(0, |at| at + 1);
+        let stem = file.raw.get(start..).and_then(|name| name.rsplit_once('.')).map(|(stem, _)| stem);
+        let Some(stem) = stem.filter(|stem| self.items.programs.contains_key(*stem)) else { return };
+        let from = file.range.start() + TextSize::of(file.raw.get(..start).unwrap_or(""));
+        self.add(TextRange::at(from, TextSize::of(stem)), Symbol::Program(self.project, stem.into()), Usage::Read);
+    }
+}
