@@ -95,7 +95,7 @@ impl<'db> FileCheck<'db> {
         let before = self.problems.len();
         let name = SmolStr::from(attribute.text());
         let limit = self.items.version.identifier_limit();
-        if !is_identifier(&name) {
+        if !keywords::is_identifier(&name) {
             self.report(attribute.range, ProblemKind::InvalidName { name });
         } else if keywords::canonical(&name).is_some() && what != NameKind::Library
             || what == NameKind::Type && BaseType::from_file_name(&name).is_some()
@@ -138,12 +138,6 @@ pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
     }
 }
 
-/// Letters, digits and underscores, no digit first (2.5.1).
-fn is_identifier(name: &str) -> bool {
-    let starts_well = name.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');
-    starts_well && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
-}
-
 /// The first character that is not ASCII; empty where there is none.
 fn first_foreign(text: &str) -> TextRange {
     let found = text.char_indices().find(|(_, character)| !character.is_ascii());
@@ -154,13 +148,7 @@ fn first_foreign(text: &str) -> TextRange {
 
 #[cfg(test)]
 mod tests {
-    use super::{alternatives, first_foreign, is_identifier};
-
-    #[test]
-    fn identifiers() {
-        assert!(is_identifier("nA_1") && is_identifier("_control"));
-        assert!(!is_identifier("") && !is_identifier("1a") && !is_identifier("a-b") && !is_identifier("é"));
-    }
+    use super::{alternatives, first_foreign};
 
     #[test]
     fn lists_read_as_a_sentence() {

@@ -45,7 +45,9 @@ fn pieces<'t>(code: View<'t>, parse: &'t Parse, text: &str) -> Vec<Piece<'t>> {
 fn collect<'t>(node: View<'t>, depth: usize, pieces: &mut Vec<Piece<'t>>) {
     for child in node.children_with_tokens() {
         match child {
-            NodeOrToken::Node(child) => collect(child, depth + usize::from(is_deeper(node.kind(), child.kind())), pieces),
+            NodeOrToken::Node(child) => {
+                collect(child, depth + usize::from(is_deeper(node.kind(), child.kind())), pieces)
+            }
             NodeOrToken::Token(token) => pieces.extend(piece(token, node.kind(), depth)),
         }
     }

@@ -7,7 +7,13 @@ use crate::pieces::{Piece, breaks_line, gap as blanks};
 use crate::{Edit, Style};
 
 /// What has to change between two pieces; `level` is the level of the line that starts with `after`.
-pub(crate) fn gap(before: &Piece<'_>, after: &Piece<'_>, level: Option<usize>, text: &str, style: &Style) -> Option<Edit> {
+pub(crate) fn gap(
+    before: &Piece<'_>,
+    after: &Piece<'_>,
+    level: Option<usize>,
+    text: &str,
+    style: &Style,
+) -> Option<Edit> {
     let found = blanks(before, after, text);
     let wanted = if breaks_line(found) {
         line_break(before, after, found, level?, style)?
@@ -33,7 +39,11 @@ fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, 
     let ends = line_ends(found);
     let kept = ends.iter().take(style.blank_lines + 1).copied().collect::<String>();
     let trailing = if before.frozen { leading_blanks(found) } else { "" };
-    let indent = if after.frozen { found.rsplit(['\n', '\r']).next().unwrap_or("").to_owned() } else { style.indent.text(level) };
+    let indent = if after.frozen {
+        found.rsplit(['\n', '\r']).next().unwrap_or("").to_owned()
+    } else {
+        style.indent.text(level)
+    };
     Some([trailing, &kept, &indent].concat())
 }
 
@@ -74,9 +84,8 @@ fn is_outside(kind: SyntaxKind) -> bool {
 
 fn has_blank(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> bool {
     match (before.kind, after.kind) {
-        (L_PAREN | L_BRACK | L_CURLY | DOT | COLON, _) | (_, R_PAREN | R_BRACK | R_CURLY | COMMA | DOT | COLON | L_BRACK) => {
-            false
-        }
+        (L_PAREN | L_BRACK | L_CURLY | DOT | COLON, _)
+        | (_, R_PAREN | R_BRACK | R_CURLY | COMMA | DOT | COLON | L_BRACK) => false,
         (_, L_PAREN) if after.parent == ARG_LIST => false,
         (COMMA, _) => style.after_comma,
         _ if is_unary(before) => false,

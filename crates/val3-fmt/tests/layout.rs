@@ -145,12 +145,15 @@ fn lines_that_cannot_be_read_stay() {
 
 #[test]
 fn blocks_that_do_not_match_stay() {
-    check("begin\nif a\n b = 1\nend", expect![[r#"
+    check(
+        "begin\nif a\n b = 1\nend",
+        expect![[r#"
         begin
         if a
          b = 1
         end
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -174,11 +177,15 @@ fn a_style_of_ones_own() {
         "#]],
     );
     let tabs = Style { indent: Indent::Tab, ..Style::default() };
-    check_in("begin\n  a=1\nend", &tabs, expect![[r#"
+    check_in(
+        "begin\n  a=1\nend",
+        &tabs,
+        expect![[r#"
         begin
         	a=1
         end
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -191,6 +198,7 @@ fn escaped_code_and_line_ends_are_kept() {
 #[test]
 fn the_way_into_the_code_stays() {
     let text = "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\na = 1\nend \n\n]]></Code></Program></Programs>";
-    let expected = "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\n  a=1\nend \n\n]]></Code></Program></Programs>";
+    let expected =
+        "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\n  a=1\nend \n\n]]></Code></Program></Programs>";
     assert_eq!(formatted(text, &Style::default()), expected);
 }

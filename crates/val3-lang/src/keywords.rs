@@ -85,9 +85,16 @@ pub fn reserved(name: &str) -> Option<Reserved> {
     }
 }
 
+/// Letters, digits and underscores, no digit first (2.5.1).
+#[must_use]
+pub fn is_identifier(name: &str) -> bool {
+    let starts_well = name.starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');
+    starts_well && name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Reserved, canonical, is_task_creation, reserved};
+    use super::{Reserved, canonical, is_identifier, is_task_creation, reserved};
 
     #[test]
     fn keywords_have_one_spelling() {
@@ -106,5 +113,11 @@ mod tests {
         assert_eq!(reserved("movej"), Some(Reserved::Instruction));
         assert_eq!(reserved("Movej"), None);
         assert_eq!(reserved("nCount"), None);
+    }
+
+    #[test]
+    fn identifiers() {
+        assert!(is_identifier("nA_1") && is_identifier("_control"));
+        assert!(!is_identifier("") && !is_identifier("1a") && !is_identifier("a-b") && !is_identifier("é"));
     }
 }

@@ -60,6 +60,16 @@ pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<Place> {
     Some(Place { file, range })
 }
 
+/// The entry of a user type in a `.pjx`.
+#[salsa::tracked(returns(copy))]
+pub fn type_entry(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> {
+    let file = project.manifest(db);
+    let parse = parse(db, file);
+    let root = xml::root(View::root(parse.green()))?;
+    let elements = entries(root, spelling(root).types);
+    Some(Place { file, range: named(elements, "name", &name)? })
+}
+
 fn named<'g>(mut elements: impl Iterator<Item = Element<'g>>, attribute: &str, name: &str) -> Option<TextRange> {
     elements
         .find_map(|element| element.attribute(attribute).filter(|found| found.text() == name).map(|found| found.range))

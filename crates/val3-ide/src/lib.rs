@@ -1,0 +1,42 @@
+//! Editor features for VAL 3, one a file: plain data in, plain data out.
+//!
+//! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
+//! protocol, and no tree leaves this crate.
+
+mod edit;
+mod highlight;
+mod navigate;
+mod owner;
+mod references;
+mod rename;
+
+pub use edit::{FileEdit, SourceChange};
+pub use highlight::{Highlight, highlights};
+pub use navigate::{Target, definition, implementations, type_definition};
+pub use owner::{owner, projects_of};
+pub use references::references;
+pub use rename::{RenameError, prepare_rename, rename};
+
+use val3_analysis::db::File;
+use val3_syntax::{TextRange, TextSize};
+
+/// A place in a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct FilePosition {
+    /// The file.
+    pub file: File,
+    /// Bytes from its start.
+    pub offset: TextSize,
+}
+
+/// A stretch of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct FileRange {
+    /// The file.
+    pub file: File,
+    /// From where to where, in bytes.
+    pub range: TextRange,
+}
+
+#[cfg(test)]
+mod testing;

@@ -1,0 +1,199 @@
+//! From a name to what it stands for: definition, type definition, implementations.
+
+use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::items::project::{LibraryItem, items, resolve_type};
+use val3_analysis::items::{declarations, program};
+use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
+use val3_analysis::ty::Base;
+use val3_syntax::{TextRange, TextSize};
+
+use crate::owner::owner;
+use crate::{FilePosition, FileRange};
+
+/// Where a jump leads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Target {
+    /// The name under the cursor.
+    pub from: TextRange,
+    /// What it leads to: the name in its declaration, or the start of a file.
+    pub to: FileRange,
+}
+
+/// Where the name at a position is declared.
+pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+    let Some((project, found)) = name_at(db, at) else { return Vec::new() };
+    let place = match &found.symbol {
+        // A library identifier leads on to the library where it is declared already.
+        Symbol::Library(..) | Symbol::Type(..) if is_declaration(found, at.file, project, db) => {
+            project_of(db, &found.symbol).map(|project| start_of(project.manifest(db)))
+        }
+        symbol => declaration(db, symbol),
+    };
+    place.into_iter().map(|to| Target { from: found.range, to }).collect()
+}
+
+fn is_declaration(found: &Occurrence, file: File, project: Project, db: &dyn Db) -> bool {
+    let declared = declaration(db, &found.symbol);
+    declared.is_some_and(|place| place.file == file && place.range == found.range) && file == project.manifest(db)
+}
+
+/// The name at a position, and the project it is read in.
+pub(crate) fn name_at(db: &dyn Db, at: FilePosition) -> Option<(Project, &Occurrence)> {
+    let project = owner(db, at.file)?;
+    Some((project, occurrence_at(db, project, at.file, at.offset)?))
+}
+
+/// Where a symbol is declared; `None` for what the language brings.
+pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
+    let place = match symbol {
+        Symbol::Local(file, name) => declarations::local(db, *file, name.clone()),
+        Symbol::Param(file, name) => declarations::param(db, *file, name.clone()),
+        Symbol::Data(project, name) => declarations::data(db, items(db, *project).data.get(name)?.file, name.clone()),
+        Symbol::Program(project, name) => declarations::program(db, *items(db, *project).programs.get(name)?),
+        Symbol::Library(project, name) => declarations::library(db, *project, name.clone()),
+        Symbol::Type(project, name) => declarations::type_entry(db, *project, name.clone()),
+        _ => None,
+    }?;
+    Some(FileRange { file: place.file, range: place.range })
+}
+
+/// The project that a library identifier or a type name stands for.
+fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
+    match symbol {
+        Symbol::Library(project, name) => items(db, *project).libraries.get(name)?.interface,
+        Symbol::Type(project, name) => items(db, *project).types.get(name).copied().flatten(),
+        _ => None,
+    }
+}
+
+fn start_of(file: File) -> FileRange {
+    FileRange { file, range: TextRange::empty(TextSize::new(0)) }
+}
+
+/// The project of the user type that the name at a position is of.
+pub fn type_definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+    let Some((project, found)) = name_at(db, at) else { return Vec::new() };
+    let base = match &found.symbol {
+        Symbol::Data(project, name) => items(db, *project).data.get(name).map(|item| item.base),
+        Symbol::Local(file, name) => {
+            let header = program::header(db, *file);
+            let local = header.locals.iter().find(|local| local.name == *name);
+            local.and_then(|local| resolve_type(&items(db, project).types, &local.type_name))
+        }
+        Symbol::Param(file, name) => {
+            let header = program::header(db, *file);
+            let param = header.params.iter().find(|param| param.name == *name);
+            param.and_then(|param| resolve_type(&items(db, project).types, &param.type_name))
+        }
+        symbol => project_of(db, symbol).map(Base::User),
+    };
+    let Some(Base::User(of)) = base else { return Vec::new() };
+    vec![Target { from: found.range, to: start_of(of.manifest(db)) }]
+}
+
+/// From an item of a library's interface to the same item of every library that can stand in for it: those that are
+/// loaded under an identifier with this interface, and have the item public.
+pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+    let Some((_, found)) = name_at(db, at) else { return Vec::new() };
+    let (interface, name) = match &found.symbol {
+        Symbol::Data(project, name) | Symbol::Program(project, name) => (*project, name),
+        _ => return Vec::new(),
+    };
+    let same = |project: &Project| match &found.symbol {
+        Symbol::Data(..) => Symbol::Data(*project, name.clone()),
+        _ => Symbol::Program(*project, name.clone()),
+    };
+    let places = implementing(db, interface).filter_map(|project| declaration(db, &same(&project)));
+    places.map(|to| Target { from: found.range, to }).collect()
+}
+
+/// The libraries that can stand in for the one that gives an interface, by path.
+pub(crate) fn implementing(db: &dyn Db, interface: Project) -> impl Iterator<Item = Project> {
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    projects.into_iter().filter(move |project| *project != interface && is_alternative(db, *project, interface))
+}
+
+/// A library with a public program or data in common with the interface, and not an application of its own that uses
+/// the interface.
+fn is_alternative(db: &dyn Db, project: Project, interface: Project) -> bool {
+    let uses = |item: &LibraryItem| item.interface == Some(interface);
+    let (own, wanted) = (items(db, project), items(db, interface));
+    let public = wanted.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name);
+    let programs = wanted.programs.keys().filter(|name| !matches!(name.as_str(), "start" | "stop"));
+    !own.libraries.values().any(uses)
+        && public.chain(programs).all(|name| own.data.contains_key(name) || own.programs.contains_key(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::{Marked, shown_all};
+
+    fn check(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let targets = definition(marked.db(), marked.at());
+        expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
+    }
+
+    const LIBRARY: &str = "\n--- part\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend";
+
+    #[test]
+    fn variables() {
+        check("num nCount\nn$0Count=1", expect![[r#"
+            main/main.dtx:4 nCount
+        "#]]);
+        check("program start()\n  num l_i\nbegin\n  l_i$0=1\nend", expect![[r#"
+            main/start.pgx:5 l_i
+        "#]]);
+        check("program start(num x_n)\nbegin\n  put(x_n$0)\nend", expect![[r#"
+            main/start.pgx:5 x_n
+        "#]]);
+    }
+
+    #[test]
+    fn programs_and_libraries() {
+        let library = |line: &str| format!("library part \"Disk://part/part.pjx\"\n{line}{LIBRARY}");
+        check(&library("call part:pi$0ck(1)"), expect![[r#"
+            part/pick.pgx:3 pick
+        "#]]);
+        check(&library("put(part:nWei$0ght)"), expect![[r#"
+            part/part.dtx:4 nWeight
+        "#]]);
+        check(&library("put(pa$0rt:nWeight)"), expect![[r#"
+            main/main.pjx:11 part
+        "#]]);
+        check("call oth$0er()\nprogram other()\nbegin\nend", expect![[r#"
+            main/other.pgx:3 other
+        "#]]);
+    }
+
+    #[test]
+    fn fields_of_user_types() {
+        check(
+            "type Slot \"Disk://Slot/Slot.pjx\"\nSlot sSlot\nsSlot.nHe$0ight=1\n--- Slot\npublic num nHeight",
+            expect![[r#"
+                Slot/Slot.dtx:4 nHeight
+            "#]],
+        );
+    }
+
+    #[test]
+    fn what_the_language_brings_is_declared_nowhere() {
+        check("num nA\nnA=si$0n(1)", expect![[r#""#]]);
+        check("point pA\npA.trsf.$0x=1", expect![[r#""#]]);
+    }
+
+    #[test]
+    fn other_libraries_of_an_interface() {
+        let marked = Marked::new(&format!(
+            "library part \"Disk://part/part.pjx\"\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
+        ));
+        let targets = implementations(marked.db(), marked.at());
+        expect![[r#"
+            bag/pick.pgx:3 pick
+        "#]].assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
+    }
+}

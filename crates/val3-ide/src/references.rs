@@ -1,0 +1,113 @@
+//! Everywhere a name is used, across files and projects.
+
+use memchr::memmem;
+use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::occurrences::{Occurrence, Symbol, occurrences, project_files};
+
+use crate::navigate::name_at;
+use crate::{FilePosition, FileRange};
+
+/// Everywhere the name at a position is used; its declaration too if asked for. By path and place.
+pub fn references(db: &dyn Db, at: FilePosition, with_declaration: bool) -> Vec<FileRange> {
+    let Some((_, found)) = name_at(db, at) else { return Vec::new() };
+    let declaration = crate::navigate::declaration(db, &found.symbol);
+    let mut places: Vec<FileRange> = uses(db, &found.symbol)
+        .map(|(file, _, occurrence)| FileRange { file, range: occurrence.range })
+        .filter(|place| with_declaration || Some(*place) != declaration)
+        .collect();
+    places.sort_unstable_by_key(|place| (place.file.path(db), place.range.start()));
+    places.dedup();
+    places
+}
+
+/// Every use of a symbol: file, project it is read in, and the name there.
+pub(crate) fn uses<'db>(db: &'db dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, Project, &'db Occurrence)> {
+    let name = text(symbol);
+    let candidates = candidates(db, symbol);
+    let finder = memmem::Finder::new(name.as_bytes()).into_owned();
+    let holds_name = move |(_, file): &(Project, File)| finder.find(file.text(db).as_bytes()).is_some();
+    let symbol = symbol.clone();
+    candidates.into_iter().filter(holds_name).flat_map(move |(project, file)| {
+        let symbol = symbol.clone();
+        let found = occurrences(db, project, file).iter().filter(move |occurrence| occurrence.symbol == symbol);
+        found.map(move |occurrence| (file, project, occurrence))
+    })
+}
+
+/// The name as it is written.
+pub(crate) fn text(symbol: &Symbol) -> &str {
+    match symbol {
+        Symbol::Local(_, name)
+        | Symbol::Param(_, name)
+        | Symbol::Data(_, name)
+        | Symbol::Program(_, name)
+        | Symbol::Library(_, name)
+        | Symbol::Type(_, name)
+        | Symbol::Instruction(name)
+        | Symbol::Builtin(name)
+        | Symbol::Enumerator(name)
+        | Symbol::Field(_, name)
+        | Symbol::BuiltinType(name) => name,
+    }
+}
+
+/// The files in which a symbol can be used.
+fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
+    match symbol {
+        Symbol::Local(file, _) | Symbol::Param(file, _) => {
+            crate::owner::owner(db, *file).map(|project| (project, *file)).into_iter().collect()
+        }
+        Symbol::Library(project, _) | Symbol::Type(project, _) => files(db, *project),
+        _ => {
+            let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+            projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+            projects.into_iter().flat_map(|project| files(db, project)).collect()
+        }
+    }
+}
+
+fn files(db: &dyn Db, project: Project) -> Vec<(Project, File)> {
+    project_files(db, project).map(|file| (project, file)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::testing::{Marked, shown_all};
+
+    #[test]
+    fn across_projects() {
+        let marked = Marked::new(
+            "library part \"Disk://part/part.pjx\"\nnum nA\nnA=part:nWeight\npart:nWei$0ght=nA\n--- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=2\nend",
+        );
+        expect![[r#"
+            main/start.pgx:5 nWeight
+            main/start.pgx:6 nWeight
+            part/part.dtx:4 nWeight
+            part/pick.pgx:5 nWeight
+        "#]]
+            .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
+    }
+
+    #[test]
+    fn a_local_of_the_same_name_is_another() {
+        let marked = Marked::new(
+            "num nCount\nprogram start()\nbegin\n  nCount$0=1\nend\nprogram other()\n  num nCount\nbegin\n  nCount=2\nend",
+        );
+        expect![[r#"
+            main/start.pgx:5 nCount
+        "#]].assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), false)));
+    }
+
+    #[test]
+    fn fathers_and_fields() {
+        let marked = Marked::new("frame fTable\npoint pA\npA=compose(pA,fTab$0le,pA.trsf)\nlink(pA,fTable)");
+        expect![[r#"
+            main/main.dtx:4 fTable
+            main/start.pgx:5 fTable
+            main/start.pgx:6 fTable
+        "#]].assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
+    }
+}

@@ -1,0 +1,78 @@
+//! For tests: a listing with `$0` at the cursor.
+
+use camino::Utf8PathBuf;
+use val3_analysis::db::{Database, Db, File, Sources};
+use val3_analysis::load::{Workspace, load};
+use val3_analysis::system::Memory;
+use val3_syntax::{TextRange, TextSize};
+use val3_test::{Fixture, ROOT};
+
+use crate::{FilePosition, FileRange};
+
+/// The database of a listing and the place of `$0` in it, if it has one.
+pub(crate) struct Marked {
+    pub(crate) workspace: Workspace,
+    pub(crate) position: Option<FilePosition>,
+}
+
+impl Marked {
+    pub(crate) fn new(listing: &str) -> Self {
+        let mut fixture = Fixture::parse(listing);
+        let mut cursor = None;
+        for (path, text) in &mut fixture.files {
+            if let Some(offset) = text.find("$0") {
+                text.replace_range(offset..offset + 2, "");
+                cursor = Some((path.clone(), offset));
+            }
+        }
+        let files = fixture.files.iter().map(|(path, text)| (full(path), text.clone().into_bytes()));
+        let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
+        let position = cursor.map(|(path, offset)| FilePosition {
+            file: file(&workspace.db, &path),
+            offset: TextSize::try_from(offset).unwrap(),
+        });
+        Self { workspace, position }
+    }
+
+    pub(crate) fn db(&self) -> &Database {
+        &self.workspace.db
+    }
+
+    /// Where `$0` stands.
+    pub(crate) fn at(&self) -> FilePosition {
+        self.position.unwrap()
+    }
+}
+
+fn full(path: &str) -> Utf8PathBuf {
+    Utf8PathBuf::from(format!("{ROOT}/{path}"))
+}
+
+fn file(db: &dyn Db, path: &str) -> File {
+    let wanted = full(path);
+    *Sources::get(db).files(db).values().find(|file| *file.path(db) == wanted).unwrap()
+}
+
+/// `main/start.pgx:5 nCount`
+pub(crate) fn shown(db: &dyn Db, place: FileRange) -> String {
+    let text = place.file.text(db);
+    let range = std::ops::Range::<usize>::from(place.range);
+    let line = 1 + text[..range.start].matches('\n').count();
+    let path = place.file.path(db).strip_prefix(ROOT).unwrap_or(place.file.path(db)).to_string();
+    let path = path.strip_prefix("usrapp/").unwrap_or(&path);
+    format!("{path}:{line} {}", &text[range])
+}
+
+/// As [`shown`], one a line.
+pub(crate) fn shown_all(db: &dyn Db, places: impl IntoIterator<Item = FileRange>) -> String {
+    places.into_iter().map(|place| shown(db, place) + "\n").collect()
+}
+
+/// The text of a file after some edits.
+pub(crate) fn edited(text: &str, edits: &[(TextRange, &str)]) -> String {
+    let mut text = text.to_owned();
+    for (range, new) in edits.iter().rev() {
+        text.replace_range(std::ops::Range::<usize>::from(*range), new);
+    }
+    text
+}
