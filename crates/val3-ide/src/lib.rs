@@ -4,18 +4,25 @@
 //! protocol, and no tree leaves this crate.
 
 mod edit;
+mod folding;
+mod fuzzy;
 mod highlight;
 mod navigate;
 mod owner;
 mod references;
 mod rename;
+mod selection;
+mod symbols;
 
 pub use edit::{FileEdit, SourceChange};
+pub use folding::{Fold, FoldKind, folds};
 pub use highlight::{Highlight, highlights};
 pub use navigate::{Target, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
+pub use selection::selections;
+pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_symbols};
 
 use val3_analysis::db::File;
 use val3_syntax::{TextRange, TextSize};

@@ -51,7 +51,7 @@ fn declares(section: Element<'_>, item: Option<&str>) -> bool {
 }
 
 /// The elements that declare data, in order, those without a name included.
-pub(crate) fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
+pub fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
     let root = xml::root(file);
     let new = root.into_iter().flat_map(|root| root.list("Datas", "Data"));
     let old = root.filter(|root| root.name() == "dataList").into_iter().flat_map(|root| {
@@ -61,7 +61,7 @@ pub(crate) fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
 }
 
 /// What an element declares.
-pub(crate) fn declaration(element: Element<'_>) -> Option<DataDecl> {
+pub fn declaration(element: Element<'_>) -> Option<DataDecl> {
     let name = SmolStr::from(element.value("name")?);
     Some(if element.name() == "Data" { new_declaration(element, name) } else { old_declaration(element, name) })
 }
@@ -75,7 +75,7 @@ fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
 
 /// The type of an element. What has no readable type or container is still declared: nothing is known of its values,
 /// and its type is empty.
-pub(crate) fn readable_type(element: Element<'_>) -> SmolStr {
+pub fn readable_type(element: Element<'_>) -> SmolStr {
     element.value("type").filter(|_| has_container(element)).map(SmolStr::from).unwrap_or_default()
 }
 

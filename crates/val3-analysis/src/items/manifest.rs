@@ -53,15 +53,15 @@ pub struct TypeEntry {
 }
 
 /// The names of elements and attributes that differ between the dialects.
-pub(crate) struct Spelling {
-    pub(crate) root: &'static str,
-    pub(crate) parameters: &'static str,
-    pub(crate) programs: (&'static str, &'static str),
-    pub(crate) data: (&'static str, &'static str),
-    pub(crate) libraries: (&'static str, &'static str),
-    pub(crate) library_name: &'static str,
-    pub(crate) library_path: &'static str,
-    pub(crate) types: (&'static str, &'static str),
+pub struct Spelling {
+    pub root: &'static str,
+    pub parameters: &'static str,
+    pub programs: (&'static str, &'static str),
+    pub data: (&'static str, &'static str),
+    pub libraries: (&'static str, &'static str),
+    pub library_name: &'static str,
+    pub library_path: &'static str,
+    pub types: (&'static str, &'static str),
 }
 
 /// s7 and s8.
@@ -89,7 +89,7 @@ pub(crate) const OLD: Spelling = Spelling {
 };
 
 /// The dialect of a project file.
-pub(crate) fn spelling(root: Element<'_>) -> &'static Spelling {
+pub fn spelling(root: Element<'_>) -> &'static Spelling {
     if root.name() == OLD.root { &OLD } else { &NEW }
 }
 
@@ -135,7 +135,7 @@ fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
 }
 
 /// The elements of one list of a project file.
-pub(crate) fn entries<'g>(
+pub fn entries<'g>(
     root: Element<'g>,
     (list, item): (&'static str, &'static str),
 ) -> impl Iterator<Item = Element<'g>> {

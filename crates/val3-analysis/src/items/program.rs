@@ -68,12 +68,12 @@ pub fn header(db: &dyn Db, file: File) -> Header {
 }
 
 /// The element of the program in a file.
-pub(crate) fn element(file: View<'_>) -> Option<Element<'_>> {
+pub fn element(file: View<'_>) -> Option<Element<'_>> {
     xml::root(file)?.child(&["Program", "program"])
 }
 
 /// The code of the program in a file.
-pub(crate) fn code(file: View<'_>) -> Option<View<'_>> {
+pub fn code(file: View<'_>) -> Option<View<'_>> {
     let program = element(file)?;
     let code = program.child(&["Code"]).or_else(|| program.child(&["source"])?.child(&["code"]))?;
     code.view().child(SyntaxKind::CODE)
@@ -104,12 +104,12 @@ fn is_complete(program: Element<'_>) -> bool {
 }
 
 /// The elements that declare parameters.
-pub(crate) fn params<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+pub fn params<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
     program.list("Parameters", "Parameter").chain(program.list("paramSection", "param"))
 }
 
 /// The elements that declare locals.
-pub(crate) fn locals<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+pub fn locals<'g>(program: Element<'g>) -> impl Iterator<Item = Element<'g>> {
     program.list("Locals", "Local").chain(program.list("localSection", "local"))
 }
 

@@ -1,0 +1,71 @@
+//! The search for names.
+
+use val3_analysis::db::{Db, Project, Sources};
+use val3_analysis::items::project::items;
+use val3_analysis::occurrences::Symbol;
+use val3_syntax::{TextRange, TextSize};
+
+use super::{SymbolKind, WorkspaceSymbol};
+use crate::FileRange;
+use crate::fuzzy::score;
+use crate::navigate::declaration;
+
+/// The names that a few letters of `query` can stand for, the likeliest first. At most `limit`.
+pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<WorkspaceSymbol> {
+    let mut found: Vec<(i32, WorkspaceSymbol)> = Vec::new();
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    for project in projects {
+        let container = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
+        for (kind, symbol, name) in names(db, project) {
+            let Some(score) = score(query, &name) else { continue };
+            let Some(place) = place(db, &symbol, project) else { continue };
+            found.push((score, WorkspaceSymbol { name: name.into(), container: container.clone(), kind, place }));
+        }
+    }
+    found.sort_by(|(a, x), (b, y)| b.cmp(a).then_with(|| (&x.name, &x.container).cmp(&(&y.name, &y.container))));
+    found.into_iter().take(limit).map(|(_, symbol)| symbol).collect()
+}
+
+fn names(db: &dyn Db, project: Project) -> Vec<(SymbolKind, Option<Symbol>, String)> {
+    let items = items(db, project);
+    let title = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
+    let mut names = vec![(SymbolKind::Project, None, title)];
+    names.extend(items.programs.keys().map(|name| {
+        (SymbolKind::Program, Some(Symbol::Program(project, name.clone())), name.to_string())
+    }));
+    names.extend(items.data.keys().map(|name| {
+        (SymbolKind::Data, Some(Symbol::Data(project, name.clone())), name.to_string())
+    }));
+    names.extend(items.libraries.keys().map(|name| {
+        (SymbolKind::Library, Some(Symbol::Library(project, name.clone())), name.to_string())
+    }));
+    names
+}
+
+fn place(db: &dyn Db, symbol: &Option<Symbol>, project: Project) -> Option<FileRange> {
+    match symbol {
+        Some(symbol) => declaration(db, symbol),
+        None => Some(FileRange { file: project.manifest(db), range: TextRange::empty(TextSize::new(0)) }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::testing::Marked;
+
+    #[test]
+    fn the_likeliest_first() {
+        let marked = Marked::new("num nCount\nnum nCounter\nnum nOther\nnCount=1\nprogram count()\nbegin\nend");
+        let shown = |query: &str| {
+            let found = workspace_symbols(marked.db(), query, 3);
+            found.iter().map(|symbol| format!("{:?} {}\n", symbol.kind, symbol.name)).collect::<String>()
+        };
+        expect![[r#""#]].assert_eq(&shown("count"));
+        expect![[r#""#]].assert_eq(&shown("ncr"));
+        expect![[r#""#]].assert_eq(&shown("zz"));
+    }
+}
