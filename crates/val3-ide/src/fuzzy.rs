@@ -20,8 +20,9 @@ pub(crate) fn score(query: &str, name: &str) -> Option<i32> {
         run = fits;
         before = Some(found);
     }
-    let rest = i32::try_from(name.len()).unwrap_or(i32::MAX) / 4;
-    letters.peek().is_none().then_some(score - rest)
+    // Of names that fit alike the shortest is meant.
+    let length = i32::try_from(name.len()).unwrap_or(i32::MAX);
+    letters.peek().is_none().then_some(4 * score - length)
 }
 
 /// A letter counts more at the start of the name or of a word in it, behind the letter before, and in its own case.

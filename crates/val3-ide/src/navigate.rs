@@ -142,32 +142,53 @@ mod tests {
 
     #[test]
     fn variables() {
-        check("num nCount\nn$0Count=1", expect![[r#"
+        check(
+            "num nCount\nn$0Count=1",
+            expect![[r#"
             main/main.dtx:4 nCount
-        "#]]);
-        check("program start()\n  num l_i\nbegin\n  l_i$0=1\nend", expect![[r#"
+        "#]],
+        );
+        check(
+            "program start()\n  num l_i\nbegin\n  l_i$0=1\nend",
+            expect![[r#"
             main/start.pgx:5 l_i
-        "#]]);
-        check("program start(num x_n)\nbegin\n  put(x_n$0)\nend", expect![[r#"
+        "#]],
+        );
+        check(
+            "program start(num x_n)\nbegin\n  put(x_n$0)\nend",
+            expect![[r#"
             main/start.pgx:5 x_n
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn programs_and_libraries() {
         let library = |line: &str| format!("library part \"Disk://part/part.pjx\"\n{line}{LIBRARY}");
-        check(&library("call part:pi$0ck(1)"), expect![[r#"
+        check(
+            &library("call part:pi$0ck(1)"),
+            expect![[r#"
             part/pick.pgx:3 pick
-        "#]]);
-        check(&library("put(part:nWei$0ght)"), expect![[r#"
+        "#]],
+        );
+        check(
+            &library("put(part:nWei$0ght)"),
+            expect![[r#"
             part/part.dtx:4 nWeight
-        "#]]);
-        check(&library("put(pa$0rt:nWeight)"), expect![[r#"
+        "#]],
+        );
+        check(
+            &library("put(pa$0rt:nWeight)"),
+            expect![[r#"
             main/main.pjx:11 part
-        "#]]);
-        check("call oth$0er()\nprogram other()\nbegin\nend", expect![[r#"
+        "#]],
+        );
+        check(
+            "call oth$0er()\nprogram other()\nbegin\nend",
+            expect![[r#"
             main/other.pgx:3 other
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
@@ -194,6 +215,7 @@ mod tests {
         let targets = implementations(marked.db(), marked.at());
         expect![[r#"
             bag/pick.pgx:3 pick
-        "#]].assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
+        "#]]
+        .assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
     }
 }

@@ -88,7 +88,7 @@ mod tests {
             part/part.dtx:4 nWeight
             part/pick.pgx:5 nWeight
         "#]]
-            .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
+        .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
     }
 
     #[test]
@@ -98,7 +98,8 @@ mod tests {
         );
         expect![[r#"
             main/start.pgx:5 nCount
-        "#]].assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), false)));
+        "#]]
+        .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), false)));
     }
 
     #[test]
@@ -108,6 +109,7 @@ mod tests {
             main/main.dtx:4 fTable
             main/start.pgx:5 fTable
             main/start.pgx:6 fTable
-        "#]].assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
+        "#]]
+        .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
     }
 }

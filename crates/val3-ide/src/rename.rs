@@ -103,25 +103,37 @@ mod tests {
 
     #[test]
     fn variables() {
-        check("num nCount\nnCo$0unt=nCount+1", "nTotal", expect![[r#"
+        check(
+            "num nCount\nnCo$0unt=nCount+1",
+            "nTotal",
+            expect![[r#"
             main/main.dtx:4 nCount -> nTotal
             main/start.pgx:5 nCount -> nTotal
             main/start.pgx:5 nCount -> nTotal
-        "#]]);
-        check("program start()\n  num l_i\nbegin\n  l_i$0=1\nend", "l_j", expect![[r#"
+        "#]],
+        );
+        check(
+            "program start()\n  num l_i\nbegin\n  l_i$0=1\nend",
+            "l_j",
+            expect![[r#"
             main/start.pgx:5 l_i -> l_j
             main/start.pgx:8 l_i -> l_j
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn programs_take_their_file_along() {
-        check("call pi$0ck()\nprogram pick()\nbegin\nend", "grip", expect![[r#"
+        check(
+            "call pi$0ck()\nprogram pick()\nbegin\nend",
+            "grip",
+            expect![[r#"
             main/main.pjx:5 pick -> grip
             main/pick.pgx:3 pick -> grip
             main/start.pgx:5 pick -> grip
             pick.pgx moves to grip.pgx
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
@@ -139,26 +151,54 @@ mod tests {
 
     #[test]
     fn what_would_break_is_refused() {
-        check("num nA\nnum nB\nn$0A=nB", "nB", expect![[r#"
+        check(
+            "num nA\nnum nB\nn$0A=nB",
+            "nB",
+            expect![[r#"
             refused: there is data called `nB` already
-        "#]]);
-        check("num nA\nn$0A=1", "end", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nn$0A=1",
+            "end",
+            expect![[r#"
             refused: `end` is a word of the language
-        "#]]);
-        check("num nA\nn$0A=1", "1a", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nn$0A=1",
+            "1a",
+            expect![[r#"
             refused: `1a` is no name: letters, digits and `_`, no digit first
-        "#]]);
-        check("num nA\nprogram start()\n  num l_i\nbegin\n  n$0A=l_i\nend", "l_i", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nprogram start()\n  num l_i\nbegin\n  n$0A=l_i\nend",
+            "l_i",
+            expect![[r#"
             refused: the program `start` has a local variable called `l_i`
-        "#]]);
-        check("num nA\nprogram start()\n  num l_i\nbegin\n  nA=l_$0i\nend", "nA", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nprogram start()\n  num l_i\nbegin\n  nA=l_$0i\nend",
+            "nA",
+            expect![[r#"
             refused: the program uses the global `nA`, which the new name would hide
-        "#]]);
-        check("num nA\nnA=si$0n(1)", "x", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nnA=si$0n(1)",
+            "x",
+            expect![[r#"
             refused: `sin` belongs to the language
-        "#]]);
-        check("call oth$0er()\nprogram other()\nbegin\nend\nprogram more()\nbegin\nend", "More", expect![[r#"
+        "#]],
+        );
+        check(
+            "call oth$0er()\nprogram other()\nbegin\nend\nprogram more()\nbegin\nend",
+            "More",
+            expect![[r#"
             refused: there is a program called `More` already
-        "#]]);
+        "#]],
+        );
     }
 }

@@ -135,10 +135,7 @@ fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
 }
 
 /// The elements of one list of a project file.
-pub fn entries<'g>(
-    root: Element<'g>,
-    (list, item): (&'static str, &'static str),
-) -> impl Iterator<Item = Element<'g>> {
+pub fn entries<'g>(root: Element<'g>, (list, item): (&'static str, &'static str)) -> impl Iterator<Item = Element<'g>> {
     root.list(list, item)
 }
 

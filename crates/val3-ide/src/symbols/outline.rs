@@ -62,9 +62,11 @@ fn datum(element: Element<'_>) -> Option<OutlineItem> {
 }
 
 fn program_item(element: Element<'_>) -> Option<OutlineItem> {
-    let params: Vec<OutlineItem> = program::params(element).filter_map(|param| variable(param, SymbolKind::Parameter)).collect();
+    let params: Vec<OutlineItem> =
+        program::params(element).filter_map(|param| variable(param, SymbolKind::Parameter)).collect();
     let signature: Vec<String> = params.iter().map(|param| format!("{} {}", param.detail, param.name)).collect();
-    let mut found = item(element, element.attribute("name")?, format!("({})", signature.join(", ")), SymbolKind::Program);
+    let mut found =
+        item(element, element.attribute("name")?, format!("({})", signature.join(", ")), SymbolKind::Program);
     found.children = params;
     found.children.extend(program::locals(element).filter_map(|local| variable(local, SymbolKind::Local)));
     Some(found)

@@ -31,15 +31,21 @@ fn names(db: &dyn Db, project: Project) -> Vec<(SymbolKind, Option<Symbol>, Stri
     let items = items(db, project);
     let title = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
     let mut names = vec![(SymbolKind::Project, None, title)];
-    names.extend(items.programs.keys().map(|name| {
-        (SymbolKind::Program, Some(Symbol::Program(project, name.clone())), name.to_string())
-    }));
-    names.extend(items.data.keys().map(|name| {
-        (SymbolKind::Data, Some(Symbol::Data(project, name.clone())), name.to_string())
-    }));
-    names.extend(items.libraries.keys().map(|name| {
-        (SymbolKind::Library, Some(Symbol::Library(project, name.clone())), name.to_string())
-    }));
+    names.extend(
+        items
+            .programs
+            .keys()
+            .map(|name| (SymbolKind::Program, Some(Symbol::Program(project, name.clone())), name.to_string())),
+    );
+    names.extend(
+        items.data.keys().map(|name| (SymbolKind::Data, Some(Symbol::Data(project, name.clone())), name.to_string())),
+    );
+    names.extend(
+        items
+            .libraries
+            .keys()
+            .map(|name| (SymbolKind::Library, Some(Symbol::Library(project, name.clone())), name.to_string())),
+    );
     names
 }
 
@@ -64,8 +70,16 @@ mod tests {
             let found = workspace_symbols(marked.db(), query, 3);
             found.iter().map(|symbol| format!("{:?} {}\n", symbol.kind, symbol.name)).collect::<String>()
         };
-        expect![[r#""#]].assert_eq(&shown("count"));
-        expect![[r#""#]].assert_eq(&shown("ncr"));
+        expect![[r#"
+            Program count
+            Data nCount
+            Data nCounter
+        "#]]
+        .assert_eq(&shown("count"));
+        expect![[r#"
+            Data nCounter
+        "#]]
+        .assert_eq(&shown("ncr"));
         expect![[r#""#]].assert_eq(&shown("zz"));
     }
 }
