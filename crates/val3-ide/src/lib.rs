@@ -13,6 +13,8 @@ mod owner;
 mod references;
 mod rename;
 mod selection;
+mod semantic_tokens;
+mod signature_help;
 mod symbols;
 
 pub use edit::{FileEdit, SourceChange};
@@ -24,6 +26,8 @@ pub use owner::{owner, projects_of};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};
 pub use selection::selections;
+pub use semantic_tokens::{SemanticToken, TokenKind, TokenModifier, semantic_tokens};
+pub use signature_help::{Form, SignatureHelp, signature_help};
 pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_symbols};
 
 use val3_analysis::db::File;
