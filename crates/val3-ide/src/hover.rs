@@ -3,6 +3,8 @@
 mod data;
 mod program;
 
+pub(crate) use program::line as program_line;
+
 use val3_analysis::body::{Constant, Expr, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::infer::infer;

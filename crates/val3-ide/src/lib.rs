@@ -3,6 +3,7 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod completion;
 mod edit;
 mod folding;
 mod fuzzy;
@@ -17,6 +18,7 @@ mod semantic_tokens;
 mod signature_help;
 mod symbols;
 
+pub use completion::{Completion, CompletionKind, completions, documentation};
 pub use edit::{FileEdit, SourceChange};
 pub use folding::{Fold, FoldKind, folds};
 pub use highlight::{Highlight, highlights};

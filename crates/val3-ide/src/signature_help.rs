@@ -53,7 +53,7 @@ pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
 }
 
 /// The innermost call whose parentheses hold the position.
-fn call_around<'b>(body: &'b Body, text: &str, offset: TextSize) -> Option<(ExprId, &'b [ExprId])> {
+pub(crate) fn call_around<'b>(body: &'b Body, text: &str, offset: TextSize) -> Option<(ExprId, &'b [ExprId])> {
     let calls = body.exprs().filter_map(|(_, expr, range)| match expr {
         Expr::Call(callee, args) => Some((*callee, &**args, range)),
         _ => None,
@@ -67,7 +67,7 @@ fn call_around<'b>(body: &'b Body, text: &str, offset: TextSize) -> Option<(Expr
 }
 
 /// The number of commas of the call itself before the position.
-fn argument(text: &str, body: &Body, callee: ExprId, offset: TextSize) -> usize {
+pub(crate) fn argument(text: &str, body: &Body, callee: ExprId, offset: TextSize) -> usize {
     let written = text.get(usize::from(body.range(callee).end())..usize::from(offset)).unwrap_or("");
     let (mut depth, mut commas, mut in_string) = (0, 0, false);
     for letter in written.chars() {
