@@ -11,6 +11,7 @@ use crate::diagnostic::{Diagnostic, RelatedNote, Span};
 use crate::echoes::without_echoes;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
+use crate::settings::{Settings, WorkspaceSettings};
 use crate::{keywords, related};
 
 /// The rule of which one finding an application is enough.
@@ -28,6 +29,22 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// The application, library or type it belongs to.
+    pub fn project(self) -> Project {
+        match self {
+            Self::Program(project, _) | Self::Data(project, _) | Self::Project(project) => project,
+        }
+    }
+
+    fn is_excluded(self, db: &dyn Db) -> bool {
+        let configuration = self.project().configuration(db);
+        configuration.is_some_and(|configuration| {
+            let file = configuration.file(db);
+            // A project that is here in spite of its folder being excluded was asked for by its name.
+            file.excludes(self.file(db).path(db)) && !file.excludes(self.project().manifest(db).path(db))
+        })
+    }
+
     /// The file that is looked at.
     pub fn file(self, db: &dyn Db) -> File {
         match self {
@@ -37,13 +54,13 @@ impl Unit {
     }
 }
 
-/// The pieces of work of some projects, in the order of the projects' files.
+/// The pieces of work of some projects, without excluded files, in the order of the projects' files.
 pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     let of_project = |project: &Project| {
         let project = *project;
         let data = project::data_files(db, project).iter().map(move |file| Unit::Data(project, *file));
         let programs = project::program_files(db, project).iter().map(move |file| Unit::Program(project, *file));
-        std::iter::once(Unit::Project(project)).chain(data).chain(programs)
+        std::iter::once(Unit::Project(project)).chain(data.chain(programs).filter(|unit| !unit.is_excluded(db)))
     };
     let mut units: Vec<Unit> = projects.iter().flat_map(of_project).collect();
     // A file that is named twice is checked once.
@@ -52,9 +69,10 @@ pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     units
 }
 
-/// Everything that is wrong in one piece of work, by position.
-pub fn check_unit(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
-    let mut check = Check { db, unit, found: Vec::new() };
+/// Everything that is wrong in one piece of work and wanted, by position.
+pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Vec<Diagnostic> {
+    let settings = settings.of(db, unit.project());
+    let mut check = Check { db, unit, settings, found: Vec::new() };
     check.run();
     check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
     check.found
@@ -72,6 +90,7 @@ pub fn finish(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
 struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
+    settings: &'db Settings,
     found: Vec<Diagnostic>,
 }
 
@@ -84,7 +103,7 @@ impl Check<'_> {
                 self.problems(file, header_check::problems(db, project, file));
                 if !broken {
                     self.problems(file, infer::problems(db, project, file));
-                    self.found.extend(keywords::spelling(db, project, file));
+                    keywords::spelling(db, project, file).into_iter().for_each(|found| self.add(found));
                 }
             }
             Unit::Data(project, file) => {
@@ -111,10 +130,18 @@ impl Check<'_> {
             // What nests too deep does so in many places; one of them is enough to find it.
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
-                self.found.push(self.of_syntax(file, error));
+                self.add(self.of_syntax(file, error));
             }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
+    }
+
+    /// Keeps a finding that is wanted, at the level that is configured.
+    fn add(&mut self, mut diagnostic: Diagnostic) {
+        if let Some(severity) = self.settings.severity(diagnostic.rule, diagnostic.severity) {
+            diagnostic.severity = severity;
+            self.found.push(diagnostic);
+        }
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {
@@ -137,7 +164,7 @@ impl Check<'_> {
             if self.is_uncertain(&problem.kind) {
                 diagnostic.severity = Severity::Warning;
             }
-            self.found.push(diagnostic);
+            self.add(diagnostic);
         }
     }
 
@@ -165,7 +192,7 @@ impl Check<'_> {
 
     /// The fault may lie in what is at hand: a controller can have add-ons and libraries that a repository lacks.
     fn is_uncertain(&self, kind: &ProblemKind) -> bool {
-        let project = self.owner_project();
+        let project = self.unit.project();
         match kind {
             ProblemKind::MissingAddOn { .. } => {
                 project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty())
@@ -180,14 +207,9 @@ impl Check<'_> {
     }
 
     fn is_in_usrapp(&self, project: Project) -> bool {
-        let disk = project.disk(self.db).as_ref().and_then(|disk| disk.file_name());
-        disk.is_some_and(|name| name.eq_ignore_ascii_case("usrapp"))
-    }
-
-    fn owner_project(&self) -> Project {
-        match self.unit {
-            Unit::Program(project, _) | Unit::Data(project, _) | Unit::Project(project) => project,
-        }
+        let configured = project.config(self.db).is_some_and(|config| config.disk.is_some());
+        let disk = project.disk(self.db).and_then(|disk| disk.file_name());
+        configured || disk.is_some_and(|name| name.eq_ignore_ascii_case("usrapp"))
     }
 
     fn owner(&self, file: File) -> (Project, Option<String>) {
@@ -197,6 +219,6 @@ impl Check<'_> {
             }
             _ => None,
         };
-        (self.owner_project(), program)
+        (self.unit.project(), program)
     }
 }

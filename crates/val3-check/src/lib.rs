@@ -11,6 +11,7 @@ mod phrase;
 mod related;
 pub mod rule;
 pub mod rules;
+pub mod settings;
 mod statistics;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]

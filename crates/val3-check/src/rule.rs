@@ -21,18 +21,24 @@ pub struct Rule {
     pub name: &'static str,
     /// The level unless configured otherwise.
     pub severity: Severity,
+    /// Whether it is reported without being asked for; conventions of a shop are not.
+    pub on: bool,
     /// The page in Markdown, one leading blank a line: what, why, a bad and a good example.
     pub page: &'static str,
 }
 
-/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`.
+/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`, and `off` behind it where the rule is
+/// off until configured.
 macro_rules! rule {
-    ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident) => {
+    (@on) => { true };
+    (@on off) => { false };
+    ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident $($off:ident)?) => {
         $(#[doc = $line])*
         pub(crate) static RULE: $crate::rule::Rule = $crate::rule::Rule {
             code: stringify!($code),
             name: $name,
             severity: $crate::rule::Severity::$severity,
+            on: $crate::rule::rule!(@on $($off)?),
             page: concat!($($line, "\n"),*),
         };
     };

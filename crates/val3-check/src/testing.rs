@@ -5,6 +5,7 @@ use val3_analysis::load::load;
 use val3_analysis::system::Memory;
 
 use crate::rule::Severity;
+use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
 /// One finding with its line.
@@ -32,7 +33,9 @@ pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
     let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
     let db = &workspace.db;
     let units = units(db, &workspace.projects);
-    let found = finish(units.into_iter().flat_map(|unit| check_unit(db, unit)).collect());
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default())
+        .unwrap_or_else(|errors| panic!("{errors:?}"));
+    let found = finish(units.into_iter().flat_map(|unit| check_unit(db, unit, &settings)).collect());
     let mut findings: Vec<CheckedFinding> = found
         .iter()
         .map(|diagnostic| {

@@ -7,13 +7,13 @@ use crate::engine;
 use crate::format;
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::report::Report;
-use crate::selection::Selection;
+use crate::selection;
 use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// Runs the command; the exit code says whether findings reach the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
-    let selection = Selection::new(val3_check::rules::all(), &args.select, &args.ignore)?;
+    let selection = selection::read(&args.select, &args.ignore)?;
     let report = engine::check(&args.paths, &selection, args.jobs)?;
     write_files(args, &report)?;
     write_findings(args, color, &report)?;

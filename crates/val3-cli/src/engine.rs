@@ -10,9 +10,11 @@ use rustc_hash::FxHashMap;
 use salsa::Database as _;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
-use val3_analysis::load::{self, Workspace};
+use val3_analysis::load::{self, LoadError, Workspace};
 use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
+use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_check::{Unit, check_unit, finish};
+use val3_config::ConfigError;
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
 
@@ -21,7 +23,6 @@ use crate::parallel_disk::ParallelDisk;
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
-use crate::selection::Selection;
 use crate::user_error::UserError;
 
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
@@ -39,8 +40,10 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     // Only an absolute path shows the `usrapp` above the current folder.
     let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
     let mut workspace =
-        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
-    let diagnostics = diagnostics(&mut workspace, selection, &threads);
+        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(error, &paths))?;
+    let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, selection)
+        .map_err(|errors| configuration_refused(errors, &paths))?;
+    let diagnostics = diagnostics(&mut workspace, &settings, &threads);
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
     let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
@@ -50,8 +53,17 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     Ok(report)
 }
 
-fn refused(error: &load::LoadError, paths: &Paths) -> UserError {
-    UserError::new(format!("`{}`: {}", paths.shown(&error.path), error.reason))
+fn refused(error: LoadError, paths: &Paths) -> UserError {
+    match error {
+        LoadError::Path { path, reason } => UserError::new(format!("`{}`: {reason}", paths.shown(&path))),
+        LoadError::Configuration(errors) => configuration_refused(errors, paths),
+    }
+}
+
+/// The first fault says what to do; another one shows when it is mended.
+fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
+    let shown = |error: ConfigError| ConfigError { path: paths.shown(&error.path).into(), ..error }.to_string();
+    UserError::new(errors.into_iter().map(shown).collect::<Vec<_>>().join("\nerror: "))
 }
 
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
@@ -60,12 +72,11 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
 }
 
 /// The findings in the order of the files, however many threads there are.
-fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
+fn diagnostics(workspace: &mut Workspace, settings: &WorkspaceSettings, threads: &ThreadPool) -> Vec<Diagnostic> {
     let units = val3_check::units(&workspace.db, &workspace.projects);
     let progress = Progress::new(units.len());
     let check = |db: &mut Database, unit: &Unit| {
-        let mut found = check_unit(db, *unit);
-        found.retain(|diagnostic| selection.contains(diagnostic.rule));
+        let found = check_unit(db, *unit, settings);
         progress.advance();
         found
     };
@@ -197,7 +208,7 @@ impl<'a> Translator<'a> {
     fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
         let manifest = application.path(self.db);
         let project = self.project(manifest);
-        let disk = project.and_then(|project| project.disk(self.db).as_deref());
+        let disk = project.and_then(|project| project.disk(self.db));
         let disk = disk.or_else(|| manifest.parent()?.parent())?;
         let inside = path.strip_prefix(disk).ok()?;
         Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))

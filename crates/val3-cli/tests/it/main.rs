@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a fault of a test may stop it")]
 
 mod check;
+mod configuration;
 mod explain;
 mod formats;
 mod support;
