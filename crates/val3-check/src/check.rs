@@ -1,5 +1,7 @@
 //! The check: which pieces of work there are, and what is wrong in each.
 
+use std::iter::Sum;
+
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
@@ -12,6 +14,7 @@ use crate::echoes::without_echoes;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
+use crate::suppression::{self, Used};
 use crate::{keywords, related};
 
 /// The rule of which one finding an application is enough.
@@ -69,22 +72,51 @@ pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     units
 }
 
-/// Everything that is wrong in one piece of work and wanted, by position.
-pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Vec<Diagnostic> {
-    let settings = settings.of(db, unit.project());
-    let mut check = Check { db, unit, settings, found: Vec::new() };
-    check.run();
-    check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
-    check.found
+/// What the check of one piece of work gives.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Checked {
+    /// Everything that is wrong and wanted, by position.
+    pub findings: Vec<Diagnostic>,
+    /// How many findings comments silence.
+    pub silenced: usize,
+    /// The comments that did.
+    pub(crate) used: Used,
 }
 
-/// What only the whole shows: an add-on that is missing is one finding an application, however often it is used.
-pub fn finish(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+impl Sum for Checked {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.fold(Self::default(), |mut sum, part| {
+            sum.findings.extend(part.findings);
+            sum.silenced += part.silenced;
+            sum.used.extend(part.used);
+            sum
+        })
+    }
+}
+
+/// Checks one piece of work.
+pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
+    let mut check = Check { db, unit, settings: settings.of(db, unit.project()), found: Vec::new() };
+    check.run();
+    check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
+    suppression::apply(db, check.found)
+}
+
+/// What only the whole shows, after every unit was checked: comments that silenced nothing; and an add-on that is
+/// missing is one finding an application, however often it is used.
+pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
+    for unit in units {
+        if let Unit::Program(project, file) = *unit {
+            let settings = settings.of(db, project);
+            let idle = suppression::unused(db, project, file, settings, &checked.used);
+            checked.findings.extend(idle.into_iter().filter_map(|found| settings.judged(found)));
+        }
+    }
     let mut seen = rustc_hash::FxHashSet::default();
-    diagnostics.retain(|diagnostic| {
+    checked.findings.retain(|diagnostic| {
         diagnostic.rule.code != MISSING_ADD_ON || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
-    diagnostics
+    checked
 }
 
 struct Check<'db> {
@@ -103,7 +135,9 @@ impl Check<'_> {
                 self.problems(file, header_check::problems(db, project, file));
                 if !broken {
                     self.problems(file, infer::problems(db, project, file));
-                    keywords::spelling(db, project, file).into_iter().for_each(|found| self.add(found));
+                    let spelling = keywords::spelling(db, project, file);
+                    let comments = suppression::unknown(db, project, file);
+                    spelling.into_iter().chain(comments).for_each(|found| self.add(found));
                 }
             }
             Unit::Data(project, file) => {
@@ -136,12 +170,8 @@ impl Check<'_> {
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
     }
 
-    /// Keeps a finding that is wanted, at the level that is configured.
-    fn add(&mut self, mut diagnostic: Diagnostic) {
-        if let Some(severity) = self.settings.severity(diagnostic.rule, diagnostic.severity) {
-            diagnostic.severity = severity;
-            self.found.push(diagnostic);
-        }
+    fn add(&mut self, diagnostic: Diagnostic) {
+        self.found.extend(self.settings.judged(diagnostic));
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {

@@ -13,9 +13,10 @@ pub mod rule;
 pub mod rules;
 pub mod settings;
 mod statistics;
+pub mod suppression;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;
 
-pub use check::{Unit, check_unit, finish, units};
+pub use check::{Checked, Unit, check_unit, finish, units};
 pub use statistics::{Statistics, statistics};

@@ -10,6 +10,7 @@ use val3_config::{ConfigError, ConfigFile, Level, Options};
 
 pub use words::{Exactness, meant_by};
 
+use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
 
 /// What a command line says about findings. It wins over every configuration.
@@ -89,6 +90,12 @@ impl Settings {
             Level::Warning => Some(Severity::Warning),
             Level::Error => Some(Severity::Error),
         }
+    }
+
+    /// A finding at the level it gets; `None` where it is not wanted.
+    pub(crate) fn judged(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
+        diagnostic.severity = self.severity(diagnostic.rule, diagnostic.severity)?;
+        Some(diagnostic)
     }
 
     /// Whether findings of this rule are wanted; costly rules ask before they look.

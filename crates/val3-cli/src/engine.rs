@@ -80,16 +80,16 @@ fn diagnostics(workspace: &mut Workspace, settings: &WorkspaceSettings, threads:
         progress.advance();
         found
     };
-    let mut found = Vec::new();
+    let mut checked = Vec::with_capacity(units.len());
     let mut batches = units.chunks(BATCH).peekable();
     while let Some(batch) = batches.next() {
         let db = workspace.db.clone();
-        found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
+        checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
         if batches.peek().is_some() {
             forget_trees(&mut workspace.db, batch, threads);
         }
     }
-    finish(found)
+    finish(&workspace.db, &units, settings, checked.into_iter().sum()).findings
 }
 
 /// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
