@@ -1,5 +1,6 @@
 //! Diagnostics: the rules with their pages, and the check that applies them.
 
+pub mod baseline;
 mod built_in;
 mod check;
 mod conversion;

@@ -6,6 +6,7 @@ use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::baseline::Mode;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
@@ -68,6 +69,15 @@ pub(crate) struct CheckArgs {
     /// All but these findings; wins over --select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
+    /// A file with known findings, which are not reported; wins over `baseline` in a val3.toml
+    #[arg(long, value_name = "FILE")]
+    pub(crate) baseline: Option<Utf8PathBuf>,
+    /// Make everything that is found known: write it into the baseline, and report nothing
+    #[arg(long, conflicts_with = "prune_baseline")]
+    pub(crate) write_baseline: bool,
+    /// Take out of the baseline what is not found any more
+    #[arg(long)]
+    pub(crate) prune_baseline: bool,
     /// Threads to work with [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,
@@ -75,6 +85,17 @@ pub(crate) struct CheckArgs {
     /// %s section
     #[arg(long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
     pub(crate) val3check_template: Template,
+}
+
+impl CheckArgs {
+    /// What happens to the baselines.
+    pub(crate) fn baseline_mode(&self) -> Mode {
+        match (self.write_baseline, self.prune_baseline) {
+            (true, _) => Mode::Write,
+            (_, true) => Mode::Prune,
+            _ => Mode::Use,
+        }
+    }
 }
 
 /// Arguments of `val3 explain`.

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use crate::args::{CheckArgs, Color};
-use crate::engine;
+use crate::engine::{self, Request};
 use crate::format;
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::report::Report;
@@ -14,7 +14,13 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// Runs the command; the exit code says whether findings reach the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
     let selection = selection::read(&args.select, &args.ignore)?;
-    let report = engine::check(&args.paths, &selection, args.jobs)?;
+    let report = engine::check(&Request {
+        asked: args.paths.clone(),
+        selection,
+        baseline: args.baseline.clone(),
+        mode: args.baseline_mode(),
+        jobs: args.jobs,
+    })?;
     write_files(args, &report)?;
     write_findings(args, color, &report)?;
     Ok(exit_code(args, &report))

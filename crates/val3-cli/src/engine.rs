@@ -13,11 +13,12 @@ use val3_analysis::items;
 use val3_analysis::load::{self, LoadError, Workspace};
 use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
 use val3_check::settings::{Selection, WorkspaceSettings};
-use val3_check::{Unit, check_unit, finish};
+use val3_check::{Checked, Unit, check_unit, finish};
 use val3_config::ConfigError;
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
 
+use crate::baseline::{KnownFindings, Mode};
 use crate::code_lines::CodeLines;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::Paths;
@@ -31,10 +32,26 @@ const STACK_SIZE: usize = 16 << 20;
 /// Pieces of work between which trees that are no longer needed are dropped.
 const BATCH: usize = 2048;
 
-/// Checks everything that `asked` leads to, on `jobs` threads.
-pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
+/// What is to be checked, and how.
+#[derive(Debug, Default)]
+pub(crate) struct Request {
+    /// Folders and files.
+    pub(crate) asked: Vec<Utf8PathBuf>,
+    /// The findings that are wanted.
+    pub(crate) selection: Selection,
+    /// The baseline of all applications; without it each has the one of its `val3.toml`.
+    pub(crate) baseline: Option<Utf8PathBuf>,
+    /// What happens to the baselines.
+    pub(crate) mode: Mode,
+    /// Threads; one a core where nothing is said.
+    pub(crate) jobs: Option<u16>,
+}
+
+/// Checks everything that is asked for.
+pub(crate) fn check(request: &Request) -> Result<Report, UserError> {
     let started = Instant::now();
-    let threads = threads(jobs)?;
+    let Request { asked, selection, .. } = request;
+    let threads = threads(request.jobs)?;
     let current = current_folder()?;
     let paths = Paths::new(&folders(asked), &current);
     // Only an absolute path shows the `usrapp` above the current folder.
@@ -43,11 +60,19 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
         load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(error, &paths))?;
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
-    let diagnostics = diagnostics(&mut workspace, &settings, &threads);
+    let units = val3_check::units(&workspace.db, &workspace.projects);
+    let mut checked = check_units(&mut workspace, &units, &settings, &threads);
+    let named = request.baseline.as_ref().map(|path| current.join(path));
+    let known = KnownFindings { workspace: &workspace, units: &units, selection, paths: &paths };
+    let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
-    let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    let report = Report::new(statistics(&workspace, &threads, started), findings, unreadable);
+    let findings = checked.findings.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+    let report = Report {
+        silenced: checked.silenced,
+        baseline,
+        ..Report::new(statistics(&workspace, &threads, started), findings, unreadable)
+    };
     // The process is about to end: taking the database apart piece by piece would only cost time.
     std::mem::forget(workspace);
     Ok(report)
@@ -72,8 +97,12 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
 }
 
 /// The findings in the order of the files, however many threads there are.
-fn diagnostics(workspace: &mut Workspace, settings: &WorkspaceSettings, threads: &ThreadPool) -> Vec<Diagnostic> {
-    let units = val3_check::units(&workspace.db, &workspace.projects);
+fn check_units(
+    workspace: &mut Workspace,
+    units: &[Unit],
+    settings: &WorkspaceSettings,
+    threads: &ThreadPool,
+) -> Checked {
     let progress = Progress::new(units.len());
     let check = |db: &mut Database, unit: &Unit| {
         let found = check_unit(db, *unit, settings);
@@ -89,7 +118,7 @@ fn diagnostics(workspace: &mut Workspace, settings: &WorkspaceSettings, threads:
             forget_trees(&mut workspace.db, batch, threads);
         }
     }
-    finish(&workspace.db, &units, settings, checked.into_iter().sum()).findings
+    finish(&workspace.db, units, settings, checked.into_iter().sum())
 }
 
 /// Evicts the trees of `batch`. They are taken apart while the next batch is checked.

@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "the clock, the threads and the environment come in here")]
 
 mod args;
+mod baseline;
 mod check;
 mod code_lines;
 mod engine;

@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use crate::baseline::Outcome;
 use crate::report::{Report, Severity};
 
 /// Writes the hint at the pages, where there are findings, and the counts.
@@ -9,7 +10,24 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
     }
-    writeln!(out, "{}", counts(report))
+    writeln!(out, "{}", counts(report))?;
+    left_out(report, out)
+}
+
+/// What was found and is not reported, and what happened to the baselines.
+fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+    let Outcome { known, gone, written } = &report.baseline;
+    let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
+    let hidden = hidden.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{} {why}", grouped(*count)));
+    let hidden: Vec<_> = hidden.collect();
+    if !hidden.is_empty() {
+        writeln!(out, "not shown: {}", hidden.join(", "))?;
+    }
+    if *gone > 0 {
+        let findings = number(*gone, "known finding");
+        writeln!(out, "{findings} of the baseline not found any more: val3 check --prune-baseline takes them out")?;
+    }
+    written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
 
 /// The code of the first finding of the highest level.

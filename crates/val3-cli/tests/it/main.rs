@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a fault of a test may stop it")]
 
+mod baseline;
 mod check;
 mod configuration;
 mod explain;
