@@ -78,6 +78,9 @@ pub(crate) struct CheckArgs {
     /// Take out of the baseline what is not found any more
     #[arg(long)]
     pub(crate) prune_baseline: bool,
+    /// Check nothing; print each setting of each application, and who sets it
+    #[arg(long)]
+    pub(crate) explain_config: bool,
     /// Threads to work with [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,

@@ -3,8 +3,10 @@
 use std::process::ExitCode;
 
 use crate::args::{CheckArgs, Color};
-use crate::engine::{self, Request};
+use crate::engine;
+use crate::explain_config;
 use crate::format;
+use crate::opening::{Request, open};
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::report::Report;
 use crate::selection;
@@ -14,13 +16,19 @@ use crate::user_error::{EXIT_USAGE, UserError};
 /// Runs the command; the exit code says whether findings reach the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
     let selection = selection::read(&args.select, &args.ignore)?;
-    let report = engine::check(&Request {
+    let request = Request {
         asked: args.paths.clone(),
         selection,
         baseline: args.baseline.clone(),
         mode: args.baseline_mode(),
         jobs: args.jobs,
-    })?;
+    };
+    if args.explain_config {
+        let opened = open(&request)?;
+        to_stdout(color, |mut out| explain_config::write(&opened, &request, &mut out))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let report = engine::check(&request)?;
     write_files(args, &report)?;
     write_findings(args, color, &report)?;
     Ok(exit_code(args, &report))

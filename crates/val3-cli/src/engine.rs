@@ -3,67 +3,39 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
+use rayon::ThreadPool;
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use rustc_hash::FxHashMap;
 use salsa::Database as _;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
-use val3_analysis::load::{self, LoadError, Workspace};
+use val3_analysis::load::Workspace;
 use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
-use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::settings::WorkspaceSettings;
 use val3_check::{Checked, Unit, check_unit, finish};
-use val3_config::ConfigError;
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
 
-use crate::baseline::{KnownFindings, Mode};
+use crate::baseline::KnownFindings;
 use crate::code_lines::CodeLines;
-use crate::parallel_disk::ParallelDisk;
+use crate::opening::{Opened, Request, open};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
 use crate::user_error::UserError;
 
-/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
-const STACK_SIZE: usize = 16 << 20;
-
 /// Pieces of work between which trees that are no longer needed are dropped.
 const BATCH: usize = 2048;
-
-/// What is to be checked, and how.
-#[derive(Debug, Default)]
-pub(crate) struct Request {
-    /// Folders and files.
-    pub(crate) asked: Vec<Utf8PathBuf>,
-    /// The findings that are wanted.
-    pub(crate) selection: Selection,
-    /// The baseline of all applications; without it each has the one of its `val3.toml`.
-    pub(crate) baseline: Option<Utf8PathBuf>,
-    /// What happens to the baselines.
-    pub(crate) mode: Mode,
-    /// Threads; one a core where nothing is said.
-    pub(crate) jobs: Option<u16>,
-}
 
 /// Checks everything that is asked for.
 pub(crate) fn check(request: &Request) -> Result<Report, UserError> {
     let started = Instant::now();
-    let Request { asked, selection, .. } = request;
-    let threads = threads(request.jobs)?;
-    let current = current_folder()?;
-    let paths = Paths::new(&folders(asked), &current);
-    // Only an absolute path shows the `usrapp` above the current folder.
-    let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-    let mut workspace =
-        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(error, &paths))?;
-    let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, selection)
-        .map_err(|errors| configuration_refused(errors, &paths))?;
+    let Opened { threads, current, paths, mut workspace, settings } = open(request)?;
     let units = val3_check::units(&workspace.db, &workspace.projects);
     let mut checked = check_units(&mut workspace, &units, &settings, &threads);
     let named = request.baseline.as_ref().map(|path| current.join(path));
-    let known = KnownFindings { workspace: &workspace, units: &units, selection, paths: &paths };
+    let known = KnownFindings { workspace: &workspace, units: &units, selection: &request.selection, paths: &paths };
     let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
@@ -76,19 +48,6 @@ pub(crate) fn check(request: &Request) -> Result<Report, UserError> {
     // The process is about to end: taking the database apart piece by piece would only cost time.
     std::mem::forget(workspace);
     Ok(report)
-}
-
-fn refused(error: LoadError, paths: &Paths) -> UserError {
-    match error {
-        LoadError::Path { path, reason } => UserError::new(format!("`{}`: {reason}", paths.shown(&path))),
-        LoadError::Configuration(errors) => configuration_refused(errors, paths),
-    }
-}
-
-/// The first fault says what to do; another one shows when it is mended.
-fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
-    let shown = |error: ConfigError| ConfigError { path: paths.shown(&error.path).into(), ..error }.to_string();
-    UserError::new(errors.into_iter().map(shown).collect::<Vec<_>>().join("\nerror: "))
 }
 
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
@@ -140,28 +99,6 @@ fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> 
         code_lines: counted.code_lines,
         seconds: started.elapsed().as_secs_f64(),
     }
-}
-
-fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
-    let threads = jobs.map_or(0, usize::from);
-    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
-        UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
-    })
-}
-
-fn current_folder() -> Result<Utf8PathBuf, UserError> {
-    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
-    Utf8PathBuf::from_path_buf(path)
-        .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
-}
-
-/// The folders that were asked for; of a file, the one around it.
-fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    let folder = |path: &Utf8PathBuf| match path.parent() {
-        Some(parent) if path.is_file() => parent.to_owned(),
-        _ => path.clone(),
-    };
-    asked.iter().map(folder).collect()
 }
 
 /// Turns diagnostics into findings; each file is indexed once.

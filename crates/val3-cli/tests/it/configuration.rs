@@ -60,3 +60,15 @@ fn a_faulty_file_ends_with_2_and_says_where() {
         assert!(run.stderr.contains(" --> val3.toml:"), "seen from the current folder: {run:?}");
     }
 }
+
+#[test]
+fn each_setting_says_who_sets_it() {
+    let folder = Folder::with(&format!("{CLEAN}\n--- part\n{CLEAN}\n--- other\n{CLEAN}"));
+    folder.write(
+        "usrapp/part/val3.toml",
+        "version = \"s8.12\"\narm = \"tx2-60l\"\n[rules]\nV0203 = \"off\"\nunknown-name = \"warning\"\n\n[lint.prefixes]\nnum = \"n\"\n",
+    );
+    let run = folder.val3(&["check", "--explain-config", "--ignore", "V0701", "--baseline", "known.json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    insta::assert_snapshot!(run.stdout);
+}
