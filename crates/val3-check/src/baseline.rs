@@ -43,7 +43,7 @@ impl Fingerprint {
 fn line_around(text: &str, at: usize) -> &str {
     let (before, behind) = text.split_at_checked(at).unwrap_or((text, ""));
     let start = before.rfind('\n').map_or(0, |end| end + 1);
-    let end = at + behind.find('\n').unwrap_or(behind.len());
+    let end = before.len() + behind.find('\n').unwrap_or(behind.len());
     text.get(start..end).unwrap_or("").trim()
 }
 
@@ -192,6 +192,6 @@ mod tests {
     fn the_line_around_a_place() {
         let text = "one\n  two \nthree";
         assert_eq!(["one", "two", "three"], [0, 4, 11].map(|at| line_around(text, at)));
-        assert_eq!((line_around(text, 3), line_around(text, 99)), ("one", "three"));
+        assert_eq!((line_around(text, 3), line_around(text, text.len())), ("one", "three"));
     }
 }

@@ -17,6 +17,12 @@ Exit codes:
   1  findings
   2  wrong usage, or a file that cannot be read or written";
 
+const CONFIGURATION: &str = "\
+Settings:
+  The nearest val3.toml above an application counts for it.
+  The comment //val3: allow(V0203) silences findings in the next line of code,
+  //val3: allow-program(V0203) before the first line those in the program.";
+
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
     .usage(AnsiColor::Green.on_default().bold())
@@ -39,10 +45,12 @@ pub(crate) struct Args {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Check applications, libraries or whole cells
-    #[command(after_help = EXIT_CODES)]
+    #[command(after_help = EXIT_CODES, after_long_help = format!("{CONFIGURATION}\n\n{EXIT_CODES}"))]
     Check(CheckArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
+    /// Print the JSON schema of val3.toml, for editors that help to write it
+    Schema,
 }
 
 /// Arguments of `val3 check`.

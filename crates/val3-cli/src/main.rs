@@ -18,6 +18,7 @@ mod parallel_disk;
 mod paths;
 mod progress;
 mod report;
+mod schema;
 mod selection;
 mod similar;
 mod summary;
@@ -48,5 +49,6 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }
 }

@@ -41,7 +41,7 @@ impl Default for Options {
             prefixes: BTreeMap::new(),
             local_prefix: String::new(),
             parameter_prefix: String::new(),
-            task_words: words(&["TODO", "FIXME"]),
+            task_words: words(&["todo", "fixme"]),
         }
     }
 }

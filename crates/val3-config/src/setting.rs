@@ -74,7 +74,7 @@ mod tests {
         let file = ConfigFile::parse(Utf8Path::new("val3.toml"), text).unwrap();
         let line = |setting: &Setting| match setting.line {
             Some(line) => format!("{} = {} (line {line})\n", setting.key, setting.value),
-            None => format!("{} = {}\n", setting.key, setting.value),
+            None => format!("{} = {}", setting.key, setting.value).trim_end().to_owned() + "\n",
         };
         expected.assert_eq(&settings(Some(&file)).iter().map(line).collect::<String>());
     }

@@ -196,7 +196,7 @@ mod tests {
                 other => format!("{other:?}"),
             };
             let names: Vec<_> = rules.iter().map(|(_, name)| *name).collect();
-            format!("{scope}: {}\n", names.join(", "))
+            format!("{scope}: {}", names.join(", ")).trim_end().to_owned() + "\n"
         });
         expected.assert_eq(&shown.collect::<String>());
     }
@@ -228,10 +228,10 @@ mod tests {
         check(
             "begin\n//val3: allow\n//val3: allow()\n//val3: alow(a)\n//val3: allow(a\n//val3 allow(a)\n// see val3: allow(a)\nend",
             expect![[r#"
-                Unreadable: 
-                Unreadable: 
-                Unreadable: 
-                Unreadable: 
+                Unreadable:
+                Unreadable:
+                Unreadable:
+                Unreadable:
             "#]],
         );
     }

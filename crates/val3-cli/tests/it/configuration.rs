@@ -62,6 +62,12 @@ fn a_faulty_file_ends_with_2_and_says_where() {
 }
 
 #[test]
+fn editors_get_the_schema() {
+    let run = Folder::empty().val3(&["schema"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/val3.schema.json")));
+}
+
+#[test]
 fn each_setting_says_who_sets_it() {
     let folder = Folder::with(&format!("{CLEAN}\n--- part\n{CLEAN}\n--- other\n{CLEAN}"));
     folder.write(
