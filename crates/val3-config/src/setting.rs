@@ -85,9 +85,9 @@ mod tests {
             "version = \"s8.12\"\nroots.USB0 = \"usb\"\n[rules]\nV03 = \"off\"\n[lint]\ncomplexity = 9\n",
             expect![[r#"
                 add-ons = []
-                arm = 
-                baseline = 
-                disk = 
+                arm =
+                baseline =
+                disk =
                 exclude = []
                 version = "s8.12" (line 1)
                 lint.complexity = 9 (line 6)
@@ -96,7 +96,7 @@ mod tests {
                 lint.line-length = 259
                 lint.local-prefix = ""
                 lint.parameter-prefix = ""
-                lint.task-words = ["TODO","FIXME"]
+                lint.task-words = ["todo","fixme"]
                 lint.prefixes = {}
                 roots.USB0 = "usb" (line 2)
                 rules.V03 = "off" (line 4)
