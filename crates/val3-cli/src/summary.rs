@@ -54,7 +54,11 @@ fn findings(report: &Report) -> String {
     let counted = levels.map(|(level, word)| (report.count(level), word));
     let words: Vec<_> =
         counted.iter().filter(|(count, _)| *count > 0).map(|(count, word)| number(*count, word)).collect();
-    if words.is_empty() { "no findings".to_owned() } else { words.join(", ") }
+    match (words.is_empty(), report.baseline.known) {
+        (false, _) => words.join(", "),
+        (true, 0) => "no findings".to_owned(),
+        (true, _) => "no new findings".to_owned(),
+    }
 }
 
 fn files(report: &Report) -> String {
@@ -105,6 +109,13 @@ mod tests {
     #[test]
     fn no_findings() {
         insta::assert_snapshot!(summary(&sample::clean()), @"no findings in 3 files (1 application, 1,412 code lines, 0.02 s)");
+    }
+
+    #[test]
+    fn what_is_left_out_is_said() {
+        let written = vec![("val3-baseline.json".to_owned(), 1204)];
+        let baseline = Outcome { known: 1204, gone: 1, written };
+        insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @"");
     }
 
     #[test]
