@@ -25,7 +25,7 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     }
     if *gone > 0 {
         let findings = number(*gone, "known finding");
-        writeln!(out, "{findings} of the baseline not found any more: val3 check --prune-baseline takes them out")?;
+        writeln!(out, "not found any more: {findings}; --prune-baseline takes such out of the baseline")?;
     }
     written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
@@ -115,7 +115,12 @@ mod tests {
     fn what_is_left_out_is_said() {
         let written = vec![("val3-baseline.json".to_owned(), 1204)];
         let baseline = Outcome { known: 1204, gone: 1, written };
-        insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @"");
+        insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"
+        no new findings in 3 files (1 application, 1,412 code lines, 0.02 s)
+        not shown: 1,204 known from the baseline, 2 silenced by comments
+        not found any more: 1 known finding; --prune-baseline takes such out of the baseline
+        wrote val3-baseline.json with 1,204 known findings
+        ");
     }
 
     #[test]

@@ -42,7 +42,7 @@ fn what_is_gone_is_counted_and_taken_out() {
     let start = folder.read("usrapp/main/start.pgx");
     folder.write("usrapp/main/start.pgx", &start.replace("nCuont", "nCount"));
     let run = check(&folder, &[]);
-    assert!(run.stderr.contains("1 known finding of the baseline not found any more"), "{run:?}");
+    assert!(run.stderr.contains("not found any more: 1 known finding;"), "{run:?}");
     let elsewhere = check(&folder, &["usrapp/part", "--prune-baseline"]);
     assert!(elsewhere.stderr.contains("with 2 known findings"), "what was not checked stays: {elsewhere:?}");
     let unasked = check(&folder, &["--ignore", "V0101", "--prune-baseline"]);
