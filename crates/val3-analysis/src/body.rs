@@ -2,6 +2,7 @@
 
 mod constant;
 mod lower;
+mod walk;
 
 pub use constant::Constant;
 

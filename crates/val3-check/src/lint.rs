@@ -3,10 +3,14 @@
 //! A lint is a function over a [`Program`] or a [`ProjectView`]; it runs on files without faults only, so that one
 //! mistake makes one message.
 
+mod edit;
 mod findings;
 mod program;
 mod project;
+pub(crate) mod ranges;
 mod run;
+mod same;
+mod tasks;
 #[cfg(test)]
 pub(crate) mod testing;
 
@@ -14,3 +18,4 @@ pub(crate) use findings::Findings;
 pub(crate) use program::{Call, Program};
 pub(crate) use project::{DataFile, ProjectView};
 pub(crate) use run::{data, program, project};
+

@@ -8,7 +8,7 @@ use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
-use val3_lang::instruction::{Instruction, Overload};
+use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_syntax::TextRange;
 
 /// A program without faults, with all that is known of it.
@@ -35,6 +35,14 @@ pub(crate) struct Call<'db> {
     /// The name that is called.
     pub(crate) callee: ExprId,
     pub(crate) args: &'db [ExprId],
+}
+
+impl<'db> Call<'db> {
+    /// The arguments with their parameters, where the form is known.
+    pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static Param, ExprId)> {
+        let params = self.form.map_or(&[][..], |form| form.params);
+        params.iter().zip(self.args.iter().copied())
+    }
 }
 
 impl<'db> Program<'db> {
