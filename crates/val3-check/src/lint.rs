@@ -18,4 +18,3 @@ pub(crate) use findings::Findings;
 pub(crate) use program::{Call, Program};
 pub(crate) use project::{DataFile, ProjectView};
 pub(crate) use run::{data, program, project};
-

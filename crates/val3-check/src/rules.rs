@@ -99,6 +99,17 @@ rules! {
     outputs_too_few,
     // Flow and tasks
     constant_condition,
+    task_local_by_reference,
+    overrun_not_global,
+    task_pace,
+    task_period,
+    too_many_periods,
+    task_name,
+    latch_without_delay,
+    mutex_not_shared,
+    key_not_cleared,
+    entry_parameters,
+    empty_block,
     // Project and data
     file_missing,
     file_unreadable,

@@ -23,21 +23,8 @@ static TELLING: [(&str, &str); 6] = [
     ("getLatch", "`false` if there is no position"),
 ];
 
-static ROUNDED: [&str; 13] = [
-    "sin",
-    "asin",
-    "cos",
-    "acos",
-    "tan",
-    "atan",
-    "sqrt",
-    "exp",
-    "ln",
-    "log",
-    "distance",
-    "clock",
-    "getSpeed",
-];
+static ROUNDED: [&str; 13] =
+    ["sin", "asin", "cos", "acos", "tan", "atan", "sqrt", "exp", "ln", "log", "distance", "clock", "getSpeed"];
 
 #[cfg(test)]
 mod tests {

@@ -81,7 +81,8 @@ mod tests {
     use crate::body::lower::lower;
 
     fn body(code: &str) -> Body {
-        let text = format!("<Programs><Program name=\"a\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
+        let text =
+            format!("<Programs><Program name=\"a\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
         lower(View::root(val3_syntax::parse(&text).green()))
     }
 

@@ -6,6 +6,7 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::Effects;
 use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
+use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
 use val3_lang::instruction::{Instruction, Overload, Param};
@@ -87,6 +88,11 @@ impl<'db> Program<'db> {
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
         Some(Call { id: call.id, instruction: call.instruction, form: call.form, callee: *callee, args })
+    }
+
+    /// Where the name of the program stands.
+    pub(crate) fn head(&self) -> TextRange {
+        declarations::program(self.db, self.file).map_or_else(TextRange::default, |place| place.range)
     }
 
     /// Where an expression stands.

@@ -15,10 +15,14 @@ impl Program<'_> {
             (Expr::Unary(op, _), Expr::Unary(other, _)) => op == other,
             (Expr::Field { field, .. }, Expr::Field { field: other, .. }) => field == other,
             (Expr::Index(..), Expr::Index(..)) => true,
-            (Expr::Name(_) | Expr::Path { .. } | Expr::Number(_) | Expr::String(_) | Expr::Bool(_), _) => first == second,
+            (Expr::Name(_) | Expr::Path { .. } | Expr::Number(_) | Expr::String(_) | Expr::Bool(_), _) => {
+                first == second
+            }
             _ => false,
         };
         let (parts, others) = (first.parts(), second.parts());
-        alike && parts.len() == others.len() && parts.iter().zip(&others).all(|(part, other)| self.is_same(*part, *other))
+        alike
+            && parts.len() == others.len()
+            && parts.iter().zip(&others).all(|(part, other)| self.is_same(*part, *other))
     }
 }

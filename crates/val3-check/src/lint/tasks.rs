@@ -19,9 +19,7 @@ pub(crate) struct TaskCreation<'db> {
 
 /// A call of a program.
 pub(crate) struct ProgramCall<'db> {
-    /// The program.
-    pub(crate) callee: ExprId,
-    /// What it is handed.
+    /// What the program is handed.
     args: &'db [ExprId],
     /// Its parameters, where they are known.
     signature: Option<&'db Signature>,
@@ -63,6 +61,6 @@ impl<'db> Program<'db> {
     /// The call of a program, as `call` and the task statements hold it.
     pub(crate) fn program_call(&self, call: ExprId) -> Option<ProgramCall<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call) else { return None };
-        Some(ProgramCall { callee: *callee, args, signature: self.effects.program(*callee) })
+        Some(ProgramCall { args, signature: self.effects.program(*callee) })
     }
 }

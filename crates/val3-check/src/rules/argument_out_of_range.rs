@@ -65,7 +65,8 @@ mod tests {
               | run-time error 11: invalid numeric value
             start.pgx:11 `1000` `exp` takes less than 709.8 for `nValue`, not 1000
               | run-time error 11: invalid numeric value
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num n\nn=sqrt(-1)\nn=asin(1.5)\nn=acos(-2)\nn=ln(0)\nn=log(-1)\nn=power(-2,3)\nn=exp(1000)",
         ));
@@ -89,13 +90,17 @@ mod tests {
               | run-time error 70: invalid parameter
             start.pgx:11 `4` `resize` takes 1 to 3 for `nDimension`, not 4
               | run-time error 70: invalid parameter
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "string s\ntrsf t\nnum n\njoint j\ntool tT\nmdesc m\ns=left(s,-1)\ns=mid(s,2,-1)\ns=insert(s,\"a\",-1)\n\
              setTextMode(4)\nt=interpolateL(t,t,2)\nmovejf(j,tT,m,1001)\nresize(n,4,1)",
         ));
         assert_eq!(
-            check(&RULE, "string s\ntrsf t\ns=left(s,0)\nsetTextMode(3)\nt=interpolateL(t,t,1.9)\nt=interpolateC(t,t,t,-0.9)"),
+            check(
+                &RULE,
+                "string s\ntrsf t\ns=left(s,0)\nsetTextMode(3)\nt=interpolateL(t,t,1.9)\nt=interpolateC(t,t,t,-0.9)"
+            ),
             ""
         );
     }

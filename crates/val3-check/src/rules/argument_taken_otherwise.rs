@@ -65,7 +65,8 @@ mod tests {
               | the result is 0
             start.pgx:13 `-3` `dioSet` takes at least 0 for `nValue`, not -3
               | a negative number has no pattern of bits
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num n\nbool b\ndio d\nscreen sc\ngotoxy(40,0)\ngotoxy(sc,0,-1)\ndelay(-1)\nsetMonitorSpeed(120)\n\
              n=bAnd(n,-1)\nn=asc(\"a\",-1)\nb=watch(b,-2)\nn=size(n,4)\ndioSet(d,-3)",
@@ -74,6 +75,9 @@ mod tests {
 
     #[test]
     fn numbers_within() {
-        assert_eq!(check(&RULE, "num n\ngotoxy(39,13)\ndelay(0)\nsetMonitorSpeed(100)\nn=bAnd(n,255)\nn=asc(\"a\",0)"), "");
+        assert_eq!(
+            check(&RULE, "num n\ngotoxy(39,13)\ndelay(0)\nsetMonitorSpeed(100)\nn=bAnd(n,255)\nn=asc(\"a\",0)"),
+            ""
+        );
     }
 }

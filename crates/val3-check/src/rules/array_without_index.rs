@@ -101,7 +101,8 @@ mod tests {
               | means `nA[0]`
               ? write the index that is meant
               ! write `nA[0]`
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num nA[3]\ncall p(nA)\ncall q(nA)\ntaskCreate \"t\",1,p(nA)\n\
              program p(num x)\nbegin\nput(x)\nend\nprogram q(num& x)\nbegin\nx=1\nend",

@@ -101,10 +101,8 @@ mod tests {
             start.pgx:8 `clock()-n==2` `==` compares `clock()-n`, which is rounded
               | two such numbers rarely meet exactly
               ? compare the difference: `abs(…-…)<1e-6`
-        "#]].assert_eq(&check(
-            &RULE,
-            "num n\nbool b\nb=n/3==1\nb=sqrt(n)!=2\nb=1==(n*0.1)\nb=clock()-n==2",
-        ));
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nbool b\nb=n/3==1\nb=sqrt(n)!=2\nb=1==(n*0.1)\nb=clock()-n==2"));
     }
 
     #[test]

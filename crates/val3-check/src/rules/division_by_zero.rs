@@ -56,7 +56,8 @@ mod tests {
               | run-time error 10: division by zero
             start.pgx:6 `(3-3)` the right side of `%` is always 0
               | run-time error 10: division by zero
-        "#]].assert_eq(&check(&RULE, "num n\nn=1/0\nn=n%(3-3)"));
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nn=1/0\nn=n%(3-3)"));
     }
 
     #[test]

@@ -106,7 +106,8 @@ mod tests {
             p.pgx:12 `append(nGrid)` `append` does not support `nGrid`, an array of 2 dimensions
               | one dimension only
               ? use `resize`
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nresize(l_n,1,4)\ninsert(l_n[0])\n\
              delete(l_n[0])\nappend(nGrid)\nend",
@@ -116,7 +117,10 @@ mod tests {
     #[test]
     fn arrays_that_can_grow() {
         assert_eq!(
-            check(&RULE, "num nGrid[2,3]\nnum nA[2]\nnum nC[\"\"]\nstring s\nappend(nA)\nresize(nGrid,2,4)\ninsert(nC[s])\ns=delete(s,1,1)"),
+            check(
+                &RULE,
+                "num nGrid[2,3]\nnum nA[2]\nnum nC[\"\"]\nstring s\nappend(nA)\nresize(nGrid,2,4)\ninsert(nC[s])\ns=delete(s,1,1)"
+            ),
             ""
         );
     }

@@ -103,6 +103,9 @@ mod tests {
 
     #[test]
     fn other_tests() {
-        assert_eq!(check(&RULE, "num n\nwait(getMoveId()>=12)\nn=getMoveId()\nif roundDown(getMoveId())==3\nput(n)\nendIf"), "");
+        assert_eq!(
+            check(&RULE, "num n\nwait(getMoveId()>=12)\nn=getMoveId()\nif roundDown(getMoveId())==3\nput(n)\nendIf"),
+            ""
+        );
     }
 }

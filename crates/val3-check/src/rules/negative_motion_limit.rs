@@ -81,7 +81,8 @@ mod tests {
             start.pgx:6 `-1` `vel` of a motion descriptor cannot be -1
               | every move with it fails
               ? write 0 or more
-        "#]].assert_eq(&check(&RULE, "mdesc m\nm.leave=-5\nm={100,-1,100,250,90,off,,}"));
+        "#]]
+        .assert_eq(&check(&RULE, "mdesc m\nm.leave=-5\nm={100,-1,100,250,90,off,,}"));
     }
 
     #[test]

@@ -58,7 +58,7 @@ fn size(program: &Program<'_>, call: Call<'_>) -> Option<u32> {
 fn word(outputs: &str, size: u32, value: f64) -> Wording {
     Wording::new(
         format!("`{outputs}` has {}, too few to show {value}", count(size as usize, "output")),
-        format!("{size} bits show 0 to {}", bits(size) - 1.0),
+        format!("there is room for 0 to {}", bits(size) - 1.0),
         "",
     )
 }
@@ -74,14 +74,18 @@ mod tests {
     fn bits_that_are_dropped() {
         expect![[r#"
             start.pgx:5 `16` `d` has 4 outputs, too few to show 16
-              | 4 bits show 0 to 15
+              | there is room for 0 to 15
             start.pgx:6 `2` `e` has 1 output, too few to show 2
-              | 1 bits show 0 to 1
-        "#]].assert_eq(&check(&RULE, "dio d[4]\ndio e\ndioSet(d,16)\ndioSet(e,2)"));
+              | there is room for 0 to 1
+        "#]]
+        .assert_eq(&check(&RULE, "dio d[4]\ndio e\ndioSet(d,16)\ndioSet(e,2)"));
     }
 
     #[test]
     fn bits_that_fit() {
-        assert_eq!(check(&RULE, "dio d[4]\npublic dio e[2]\nnum n\ndioSet(d,15)\ndioSet(d,n)\ndioSet(d[1],7)\ndioSet(e,9)"), "");
+        assert_eq!(
+            check(&RULE, "dio d[4]\npublic dio e[2]\nnum n\ndioSet(d,15)\ndioSet(d,n)\ndioSet(d[1],7)\ndioSet(e,9)"),
+            ""
+        );
     }
 }

@@ -77,7 +77,8 @@ mod tests {
             start.pgx:7 `pointToJoint` nobody looks at the result of `pointToJoint`, the only sign that it failed
               | yields `false` if the arm cannot reach the point
               ? test the result, or keep it in a variable
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "frame f\npoint p\njoint j\ntool t\nlibSave()\nsetFrame(p,p,p,f)\npointToJoint(t,j,p,j)",
         ));
@@ -86,7 +87,10 @@ mod tests {
     #[test]
     fn results_that_are_used() {
         assert_eq!(
-            check(&RULE, "frame f\npoint p\nnum n\nn=libSave()\nif setFrame(p,p,p,f)==0\ncls()\nendIf\nmovej(p,flange,mA)\nmdesc mA"),
+            check(
+                &RULE,
+                "frame f\npoint p\nnum n\nn=libSave()\nif setFrame(p,p,p,f)==0\ncls()\nendIf\nmovej(p,flange,mA)\nmdesc mA"
+            ),
             ""
         );
     }

@@ -108,7 +108,8 @@ mod tests {
             start.pgx:8 `n[0]<1` `n[0]<1` stands on both sides of `or`
               | asks the same twice
               > start.pgx:8 `n[0]<1` the same
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num n[2]\nbool b\nb=n[0]==n[0]\nb=b and (b)\nn[0]=n[1]-n[1]\nb=n[0]<1 or b or n[0]<1",
         ));
@@ -117,7 +118,10 @@ mod tests {
     #[test]
     fn different_sides() {
         assert_eq!(
-            check(&RULE, "num n[2]\nbool b\nb=n[0]==n[1]\nn[0]=n[1]*n[1]\nb=clock()==clock()\nb=get()==1 or get()==1\nb=1==1"),
+            check(
+                &RULE,
+                "num n[2]\nbool b\nb=n[0]==n[1]\nn[0]=n[1]*n[1]\nb=clock()==clock()\nb=get()==1 or get()==1\nb=1==1"
+            ),
             ""
         );
     }

@@ -65,7 +65,8 @@ mod tests {
               | changes nothing
             start.pgx:7 `i=i` `i` is assigned to itself
               | changes nothing
-        "#]].assert_eq(&check(&RULE, "num n[3]\nnum i\ntrsf t\nn[i] = n[ i ]\nt.x=(t.x)\ni=i"));
+        "#]]
+        .assert_eq(&check(&RULE, "num n[3]\nnum i\ntrsf t\nn[i] = n[ i ]\nt.x=(t.x)\ni=i"));
     }
 
     #[test]

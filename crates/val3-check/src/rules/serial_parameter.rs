@@ -122,7 +122,8 @@ mod tests {
               | nothing changes, the result is -3
             start.pgx:10 `"mark"` the parameter `parity` takes `none`, `even` or `odd`, not "mark"
               | nothing changes, the result is -3
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "sio si\nsioCtrl(si,\"speed\",9600)\nsioCtrl(si,\"timeOuts\",1)\nsioCtrl(si,\"nagle\",0)\n\
              sioCtrl(si,\"port\",\"80\")\nsioCtrl(si,\"bits\",9)\nsioCtrl(si,\"parity\",\"mark\")",

@@ -65,7 +65,8 @@ mod tests {
             start.pgx:7 `"100%"` `getDate` knows no key `%`
               | `%` stays as it is
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
-        "#]].assert_eq(&check(&RULE, "putln(getDate(\"%D\"))\nputln(getDate(\"hh:mm\"))\nputln(getDate(\"100%\"))"));
+        "#]]
+        .assert_eq(&check(&RULE, "putln(getDate(\"%D\"))\nputln(getDate(\"hh:mm\"))\nputln(getDate(\"100%\"))"));
     }
 
     #[test]

@@ -73,7 +73,8 @@ mod tests {
             start.pgx:7 `"4l "` `fromBinary` knows no format `4l `
               | raises run-time error 70
               ? write `-1`, `1`, `-2l`, `-2b`, `2l`, `2b`, `-4l`, `-4b`, `4l`, `4b`, `4.0l`, `4.0b`, `8.0l` or `8.0b`
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "string s\nnum n\ns=toString(\"8,2\",n)\ntoBinary(n,1,\"4\",n)\nfromBinary(n,1,\"4l \",n)",
         ));
@@ -81,6 +82,12 @@ mod tests {
 
     #[test]
     fn formats_that_are_known() {
-        assert_eq!(check(&RULE, "string s\nnum n\ns=toString(\".3\",n)\ns=toString(\"\",n)\ntoBinary(n,1,\"-4l\",n)\ns=toString(s,n)"), "");
+        assert_eq!(
+            check(
+                &RULE,
+                "string s\nnum n\ns=toString(\".3\",n)\ns=toString(\"\",n)\ntoBinary(n,1,\"-4l\",n)\ns=toString(s,n)"
+            ),
+            ""
+        );
     }
 }
