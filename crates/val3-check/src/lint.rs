@@ -10,6 +10,7 @@ mod project;
 pub(crate) mod ranges;
 mod run;
 mod same;
+mod sizes;
 mod tasks;
 #[cfg(test)]
 pub(crate) mod testing;

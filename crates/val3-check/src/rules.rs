@@ -97,6 +97,8 @@ rules! {
     self_assignment,
     same_operands,
     outputs_too_few,
+    seconds,
+    binary_size,
     // Flow and tasks
     constant_condition,
     task_local_by_reference,
@@ -110,6 +112,7 @@ rules! {
     key_not_cleared,
     entry_parameters,
     empty_block,
+    mutex_never_released,
     // Project and data
     file_missing,
     file_unreadable,

@@ -292,6 +292,15 @@ pub const SET_MUTEX: &str = "setMutex";
 /// Writes a number in binary to an array of outputs (3.5.3).
 pub const DIO_SET: &str = "dioSet";
 
+/// Encodes numbers as bytes (3.3.3): values, their number, format, bytes.
+pub const TO_BINARY: &str = "toBinary";
+
+/// Decodes numbers from bytes (3.3.3): bytes, their number, format, values.
+pub const FROM_BINARY: &str = "fromBinary";
+
+/// Gives the other tasks their turn (5.10); with 0 it does nothing else.
+pub const DELAY: &str = "delay";
+
 /// Changes a parameter of a serial line or socket (3.7.3).
 pub const SIO_CTRL: &str = "sioCtrl";
 

@@ -9,9 +9,6 @@ pub const PERIOD_STEP: f64 = 0.004;
 /// The number of different periods that synchronous tasks can have at a time; one more is run-time error 32.
 pub const MAX_PERIODS: usize = 2;
 
-/// The run-time error of a bad name.
-pub const NAME_ERROR: u16 = 29;
-
 /// The lines that a task runs in its turn.
 #[must_use]
 pub fn priority() -> Option<&'static Range> {

@@ -46,6 +46,14 @@ pub(crate) const ARGUMENTS: &[Mutation] = &[
         "  nLayer=0\n  resize(pCorner,4,1)$0\n",
         "V0225",
     ),
+    slip("wait in milliseconds", "palletiser/supervisor.pgx", "delay(0.2)", "delay(200)", "V0240"),
+    slip(
+        "too few numbers to send",
+        "partBag/offset.pgx",
+        "  // The lower layers give way",
+        "  toBinary(nSink,9,\"1\",nSink)$0\n  // The lower layers give way",
+        "V0241",
+    ),
 ];
 
 pub(crate) const VALUES: &[Mutation] = &[

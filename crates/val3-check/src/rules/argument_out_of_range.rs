@@ -1,8 +1,11 @@
 //! V0225: a constant argument that stops the task.
 
+use val3_lang::arguments::Beyond;
+
 use crate::diagnostic::Wording;
-use crate::lint::ranges::{OutOfRange, out_of_range};
+use crate::lint::ranges::out_of_range;
 use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
@@ -31,14 +34,11 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     for fault in out_of_range(program) {
-        if let Some(error) = fault.range.error() {
-            found.report(&RULE, program.range(fault.argument), word(&fault, error.number, error.short));
+        if let Beyond::Fails(number) = fault.range.beyond {
+            let wording = Wording::new(fault.message(), runtime_error(number), "");
+            found.report(&RULE, program.range(fault.argument), wording);
         }
     }
-}
-
-fn word(fault: &OutOfRange, number: u16, short: &str) -> Wording {
-    Wording::new(fault.message(), format!("run-time error {number}: {short}"), "")
 }
 
 #[cfg(test)]

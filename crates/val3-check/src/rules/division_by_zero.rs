@@ -2,9 +2,11 @@
 
 use val3_analysis::body::Expr;
 use val3_lang::operators::BinaryOp;
+use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
@@ -39,7 +41,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 fn word(op: &str) -> Wording {
-    Wording::new(format!("the right side of `{op}` is always 0"), "run-time error 10: division by zero", "")
+    Wording::new(format!("the right side of `{op}` is always 0"), runtime_error(DIVISION_BY_ZERO), "")
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_lang::instruction::Family;
-use val3_lang::instructions::GET_KEY;
+use val3_lang::instructions::{self, GET_KEY};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
@@ -45,16 +45,20 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             _ => continue,
         };
         if awaited(program, condition, ends_when) == Some(first) {
-            found.report(&RULE, program.range(condition), word());
+            let edit = program.line_before(stmt.range, &format!("{GET_KEY}()"));
+            let title = format!("write `{GET_KEY}()` before");
+            found.report(&RULE, program.range(condition), word()).fix(title, false, vec![edit]);
         }
     }
 }
 
 /// The condition of `wait(…)` or `watch(…)`.
 fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
-    let call = program.calls().find(|known| known.id == call)?;
-    let waits = call.instruction.family == Family::Tasks && call.instruction.blocking;
-    call.args.first().copied().filter(|_| waits)
+    let Expr::Call(callee, args) = program.body.expr(call) else { return None };
+    let Expr::Name(name) = program.body.expr(*callee) else { return None };
+    let instruction = instructions::find(name)?;
+    let waits = instruction.family == Family::Tasks && instruction.blocking;
+    args.first().copied().filter(|_| waits)
 }
 
 /// The `getKey()` that `condition` compares so that a key ends the wait; `ends_when` is the value that ends it.
@@ -96,6 +100,7 @@ mod tests {
             start.pgx:7 `getKey()==270` a key that was struck before ends this wait at once
               | the key is not cleared before
               ? write `getKey()` on a line of its own before
+              ! write `getKey()` before (unsafe)
         "#]]
         .assert_eq(&check(&RULE, "do\ndelay(0)\nuntil getKey()==270"));
     }

@@ -1,7 +1,8 @@
 //! V0326: a latch that is read before it can be armed.
 
-use val3_analysis::body::{Expr, ExprId, Stmt};
-use val3_lang::instructions::{self, GET_LATCH, SET_LATCH};
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_lang::instructions::{self, DELAY, GET_LATCH, SET_LATCH};
+use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -36,19 +37,23 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
+    if program.calls_of(SET_LATCH).next().is_none() {
+        return;
+    }
     for block in program.body.blocks() {
-        let mut armed = None;
+        let mut armed: Option<TextRange> = None;
         for stmt in block {
             let calls = calls(program, stmt);
             let call = |name| calls.iter().find(|(called, _)| *called == name).map(|(_, id)| *id);
             if let (Some(armed), Some(read)) = (armed, call(GET_LATCH)) {
-                found.report(&RULE, program.range(read), word()).related(program.range(armed), "armed here");
+                let edit = program.line_after(armed, &format!("{DELAY}(0)"));
+                let reported = found.report(&RULE, program.range(read), word()).related(armed, "armed here");
+                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), true, vec![edit]);
             }
             // Whatever waits, or might wait in another block or program, ends the search.
             let waits = calls.iter().any(|(name, _)| is_blocking(name));
-            let is_plain =
-                stmt.blocks().next().is_none() && !matches!(stmt.kind, val3_analysis::body::StmtKind::Call(_));
-            armed = call(SET_LATCH).or(armed.filter(|_| is_plain && !waits));
+            let is_plain = stmt.blocks().next().is_none() && !matches!(stmt.kind, StmtKind::Call(_));
+            armed = call(SET_LATCH).map(|_| stmt.range).or(armed.filter(|_| is_plain && !waits));
         }
     }
 }
@@ -74,7 +79,7 @@ fn word() -> Wording {
     Wording::new(
         "the latch is read before it can be armed",
         "may still give the position latched before",
-        format!("write `delay(0)` behind `{SET_LATCH}`"),
+        format!("write `{DELAY}(0)` behind `{SET_LATCH}`"),
     )
 }
 
@@ -92,10 +97,12 @@ mod tests {
               | may still give the position latched before
               ? write `delay(0)` behind `setLatch`
               > start.pgx:5 `setLatch(d)` armed here
+              ! write `delay(0)` behind `setLatch`
             start.pgx:9 `getLatch(j)` the latch is read before it can be armed
               | may still give the position latched before
               ? write `delay(0)` behind `setLatch`
               > start.pgx:7 `setLatch(d)` armed here
+              ! write `delay(0)` behind `setLatch`
         "#]]
         .assert_eq(&check(
             &RULE,

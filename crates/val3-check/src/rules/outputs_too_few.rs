@@ -1,13 +1,11 @@
 //! V0239: more bits than outputs.
 
-use val3_analysis::effects::Root;
-use val3_analysis::resizing::is_resized;
 use val3_lang::arguments::bits;
 use val3_lang::instructions::DIO_SET;
 
 use crate::diagnostic::Wording;
 use crate::english::count;
-use crate::lint::{Call, Findings, Program};
+use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
@@ -36,22 +34,10 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for call in program.calls_of(DIO_SET) {
         let [outputs, number] = *call.args else { continue };
-        let (Some(size), Some(value)) = (size(program, call), program.body.number(number)) else { continue };
+        let (Some(size), Some(value)) = (program.certain_size(outputs), program.body.number(number)) else { continue };
         if value >= bits(size) {
             found.report(&RULE, program.range(number), word(program.text(outputs), size, value));
         }
-    }
-}
-
-/// The number of outputs, where the array is named without index and never changes its size.
-fn size(program: &Program<'_>, call: Call<'_>) -> Option<u32> {
-    let outputs = *call.args.first()?;
-    let Some(Root::Data(name)) = program.effects.root(outputs) else { return None };
-    let data = &program.items.data.get(&name)?.decl;
-    let fixed = !data.public && program.text(outputs) == name && !is_resized(program.db, program.project, &name);
-    match data.sizes.as_slice() {
-        [size] if fixed => Some(*size),
-        _ => None,
     }
 }
 
@@ -77,8 +63,10 @@ mod tests {
               | there is room for 0 to 15
             start.pgx:6 `2` `e` has 1 output, too few to show 2
               | there is room for 0 to 1
+            start.pgx:7 `9` `d[1]` has 3 outputs, too few to show 9
+              | there is room for 0 to 7
         "#]]
-        .assert_eq(&check(&RULE, "dio d[4]\ndio e\ndioSet(d,16)\ndioSet(e,2)"));
+        .assert_eq(&check(&RULE, "dio d[4]\ndio e\ndioSet(d,16)\ndioSet(e,2)\ndioSet(d[1],9)"));
     }
 
     #[test]

@@ -39,9 +39,18 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let [_, name, value] = *call.args else { continue };
         let Some(text) = program.body.string(name) else { continue };
         match SerialParameter::find(&text) {
-            None => drop(found.report(&RULE, program.range(name), unknown(&text))),
+            None => report_unknown(program, name, &text, found),
             Some(parameter) => check_value(program, parameter, value, found),
         }
+    }
+}
+
+fn report_unknown(program: &Program<'_>, id: ExprId, name: &str, found: &mut Findings) {
+    let near = nearest(name, SERIAL_PARAMETERS.iter().map(|row| row.name));
+    let reported = found.report(&RULE, program.range(id), unknown(name, near.as_deref()));
+    if let Some(near) = near {
+        let edit = (program.range(id), program.text(id).replace(name, &near));
+        reported.fix(format!("write `{near}`"), false, vec![edit]);
     }
 }
 
@@ -64,12 +73,11 @@ fn takes(value: SerialValue, constant: Option<Constant>) -> bool {
     }
 }
 
-fn unknown(name: &str) -> Wording {
-    let near = nearest(name, SERIAL_PARAMETERS.iter().map(|row| row.name));
+fn unknown(name: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("there is no parameter `{name}` of a serial line or socket"),
         returns(SerialFault::Unknown),
-        did_you_mean(near.as_deref()),
+        did_you_mean(near),
     )
 }
 
@@ -114,6 +122,7 @@ mod tests {
             start.pgx:6 `"timeOuts"` there is no parameter `timeOuts` of a serial line or socket
               | nothing changes, the result is -1
               ? did you mean `timeout`?
+              ! write `timeout` (unsafe)
             start.pgx:7 `0` the parameter `nagle` takes a `bool`, not a `num`
               | nothing changes, the result is -2
             start.pgx:8 `"80"` the parameter `port` takes a `num`, not a `string`

@@ -1,9 +1,11 @@
 //! V0325: a name that no task can have.
 
-use val3_lang::tasks::{NAME_ERROR, NameFault, name_fault};
+use val3_lang::runtime_errors::BAD_TASK_NAME;
+use val3_lang::tasks::{NameFault, name_fault};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
@@ -53,7 +55,7 @@ fn word(name: &str, fault: NameFault) -> Wording {
         NameFault::Character(character) => format!("the name `{name}` of a task cannot have a `{character}`"),
     };
     let help = if let NameFault::Character(_) = fault { "use letters, digits and `_`" } else { "" };
-    Wording::new(message, format!("raises run-time error {NAME_ERROR}"), help)
+    Wording::new(message, runtime_error(BAD_TASK_NAME), help)
 }
 
 #[cfg(test)]
@@ -67,11 +69,11 @@ mod tests {
     fn names_that_are_refused() {
         expect![[r#"
             start.pgx:5 `""` a task needs a name
-              | raises run-time error 29
+              | run-time error 29: bad task name
             start.pgx:6 `"conveyorWatching"` the name `conveyorWatching` of a task has 16 characters, more than 15
-              | raises run-time error 29
+              | run-time error 29: bad task name
             start.pgx:7 `"a-b"` the name `a-b` of a task cannot have a `-`
-              | raises run-time error 29
+              | run-time error 29: bad task name
               ? use letters, digits and `_`
         "#]].assert_eq(&check(
             &RULE,

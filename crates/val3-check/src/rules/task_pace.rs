@@ -1,10 +1,12 @@
 //! V0322: a priority or period that no task can have.
 
+use val3_lang::runtime_errors::INVALID_PARAMETER;
 use val3_lang::tasks;
 
 use crate::diagnostic::Wording;
 use crate::lint::ranges::Spoken;
 use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
@@ -44,10 +46,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         };
         let (Some(range), Some(value)) = (range, program.body.number(task.pace)) else { continue };
         if !range.takes(value) {
-            let number = range.error().map_or(0, |error| error.number);
             let wording = Wording::new(
                 format!("the {noun} of a task is {}, not {value}", Spoken(range)),
-                format!("raises run-time error {number}"),
+                runtime_error(INVALID_PARAMETER),
                 "",
             );
             found.report(&RULE, program.range(task.pace), wording);
@@ -66,13 +67,13 @@ mod tests {
     fn priorities_and_periods_that_are_not_possible() {
         expect![[r#"
             start.pgx:5 `0` the priority of a task is 1 to 100, not 0
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
             start.pgx:6 `101` the priority of a task is 1 to 100, not 101
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
             start.pgx:7 `0` the period of a task is more than 0, not 0
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
             start.pgx:8 `-0.02` the period of a task is more than 0, not -0.02
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
         "#]]
         .assert_eq(&check(
             &RULE,

@@ -46,14 +46,14 @@ const SLOWEST: f64 = 2.0;
 fn check(program: &Program<'_>, found: &mut Findings) {
     for task in program.task_creations().filter(|task| task.is_synchronous()) {
         let Some(period) = program.body.number(task.pace).filter(|period| *period > 0.0) else { continue };
-        let wording = if period > SLOWEST {
-            seconds(period)
+        let range = program.range(task.pace);
+        if period > SLOWEST {
+            let instead = (period / 1000.0).to_string();
+            let title = format!("write `{instead}`, which is {period} ms");
+            found.report(&RULE, range, seconds(period)).fix(title, false, vec![(range, instead)]);
         } else if !is_exact_period(period) {
-            rounded(period)
-        } else {
-            continue;
-        };
-        found.report(&RULE, program.range(task.pace), wording);
+            found.report(&RULE, range, rounded(period));
+        }
     }
 }
 
@@ -96,6 +96,7 @@ mod tests {
             start.pgx:6 `16` the task runs once in 16 seconds
               | a period counts seconds
               ? for 16 ms write `0.016`
+              ! write `0.016`, which is 16 ms (unsafe)
             start.pgx:7 `0.0139` the period 13.9 ms is no multiple of 4 ms
               | rounded down to 12 ms
               ? write 0.012 or 0.016

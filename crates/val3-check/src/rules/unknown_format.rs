@@ -1,10 +1,12 @@
 //! V0227: a format text that the instruction refuses.
 
 use val3_lang::arguments::{BINARY_FORMATS, TextForm, text_form};
+use val3_lang::runtime_errors::INVALID_PARAMETER;
 
 use crate::diagnostic::Wording;
 use crate::english::one_of;
 use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
@@ -51,7 +53,7 @@ fn word(callee: &str, form: TextForm, text: &str) -> Wording {
         TextForm::Binary => format!("write {}", one_of(&BINARY_FORMATS)),
         _ => "write `size.precision` such as `8.2`, `.3` or an empty text".to_owned(),
     };
-    Wording::new(format!("`{callee}` knows no format `{text}`"), "raises run-time error 70", help)
+    Wording::new(format!("`{callee}` knows no format `{text}`"), runtime_error(INVALID_PARAMETER), help)
 }
 
 #[cfg(test)]
@@ -65,13 +67,13 @@ mod tests {
     fn formats_that_are_refused() {
         expect![[r#"
             start.pgx:5 `"8,2"` `toString` knows no format `8,2`
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
               ? write `size.precision` such as `8.2`, `.3` or an empty text
             start.pgx:6 `"4"` `toBinary` knows no format `4`
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
               ? write `-1`, `1`, `-2l`, `-2b`, `2l`, `2b`, `-4l`, `-4b`, `4l`, `4b`, `4.0l`, `4.0b`, `8.0l` or `8.0b`
             start.pgx:7 `"4l "` `fromBinary` knows no format `4l `
-              | raises run-time error 70
+              | run-time error 70: invalid parameter
               ? write `-1`, `1`, `-2l`, `-2b`, `2l`, `2b`, `-4l`, `-4b`, `4l`, `4b`, `4.0l`, `4.0b`, `8.0l` or `8.0b`
         "#]]
         .assert_eq(&check(

@@ -4,8 +4,6 @@ use std::ops::{Bound, RangeBounds};
 
 use Bound::{Excluded, Included, Unbounded};
 
-use crate::runtime_errors::{self, RuntimeError};
-
 /// The numbers that an argument takes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
@@ -32,15 +30,6 @@ impl Range {
     pub fn takes(&self, number: f64) -> bool {
         (self.low, self.high).contains(&number)
     }
-
-    /// The run-time error that a number beyond the range raises.
-    #[must_use]
-    pub fn error(&self) -> Option<&'static RuntimeError> {
-        match self.beyond {
-            Beyond::Fails(number) => runtime_errors::find(number),
-            Beyond::Instead(_) => None,
-        }
-    }
 }
 
 /// The range of the parameter `parameter` of `instruction`; `None` where every number is fine.
@@ -54,6 +43,12 @@ pub fn range(instruction: &str, parameter: &str) -> Option<&'static Range> {
 #[must_use]
 pub fn bits(count: u32) -> f64 {
     f64::from(count).exp2()
+}
+
+/// The parameter counts seconds (5.10).
+#[must_use]
+pub fn counts_seconds(parameter: &str) -> bool {
+    parameter == "nSeconds"
 }
 
 const INVALID_NUMBER: Beyond = Beyond::Fails(11);
@@ -145,8 +140,7 @@ mod tests {
         assert!(force.takes(1000.0) && !force.takes(1000.1));
         let part = range("interpolateL", "nPosition").unwrap();
         assert!(part.takes(1.99) && !part.takes(2.0) && !part.takes(-1.0));
-        assert_eq!(part.error().map(|error| error.number), Some(70));
-        assert_eq!(range("gotoxy", "nX").unwrap().error(), None);
+        assert_eq!(part.beyond, Beyond::Fails(70));
     }
 
     #[test]

@@ -19,6 +19,13 @@ pub const BINARY_FORMATS: [&str; 14] =
 /// The keys of a date: year, month, day, hours, half of the day, minutes, seconds (4.3).
 pub const DATE_KEYS: [&str; 9] = ["%y", "%Y", "%m", "%d", "%H", "%I", "%p", "%M", "%S"];
 
+/// The bytes that a number takes in a binary encoding.
+#[must_use]
+pub fn bytes(format: &str) -> Option<u32> {
+    let known = BINARY_FORMATS.contains(&format);
+    format.trim_start_matches('-').chars().next().filter(|_| known)?.to_digit(10)
+}
+
 /// What `instruction` reads the parameter `parameter` as.
 #[must_use]
 pub fn text_form(instruction: &str, parameter: &str) -> Option<TextForm> {
@@ -68,6 +75,11 @@ mod tests {
         assert_eq!(TextForm::Binary.fault("-4l"), None);
         assert_eq!(TextForm::Binary.fault("4"), Some("4"));
         assert_eq!(TextForm::Binary.fault("-8.0b"), Some("-8.0b"));
+    }
+
+    #[test]
+    fn encodings_have_a_length() {
+        assert_eq!((bytes("-1"), bytes("2b"), bytes("8.0l"), bytes("3l")), (Some(1), Some(2), Some(8), None));
     }
 
     #[test]
