@@ -51,7 +51,7 @@ pub(crate) const ARGUMENTS: &[Mutation] = &[
         "too few numbers to send",
         "partBag/offset.pgx",
         "  // The lower layers give way",
-        "  toBinary(nSink,9,\"1\",nSink)$0\n  // The lower layers give way",
+        "  toBinary(nSink,3,\"4l\",nSink)$0\n  // The lower layers give way",
         "V0241",
     ),
 ];

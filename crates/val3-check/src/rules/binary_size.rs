@@ -33,7 +33,7 @@ rule! {
     ///
     /// toBinary(nPose,6,"8.0b",nBytes)
     /// ```
-    V0241 "binary-size" Error, Program: check
+    V0241 "binary-size" Warning, Program: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -45,24 +45,25 @@ fn check(program: &Program<'_>, found: &mut Findings) {
                 continue;
             };
             let results = if encodes { number * bytes } else { (number / bytes).floor() };
-            for (array, needed) in [(source, number), (target, results)] {
-                check_array(program, array, needed, found);
-            }
+            check_array(program, source, number, encodes.then_some(bytes), found);
+            check_array(program, target, results, None, found);
         }
     }
 }
 
-fn check_array(program: &Program<'_>, array: ExprId, needed: f64, found: &mut Findings) {
-    if let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) {
-        found.report(&RULE, program.range(array), word(program.text(array), size, needed));
-    }
+/// `bytes`: those of each value, where the number counts values but is often thought to count bytes.
+fn check_array(program: &Program<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
+    let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) else { return };
+    let counts_bytes = bytes.is_some_and(|bytes| needed == bytes * f64::from(size));
+    found.report(&RULE, program.range(array), word(program.text(array), size, needed, counts_bytes));
 }
 
-fn word(array: &str, size: u32, needed: f64) -> Wording {
+fn word(array: &str, size: u32, needed: f64, counts_bytes: bool) -> Wording {
+    let help = if counts_bytes { "the number counts values, not bytes" } else { "" };
     Wording::new(
         format!("`{array}` has {}, but {needed} are needed", count(size as usize, "value")),
         runtime_error(INVALID_PARAMETER),
-        "",
+        help,
     )
 }
 
@@ -78,18 +79,21 @@ mod tests {
         expect![[r#"
             start.pgx:5 `nB` `nB` has 8 values, but 16 are needed
               | run-time error 70: invalid parameter
-            start.pgx:6 `nA` `nA` has 6 values, but 7 are needed
+            start.pgx:6 `nB[7]` `nB[7]` has 1 value, but 2 are needed
               | run-time error 70: invalid parameter
-            start.pgx:7 `nB[2]` `nB[2]` has 6 values, but 7 are needed
-              | run-time error 70: invalid parameter
+              ? the number counts values, not bytes
             start.pgx:7 `nA` `nA` has 6 values, but 7 are needed
               | run-time error 70: invalid parameter
-            start.pgx:8 `nA[5]` `nA[5]` has 1 value, but 2 are needed
+            start.pgx:8 `nB[2]` `nB[2]` has 6 values, but 7 are needed
+              | run-time error 70: invalid parameter
+            start.pgx:8 `nA` `nA` has 6 values, but 7 are needed
+              | run-time error 70: invalid parameter
+            start.pgx:9 `nA[5]` `nA[5]` has 1 value, but 2 are needed
               | run-time error 70: invalid parameter
         "#]]
         .assert_eq(&check(
             &RULE,
-            "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\ntoBinary(nA,7,\"1\",nB)\n\
+            "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\ntoBinary(nB[7],2,\"2l\",nB)\ntoBinary(nA,7,\"1\",nB)\n\
              fromBinary(nB[2],7,\"1\",nA)\nfromBinary(nB,8,\"4l\",nA[5])",
         ));
     }
