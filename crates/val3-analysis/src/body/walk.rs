@@ -1,55 +1,11 @@
-//! Ways through a body: its statements, and the parts of its expressions.
+//! Ways through a body: its blocks, and the expressions of its statements.
 
-use super::{Body, Expr, ExprId, Stmt, StmtKind};
+use super::{Body, ExprId, Stmt, StmtKind};
 
 impl Body {
-    /// Every statement in the order of the text, those of inner blocks included.
-    pub fn stmts(&self) -> impl Iterator<Item = &Stmt> {
-        let mut open: Vec<&[Stmt]> = vec![&self.block];
-        std::iter::from_fn(move || {
-            while let Some(block) = open.pop() {
-                if let Some((first, rest)) = block.split_first() {
-                    open.push(rest);
-                    let inner = open.len();
-                    open.extend(first.blocks());
-                    open.get_mut(inner..).into_iter().for_each(<[_]>::reverse);
-                    return Some(first);
-                }
-            }
-            None
-        })
-    }
-
     /// Every list of statements: the program's own and those of inner blocks.
     pub fn blocks(&self) -> impl Iterator<Item = &[Stmt]> {
-        std::iter::once(self.block.as_slice()).chain(self.stmts().flat_map(Stmt::blocks))
-    }
-
-    /// The parts of an expression, itself first.
-    pub fn parts(&self, id: ExprId) -> impl Iterator<Item = ExprId> {
-        let mut open = vec![id];
-        std::iter::from_fn(move || {
-            let id = open.pop()?;
-            open.extend(self.expr(id).parts());
-            Some(id)
-        })
-    }
-}
-
-impl Expr {
-    /// The expressions it is made of.
-    pub fn parts(&self) -> Vec<ExprId> {
-        match self {
-            Self::Missing | Self::Number(_) | Self::String(_) | Self::Bool(_) | Self::Name(_) | Self::Path { .. } => {
-                Vec::new()
-            }
-            Self::Paren(inner) | Self::Unary(_, inner) | Self::Field { base: inner, .. } => vec![*inner],
-            Self::Binary(_, left, right) | Self::Assign(left, right) => vec![*left, *right],
-            Self::Index(base, parts) | Self::Call(base, parts) => {
-                std::iter::once(*base).chain(parts.iter().copied()).collect()
-            }
-            Self::Struct(values) => values.iter().flatten().copied().collect(),
-        }
+        std::iter::once(self.block.as_slice()).chain(self.stmts().into_iter().flat_map(Stmt::blocks))
     }
 }
 
@@ -81,24 +37,23 @@ mod tests {
     use crate::body::lower::lower;
 
     fn body(code: &str) -> Body {
-        let text =
-            format!("<Programs><Program name=\"a\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
-        lower(View::root(val3_syntax::parse(&text).green()))
+        let program = format!("<Program name=\"a\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program>");
+        lower(View::root(val3_syntax::parse(&format!("<Programs>{program}</Programs>")).green()))
     }
 
     #[test]
     fn statements_come_in_the_order_of_the_text() {
         let body = body("a=1\nif b\n  c=1\nelse\n  while d\n    e=1\n  endWhile\nendIf\nf=1");
-        let starts: Vec<_> = body.stmts().map(|stmt| stmt.range.start()).collect();
+        let starts: Vec<_> = body.stmts().iter().map(|stmt| stmt.range.start()).collect();
         assert_eq!(starts.len(), 6);
         assert!(starts.is_sorted());
         assert_eq!(body.blocks().count(), 4);
     }
 
     #[test]
-    fn an_expression_is_walked_whole() {
-        let body = body("a=f(b[1].x,-c)+{2,,3}");
-        let StmtKind::Assign { value, .. } = body.block[0].kind else { panic!("an assignment") };
-        assert_eq!(body.parts(value).count(), 12);
+    fn statements_have_their_own_expressions() {
+        let body = body("for a=1 to 3 step 2\n  b=f(1)\nendFor\nswitch a\ncase 1,2\nbreak\nendSwitch");
+        let counts: Vec<_> = body.stmts().iter().map(|stmt| stmt.kind.exprs().len()).collect();
+        assert_eq!(counts, [4, 2, 3]);
     }
 }

@@ -1,28 +1,26 @@
-//! Expressions that say the same.
+//! Expressions that yield the same.
 
 use val3_analysis::body::{Expr, ExprId};
 
 use super::Program;
 
 impl Program<'_> {
-    /// Both expressions have the same value whenever they are asked one after the other: the same variables, constants
-    /// and operators, and no call.
-    pub(crate) fn is_same(&self, a: ExprId, b: ExprId) -> bool {
-        let (a, b) = (self.body.peel(a), self.body.peel(b));
-        let (first, second) = (self.body.expr(a), self.body.expr(b));
-        let alike = match (first, second) {
+    /// Both expressions have the same value if one is asked right after the other: they are written alike and call
+    /// nothing.
+    pub(crate) fn is_same(&self, left: ExprId, right: ExprId) -> bool {
+        self.may_be_same(left, right) && self.body.is_same(left, right) && !self.calls_within(right)
+    }
+
+    /// Decided by the outermost parts alone, so that a long chain of operators is not walked for each of its links.
+    fn may_be_same(&self, left: ExprId, right: ExprId) -> bool {
+        let (left, right) = (self.body.expr(self.body.peel(left)), self.body.expr(self.body.peel(right)));
+        match (left, right) {
             (Expr::Binary(op, ..), Expr::Binary(other, ..)) => op == other,
-            (Expr::Unary(op, _), Expr::Unary(other, _)) => op == other,
-            (Expr::Field { field, .. }, Expr::Field { field: other, .. }) => field == other,
-            (Expr::Index(..), Expr::Index(..)) => true,
-            (Expr::Name(_) | Expr::Path { .. } | Expr::Number(_) | Expr::String(_) | Expr::Bool(_), _) => {
-                first == second
-            }
-            _ => false,
-        };
-        let (parts, others) = (first.parts(), second.parts());
-        alike
-            && parts.len() == others.len()
-            && parts.iter().zip(&others).all(|(part, other)| self.is_same(*part, *other))
+            _ => std::mem::discriminant(left) == std::mem::discriminant(right),
+        }
+    }
+
+    fn calls_within(&self, id: ExprId) -> bool {
+        self.body.within(id).into_iter().any(|part| matches!(self.body.expr(part), Expr::Call(..)))
     }
 }

@@ -40,9 +40,10 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for (_, expr, _) in program.body.exprs() {
         let Expr::Binary(op, left, right) = expr else { continue };
-        let is_literal = program.body.constant(*left).is_some();
-        let Some(outcome) = outcome(*op).filter(|_| !is_literal) else { continue };
-        if let Some(first) = repeated(program, *op, *left, *right) {
+        let Some(outcome) = outcome(*op) else { continue };
+        // Constants are judged by the rule on constant conditions.
+        let repeated = repeated(program, *op, *left, *right).filter(|first| program.body.constant(*first).is_none());
+        if let Some(first) = repeated {
             let wording = word(op.symbol(), outcome, program.text(*right));
             found.report(&RULE, program.range(*right), wording).related(program.range(first), "the same");
         }
