@@ -99,6 +99,7 @@ rules! {
     outputs_too_few,
     seconds,
     binary_size,
+    negative_motion_data,
     // Flow and tasks
     constant_condition,
     task_local_by_reference,

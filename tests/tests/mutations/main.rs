@@ -39,6 +39,7 @@ const ALL: &[&[Mutation]] = &[
     projects::LIBRARIES,
     misuse::ARGUMENTS,
     misuse::VALUES,
+    misuse::DATA,
     misuse::TASKS,
 ];
 

@@ -110,6 +110,17 @@ pub(crate) const VALUES: &[Mutation] = &[
     ),
 ];
 
+pub(crate) const DATA: &[Mutation] = &[
+    slip("negative speed in the data", "palletiser/palletiser.dtx", "vel=\"90\" leave", "vel=\"-90\" leave", "V0242"),
+    slip(
+        "negative blending in the data",
+        "palletiser/palletiser.dtx",
+        "leave=\"120\" reach=\"120\"",
+        "leave=\"120\" reach=\"-120\"",
+        "V0242",
+    ),
+];
+
 pub(crate) const TASKS: &[Mutation] = &[
     slip("priority of no task", "palletiser/start.pgx", "\"supervisor\",10,", "\"supervisor\",0,", "V0322"),
     slip("priority above 100", "palletiser/start.pgx", "\"production\",50,", "\"production\",500,", "V0322"),

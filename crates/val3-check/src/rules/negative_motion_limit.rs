@@ -57,7 +57,7 @@ fn report(program: &Program<'_>, field: &str, value: ExprId, found: &mut Finding
     }
 }
 
-fn word(field: &str, number: f64) -> Wording {
+pub(super) fn word(field: &str, number: f64) -> Wording {
     Wording::new(
         format!("`{field}` of a motion descriptor cannot be {number}"),
         "every move with it fails",
