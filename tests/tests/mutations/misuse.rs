@@ -135,12 +135,18 @@ pub(crate) const TASKS: &[Mutation] = &[
          taskCreate \"host\",10,host(0.5)",
         "V0324",
     ),
-    slip("task without a name", "palletiser/start.pgx", "taskCreate \"host\"", "taskCreate \"\"", "V0325"),
+    slip(
+        "task without a name",
+        "palletiser/start.pgx",
+        "  taskCreate \"host\"",
+        "  taskCreate \"\",10,tower(\"\")$0\n  taskCreate \"host\"",
+        "V0325",
+    ),
     slip(
         "blank in the name of a task",
         "palletiser/start.pgx",
-        "taskCreate \"host\"",
-        "taskCreate \"host line\"",
+        "  taskCreate \"host\"",
+        "  taskCreate \"dark tower\",10,tower(\"\")$0\n  taskCreate \"host\"",
         "V0325",
     ),
     slip(
