@@ -50,3 +50,53 @@ impl Program<'_> {
         code.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").into()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use camino::Utf8PathBuf;
+    use val3_analysis::load::load;
+    use val3_analysis::system::Memory;
+    use val3_test::{Fixture, ROOT};
+
+    use crate::{check_unit, units};
+
+    /// The code of `start` after the first fix of `rule`.
+    fn fixed(rule: &str, listing: &str, change: impl Fn(String) -> String) -> String {
+        let fixture = Fixture::parse(listing);
+        let files = fixture.files.iter().map(|(path, text)| {
+            let text = if path.ends_with(".pgx") { change(text.clone()) } else { text.clone() };
+            (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.into_bytes())
+        });
+        let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
+        let found =
+            units(&workspace.db, &workspace.projects).into_iter().flat_map(|unit| check_unit(&workspace.db, unit));
+        let fix =
+            found.filter(|diagnostic| diagnostic.rule.code == rule).find_map(|diagnostic| diagnostic.fix).unwrap();
+        let edit = &fix.edits[0];
+        let mut text = edit.place.file.text(&workspace.db).to_string();
+        text.replace_range(std::ops::Range::<usize>::from(edit.place.range), &edit.text);
+        let start = text.find("begin").unwrap();
+        text[start..].split("end]]>").next().unwrap().split("\nend").next().unwrap().to_owned()
+    }
+
+    #[test]
+    fn lines_keep_indentation_and_line_ends() {
+        let latch = "dio d\njoint j\nif d==true\n  setLatch(d)\n  wait(getLatch(j))\nendIf";
+        let code = fixed("V0326", latch, |text| text.replace('\n', "\r\n"));
+        let lines: Vec<&str> = code.split("\r\n").collect();
+        let armed = lines.iter().position(|line| line.contains("setLatch")).unwrap();
+        assert_eq!(lines[armed + 1], lines[armed].replace("setLatch(d)", "delay(0)"));
+        let key = "if 1<get()\n  wait(getKey()!=-1)\nendIf";
+        let code = fixed("V0328", key, |text| text);
+        assert!(code.contains("  getKey()\n"), "{code:?}");
+    }
+
+    #[test]
+    fn operators_are_spelt_as_the_file_spells_them() {
+        let plain = fixed("V0232", "wait(getMoveId()==2)", |text| text);
+        assert!(plain.contains("wait(getMoveId()>=2)"), "{plain:?}");
+        let escape = |text: String| text.replace("<![CDATA[", "").replace("]]>", "");
+        let escaped = fixed("V0232", "wait(getMoveId()==2)", escape);
+        assert!(escaped.contains("wait(getMoveId()&gt;=2)"), "{escaped:?}");
+    }
+}

@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             if let (Some(armed), Some(read)) = (armed, call(GET_LATCH)) {
                 let edit = program.line_after(armed, &format!("{DELAY}(0)"));
                 let reported = found.report(&RULE, program.range(read), word()).related(armed, "armed here");
-                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), true, vec![edit]);
+                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), false, vec![edit]);
             }
             // Whatever waits, or might wait in another block or program, ends the search.
             let waits = calls.iter().any(|(name, _)| is_blocking(name));
@@ -97,12 +97,12 @@ mod tests {
               | may still give the position latched before
               ? write `delay(0)` behind `setLatch`
               > start.pgx:5 `setLatch(d)` armed here
-              ! write `delay(0)` behind `setLatch`
+              ! write `delay(0)` behind `setLatch` (unsafe)
             start.pgx:9 `getLatch(j)` the latch is read before it can be armed
               | may still give the position latched before
               ? write `delay(0)` behind `setLatch`
               > start.pgx:7 `setLatch(d)` armed here
-              ! write `delay(0)` behind `setLatch`
+              ! write `delay(0)` behind `setLatch` (unsafe)
         "#]]
         .assert_eq(&check(
             &RULE,
