@@ -3,10 +3,15 @@
 //! A lint is a function over a [`Program`] or a [`ProjectView`]; it runs on files without faults only, so that one
 //! mistake makes one message.
 
+mod edit;
 mod findings;
 mod program;
 mod project;
+pub(crate) mod ranges;
 mod run;
+mod same;
+mod sizes;
+mod tasks;
 #[cfg(test)]
 pub(crate) mod testing;
 

@@ -8,6 +8,7 @@
 )]
 
 mod edit;
+mod misuse;
 mod mutation;
 mod names;
 mod projects;
@@ -36,6 +37,10 @@ const ALL: &[&[Mutation]] = &[
     projects::VALUES,
     projects::LINKS,
     projects::LIBRARIES,
+    misuse::ARGUMENTS,
+    misuse::VALUES,
+    misuse::DATA,
+    misuse::TASKS,
 ];
 
 fn all() -> impl Iterator<Item = &'static Mutation> {
