@@ -11,7 +11,7 @@ use salsa::Database as _;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
 use val3_analysis::load::{self, Workspace};
-use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
+use val3_check::diagnostic::{self, Diagnostic, RelatedNote, Span};
 use val3_check::{Unit, check_unit, finish};
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
@@ -20,7 +20,7 @@ use crate::code_lines::CodeLines;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::Paths;
 use crate::progress::Progress;
-use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
+use crate::report::{Edit, Finding, Fix, Place, Related, Report, SourceFile, Statistics};
 use crate::selection::Selection;
 use crate::user_error::UserError;
 
@@ -35,7 +35,7 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     let started = Instant::now();
     let threads = threads(jobs)?;
     let current = current_folder()?;
-    let paths = Paths::new(&folders(asked), &current);
+    let paths = Paths::new(&folders(asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
     let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
     let mut workspace =
@@ -44,7 +44,8 @@ pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
     let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    let report = Report::new(statistics(&workspace, &threads, started), findings, unreadable);
+    let applications = translator.applications(&workspace.projects);
+    let report = Report::new(statistics(&workspace, &threads, started), applications, findings, unreadable);
     // The process is about to end: taking the database apart piece by piece would only cost time.
     std::mem::forget(workspace);
     Ok(report)
@@ -115,6 +116,11 @@ fn current_folder() -> Result<Utf8PathBuf, UserError> {
         .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
 }
 
+/// The nearest folder above `current` that a version control keeps.
+fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
+    current.ancestors().find(|folder| [".git", ".hg", ".svn"].iter().any(|name| folder.join(name).exists()))
+}
+
 /// The folders that were asked for; of a file, the one around it.
 fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
     let folder = |path: &Utf8PathBuf| match path.parent() {
@@ -156,15 +162,30 @@ impl<'a> Translator<'a> {
             code_line: codes.line(place.range.start, &place.file.lines),
             application: diagnostic.application.map(|file| self.paths.relative(file.path(self.db))),
             related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
-            fixable: diagnostic.fix.is_some(),
+            fix: diagnostic.fix.as_ref().map(|fix| self.fix(fix, diagnostic.application)),
             place,
         }
     }
 
+    fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> Fix {
+        let mut edit =
+            |edit: &diagnostic::Edit| Edit { place: self.place(edit.place, application), text: edit.text.clone() };
+        Fix { title: fix.title.clone(), safe: fix.safe, edits: fix.edits.iter().map(&mut edit).collect() }
+    }
+
+    fn applications(&self, projects: &[Project]) -> Vec<String> {
+        let paths = projects.iter().map(|project| self.paths.relative(project.manifest(self.db).path(self.db)));
+        let mut paths: Vec<_> = paths.collect();
+        paths.sort_unstable();
+        paths
+    }
+
     fn related(&mut self, note: &RelatedNote, application: Option<File>) -> Related {
-        let Span { file, range } = note.place;
-        let file = self.indexed(file, application).source;
-        Related { place: Place { file, range: range.into() }, message: note.message.clone() }
+        Related { place: self.place(note.place, application), message: note.message.clone() }
+    }
+
+    fn place(&mut self, Span { file, range }: Span, application: Option<File>) -> Place {
+        Place { file: self.indexed(file, application).source, range: range.into() }
     }
 
     fn indexed(&mut self, file: File, application: Option<File>) -> Indexed {
@@ -181,6 +202,7 @@ impl<'a> Translator<'a> {
         let mut source =
             SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(self.db)), self.encoding(file));
         source.shown = self.paths.shown(path);
+        source.in_repository = self.paths.in_repository(path);
         source.disk = application.and_then(|application| self.on_controller(path, application));
         let parse = items::parse(self.db, file);
         Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(View::root(parse.green()))) }

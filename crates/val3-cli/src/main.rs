@@ -7,6 +7,7 @@ mod check;
 mod code_lines;
 mod engine;
 mod explain;
+mod fingerprint;
 mod format;
 mod line_index;
 mod markdown;

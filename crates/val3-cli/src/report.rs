@@ -55,6 +55,8 @@ pub(crate) struct SourceFile {
     pub(crate) path: String,
     /// The path as people open it: relative to the current folder where that is shorter.
     pub(crate) shown: String,
+    /// The path relative to the folder of the version control, with `/`.
+    pub(crate) in_repository: String,
     /// The path on the controller (`Disk://app/prog.pgx`), where it has one.
     pub(crate) disk: Option<String>,
     /// The text, decoded.
@@ -66,7 +68,14 @@ pub(crate) struct SourceFile {
 impl SourceFile {
     /// A file under one path, without a place on a controller.
     pub(crate) fn new(path: &str, text: Arc<str>, encoding: Encoding) -> Self {
-        Self { path: path.to_owned(), shown: path.to_owned(), disk: None, lines: LineIndex::new(&text, encoding), text }
+        Self {
+            path: path.to_owned(),
+            shown: path.to_owned(),
+            in_repository: path.to_owned(),
+            disk: None,
+            lines: LineIndex::new(&text, encoding),
+            text,
+        }
     }
 }
 
@@ -116,8 +125,35 @@ pub(crate) struct Finding {
     pub(crate) application: Option<String>,
     /// The other sides of the fault.
     pub(crate) related: Vec<Related>,
-    /// A fix exists.
-    pub(crate) fixable: bool,
+    /// How to mend it.
+    pub(crate) fix: Option<Fix>,
+}
+
+impl Finding {
+    /// What is wrong and what to write instead, for readers that show one text.
+    pub(crate) fn message_with_help(&self) -> String {
+        if self.help.is_empty() { self.message.clone() } else { format!("{}; {}", self.message, self.help) }
+    }
+}
+
+/// A change that mends a finding.
+#[derive(Debug, Clone)]
+pub(crate) struct Fix {
+    /// What it does, as an order.
+    pub(crate) title: String,
+    /// It is applied without asking.
+    pub(crate) safe: bool,
+    /// What changes.
+    pub(crate) edits: Vec<Edit>,
+}
+
+/// Replaces a place.
+#[derive(Debug, Clone)]
+pub(crate) struct Edit {
+    /// Where.
+    pub(crate) place: Place,
+    /// What stands there afterwards.
+    pub(crate) text: String,
 }
 
 /// Another side of a finding.
@@ -149,6 +185,8 @@ pub(crate) struct Statistics {
 pub(crate) struct Report {
     /// What was checked.
     pub(crate) statistics: Statistics,
+    /// The paths of the `.pjx` of all applications, like [`SourceFile::path`], sorted.
+    pub(crate) applications: Vec<String>,
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
     /// Folders that could not be read, so that the findings may not be all.
@@ -157,11 +195,16 @@ pub(crate) struct Report {
 
 impl Report {
     /// Puts the findings in order and drops repetitions.
-    pub(crate) fn new(statistics: Statistics, mut findings: Vec<Finding>, unreadable: Vec<UserError>) -> Self {
+    pub(crate) fn new(
+        statistics: Statistics,
+        applications: Vec<String>,
+        mut findings: Vec<Finding>,
+        unreadable: Vec<UserError>,
+    ) -> Self {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
         // A file that two applications use may be judged twice.
         findings.dedup_by(|a, b| order(a) == order(b));
-        Self { statistics, findings, unreadable }
+        Self { statistics, applications, findings, unreadable }
     }
 
     /// How many findings have a level.
