@@ -68,6 +68,18 @@ pub(crate) struct CheckArgs {
     /// All but these findings; wins over --select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
+    /// Mend what can be mended without changing what the programs do, and report the rest
+    #[arg(long, group = "mending")]
+    pub(crate) fix: bool,
+    /// With --fix or --diff: also make the changes that are a guess, such as a near name
+    #[arg(long, requires = "mending")]
+    pub(crate) unsafe_fixes: bool,
+    /// Show what --fix would change, and write nothing; exits with 1 if there is something to change
+    #[arg(long, group = "mending")]
+    pub(crate) diff: bool,
+    /// Count the findings of each rule instead of listing them
+    #[arg(long, conflicts_with = "diff")]
+    pub(crate) statistics: bool,
     /// Threads to work with [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,

@@ -1,27 +1,23 @@
 //! From paths to a report: the one file that knows how the analysis is asked.
 
-use std::sync::Arc;
 use std::time::Instant;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use rustc_hash::FxHashMap;
 use salsa::Database as _;
-use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
+use val3_analysis::db::{Database, File, Project};
 use val3_analysis::items;
 use val3_analysis::load::{self, Workspace};
-use val3_check::diagnostic::{self, Diagnostic, RelatedNote, Span};
+use val3_check::diagnostic::Diagnostic;
 use val3_check::{Unit, check_unit, finish};
-use val3_syntax::encoding::Encoding;
-use val3_syntax::view::View;
 
-use crate::code_lines::CodeLines;
 use crate::parallel_disk::ParallelDisk;
 use crate::paths::Paths;
 use crate::progress::Progress;
-use crate::report::{Edit, Finding, Fix, Place, Related, Report, SourceFile, Statistics};
+use crate::report::{Report, Statistics};
 use crate::selection::Selection;
+use crate::translation::Translator;
 use crate::user_error::UserError;
 
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
@@ -30,25 +26,52 @@ const STACK_SIZE: usize = 16 << 20;
 /// Pieces of work between which trees that are no longer needed are dropped.
 const BATCH: usize = 2048;
 
-/// Checks everything that `asked` leads to, on `jobs` threads.
-pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
-    let started = Instant::now();
-    let threads = threads(jobs)?;
-    let current = current_folder()?;
-    let paths = Paths::new(&folders(asked), &current).within(repository(&current));
-    // Only an absolute path shows the `usrapp` above the current folder.
-    let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-    let mut workspace =
-        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
-    let diagnostics = diagnostics(&mut workspace, selection, &threads);
-    let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
-    let mut translator = Translator::new(&workspace.db, paths);
-    let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    let applications = translator.applications(&workspace.projects);
-    let report = Report::new(statistics(&workspace, &threads, started), applications, findings, unreadable);
-    // The process is about to end: taking the database apart piece by piece would only cost time.
-    std::mem::forget(workspace);
-    Ok(report)
+/// Everything that was asked for, read and ready to be checked.
+pub(crate) struct Session {
+    pub(crate) workspace: Workspace,
+    threads: ThreadPool,
+    paths: Paths,
+    started: Instant,
+}
+
+impl Session {
+    /// Reads everything that `asked` leads to; `jobs` threads work on it.
+    pub(crate) fn open(asked: &[Utf8PathBuf], jobs: Option<u16>) -> Result<Self, UserError> {
+        let started = Instant::now();
+        let threads = threads(jobs)?;
+        let current = current_folder()?;
+        let paths = Paths::new(&folders(asked), &current).within(repository(&current));
+        // Only an absolute path shows the `usrapp` above the current folder.
+        let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
+        let workspace =
+            load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
+        Ok(Self { workspace, threads, paths, started })
+    }
+
+    /// The findings in the order of the files, however many threads there are.
+    pub(crate) fn diagnostics(&mut self, selection: &Selection) -> Vec<Diagnostic> {
+        diagnostics(&mut self.workspace, selection, &self.threads)
+    }
+
+    /// The report on what was found.
+    pub(crate) fn report(&self, diagnostics: &[Diagnostic]) -> Report {
+        let Self { workspace, threads, paths, started } = self;
+        let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
+        let mut translator = Translator::new(&workspace.db, paths);
+        let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+        let applications = translator.applications(&workspace.projects);
+        Report::new(statistics(workspace, threads, *started), applications, findings, unreadable)
+    }
+
+    /// The path of a file as people open it.
+    pub(crate) fn shown(&self, file: File) -> String {
+        self.paths.shown(file.path(&self.workspace.db))
+    }
+
+    /// Ends the session when the process ends: taking the database apart piece by piece would only cost time.
+    pub(crate) fn abandon(self) {
+        std::mem::forget(self.workspace);
+    }
 }
 
 fn refused(error: &load::LoadError, paths: &Paths) -> UserError {
@@ -60,7 +83,6 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
         .with_help("what lies in it was not checked")
 }
 
-/// The findings in the order of the files, however many threads there are.
 fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
     let units = val3_check::units(&workspace.db, &workspace.projects);
     let progress = Progress::new(units.len());
@@ -128,104 +150,4 @@ fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
         _ => path.clone(),
     };
     asked.iter().map(folder).collect()
-}
-
-/// Turns diagnostics into findings; each file is indexed once.
-struct Translator<'a> {
-    db: &'a Database,
-    paths: Paths,
-    files: FxHashMap<File, Indexed>,
-}
-
-#[derive(Clone)]
-struct Indexed {
-    source: Arc<SourceFile>,
-    codes: Arc<CodeLines>,
-}
-
-impl<'a> Translator<'a> {
-    fn new(db: &'a Database, paths: Paths) -> Self {
-        Self { db, paths, files: FxHashMap::default() }
-    }
-
-    fn finding(&mut self, diagnostic: &Diagnostic) -> Finding {
-        let Indexed { source, codes } = self.indexed(diagnostic.place.file, diagnostic.application);
-        let place = Place { file: source, range: diagnostic.place.range.into() };
-        Finding {
-            code: diagnostic.rule.code,
-            name: diagnostic.rule.name,
-            severity: diagnostic.severity.into(),
-            message: diagnostic.message.clone(),
-            label: diagnostic.label.clone(),
-            help: diagnostic.help.clone(),
-            program: diagnostic.program.clone(),
-            code_line: codes.line(place.range.start, &place.file.lines),
-            application: diagnostic.application.map(|file| self.paths.relative(file.path(self.db))),
-            related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
-            fix: diagnostic.fix.as_ref().map(|fix| self.fix(fix, diagnostic.application)),
-            place,
-        }
-    }
-
-    fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> Fix {
-        let mut edit =
-            |edit: &diagnostic::Edit| Edit { place: self.place(edit.place, application), text: edit.text.clone() };
-        Fix { title: fix.title.clone(), safe: fix.safe, edits: fix.edits.iter().map(&mut edit).collect() }
-    }
-
-    fn applications(&self, projects: &[Project]) -> Vec<String> {
-        let paths = projects.iter().map(|project| self.paths.relative(project.manifest(self.db).path(self.db)));
-        let mut paths: Vec<_> = paths.collect();
-        paths.sort_unstable();
-        paths
-    }
-
-    fn related(&mut self, note: &RelatedNote, application: Option<File>) -> Related {
-        Related { place: self.place(note.place, application), message: note.message.clone() }
-    }
-
-    fn place(&mut self, Span { file, range }: Span, application: Option<File>) -> Place {
-        Place { file: self.indexed(file, application).source, range: range.into() }
-    }
-
-    fn indexed(&mut self, file: File, application: Option<File>) -> Indexed {
-        if let Some(indexed) = self.files.get(&file) {
-            return indexed.clone();
-        }
-        let indexed = self.index(file, application);
-        self.files.insert(file, indexed.clone());
-        indexed
-    }
-
-    fn index(&self, file: File, application: Option<File>) -> Indexed {
-        let path = file.path(self.db);
-        let mut source =
-            SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(self.db)), self.encoding(file));
-        source.shown = self.paths.shown(path);
-        source.in_repository = self.paths.in_repository(path);
-        source.disk = application.and_then(|application| self.on_controller(path, application));
-        let parse = items::parse(self.db, file);
-        Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(View::root(parse.green()))) }
-    }
-
-    fn encoding(&self, file: File) -> Encoding {
-        match file.status(self.db) {
-            FileStatus::Read { encoding, .. } => *encoding,
-            FileStatus::Unreadable(_) => Encoding::Utf8,
-        }
-    }
-
-    /// `Disk://app/prog.pgx`; where nothing tells what `Disk://` is, the folder around the application.
-    fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
-        let manifest = application.path(self.db);
-        let project = self.project(manifest);
-        let disk = project.and_then(|project| project.disk(self.db).as_deref());
-        let disk = disk.or_else(|| manifest.parent()?.parent())?;
-        let inside = path.strip_prefix(disk).ok()?;
-        Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))
-    }
-
-    fn project(&self, manifest: &Utf8Path) -> Option<Project> {
-        Sources::get(self.db).projects(self.db).get(&path_key(manifest.as_str())).copied()
-    }
 }

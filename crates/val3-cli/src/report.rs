@@ -189,6 +189,8 @@ pub(crate) struct Report {
     pub(crate) applications: Vec<String>,
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
+    /// How many findings were mended before the report, where that was asked for.
+    pub(crate) mended: Option<usize>,
     /// Folders that could not be read, so that the findings may not be all.
     pub(crate) unreadable: Vec<UserError>,
 }
@@ -204,13 +206,19 @@ impl Report {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
         // A file that two applications use may be judged twice.
         findings.dedup_by(|a, b| order(a) == order(b));
-        Self { statistics, applications, findings, unreadable }
+        Self { statistics, applications, findings, mended: None, unreadable }
     }
 
     /// How many findings have a level.
     pub(crate) fn count(&self, severity: Severity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
         self.findings.iter().filter(same).count()
+    }
+
+    /// How many findings have a fix that is safe, or one that is a guess.
+    pub(crate) fn fixable(&self, safe: bool) -> usize {
+        let fixes = self.findings.iter().filter_map(|finding| finding.fix.as_ref());
+        fixes.filter(|fix| fix.safe == safe).count()
     }
 
     /// How many files have findings.

@@ -4,6 +4,8 @@
 
 mod check;
 mod explain;
+mod fixes;
 mod formats;
+mod statistics;
 mod support;
 mod usage;
