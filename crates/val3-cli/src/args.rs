@@ -80,6 +80,9 @@ pub(crate) struct CheckArgs {
     /// Count the findings of each rule instead of listing them
     #[arg(long, conflicts_with = "diff")]
     pub(crate) statistics: bool,
+    /// Check again whenever a file is changed, until Ctrl-C
+    #[arg(long, conflicts_with = "diff")]
+    pub(crate) watch: bool,
     /// Threads to work with [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,

@@ -9,6 +9,7 @@ use crate::output::{to_file, to_stderr, to_stdout};
 use crate::report::Report;
 use crate::selection::Selection;
 use crate::user_error::{EXIT_USAGE, UserError};
+use crate::watch::Watch;
 use crate::{format, patch, rule_counts, summary};
 
 /// Runs the command; the exit code says whether findings reach the fail level.
@@ -16,6 +17,9 @@ pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError>
     let selection = Selection::new(val3_check::rules::all(), &args.select, &args.ignore)?;
     if args.statistics {
         rule_counts::supports(args.format)?;
+    }
+    if args.watch {
+        return watch(args, color, &selection);
     }
     let mut session = Session::open(&args.paths, args.jobs)?;
     let code = if args.diff {
@@ -39,6 +43,25 @@ fn check(args: &CheckArgs, color: Color, selection: &Selection, session: &mut Se
     write_files(args, &report)?;
     write_findings(args, color, &report)?;
     Ok(exit_code(args, &report, report.reaches(args.fail_level)))
+}
+
+/// Checks again and again; every round reads all files anew. It ends when it cannot go on, or with the process.
+fn watch(args: &CheckArgs, color: Color, selection: &Selection) -> Result<ExitCode, UserError> {
+    let mut watch = Watch::start(&args.paths)?;
+    let mut session = Some(Session::open(&args.paths, args.jobs)?);
+    loop {
+        if let Some(mut session) = session.take() {
+            check(args, color, selection, &mut session)?;
+            session.folders().iter().try_for_each(|folder| watch.include(folder, false))?;
+        }
+        to_stderr(|out| writeln!(out, "Waiting for changes; Ctrl-C ends"));
+        let changed = watch.changed()?;
+        to_stderr(|out| writeln!(out, "\n{} was changed", changed.display()));
+        match Session::open(&args.paths, args.jobs) {
+            Ok(opened) => session = Some(opened),
+            Err(error) => to_stderr(|out| writeln!(out, "{error}")),
+        }
+    }
 }
 
 /// Shows what the fixes would change.

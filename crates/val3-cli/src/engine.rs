@@ -1,12 +1,13 @@
 //! From paths to a report: the one file that knows how the analysis is asked.
 
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use salsa::Database as _;
-use val3_analysis::db::{Database, File, Project};
+use val3_analysis::db::{Database, File, Project, Sources};
 use val3_analysis::items;
 use val3_analysis::load::{self, Workspace};
 use val3_check::diagnostic::Diagnostic;
@@ -66,6 +67,13 @@ impl Session {
     /// The path of a file as people open it.
     pub(crate) fn shown(&self, file: File) -> String {
         self.paths.shown(file.path(&self.workspace.db))
+    }
+
+    /// The folders of all files that were read, also of libraries elsewhere.
+    pub(crate) fn folders(&self) -> BTreeSet<Utf8PathBuf> {
+        let db = &self.workspace.db;
+        let files = Sources::get(db).files(db).values();
+        files.filter_map(|file| file.path(db).parent()).map(Utf8Path::to_owned).collect()
     }
 
     /// Ends the session when the process ends: taking the database apart piece by piece would only cost time.

@@ -25,6 +25,7 @@ mod summary;
 mod topics;
 mod translation;
 mod user_error;
+mod watch;
 
 use std::process::ExitCode;
 

@@ -85,3 +85,71 @@ fn edited(text: &str, mut edits: Vec<&Edit>) -> String {
     new.push_str(text.get(rest..).unwrap_or(""));
     new
 }
+
+#[cfg(test)]
+mod tests {
+    use camino::Utf8PathBuf;
+    use val3_analysis::load::{Workspace, load};
+    use val3_analysis::system::Memory;
+    use val3_syntax::TextRange;
+    use val3_test::{Fixture, ROOT};
+
+    use super::*;
+    use crate::diagnostic::Span;
+
+    const PROGRAM: &str = "start.pgx";
+
+    fn workspace() -> Workspace {
+        let files = Fixture::parse("num nA\nnA=1\nnA=2").files;
+        let files = files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.into_bytes()));
+        load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap()
+    }
+
+    /// A fix that writes `new` over each `old` of the program.
+    fn fix(workspace: &Workspace, changes: &[(&str, &str)]) -> Fix {
+        let files = val3_analysis::db::Sources::get(&workspace.db).files(&workspace.db);
+        let file = *files.values().find(|file| file.path(&workspace.db).as_str().ends_with(PROGRAM)).unwrap();
+        let text = file.text(&workspace.db);
+        let edit = |(old, new): &(&str, &str)| {
+            let start = u32::try_from(text.find(old).unwrap()).unwrap();
+            let range = TextRange::at(start.into(), u32::try_from(old.len()).unwrap().into());
+            Edit { place: Span { file, range }, text: (*new).to_owned() }
+        };
+        Fix::safe("", changes.iter().map(edit).collect())
+    }
+
+    /// The statements after fixes, and how many were applied.
+    fn mended(changes: &[&[(&str, &str)]]) -> (Vec<String>, usize) {
+        let workspace = workspace();
+        let fixes: Vec<_> = changes.iter().map(|changes| fix(&workspace, changes)).collect();
+        let mended = mend(&workspace.db, &fixes);
+        let text = mended.texts.first().map_or("", |(_, text)| text);
+        let code = text.split("begin\n").nth(1).unwrap_or("").split("\nend").next().unwrap_or("");
+        (code.lines().map(str::to_owned).collect(), mended.fixes)
+    }
+
+    #[test]
+    fn fixes_apart_from_each_other_are_applied_at_once() {
+        let (code, fixes) = mended(&[&[("nA=2", "nA=20")], &[("nA=1", "nA=10")]]);
+        assert_eq!((code, fixes), (vec!["nA=10".to_owned(), "nA=20".to_owned()], 2));
+    }
+
+    #[test]
+    fn of_fixes_that_touch_the_first_is_applied() {
+        let (code, fixes) = mended(&[&[("A=1", "B=1")], &[("=1", "=3")], &[("nA", "m"), ("=2", "=4")]]);
+        assert_eq!((code, fixes), (vec!["nB=1".to_owned(), "nA=2".to_owned()], 1));
+    }
+
+    #[test]
+    fn a_fix_is_applied_as_a_whole_or_not_at_all() {
+        let (code, fixes) = mended(&[&[("=1", "=3")], &[("=1", "=5"), ("=2", "=4")]]);
+        assert_eq!((code, fixes), (vec!["nA=3".to_owned(), "nA=2".to_owned()], 1));
+    }
+
+    #[test]
+    fn what_would_break_the_text_is_left_out() {
+        let (code, fixes) = mended(&[&[("nA=1", "nA=(1")], &[("nA=2", "nA=3")]]);
+        assert_eq!((code, fixes), (vec!["nA=1".to_owned(), "nA=3".to_owned()], 1));
+        assert_eq!(mended(&[&[("nA=1", "nA=(1")]]), (Vec::new(), 0));
+    }
+}

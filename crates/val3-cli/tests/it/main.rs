@@ -9,3 +9,4 @@ mod formats;
 mod statistics;
 mod support;
 mod usage;
+mod watch;
