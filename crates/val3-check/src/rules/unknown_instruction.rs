@@ -65,9 +65,9 @@ fn instead(name: &str, is: NameKind) -> String {
     }
 }
 
-/// Writes the near name, or `call` in front of a program.
+/// Writes the near name, or `call` in front of a program; what a library has can be nothing else.
 pub(crate) fn fix(site: &Site<'_>, name: &str, near: Option<&str>, is: Option<NameKind>) -> Option<Fix> {
-    if is != Some(NameKind::Program) {
+    if is != Some(NameKind::Program) && !name.contains(':') {
         return rename(site, name, near);
     }
     let starts_line = site.before().trim().is_empty();
