@@ -6,6 +6,8 @@
 mod apply;
 mod site;
 mod table;
+#[cfg(test)]
+mod tests;
 
 pub use apply::{Mended, mend};
 pub(crate) use site::{Site, rename};

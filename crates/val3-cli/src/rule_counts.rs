@@ -1,5 +1,6 @@
 //! `val3 check --statistics`: how many findings each rule has.
 
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::io;
 
@@ -63,7 +64,7 @@ fn counts(findings: &[Finding]) -> Vec<RuleCount> {
         }
     }
     let mut counts: Vec<_> = counts.into_values().collect();
-    counts.sort_by(|a, b| b.count.cmp(&a.count));
+    counts.sort_by_key(|row| Reverse(row.count));
     counts
 }
 

@@ -86,6 +86,14 @@ impl<'a> Site<'a> {
         in_code.then(|| self.write(TextRange::empty(at), &text))
     }
 
+    /// Removes the line of the marked text with its line end.
+    pub(crate) fn remove_line(&self) -> Edit {
+        let end = self.range.end() + TextSize::of(self.behind());
+        let rest = self.slice(end, TextSize::of(self.whole()));
+        let line_end = ["\r\n", "\n", "\r"].into_iter().find(|line_end| rest.starts_with(line_end)).unwrap_or("");
+        self.write(TextRange::new(self.line_start(self.range.start()), end + TextSize::of(line_end)), "")
+    }
+
     /// The code around the place.
     fn code(&self) -> Option<TextRange> {
         let root = parse(self.db, self.file).root();

@@ -2,6 +2,10 @@
 
 #![allow(clippy::expect_used, reason = "a sample that is broken may stop the tests")]
 
+use std::sync::Arc;
+
+use val3_syntax::encoding::Encoding;
+
 use super::*;
 
 const APPLICATION: &str = "cell/usr/usrapp/pal/pal.pjx";
