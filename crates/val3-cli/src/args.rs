@@ -13,7 +13,7 @@ use crate::report::Severity;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  no finding at or above the fail level
-  1  findings
+  1  findings; with --diff, something to change
   2  wrong usage, or a file that cannot be read or written";
 
 const STYLES: Styles = Styles::styled()
