@@ -14,6 +14,7 @@ mod related;
 pub mod rule;
 pub mod rules;
 mod statistics;
+pub mod topics;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;

@@ -22,7 +22,6 @@ mod rule_counts;
 mod selection;
 mod similar;
 mod summary;
-mod topics;
 mod translation;
 mod user_error;
 mod watch;
