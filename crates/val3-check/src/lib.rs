@@ -14,10 +14,10 @@ mod related;
 pub mod rule;
 pub mod rules;
 mod statistics;
-pub mod topics;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;
+pub mod topics;
 
 pub use check::{Unit, check_unit, finish, units};
 pub use statistics::{Statistics, statistics};
