@@ -9,6 +9,7 @@ pub mod faults;
 pub mod manifest;
 pub mod program;
 pub mod project;
+pub mod suppressions;
 
 use val3_syntax::Parse;
 

@@ -1,5 +1,6 @@
 //! Diagnostics: the rules with their pages, and the check that applies them.
 
+pub mod baseline;
 mod built_in;
 mod check;
 mod conversion;
@@ -13,11 +14,13 @@ mod phrase;
 mod related;
 pub mod rule;
 pub mod rules;
+pub mod settings;
 mod statistics;
+pub mod suppression;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;
 pub mod topics;
 
-pub use check::{Unit, check_unit, finish, units};
+pub use check::{Checked, Unit, check_unit, finish, units};
 pub use statistics::{Statistics, statistics};

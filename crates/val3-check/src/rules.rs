@@ -119,6 +119,8 @@ rules! {
     implementation_different,
     // Style
     keyword_spelling,
+    unused_suppression,
+    unknown_suppression,
 }
 
 /// Every rule, sorted by code.

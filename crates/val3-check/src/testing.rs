@@ -10,6 +10,7 @@ use val3_analysis::system::Memory;
 use crate::diagnostic::Diagnostic;
 use crate::fix::mend;
 use crate::rule::Severity;
+use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
 /// One finding with its line.
@@ -32,7 +33,15 @@ pub struct CheckedFinding {
 /// # Panics
 /// If there is no project among the files.
 pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
-    let (workspace, found) = checked(files);
+    check_selected(files, &Selection::default())
+}
+
+/// As [`check_files`], with what a command line says about findings.
+///
+/// # Panics
+/// As [`check_files`].
+pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec<CheckedFinding> {
+    let (workspace, found) = checked(files, selection);
     let db = &workspace.db;
     let mut findings: Vec<CheckedFinding> = found
         .iter()
@@ -70,7 +79,7 @@ pub struct OfferedFix {
 /// # Panics
 /// If there is no project among the files.
 pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
-    let (workspace, found) = checked(files);
+    let (workspace, found) = checked(files, &Selection::default());
     let offered = |diagnostic: &Diagnostic| {
         let fix = diagnostic.fix.as_ref()?;
         let edits = fix.edits.iter().map(|edit| {
@@ -88,7 +97,7 @@ pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
 /// # Panics
 /// If there is no project among the files.
 pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
-    let (workspace, found) = checked(files);
+    let (workspace, found) = checked(files, &Selection::default());
     let db = &workspace.db;
     let mut fixed = files.to_vec();
     for (file, text) in mend(db, found.iter().filter_map(|diagnostic| diagnostic.fix.as_ref())).texts {
@@ -105,12 +114,16 @@ pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
     fixed
 }
 
-fn checked(files: &[(String, Vec<u8>)]) -> (Workspace, Vec<Diagnostic>) {
+fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Vec<Diagnostic>) {
     let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
     let system = Memory::new(files.iter().map(rooted));
     let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
-    let units = units(&workspace.db, &workspace.projects);
-    let found = finish(units.into_iter().flat_map(|unit| check_unit(&workspace.db, unit)).collect());
+    let db = &workspace.db;
+    let units = units(db, &workspace.projects);
+    let settings =
+        WorkspaceSettings::new(db, &workspace.projects, selection).unwrap_or_else(|errors| panic!("{errors:?}"));
+    let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
+    let found = finish(db, &units, &settings, checked).findings;
     (workspace, found)
 }
 

@@ -5,40 +5,51 @@ use std::process::ExitCode;
 use crate::args::{CheckArgs, Color};
 use crate::engine::Session;
 use crate::fixing::{self, Fixed};
+use crate::opening::{Request, open};
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::report::Report;
-use crate::selection::Selection;
 use crate::user_error::{EXIT_USAGE, UserError};
 use crate::watch::Watch;
-use crate::{format, patch, rule_counts, summary};
+use crate::{explain_config, format, patch, rule_counts, selection, summary};
 
 /// Runs the command; the exit code says whether findings reach the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
-    let selection = Selection::new(val3_check::rules::all(), &args.select, &args.ignore)?;
+    let request = request(args)?;
     if args.statistics {
         rule_counts::supports(args.format)?;
     }
-    if args.watch {
-        return watch(args, color, &selection);
+    if args.explain_config {
+        let opened = open(&request)?;
+        to_stdout(color, |mut out| explain_config::write(&opened, &request, &mut out))?;
+        return Ok(ExitCode::SUCCESS);
     }
-    let mut session = Session::open(&args.paths, args.jobs)?;
-    let code = if args.diff {
-        diff(args, color, &selection, &mut session)
-    } else {
-        check(args, color, &selection, &mut session)
-    };
+    if args.watch {
+        return watch(args, color, &request);
+    }
+    let mut session = Session::open(&request)?;
+    let code = if args.diff { diff(args, color, &mut session) } else { check(args, color, &mut session) };
     session.abandon();
     code
 }
 
-fn check(args: &CheckArgs, color: Color, selection: &Selection, session: &mut Session) -> Result<ExitCode, UserError> {
+fn request(args: &CheckArgs) -> Result<Request, UserError> {
+    Ok(Request {
+        asked: args.paths.clone(),
+        selection: selection::read(&args.select, &args.ignore)?,
+        baseline: args.baseline.clone(),
+        mode: args.baseline_mode(),
+        jobs: args.jobs,
+    })
+}
+
+fn check(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
     let report = if args.fix {
-        let fixed = fixed(args, selection, session);
+        let fixed = fixed(args, session)?;
         fixing::write(session, &fixed.files)?;
-        Report { mended: Some(fixed.mended), ..session.report(&fixed.diagnostics) }
+        Report { mended: Some(fixed.mended), ..session.report(fixed.left) }
     } else {
-        let diagnostics = session.diagnostics(selection);
-        session.report(&diagnostics)
+        let found = session.check()?;
+        session.report(found)
     };
     write_files(args, &report)?;
     write_findings(args, color, &report)?;
@@ -46,18 +57,18 @@ fn check(args: &CheckArgs, color: Color, selection: &Selection, session: &mut Se
 }
 
 /// Checks again and again; every round reads all files anew. It ends when it cannot go on, or with the process.
-fn watch(args: &CheckArgs, color: Color, selection: &Selection) -> Result<ExitCode, UserError> {
-    let mut watch = Watch::start(&args.paths)?;
-    let mut session = Some(Session::open(&args.paths, args.jobs)?);
+fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, UserError> {
+    let mut watch = Watch::start(&request.asked)?;
+    let mut session = Some(Session::open(request)?);
     loop {
         if let Some(mut session) = session.take() {
-            check(args, color, selection, &mut session)?;
+            check(args, color, &mut session)?;
             session.folders().iter().try_for_each(|folder| watch.include(folder, false))?;
         }
         to_stderr(|out| writeln!(out, "Waiting for changes; Ctrl-C ends"));
         let changed = watch.changed()?;
         to_stderr(|out| writeln!(out, "\n{} was changed", changed.display()));
-        match Session::open(&args.paths, args.jobs) {
+        match Session::open(request) {
             Ok(opened) => session = Some(opened),
             Err(error) => to_stderr(|out| writeln!(out, "{error}")),
         }
@@ -65,20 +76,20 @@ fn watch(args: &CheckArgs, color: Color, selection: &Selection) -> Result<ExitCo
 }
 
 /// Shows what the fixes would change.
-fn diff(args: &CheckArgs, color: Color, selection: &Selection, session: &mut Session) -> Result<ExitCode, UserError> {
-    let fixed = fixed(args, selection, session);
+fn diff(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
+    let fixed = fixed(args, session)?;
     to_stdout(color, |out| patch::write(&fixed.files, out))?;
-    let report = session.report(&fixed.diagnostics);
+    let report = session.report(fixed.left);
     write_unreadable(&report);
     Ok(exit_code(args, &report, !fixed.files.is_empty()))
 }
 
-fn fixed(args: &CheckArgs, selection: &Selection, session: &mut Session) -> Fixed {
-    let fixed = fixing::fix(session, selection, args.unsafe_fixes);
+fn fixed(args: &CheckArgs, session: &mut Session<'_>) -> Result<Fixed, UserError> {
+    let fixed = fixing::fix(session, args.unsafe_fixes)?;
     if !fixed.settled {
         to_stderr(|out| writeln!(out, "warning: the fixes do not settle, each round changes something again"));
     }
-    fixed
+    Ok(fixed)
 }
 
 /// The rule on files that cannot be read: without them the check is not complete.

@@ -1,89 +1,102 @@
-//! From paths to a report: the one file that knows how the analysis is asked.
+//! From a request to findings: the one file that knows how the analysis is asked.
 
 use std::collections::BTreeSet;
 use std::time::Instant;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use rayon::ThreadPool;
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use salsa::Database as _;
 use val3_analysis::db::{Database, File, Project, Sources};
 use val3_analysis::items;
-use val3_analysis::load::{self, Workspace};
+use val3_analysis::load::Workspace;
 use val3_check::diagnostic::Diagnostic;
-use val3_check::{Unit, check_unit, finish};
+use val3_check::settings::WorkspaceSettings;
+use val3_check::{Checked, Unit, check_unit, finish};
 
-use crate::parallel_disk::ParallelDisk;
+use crate::baseline::{KnownFindings, Outcome};
+use crate::opening::{Opened, Request, open};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Report, Statistics};
-use crate::selection::Selection;
 use crate::translation::Translator;
 use crate::user_error::UserError;
-
-/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
-const STACK_SIZE: usize = 16 << 20;
 
 /// Pieces of work between which trees that are no longer needed are dropped.
 const BATCH: usize = 2048;
 
 /// Everything that was asked for, read and ready to be checked.
-pub(crate) struct Session {
-    pub(crate) workspace: Workspace,
-    threads: ThreadPool,
-    paths: Paths,
+pub(crate) struct Session<'r> {
+    request: &'r Request,
+    opened: Opened,
     started: Instant,
 }
 
-impl Session {
-    /// Reads everything that `asked` leads to; `jobs` threads work on it.
-    pub(crate) fn open(asked: &[Utf8PathBuf], jobs: Option<u16>) -> Result<Self, UserError> {
+/// What one check of a session gives.
+pub(crate) struct Outcomes {
+    /// The findings in the order of the files, however many threads there are; without those that are known.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    silenced: usize,
+    baseline: Outcome,
+}
+
+impl<'r> Session<'r> {
+    /// Reads everything that is asked for.
+    pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
         let started = Instant::now();
-        let threads = threads(jobs)?;
-        let current = current_folder()?;
-        let paths = Paths::new(&folders(asked), &current).within(repository(&current));
-        // Only an absolute path shows the `usrapp` above the current folder.
-        let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-        let workspace =
-            load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
-        Ok(Self { workspace, threads, paths, started })
+        Ok(Self { request, opened: open(request)?, started })
     }
 
-    /// The findings in the order of the files, however many threads there are.
-    pub(crate) fn diagnostics(&mut self, selection: &Selection) -> Vec<Diagnostic> {
-        diagnostics(&mut self.workspace, selection, &self.threads)
+    /// Checks everything.
+    pub(crate) fn check(&mut self) -> Result<Outcomes, UserError> {
+        let Self { request, opened: Opened { threads, current, paths, workspace, settings }, .. } = self;
+        let units = val3_check::units(&workspace.db, &workspace.projects);
+        let mut checked = check_units(workspace, &units, settings, threads);
+        let named = request.baseline.as_ref().map(|path| current.join(path));
+        let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
+        let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
+        Ok(Outcomes { diagnostics: checked.findings, silenced: checked.silenced, baseline })
     }
 
     /// The report on what was found.
-    pub(crate) fn report(&self, diagnostics: &[Diagnostic]) -> Report {
-        let Self { workspace, threads, paths, started } = self;
+    pub(crate) fn report(&self, outcomes: Outcomes) -> Report {
+        let Opened { threads, paths, workspace, .. } = &self.opened;
         let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
         let mut translator = Translator::new(&workspace.db, paths);
-        let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+        let findings = outcomes.diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
         let applications = translator.applications(&workspace.projects);
-        Report::new(statistics(workspace, threads, *started), applications, findings, unreadable)
+        Report {
+            silenced: outcomes.silenced,
+            baseline: outcomes.baseline,
+            ..Report::new(statistics(workspace, threads, self.started), applications, findings, unreadable)
+        }
+    }
+
+    /// What was read.
+    pub(crate) fn db(&self) -> &Database {
+        &self.opened.workspace.db
+    }
+
+    /// As [`db`](Self::db), to be changed.
+    pub(crate) fn db_mut(&mut self) -> &mut Database {
+        &mut self.opened.workspace.db
     }
 
     /// The path of a file as people open it.
     pub(crate) fn shown(&self, file: File) -> String {
-        self.paths.shown(file.path(&self.workspace.db))
+        self.opened.paths.shown(file.path(self.db()))
     }
 
     /// The folders of all files that were read, also of libraries elsewhere.
     pub(crate) fn folders(&self) -> BTreeSet<Utf8PathBuf> {
-        let db = &self.workspace.db;
-        let files = Sources::get(db).files(db).values();
-        files.filter_map(|file| file.path(db).parent()).map(Utf8Path::to_owned).collect()
+        let files = Sources::get(self.db()).files(self.db()).values();
+        files.filter_map(|file| file.path(self.db()).parent()).map(Utf8Path::to_owned).collect()
     }
 
     /// Ends the session when the process ends: taking the database apart piece by piece would only cost time.
     pub(crate) fn abandon(self) {
-        std::mem::forget(self.workspace);
+        std::mem::forget(self.opened.workspace);
     }
-}
-
-fn refused(error: &load::LoadError, paths: &Paths) -> UserError {
-    UserError::new(format!("`{}`: {}", paths.shown(&error.path), error.reason))
 }
 
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
@@ -91,25 +104,28 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
         .with_help("what lies in it was not checked")
 }
 
-fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
-    let units = val3_check::units(&workspace.db, &workspace.projects);
+fn check_units(
+    workspace: &mut Workspace,
+    units: &[Unit],
+    settings: &WorkspaceSettings,
+    threads: &ThreadPool,
+) -> Checked {
     let progress = Progress::new(units.len());
     let check = |db: &mut Database, unit: &Unit| {
-        let mut found = check_unit(db, *unit);
-        found.retain(|diagnostic| selection.contains(diagnostic.rule));
+        let found = check_unit(db, *unit, settings);
         progress.advance();
         found
     };
-    let mut found = Vec::new();
+    let mut checked = Vec::with_capacity(units.len());
     let mut batches = units.chunks(BATCH).peekable();
     while let Some(batch) = batches.next() {
         let db = workspace.db.clone();
-        found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
+        checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
         if batches.peek().is_some() {
             forget_trees(&mut workspace.db, batch, threads);
         }
     }
-    finish(found)
+    finish(&workspace.db, units, settings, checked.into_iter().sum())
 }
 
 /// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
@@ -131,31 +147,4 @@ fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> 
         code_lines: counted.code_lines,
         seconds: started.elapsed().as_secs_f64(),
     }
-}
-
-fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
-    let threads = jobs.map_or(0, usize::from);
-    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
-        UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
-    })
-}
-
-fn current_folder() -> Result<Utf8PathBuf, UserError> {
-    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
-    Utf8PathBuf::from_path_buf(path)
-        .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
-}
-
-/// The nearest folder above `current` that a version control keeps.
-fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
-    current.ancestors().find(|folder| [".git", ".hg", ".svn"].iter().any(|name| folder.join(name).exists()))
-}
-
-/// The folders that were asked for; of a file, the one around it.
-fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    let folder = |path: &Utf8PathBuf| match path.parent() {
-        Some(parent) if path.is_file() => parent.to_owned(),
-        _ => path.clone(),
-    };
-    asked.iter().map(folder).collect()
 }

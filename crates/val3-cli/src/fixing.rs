@@ -5,13 +5,11 @@ use std::sync::Arc;
 use rustc_hash::FxHashMap;
 use salsa::Setter as _;
 use val3_analysis::db::{File, FileStatus};
-use val3_check::diagnostic::Diagnostic;
 use val3_check::fix::mend;
 use val3_syntax::encoding::{Encoding, decode};
 
-use crate::engine::Session;
+use crate::engine::{Outcomes, Session};
 use crate::output::replace_file;
-use crate::selection::Selection;
 use crate::user_error::UserError;
 
 /// Fixes that undo each other would go on for ever.
@@ -20,7 +18,7 @@ const ROUNDS: usize = 50;
 /// What the fixes did, in memory.
 pub(crate) struct Fixed {
     /// What is left.
-    pub(crate) diagnostics: Vec<Diagnostic>,
+    pub(crate) left: Outcomes,
     /// The files that changed, by path.
     pub(crate) files: Vec<FixedFile>,
     /// How many fixes were applied.
@@ -40,31 +38,30 @@ pub(crate) struct FixedFile {
     pub(crate) after: Arc<str>,
 }
 
-/// Applies the safe fixes of the selected findings, and the guesses if `guesses` says so.
-pub(crate) fn fix(session: &mut Session, selection: &Selection, guesses: bool) -> Fixed {
+/// Applies the safe fixes of what is found, and the guesses if `guesses` says so.
+pub(crate) fn fix(session: &mut Session<'_>, guesses: bool) -> Result<Fixed, UserError> {
     let mut originals: FxHashMap<File, Arc<str>> = FxHashMap::default();
     let mut mended = 0;
     for _ in 0..ROUNDS {
-        let diagnostics = session.diagnostics(selection);
-        let fixes = diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref());
-        let round = mend(&session.workspace.db, fixes.filter(|fix| fix.safe || guesses));
+        let left = session.check()?;
+        let fixes = left.diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref());
+        let round = mend(session.db(), fixes.filter(|fix| fix.safe || guesses));
         if round.texts.is_empty() {
-            return Fixed { diagnostics, files: files(session, originals), mended, settled: true };
+            return Ok(Fixed { left, files: files(session, originals), mended, settled: true });
         }
         mended += round.fixes;
-        let db = &mut session.workspace.db;
+        let db = session.db_mut();
         for (file, text) in round.texts {
             originals.entry(file).or_insert_with(|| Arc::clone(file.text(db)));
             file.set_text(db).to(text.into());
         }
     }
-    let diagnostics = session.diagnostics(selection);
-    Fixed { diagnostics, files: files(session, originals), mended, settled: false }
+    Ok(Fixed { left: session.check()?, files: files(session, originals), mended, settled: false })
 }
 
-fn files(session: &Session, originals: FxHashMap<File, Arc<str>>) -> Vec<FixedFile> {
+fn files(session: &Session<'_>, originals: FxHashMap<File, Arc<str>>) -> Vec<FixedFile> {
     let fixed = |(file, before): (File, Arc<str>)| {
-        let after = Arc::clone(file.text(&session.workspace.db));
+        let after = Arc::clone(file.text(session.db()));
         FixedFile { file, path: session.shown(file), before, after }
     };
     let mut files: Vec<_> = originals.into_iter().map(fixed).filter(|file| file.before != file.after).collect();
@@ -73,8 +70,8 @@ fn files(session: &Session, originals: FxHashMap<File, Arc<str>>) -> Vec<FixedFi
 }
 
 /// Writes the files. Each is replaced as a whole or stays as it is.
-pub(crate) fn write(session: &Session, files: &[FixedFile]) -> Result<(), UserError> {
-    let db = &session.workspace.db;
+pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), UserError> {
+    let db = session.db();
     for FixedFile { file, path, before, after } in files {
         let FileStatus::Read { encoding, .. } = file.status(db) else { continue };
         let bytes = encoded(*encoding, after).ok_or_else(|| unencodable(path))?;

@@ -10,6 +10,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 use val3_check::rule;
 
+use crate::baseline::Outcome;
 use crate::user_error::UserError;
 
 pub(crate) use finding::{Edit, Finding, Fix, Place, Related, SourceFile};
@@ -73,6 +74,10 @@ pub(crate) struct Report {
     pub(crate) findings: Vec<Finding>,
     /// How many findings were mended before the report, where that was asked for.
     pub(crate) mended: Option<usize>,
+    /// How many findings comments in the code silence.
+    pub(crate) silenced: usize,
+    /// What the baselines left out.
+    pub(crate) baseline: Outcome,
     /// Folders that could not be read, so that the findings may not be all.
     pub(crate) unreadable: Vec<UserError>,
 }
@@ -88,7 +93,8 @@ impl Report {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
         // A file that two applications use may be judged twice.
         findings.dedup_by(|a, b| order(a) == order(b));
-        Self { statistics, applications, findings, mended: None, unreadable }
+        let (silenced, baseline) = (0, Outcome::default());
+        Self { statistics, applications, findings, mended: None, silenced, baseline, unreadable }
     }
 
     /// How many findings have a level.

@@ -106,7 +106,7 @@ impl<'a> Translator<'a> {
     fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
         let manifest = application.path(self.db);
         let project = self.project(manifest);
-        let disk = project.and_then(|project| project.disk(self.db).as_deref());
+        let disk = project.and_then(|project| project.disk(self.db));
         let disk = disk.or_else(|| manifest.parent()?.parent())?;
         let inside = path.strip_prefix(disk).ok()?;
         Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))

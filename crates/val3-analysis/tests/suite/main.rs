@@ -5,6 +5,7 @@ mod show;
 
 mod arguments;
 mod calls;
+mod configuration;
 mod data;
 mod dialect;
 mod discovery;

@@ -6,6 +6,7 @@ use val3_analysis::system::Memory;
 use val3_test::{Fixture, ROOT};
 
 use crate::rule::Rule;
+use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, units};
 
 /// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
@@ -18,7 +19,10 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
         .map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.clone().into_bytes()));
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
-    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit));
+    let named = Selection { named: [rule.code].into(), ..Selection::default() };
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &named).unwrap();
+    let units = units(db, &workspace.projects).into_iter();
+    let found = units.flat_map(|unit| check_unit(db, unit, &settings).findings);
     let mut shown = String::new();
     for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
         let at = |place: crate::diagnostic::Span| {

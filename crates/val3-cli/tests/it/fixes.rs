@@ -37,6 +37,17 @@ fn only_selected_findings_are_mended() {
 }
 
 #[test]
+fn what_is_known_or_silenced_is_not_mended() {
+    let folder = Folder::with(MIXED);
+    folder.val3(&["check", "--write-baseline", "--baseline", "known.json"]);
+    let before = folder.read(PROGRAM);
+    let run = folder.val3(&["check", "--fix", "--unsafe-fixes", "--baseline", "known.json"]);
+    assert!(run.stderr.contains("0 of 0 findings mended"), "{run:?}");
+    let run = folder.val3(&["check", "--fix", "--unsafe-fixes", "--ignore", "all"]);
+    assert_eq!((run.code, folder.read(PROGRAM)), (0, before), "{run:?}");
+}
+
+#[test]
 fn nothing_to_mend_writes_nothing() {
     let folder = Folder::with(FAULTY);
     let written = || fs::metadata(folder.path().join(PROGRAM)).unwrap().modified().unwrap();
@@ -113,7 +124,9 @@ fn a_file_that_must_not_be_written_is_an_error() {
 #[test]
 fn options_that_do_not_go_together() {
     let folder = Folder::with(UNUSUAL);
-    for options in [&["--fix", "--diff"][..], &["--unsafe-fixes"], &["--diff", "--statistics"]] {
+    for options in
+        [&["--fix", "--diff"][..], &["--fix", "--write-baseline"], &["--unsafe-fixes"], &["--diff", "--statistics"]]
+    {
         let run = folder.val3(&[&["check"], options].concat());
         assert_eq!(run.code, 2, "{options:?} {run:?}");
     }

@@ -3,7 +3,9 @@
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
 #![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod baseline;
 mod check;
+mod configuration;
 mod explain;
 mod fixes;
 mod formats;
