@@ -97,7 +97,7 @@ impl Sum for Checked {
 
 /// Checks one piece of work.
 pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
-    let mut check = Check { db, unit, settings: settings.of(db, unit.project()), found: Vec::new() };
+    let mut check = Check { db, unit, settings: settings.of(db, unit.project()), sound: true, found: Vec::new() };
     check.run();
     check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
     suppression::apply(db, check.found)
@@ -124,6 +124,8 @@ struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
     settings: &'db Settings,
+    /// No error so far, asked for or not: what a lint would say beside one is most often its echo.
+    sound: bool,
     found: Vec<Diagnostic>,
 }
 
@@ -136,19 +138,18 @@ impl Check<'_> {
                 self.problems(file, header_check::problems(db, project, file));
                 if !broken {
                     self.problems(file, infer::problems(db, project, file));
-                    let spelling = keywords::spelling(db, project, file);
-                    let comments = suppression::unknown(db, project, file);
-                    spelling.into_iter().chain(comments).for_each(|found| self.add(found));
+                    self.add_all(keywords::spelling(db, project, file));
+                    self.add_all(suppression::unknown(db, project, file));
                 }
-                if self.is_sound() {
-                    lint::program(db, project, file).into_iter().for_each(|found| self.add(found));
+                if self.sound {
+                    self.add_all(lint::program(db, project, file, self.settings));
                 }
             }
             Unit::Data(project, file) => {
                 self.text(file);
                 self.problems(file, data_check::problems(db, project, file));
-                if self.is_sound() {
-                    lint::data(db, project, file).into_iter().for_each(|found| self.add(found));
+                if self.sound {
+                    self.add_all(lint::data(db, project, file, self.settings));
                 }
             }
             Unit::Project(project) => {
@@ -156,16 +157,11 @@ impl Check<'_> {
                 self.text(file);
                 self.problems(file, project_check::problems(db, project));
                 self.problems(file, interfaces::problems(db, project));
-                if self.is_sound() {
-                    lint::project(db, project).into_iter().for_each(|found| self.add(found));
+                if self.sound {
+                    self.add_all(lint::project(db, project, self.settings));
                 }
             }
         }
-    }
-
-    /// No error so far: what the lints would say beside one is most often its echo.
-    fn is_sound(&self) -> bool {
-        self.found.iter().all(|diagnostic| diagnostic.severity < Severity::Error)
     }
 
     /// The faults of a file's text; true if the rest of it cannot be judged.
@@ -185,7 +181,12 @@ impl Check<'_> {
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
     }
 
+    fn add_all(&mut self, diagnostics: Vec<Diagnostic>) {
+        diagnostics.into_iter().for_each(|diagnostic| self.add(diagnostic));
+    }
+
     fn add(&mut self, diagnostic: Diagnostic) {
+        self.sound &= diagnostic.severity < Severity::Error;
         self.found.extend(self.settings.judged(diagnostic));
     }
 

@@ -84,7 +84,7 @@ impl Settings {
         let named = named.contains(rule.code);
         match self.levels.get(rule.code).map_or(Level::Default, |configured| configured.level) {
             Level::Off => named.then_some(usual),
-            Level::Default => (!rule.off || named).then_some(usual),
+            Level::Default => (rule.on || named).then_some(usual),
             Level::On => Some(usual),
             Level::Info => Some(Severity::Info),
             Level::Warning => Some(Severity::Warning),

@@ -62,7 +62,7 @@ pub fn all() -> Vec<Topic> {
 
 fn finding(rule: &Rule) -> Topic {
     let level = rule.severity.word();
-    let off = if rule.off { ", off until configured" } else { "" };
+    let off = if rule.on { "" } else { ", off until configured" };
     Topic {
         kind: Kind::Finding,
         names: vec![rule.code.to_owned(), rule.name.to_owned()],

@@ -8,6 +8,7 @@ use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
+use val3_config::Options;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_syntax::TextRange;
 
@@ -20,6 +21,8 @@ pub(crate) struct Program<'db> {
     pub(crate) items: &'db Items,
     pub(crate) body: &'db Body,
     pub(crate) inference: &'db Inference,
+    /// What the application asks of rules.
+    pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
 }
@@ -38,7 +41,7 @@ pub(crate) struct Call<'db> {
 }
 
 impl<'db> Program<'db> {
-    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, options: &'db Options) -> Self {
         Self {
             db,
             project,
@@ -47,6 +50,7 @@ impl<'db> Program<'db> {
             items: items(db, project),
             body: body(db, file),
             inference: infer(db, project, file),
+            options,
             effects: Effects::new(db, project, file),
         }
     }

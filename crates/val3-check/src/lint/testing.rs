@@ -1,5 +1,7 @@
 //! For the tests of lints: what one rule says about a listing.
 
+use std::collections::BTreeSet;
+
 use camino::Utf8PathBuf;
 use val3_analysis::load::load;
 use val3_analysis::system::Memory;
@@ -19,10 +21,10 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
         .map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.clone().into_bytes()));
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
-    let named = Selection { named: [rule.code].into(), ..Selection::default() };
-    let settings = WorkspaceSettings::new(db, &workspace.projects, &named).unwrap();
-    let units = units(db, &workspace.projects).into_iter();
-    let found = units.flat_map(|unit| check_unit(db, unit, &settings).findings);
+    let only = BTreeSet::from([rule.code]);
+    let selection = Selection { only: Some(only.clone()), named: only, ..Selection::default() };
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &selection).unwrap();
+    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit, &settings).findings);
     let mut shown = String::new();
     for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
         let at = |place: crate::diagnostic::Span| {

@@ -82,7 +82,7 @@ fn the_command_line_wins() {
 
 #[test]
 fn what_is_off_until_asked_for() {
-    let rule = Rule { off: true, ..*rules::find("V0701").unwrap() };
+    let rule = Rule { on: false, ..*rules::find("V0701").unwrap() };
     let wants = |text: &str| settings(text, &Selection::default()).unwrap().wants(&rule);
     assert!(!wants("") && !wants("[rules]\nall = \"default\"\n"));
     assert!(wants("[rules]\nV0701 = \"on\"\n") && wants("[rules]\nV07 = \"warning\"\n"));
