@@ -94,6 +94,24 @@ pub enum PointKind {
     Unknown,
 }
 
+impl PointKind {
+    /// The outermost expressions of the point, in the order in which they are evaluated.
+    pub fn exprs(&self) -> Vec<ExprId> {
+        match self {
+            Self::Test { condition, .. } => condition.iter().copied().collect(),
+            Self::ForStart { counter, start, stop, step } => {
+                [start, stop, step, counter].into_iter().flatten().copied().collect()
+            }
+            Self::ForTest { counter } => counter.iter().copied().collect(),
+            Self::Switch { selector, values } => selector.iter().chain(values).copied().collect(),
+            Self::Call(id) | Self::Print(id) | Self::Expr(id) => vec![*id],
+            Self::TaskCreate(arguments) => arguments.clone(),
+            Self::Assign { target, value } => vec![*value, *target],
+            Self::Start | Self::End | Self::Return | Self::Empty | Self::Unknown => Vec::new(),
+        }
+    }
+}
+
 /// The control-flow graph of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn flow(db: &dyn Db, file: File) -> Flow {

@@ -12,6 +12,7 @@ mod expressions;
 mod fathers;
 mod fields;
 mod firewall;
+mod flow;
 mod headers;
 mod hostile;
 mod interfaces;
