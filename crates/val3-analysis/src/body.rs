@@ -2,6 +2,7 @@
 
 mod constant;
 mod lower;
+mod same;
 
 pub use constant::Constant;
 
@@ -46,6 +47,13 @@ impl Stmt {
             _ => Vec::new(),
         };
         blocks.into_iter()
+    }
+
+    /// The statement and those in its blocks, outer ones before inner ones, in the order of the text.
+    pub fn with_inner(&self) -> Vec<&Stmt> {
+        let mut found = vec![self];
+        self.blocks().for_each(|block| collect_stmts(block, &mut found));
+        found
     }
 }
 
@@ -180,6 +188,13 @@ impl Expr {
     }
 }
 
+fn collect_stmts<'b>(block: &'b [Stmt], found: &mut Vec<&'b Stmt>) {
+    for stmt in block {
+        found.push(stmt);
+        stmt.blocks().for_each(|block| collect_stmts(block, found));
+    }
+}
+
 /// The code of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn body(db: &dyn Db, file: File) -> Body {
@@ -210,6 +225,13 @@ impl Body {
     /// There is no expression.
     pub fn is_empty(&self) -> bool {
         self.exprs.is_empty()
+    }
+
+    /// Every statement, outer ones before inner ones, in the order of the text.
+    pub fn stmts(&self) -> Vec<&Stmt> {
+        let mut found = Vec::new();
+        collect_stmts(&self.block, &mut found);
+        found
     }
 
     /// `id` and every expression it is made of, inner ones before outer ones, from left to right.

@@ -79,6 +79,11 @@ impl<'db> Effects<'db> {
         }
     }
 
+    /// The instruction that the call `id` calls, with the form that suits the arguments.
+    pub fn instruction(&self, id: ExprId) -> Option<(&'static Instruction, Option<&'static Overload>)> {
+        self.instructions.get(&id).copied()
+    }
+
     /// What happens at a point, in the order of evaluation.
     pub fn at(&self, point: &Point) -> Vec<Access> {
         walk::point(self, point)

@@ -4,6 +4,7 @@
 //! mistake makes one message.
 
 mod findings;
+mod points;
 mod program;
 mod project;
 mod run;

@@ -84,6 +84,11 @@ rules! {
     not_assignable,
     // Flow and tasks
     constant_condition,
+    unreachable_code,
+    loop_never_runs,
+    for_never_ends,
+    for_counter_changed,
+    for_counter_reused,
     // Project and data
     file_missing,
     file_unreadable,

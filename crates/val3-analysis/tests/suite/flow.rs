@@ -48,7 +48,9 @@ fn name(point: &Point) -> &'static str {
 
 #[test]
 fn lines_follow_each_other() {
-    check("n=1\nput(n)\n?n\ncall stop()\ntaskCreate \"t\",10,stop()\nprogram stop()\nbegin\nend", expect![[r#"
+    check(
+        "n=1\nput(n)\n?n\ncall stop()\ntaskCreate \"t\",10,stop()\nprogram stop()\nbegin\nend",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 assign `n=1` -> 3
@@ -56,21 +58,27 @@ fn lines_follow_each_other() {
         4 print `?n` -> 5
         5 call `call stop()` -> 6
         6 task `taskCreate "t",10,stop()` -> 1
-    "#]]);
+    "#]],
+    );
     assert!(Flow::default().is_empty());
 }
 
 #[test]
 fn no_line_at_all() {
-    check("program start()\nbegin\nend", expect![[r#"
+    check(
+        "program start()\nbegin\nend",
+        expect![[r#"
         0 start `` -> 1
         1 end `` ->
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn ways_of_an_if() {
-    check("if b\n  n=1\nelseIf n==2\n  n=3\nelse\n  n=4\nendIf\nn=5", expect![[r#"
+    check(
+        "if b\n  n=1\nelseIf n==2\n  n=3\nelse\n  n=4\nendIf\nn=5",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 test `b` -> 3 4
@@ -79,18 +87,24 @@ fn ways_of_an_if() {
         5 assign `n=3` -> 7
         6 assign `n=4` -> 7
         7 assign `n=5` -> 1
-    "#]]);
-    check("if b\n  n=1\nendIf", expect![[r#"
+    "#]],
+    );
+    check(
+        "if b\n  n=1\nendIf",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 test `b` -> 3 1
         3 assign `n=1` -> 1
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn empty_blocks_have_ways_of_their_own() {
-    check("if b\nelseIf n==2\nelse\nendIf\nn=5", expect![[r#"
+    check(
+        "if b\nelseIf n==2\nelse\nendIf\nn=5",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 test `b` -> 3 4
@@ -98,47 +112,63 @@ fn empty_blocks_have_ways_of_their_own() {
         4 test `n==2` -> 5 6
         5 empty `` -> 6
         6 assign `n=5` -> 1
-    "#]]);
-    check("while b\nendWhile\nn=5", expect![[r#"
+    "#]],
+    );
+    check(
+        "while b\nendWhile\nn=5",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 loop `b` -> 2 3
         3 assign `n=5` -> 1
-    "#]]);
-    check("do\nuntil b\nn=5", expect![[r#"
+    "#]],
+    );
+    check(
+        "do\nuntil b\nn=5",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 loop `b` -> 3 2
         3 empty `` -> 4
         4 assign `n=5` -> 1
-    "#]]);
-    check("for n=0 to 3\nendFor\nn=5", expect![[r#"
+    "#]],
+    );
+    check(
+        "for n=0 to 3\nendFor\nn=5",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 for `for n=0 to 3` -> 3
         3 round `for n=0 to 3` -> 3 4
         4 assign `n=5` -> 1
-    "#]]);
-    check("switch n\n  case 1\n  break\n  default\n  break\nendSwitch\nn=5", expect![[r#"
+    "#]],
+    );
+    check(
+        "switch n\n  case 1\n  break\n  default\n  break\nendSwitch\nn=5",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 switch `switch n` -> 3 4
         3 empty `` -> 5
         4 empty `` -> 5
         5 assign `n=5` -> 1
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_switch_without_default_may_be_passed() {
-    check("switch n\n  case 1,2\n    n=3\n  break\n  case 4\n    n=5\n  break\nendSwitch\nn=6", expect![[r#"
+    check(
+        "switch n\n  case 1,2\n    n=3\n  break\n  case 4\n    n=5\n  break\nendSwitch\nn=6",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 switch `switch n` -> 3 4 5
         3 assign `n=3` -> 5
         4 assign `n=5` -> 5
         5 assign `n=6` -> 1
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -161,7 +191,9 @@ fn loops_in_loops() {
 
 #[test]
 fn return_leads_to_the_end() {
-    check("if b\n  return\nendIf\nn=1\nreturn\nn=2", expect![[r#"
+    check(
+        "if b\n  return\nendIf\nn=1\nreturn\nn=2",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 test `b` -> 3 4
@@ -169,8 +201,11 @@ fn return_leads_to_the_end() {
         4 assign `n=1` -> 5
         5 return `return` -> 1
         6 assign ! `n=2` -> 1
-    "#]]);
-    check("while b\n  if n==1\n    return\n  else\n    return\n  endIf\n  n=2\nendWhile", expect![[r#"
+    "#]],
+    );
+    check(
+        "while b\n  if n==1\n    return\n  else\n    return\n  endIf\n  n=2\nendWhile",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 loop `b` -> 3 1
@@ -178,13 +213,17 @@ fn return_leads_to_the_end() {
         4 return `return` -> 1
         5 return `return` -> 1
         6 assign ! `n=2` -> 2
-    "#]]);
-    check("do\n  return\nuntil b\nn=1", expect![[r#"
+    "#]],
+    );
+    check(
+        "do\n  return\nuntil b\nn=1",
+        expect![[r#"
         0 start `` -> 2
         1 end `` ->
         2 return `return` -> 1
         3 loop ! `b` -> 4 2
         4 empty ! `` -> 5
         5 assign ! `n=1` -> 1
-    "#]]);
+    "#]],
+    );
 }

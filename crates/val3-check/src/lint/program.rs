@@ -76,6 +76,12 @@ impl<'db> Program<'db> {
         self.calls().filter(move |call| call.instruction.name == name)
     }
 
+    /// The call of an instruction that `id` is.
+    pub(crate) fn call_of(&self, id: ExprId) -> Option<Call<'db>> {
+        let (instruction, form) = self.effects.instruction(id)?;
+        self.call(&InstructionCall { id, instruction, form })
+    }
+
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
         Some(Call { id: call.id, instruction: call.instruction, form: call.form, callee: *callee, args })
