@@ -42,6 +42,8 @@ pub struct Application {
     pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
     /// Programs that call each program, or create a task with it.
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
+    /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
+    pub waiting: FxHashSet<SmolStr>,
     /// For each global the programs that use it.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
 }
@@ -67,6 +69,7 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
         application.add(name, summary);
     }
     application.find_runs(&summaries);
+    application.find_waiting(&summaries);
     application
 }
 
@@ -103,6 +106,24 @@ impl Application {
                     open.extend(own.map(|callee| &callee.program));
                 }
             }
+        }
+    }
+
+    /// Goes from the programs that wait to those that call them.
+    fn find_waiting(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        let calls_unknown = |summary: &Summary| {
+            summary.calls.iter().any(|callee| callee.library.is_none() && !summaries.contains_key(&callee.program))
+        };
+        let first = summaries.iter().filter(|(_, summary)| summary.waits || !summary.sound || calls_unknown(summary));
+        let mut open: Vec<SmolStr> = first.map(|(name, _)| (*name).clone()).collect();
+        while let Some(program) = open.pop() {
+            let callers = self.callers.get(&program).into_iter().flatten();
+            let calls = |caller: &&SmolStr| {
+                let summary = summaries.get(caller);
+                summary.is_some_and(|summary| summary.calls.iter().any(|callee| callee.program == program))
+            };
+            open.extend(callers.filter(|caller| !self.waiting.contains(*caller)).filter(calls).cloned());
+            self.waiting.insert(program);
         }
     }
 

@@ -5,10 +5,11 @@ mod walk;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::instruction::{Class, Instruction, Overload, Shape};
+use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::flow::{Flow, Point, flow};
+use crate::flow::{Flow, Point, PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
@@ -82,6 +83,21 @@ impl<'db> Effects<'db> {
     /// The instruction that the call `id` calls, with the form that suits the arguments.
     pub fn instruction(&self, id: ExprId) -> Option<(&'static Instruction, Option<&'static Overload>)> {
         self.instructions.get(&id).copied()
+    }
+
+    /// The scheduler may go on to the next task at this point: an instruction waits, a serial line is read or
+    /// written (5.4), or a program of a library is called, which may do anything.
+    pub fn may_wait(&self, point: &Point) -> bool {
+        let mut parts = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
+        let foreign = |call: ExprId| match self.body.expr(call) {
+            Expr::Call(callee, _) => matches!(self.body.expr(*callee), Expr::Path { .. }),
+            _ => true,
+        };
+        matches!(point.kind, PointKind::Call(call) if foreign(call))
+            || parts.any(|id| {
+                self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking)
+                    || self.inference.ty(id).base.builtin() == Some(BaseType::Sio)
+            })
     }
 
     /// What happens at a point, in the order of evaluation.

@@ -88,6 +88,11 @@ rules! {
     loop_never_runs,
     for_never_ends,
     for_counter_changed,
+    duplicate_case,
+    repeated_condition,
+    loop_never_waits,
+    busy_wait,
+    recursion,
     for_counter_reused,
     // Project and data
     file_missing,

@@ -270,5 +270,8 @@ pub const LIB_LOAD: &str = "libLoad";
 /// Tells whether a library has an item (6.7): a guard before its use.
 pub const LIB_EXIST: &str = "libExist";
 
+/// Tells the time (5.10): a loop that asks it paces itself.
+pub const CLOCK: &str = "clock";
+
 /// Tells whether a variable or element exists (2.5.4): a guard before its use.
 pub const IS_DEFINED: &str = "isDefined";

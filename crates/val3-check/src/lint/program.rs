@@ -94,6 +94,11 @@ impl<'db> Program<'db> {
 
     /// The text of an expression as it stands in the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
-        self.file.text(self.db).get(std::ops::Range::<usize>::from(self.range(id))).unwrap_or("")
+        self.text_at(self.range(id))
+    }
+
+    /// A part of the file's text.
+    pub(crate) fn text_at(&self, range: TextRange) -> &'db str {
+        self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
     }
 }

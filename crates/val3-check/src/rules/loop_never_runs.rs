@@ -55,7 +55,7 @@ fn check_for(program: &Program<'_>, [first, last]: [ExprId; 2], step: Option<Exp
         return;
     }
     let range = program.range(first).cover(program.range(step.unwrap_or(last)));
-    let reported = found.report(&RULE, range, word_for(start, stop, by));
+    let reported = found.report(&RULE, range, word_for(start, stop, step.map(|_| by)));
     if step.is_none() {
         let end = TextRange::empty(program.range(last).end());
         reported.fix("count downwards", false, vec![(end, " step -1".to_owned())]);
@@ -67,11 +67,11 @@ fn is_literally_false(program: &Program<'_>, condition: ExprId) -> bool {
     program.is_endless(condition) && program.body.constant(condition) == Some(Constant::Bool(false))
 }
 
-fn word_for(start: f64, stop: f64, step: f64) -> Wording {
-    let (direction, help) = if step > 0.0 {
-        ("upwards", "to count downwards, add `step -1`")
-    } else {
-        ("downwards", "to count upwards, leave `step` out or make it positive")
+fn word_for(start: f64, stop: f64, step: Option<f64>) -> Wording {
+    let (direction, help) = match step {
+        None => ("upwards", "to count downwards, add `step -1`"),
+        Some(0.0..) => ("upwards", "to count downwards, make the step negative"),
+        Some(_) => ("downwards", "to count upwards, leave `step` out or make it positive"),
     };
     Wording::new(
         format!("this `for` never runs: it counts {direction} from {start} to {stop}"),
@@ -100,7 +100,7 @@ mod tests {
               ! count downwards (unsafe)
             start.pgx:7 `-1 to -(2+1) step 2` this `for` never runs: it counts upwards from -1 to -3
               | passed at once
-              ? to count downwards, add `step -1`
+              ? to count downwards, make the step negative
             start.pgx:9 `0 to 9 step -1` this `for` never runs: it counts downwards from 0 to 9
               | passed at once
               ? to count upwards, leave `step` out or make it positive
