@@ -5,6 +5,7 @@ mod walk;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::instruction::{Class, Instruction, Overload, Shape};
+use val3_lang::instructions::LINK;
 use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
@@ -152,6 +153,9 @@ fn handed_over(
     form: Option<&'static Overload>,
     position: usize,
 ) -> Option<AccessKind> {
+    if instruction.name == LINK && position == 0 {
+        return Some(AccessKind::Reference);
+    }
     let forms = form.map_or_else(|| instruction.overloads.iter().collect(), |form| vec![form]);
     let mut kind = None;
     for form in forms {

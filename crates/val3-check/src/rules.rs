@@ -94,6 +94,8 @@ rules! {
     busy_wait,
     recursion,
     for_counter_reused,
+    // Motion
+    no_reference,
     // Project and data
     file_missing,
     file_unreadable,

@@ -273,5 +273,9 @@ pub const LIB_EXIST: &str = "libExist";
 /// Tells the time (5.10): a loop that asks it paces itself.
 pub const CLOCK: &str = "clock";
 
+/// Changes the reference of its first argument, although the manual does not mark it as passed by reference (9.4.4,
+/// 9.5.4, 9.6.3).
+pub const LINK: &str = "link";
+
 /// Tells whether a variable or element exists (2.5.4): a guard before its use.
 pub const IS_DEFINED: &str = "isDefined";
