@@ -3,7 +3,9 @@
 //! A lint is a function over a [`Program`] or a [`ProjectView`]; it runs on files without faults only, so that one
 //! mistake makes one message.
 
+mod choices;
 mod findings;
+mod motion;
 mod points;
 mod program;
 mod project;
@@ -11,7 +13,9 @@ mod run;
 #[cfg(test)]
 pub(crate) mod testing;
 
+pub(crate) use choices::Choices;
 pub(crate) use findings::Findings;
+pub(crate) use motion::{ArmState, Motion, Phase, Step};
 pub(crate) use program::{Call, Program};
 pub(crate) use project::{DataFile, ProjectView};
 pub(crate) use run::{data, program, project};

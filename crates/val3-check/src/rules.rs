@@ -96,6 +96,12 @@ rules! {
     for_counter_reused,
     // Motion
     no_reference,
+    blend_cancelled,
+    compliant_after_blend,
+    configuration_change,
+    output_before_arrival,
+    move_while_stopped,
+    position_while_moving,
     // Project and data
     file_missing,
     file_unreadable,

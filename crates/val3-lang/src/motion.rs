@@ -2,6 +2,7 @@
 //!
 //! The program runs ahead of the arm: a move is recorded, and the arm makes it later (10.2).
 
+use crate::enumerations::Enumerator;
 use crate::instruction::{Instruction, Overload, Param, Shape};
 use crate::types::BaseType;
 
@@ -81,6 +82,20 @@ pub fn descriptor(form: &Overload) -> Option<usize> {
     form.params.iter().position(|param| param.ty == Some(BaseType::Mdesc))
 }
 
+/// The move goes on around its target instead of stopping there (10.1.2.1).
+#[must_use]
+pub fn is_blend(choice: &Enumerator) -> bool {
+    choice.ty == BaseType::Blend && choice.name != "off"
+}
+
+/// The configuration is asked for outright, instead of being kept or left to the arm (9.7.2).
+#[must_use]
+pub fn is_definite(choice: &Enumerator) -> bool {
+    matches!(choice.ty, BaseType::Shoulder | BaseType::Elbow | BaseType::Wrist)
+        && !choice.name.ends_with("same")
+        && !choice.name.ends_with("free")
+}
+
 /// The run-time error for a value of this type without a reference frame or tool (9.4 to 9.6); `None` for types that
 /// have no reference.
 #[must_use]
@@ -104,7 +119,11 @@ pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{MotionRole, Path, ROLES, descriptor, missing_reference, needs_reference, role, target};
+    use super::{
+        Enumerator, MotionRole, Path, ROLES, descriptor, is_blend, is_definite, missing_reference, needs_reference,
+        role, target,
+    };
+    use crate::enumerations::ENUMERATORS;
     use crate::{instructions, runtime_errors, types::BaseType};
 
     #[test]
@@ -139,6 +158,15 @@ mod tests {
         assert_eq!(needs("setFrame"), [true, true, true, false]);
         assert_eq!(needs("link"), [false, false]);
         assert_eq!(needs("here"), [true, true]);
+    }
+
+    #[test]
+    fn choices() {
+        let names = |is: fn(&Enumerator) -> bool| {
+            ENUMERATORS.iter().filter(|row| is(row)).map(|row| row.name).collect::<Vec<_>>()
+        };
+        assert_eq!(names(is_blend), ["joint", "Cartesian"]);
+        assert_eq!(names(is_definite), ["lefty", "righty", "epositive", "enegative", "wpositive", "wnegative"]);
     }
 
     #[test]

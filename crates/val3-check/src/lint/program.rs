@@ -1,5 +1,7 @@
 //! A program as lints see it.
 
+use std::cell::OnceCell;
+
 use val3_analysis::application::{Application, application};
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
@@ -10,6 +12,8 @@ use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
 use val3_lang::instruction::{Instruction, Overload};
 use val3_syntax::TextRange;
+
+use super::Motion;
 
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
@@ -22,6 +26,8 @@ pub(crate) struct Program<'db> {
     pub(crate) inference: &'db Inference,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
+    /// What the arm does, once somebody has asked.
+    pub(super) motion: OnceCell<Option<Motion>>,
 }
 
 /// A call of an instruction.
@@ -48,6 +54,7 @@ impl<'db> Program<'db> {
             body: body(db, file),
             inference: infer(db, project, file),
             effects: Effects::new(db, project, file),
+            motion: OnceCell::new(),
         }
     }
 

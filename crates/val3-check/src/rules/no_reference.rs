@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_analysis::body::{Body, Expr, ExprId};
+use val3_analysis::body::ExprId;
 use val3_analysis::effects::{AccessKind, Root};
 use val3_analysis::flow::{Point, PointKind, forward};
 use val3_lang::motion::{missing_reference, needs_reference};
@@ -113,16 +113,7 @@ fn is_linked(linked: &Linked, name: &str) -> bool {
 
 /// A local variable or a field of one, without its indexes: elements of one array are not told apart.
 fn local(program: &Program<'_>, id: ExprId) -> Option<SmolStr> {
-    matches!(program.effects.root(id)?, Root::Local(_)).then(|| path(program.body, id))
-}
-
-fn path(body: &Body, id: ExprId) -> SmolStr {
-    match body.expr(id) {
-        Expr::Name(name) => name.clone(),
-        Expr::Field { base, field, .. } => [path(body, *base).as_str(), field].join(".").into(),
-        Expr::Index(base, _) | Expr::Paren(base) => path(body, *base),
-        _ => SmolStr::default(),
-    }
+    matches!(program.effects.root(id)?, Root::Local(_)).then(|| program.loose_path(id))
 }
 
 fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {
