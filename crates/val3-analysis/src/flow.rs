@@ -6,7 +6,7 @@
 mod build;
 mod solve;
 
-pub use solve::{Facts, forward};
+pub use solve::{Facts, backward, forward};
 
 use rowan::TextRange;
 

@@ -5,6 +5,7 @@
 
 mod choices;
 mod findings;
+mod locals;
 mod motion;
 mod points;
 mod program;
@@ -15,6 +16,7 @@ pub(crate) mod testing;
 
 pub(crate) use choices::Choices;
 pub(crate) use findings::Findings;
+pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{ArmState, Motion, Phase, Step};
 pub(crate) use program::{Call, Program};
 pub(crate) use project::{DataFile, ProjectView};

@@ -93,6 +93,8 @@ rules! {
     loop_never_waits,
     busy_wait,
     recursion,
+    unset_local,
+    dead_store,
     for_counter_reused,
     // Motion
     no_reference,

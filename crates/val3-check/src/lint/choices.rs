@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::body::{Constant, Expr, ExprId};
 use val3_analysis::effects::{AccessKind, Root};
-use val3_analysis::flow::{Facts, Point, PointKind, forward};
+use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
 use val3_analysis::items::initial::{Initial, initial};
 use val3_lang::enumerations::{self, Enumerator};
 use val3_lang::types::{AttributeValue, BaseType, attributes};
@@ -22,7 +22,7 @@ impl Program<'_> {
             let fields = ty.into_iter().flat_map(|(ty, _)| enumerated(ty));
             fields.filter_map(|(field, ty)| Some((join(&local.name, field), enumerations::values(ty).next()?)))
         });
-        let step = |point: &Point, before: &Choices| self.choices_after(point, before);
+        let step = |_: PointId, point: &Point, before: &Choices| self.choices_after(point, before);
         forward(self.flow(), start.collect(), step, |known, other| {
             let before = known.len();
             known.retain(|field, value| other.get(field) == Some(value));

@@ -48,7 +48,7 @@ pub(crate) struct Step<'db> {
 
 impl Motion {
     fn new(program: &Program<'_>) -> Self {
-        let step = |point: &Point, before: &ArmState| program.arm_after(point, *before);
+        let step = |_: PointId, point: &Point, before: &ArmState| program.arm_after(point, *before);
         let arm = forward(program.flow(), ArmState::default(), step, ArmState::join);
         let mut moves = FxHashMap::default();
         for (id, point) in program.flow().points() {

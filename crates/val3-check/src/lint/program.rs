@@ -13,7 +13,7 @@ use val3_analysis::items::project::{Items, items};
 use val3_lang::instruction::{Instruction, Overload};
 use val3_syntax::TextRange;
 
-use super::Motion;
+use super::{LocalUse, Motion};
 
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
@@ -28,6 +28,7 @@ pub(crate) struct Program<'db> {
     pub(crate) effects: Effects<'db>,
     /// What the arm does, once somebody has asked.
     pub(super) motion: OnceCell<Option<Motion>>,
+    local_use: OnceCell<LocalUse>,
 }
 
 /// A call of an instruction.
@@ -55,6 +56,7 @@ impl<'db> Program<'db> {
             inference: infer(db, project, file),
             effects: Effects::new(db, project, file),
             motion: OnceCell::new(),
+            local_use: OnceCell::new(),
         }
     }
 
@@ -66,6 +68,11 @@ impl<'db> Program<'db> {
     /// Its control-flow graph.
     pub(crate) fn flow(&self) -> &'db Flow {
         flow(self.db, self.file)
+    }
+
+    /// What each of its points does to local variables.
+    pub(crate) fn local_use(&self) -> &LocalUse {
+        self.local_use.get_or_init(|| LocalUse::new(self))
     }
 
     /// What its application does as a whole.

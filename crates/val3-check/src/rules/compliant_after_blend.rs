@@ -1,6 +1,6 @@
 //! V0404: a compliant move behind a move that was to be rounded.
 
-use val3_lang::motion::{MotionRole, Path};
+use val3_lang::motion::{MotionRole, Path, role};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Phase, Program};
@@ -46,9 +46,11 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
+    let role_of = |call| program.call_of(call).and_then(|call| role(call.instruction));
     for step in program.motion_steps() {
-        let is_compliant = step.role == MotionRole::Move(Path::Compliant) && step.arm.phase == Phase::Moving;
-        let Some(last) = step.arm.last.filter(|last| is_compliant && program.is_blended(*last)) else { continue };
+        let compliant = MotionRole::Move(Path::Compliant);
+        let is_compliant = step.role == compliant && step.arm.phase == Phase::Moving;
+        let Some(last) = step.arm.last.filter(|last| is_compliant && role_of(*last) != Some(compliant) && program.is_blended(*last)) else { continue };
         let descriptor = program.descriptor(last).unwrap_or(last);
         found
             .report(&RULE, program.range(step.call.callee), word(step.call.instruction.name))
@@ -82,10 +84,6 @@ mod tests {
               | the arm stops before this move
               ? pass the move before a descriptor with `blend` off
               > start.pgx:7 `mA` this descriptor asks for a rounded corner
-            start.pgx:9 `movelf` `movelf` starts from a standstill, so the corner of the move before is not rounded
-              | the arm stops before this move
-              ? pass the move before a descriptor with `blend` off
-              > start.pgx:8 `mA` this descriptor asks for a rounded corner
         "#]]
             .assert_eq(&check(&RULE, &program("mA.blend=joint\nmovej(pA,tA,mA)\nmovejf(jA,tA,mA,0)\nmovelf(pA,tA,mA,0)")));
     }

@@ -4,7 +4,7 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{AccessKind, Root};
-use val3_analysis::flow::{Point, PointKind, forward};
+use val3_analysis::flow::{Point, PointId, PointKind, forward};
 use val3_lang::motion::{missing_reference, needs_reference};
 use val3_lang::types::BaseType;
 
@@ -59,7 +59,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         return;
     }
     let flow = program.flow();
-    let step = |point: &Point, before: &Linked| after(program, point, before);
+    let step = |_: PointId, point: &Point, before: &Linked| after(program, point, before);
     let facts = forward(flow, Linked::default(), step, |known, more| {
         let before = known.len();
         known.extend(more.iter().cloned());
