@@ -1,7 +1,9 @@
 //! V0312: a value that is stored and never used.
 
+use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::effects::{AccessKind, Root};
 use val3_analysis::flow::PointKind;
+use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Locals, Program};
@@ -54,10 +56,20 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         };
         let is_needed = needed.behind(id).is_none_or(|needed| needed & bit != 0);
         let Root::Local(name) = &access.root else { continue };
-        if !is_needed && used & bit != 0 && program.body.constant(value).is_none() && program.is_pure(value) {
+        // To assign an output sets it.
+        if program.inference.ty(access.id).base.builtin().is_some_and(BaseType::is_linkable) {
+            continue;
+        }
+        if !is_needed && used & bit != 0 && is_computed(program, value) {
             found.report(&RULE, point.range, word(name));
         }
     }
+}
+
+/// More than a first value made of literals, and nothing but a value: what acts is not called for its result alone.
+fn is_computed(program: &Program<'_>, value: ExprId) -> bool {
+    let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
+    program.body.within(value).into_iter().any(is_variable) && program.is_pure(value)
 }
 
 /// Variables that are used somewhere: others are told as unused.
@@ -83,16 +95,16 @@ mod tests {
     use crate::lint::testing::check;
 
     fn program(code: &str) -> String {
-        format!("num nA\nbool bA\n\nprogram start()\n  num l_n\n  num l_nAll[3]\nbegin\n{code}\nend\n\nprogram set(num& x_n)\nbegin\n  x_n=1\nend")
+        format!("num nA\nbool bA\ndio dA\n\nprogram start()\n  num l_n\n  num l_nAll[3]\n  dio l_d\nbegin\n{code}\nend\n\nprogram set(num& x_n)\nbegin\n  x_n=1\nend")
     }
 
     #[test]
     fn never_used() {
         expect![[r#"
-            start.pgx:9 `l_n=nA` the value stored in `l_n` is never used
+            start.pgx:10 `l_n=nA` the value stored in `l_n` is never used
               | overwritten or forgotten before it is used
               ? use the value, or remove the line
-            start.pgx:16 `l_n=nA` the value stored in `l_n` is never used
+            start.pgx:17 `l_n=nA` the value stored in `l_n` is never used
               | overwritten or forgotten before it is used
               ? use the value, or remove the line
         "#]].assert_eq(&check(&RULE, &program("l_n=nA\nif bA\nl_n=nA+1\nelse\nl_n=nA+2\nendIf\nput(l_n)\nl_n=nA")));
@@ -107,11 +119,17 @@ mod tests {
             "l_nAll[0]=nA\nl_nAll[0]=nA+1\nput(l_nAll[0])",
             "l_n=nA\nl_nAll[l_n]=1",
             "l_n=nA",
+            "for l_n=0 to 9\nif bA\nl_n=nA\nendIf\nendFor\nput(l_n)",
             "l_n=nA\nwhile true\ndelay(1)\nendWhile\nput(l_n)",
         ];
         for line in lines {
             assert_eq!(check(&RULE, &program(line)), "", "{line}");
         }
+    }
+
+    #[test]
+    fn outputs() {
+        assert_eq!(check(&RULE, &program("dioLink(l_d,dA)\nl_d=bA\nl_d=!bA\nbA=l_d\nl_d=bA")), "");
     }
 
     #[test]
