@@ -95,9 +95,11 @@ rules! {
     recursion,
     unset_local,
     dead_store,
+    complexity,
     for_counter_reused,
     // Motion
     no_reference,
+    data_without_reference,
     blend_cancelled,
     compliant_after_blend,
     configuration_change,

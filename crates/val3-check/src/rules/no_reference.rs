@@ -80,7 +80,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// The arguments that need a reference.
-fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseType)> {
+pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseType)> {
     let (instruction, args) = (call.instruction, call.args);
     let params = call.form.into_iter().flat_map(|form| form.params);
     let needed = move |(param, arg): (&val3_lang::instruction::Param, &ExprId)| {
