@@ -82,6 +82,12 @@ pub fn descriptor(form: &Overload) -> Option<usize> {
     form.params.iter().position(|param| param.ty == Some(BaseType::Mdesc))
 }
 
+/// The point that `instruction` yields is reached in the configuration of the point it is given (9.6.3).
+#[must_use]
+pub fn keeps_configuration(instruction: &Instruction) -> bool {
+    matches!(instruction.name, "appro" | "compose")
+}
+
 /// The move goes on around its target instead of stopping there (10.1.2.1).
 #[must_use]
 pub fn is_blend(choice: &Enumerator) -> bool {

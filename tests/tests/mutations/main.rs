@@ -8,6 +8,7 @@
 )]
 
 mod edit;
+mod flow;
 mod mutation;
 mod names;
 mod projects;
@@ -36,6 +37,10 @@ const ALL: &[&[Mutation]] = &[
     projects::VALUES,
     projects::LINKS,
     projects::LIBRARIES,
+    flow::ORDER,
+    flow::WAITING,
+    flow::POSITIONS,
+    flow::MOVES,
 ];
 
 fn all() -> impl Iterator<Item = &'static Mutation> {

@@ -7,6 +7,7 @@ use val3_analysis::effects::{AccessKind, Root};
 use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
 use val3_analysis::items::initial::{Initial, initial};
 use val3_lang::enumerations::{self, Enumerator};
+use val3_lang::motion::keeps_configuration;
 use val3_lang::types::{AttributeValue, BaseType, attributes};
 
 use super::Program;
@@ -33,11 +34,19 @@ impl Program<'_> {
     /// The value of `field` of the variable `id`, if it is certain: set by this program, or as the data file has it
     /// where no program ever changes the variable.
     pub(crate) fn choice(&self, known: &Choices, id: ExprId, field: &str) -> Option<&'static Enumerator> {
+        let id = self.moved_from(id);
         let set = self.path(id).and_then(|path| known.get(&join(&path, field)).copied());
         set.or_else(|| {
             let initial = self.initial(id)?;
             initial.choices.iter().find(|(name, _)| *name == field).map(|(_, value)| *value)
         })
+    }
+
+    /// The point that a computed point has its configuration from.
+    fn moved_from(&self, id: ExprId) -> ExprId {
+        let id = self.body.peel(id);
+        let call = self.call_of(id).filter(|call| keeps_configuration(call.instruction));
+        call.and_then(|call| call.args.first().copied()).map_or(id, |point| self.moved_from(point))
     }
 
     /// The value that a global variable has as long as the application runs: the one of its data file, if no program

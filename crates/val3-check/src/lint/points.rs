@@ -1,6 +1,6 @@
 //! What lints ask about the points of the control-flow graph.
 
-use val3_analysis::body::{Constant, ExprId};
+use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
 use val3_analysis::flow::{Point, PointKind};
 use val3_lang::instruction::Class;
 
@@ -16,6 +16,16 @@ impl<'db> Program<'db> {
     /// A loop that is left by `return` alone: `while true`, `until false`.
     pub(crate) fn is_endless(&self, condition: ExprId) -> bool {
         matches!(self.text(condition).trim_matches(['(', ')', ' ']), "true" | "false")
+    }
+
+    /// The condition of a loop that goes round for ever.
+    pub(crate) fn endless_condition(&self, stmt: &Stmt) -> Option<ExprId> {
+        let (condition, round) = match &stmt.kind {
+            StmtKind::While { condition: Some(condition), .. } => (*condition, true),
+            StmtKind::Do { condition: Some(condition), .. } => (*condition, false),
+            _ => return None,
+        };
+        (self.body.constant(condition) == Some(Constant::Bool(round))).then_some(condition)
     }
 
     /// Whether the way `branch` of a point can be taken, as far as constant conditions tell.

@@ -107,6 +107,19 @@ mod tests {
     }
 
     #[test]
+    fn a_point_near_another_one() {
+        expect![[r#"
+            start.pgx:9 `pB` `movel` cannot change the configuration from `epositive` to `enegative`
+              | asks for `enegative`
+              ? reach the point with a joint move, or teach both points in one configuration
+              > start.pgx:8 `appro(pA,{0,0,1,0,0,0})` the arm comes from here with `epositive`
+        "#]].assert_eq(&check(
+            &RULE,
+            &program(&format!("{SET}movej(appro(pA,{{0,0,1,0,0,0}}),tA,mA)\nmovel(pB,tA,mA)")),
+        ));
+    }
+
+    #[test]
     fn set_in_the_data() {
         let data = |elbow: &str| {
             format!(

@@ -1,6 +1,6 @@
 //! V0308: a loop without end in which nothing waits.
 
-use val3_analysis::body::{Constant, Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::flow::{Point, PointKind};
 use val3_lang::instructions::CLOCK;
 
@@ -22,7 +22,7 @@ rule! {
     /// dio doLamp
     ///
     /// while true
-    ///   doLamp=diDoor
+    ///   doLamp=(diDoor==true)
     /// endWhile
     /// ```
     ///
@@ -32,7 +32,7 @@ rule! {
     /// dio doLamp
     ///
     /// while true
-    ///   doLamp=diDoor
+    ///   doLamp=(diDoor==true)
     ///   delay(0.02)
     /// endWhile
     /// ```
@@ -41,23 +41,13 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     for stmt in program.body.stmts() {
-        let Some(condition) = endless(program, stmt) else { continue };
+        let Some(condition) = program.endless_condition(stmt) else { continue };
         let leaves = stmt.with_inner().iter().any(|inner| inner.kind == StmtKind::Return);
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
         if !leaves && !inside().any(|(_, point)| waits(program, point)) {
             found.report(&RULE, program.range(condition), word(is_synchronous(program)));
         }
     }
-}
-
-/// The condition of a loop that goes round for ever.
-fn endless(program: &Program<'_>, stmt: &Stmt) -> Option<ExprId> {
-    let (condition, round) = match &stmt.kind {
-        StmtKind::While { condition: Some(condition), .. } => (*condition, true),
-        StmtKind::Do { condition: Some(condition), .. } => (*condition, false),
-        _ => return None,
-    };
-    (program.body.constant(condition) == Some(Constant::Bool(round))).then_some(condition)
 }
 
 /// Other tasks may go on at this point, or the loop paces itself by the clock.

@@ -1,5 +1,6 @@
 //! V0302: code that no way leads to.
 
+use val3_analysis::body::ExprId;
 use val3_analysis::flow::{Point, PointKind};
 
 use crate::diagnostic::Wording;
@@ -38,7 +39,14 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let flow = program.flow();
-    let reached = flow.reachable(|point, branch| !is_loop(point) || program.is_taken(point, branch));
+    let endless: Vec<ExprId> =
+        program.body.stmts().into_iter().filter_map(|stmt| program.endless_condition(stmt)).collect();
+    // A block behind another constant condition is told where the condition stands.
+    let is_endless = |point: &Point| match point.kind {
+        PointKind::Test { condition: Some(condition), .. } => endless.contains(&condition),
+        _ => false,
+    };
+    let reached = flow.reachable(|point, branch| !is_endless(point) || program.is_taken(point, branch));
     let mut is_stretch = false;
     for (id, point) in flow.points().skip(2).filter(|(_, point)| point.kind != PointKind::Empty) {
         let is_dead = !reached.get(id.index()).copied().unwrap_or(true);
@@ -47,11 +55,6 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         }
         is_stretch = is_dead;
     }
-}
-
-/// A block behind another constant condition is told where the condition stands.
-fn is_loop(point: &Point) -> bool {
-    matches!(point.kind, PointKind::Test { is_loop: true, .. })
 }
 
 fn word() -> Wording {
@@ -101,6 +104,7 @@ mod tests {
         assert_eq!(check(&RULE, "num n\nwhile true\nif n==1\nreturn\nendIf\ndelay(1)\nendWhile"), "");
         assert_eq!(check(&RULE, "num n\nwhile n<3\nn=n+1\nendWhile\nput(n)"), "");
         assert_eq!(check(&RULE, "return"), "");
+        assert_eq!(check(&RULE, "while false\nput(1)\nendWhile\nif 1==2\nput(1)\nendIf"), "");
     }
 
     #[test]
