@@ -86,19 +86,33 @@ impl<'db> Effects<'db> {
         self.instructions.get(&id).copied()
     }
 
-    /// The scheduler may go on to the next task at this point: an instruction waits, a serial line is read or
-    /// written (5.4), or a program of a library is called, which may do anything.
-    pub fn may_wait(&self, point: &Point) -> bool {
+    /// The scheduler may go on to the next task somewhere in the program: an instruction waits, a serial line is read
+    /// or written (5.4), or a program of a library is called, which may do anything.
+    pub fn may_wait(&self) -> bool {
+        let blocks = self.inference.calls().iter().any(|call| call.instruction.blocking);
+        blocks
+            || self.body.exprs().any(|(id, ..)| self.is_serial(id))
+            || self.flow.points().any(|(_, point)| self.is_foreign(point))
+    }
+
+    /// The scheduler may go on to the next task at this point.
+    pub fn may_wait_at(&self, point: &Point) -> bool {
         let mut parts = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
-        let foreign = |call: ExprId| match self.body.expr(call) {
-            Expr::Call(callee, _) => matches!(self.body.expr(*callee), Expr::Path { .. }),
+        let blocks = |id| self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking);
+        self.is_foreign(point) || parts.any(|id| blocks(id) || self.is_serial(id))
+    }
+
+    fn is_serial(&self, id: ExprId) -> bool {
+        self.inference.ty(id).base.builtin() == Some(BaseType::Sio)
+    }
+
+    /// The call of a program of a library.
+    fn is_foreign(&self, point: &Point) -> bool {
+        let PointKind::Call(call) = point.kind else { return false };
+        match self.body.expr(call) {
+            Expr::Call(callee, _) => !matches!(self.body.expr(*callee), Expr::Name(_)),
             _ => true,
-        };
-        matches!(point.kind, PointKind::Call(call) if foreign(call))
-            || parts.any(|id| {
-                self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking)
-                    || self.inference.ty(id).base.builtin() == Some(BaseType::Sio)
-            })
+        }
     }
 
     /// What happens at a point, in the order of evaluation.

@@ -97,7 +97,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     }
     add_tasks(body, &body.block, false, &mut summary.tasks);
     let effects = Effects::new(db, project, file);
-    summary.waits = flow(db, file).points().any(|(_, point)| effects.may_wait(point));
+    summary.waits = effects.may_wait();
     for access in effects.all() {
         if let Root::Data(name) = access.root {
             summary.data.entry(name).or_default().add(access.kind);

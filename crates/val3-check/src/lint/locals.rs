@@ -1,6 +1,6 @@
 //! The way of values through local variables.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{Access, AccessKind, Root};
 use val3_analysis::flow::{Facts, Flow, Point, PointId, backward, forward};
@@ -25,8 +25,11 @@ impl LocalUse {
             _ => None,
         };
         let mut points = Vec::with_capacity(program.flow().len());
+        if bits.is_empty() {
+            return Self { points };
+        }
+        let measured = measured(program);
         for (_, point) in program.flow().points() {
-            let measured = measured(program, point);
             let accesses = program.effects.at(point).into_iter().filter(|access| !measured.contains(&access.id));
             points.push(accesses.filter_map(|access| Some((bit(&access)?, access))).collect());
         }
@@ -67,12 +70,11 @@ fn join(known: &mut Locals, more: &Locals) -> bool {
 }
 
 /// Variables whose size or existence is asked for, not their value.
-fn measured(program: &Program<'_>, point: &Point) -> Vec<ExprId> {
-    let mut found = Vec::new();
-    for call in program.calls_at(point) {
+fn measured(program: &Program<'_>) -> FxHashSet<ExprId> {
+    let is_whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
+    let arguments = program.calls().flat_map(|call| {
         let params = call.form.into_iter().flat_map(|form| form.params);
-        let whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
-        found.extend(params.zip(call.args).filter(|(param, _)| whole(param.shape)).map(|(_, arg)| *arg));
-    }
-    found
+        params.zip(call.args).filter(move |(param, _)| is_whole(param.shape)).map(|(_, arg)| *arg)
+    });
+    arguments.collect()
 }

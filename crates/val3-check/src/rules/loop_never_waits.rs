@@ -52,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Other tasks may go on at this point, or the loop paces itself by the clock.
 fn waits(program: &Program<'_>, point: &Point) -> bool {
-    program.effects.may_wait(point)
+    program.effects.may_wait_at(point)
         || program.calls_at(point).any(|call| call.instruction.name == CLOCK)
         || matches!(point.kind, PointKind::Call(call) if may_wait(program, call))
 }

@@ -44,6 +44,9 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
+    if !program.header.locals.iter().any(|local| followed(&local.type_name).is_some()) {
+        return;
+    }
     let local_use = program.local_use();
     let facts = local_use.written(program.flow());
     let mut told = 0;
@@ -51,9 +54,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let Some(mut written) = facts.before(id).copied() else { continue };
         for (bit, access) in local_use.at(id) {
             let is_unset = access.kind == AccessKind::Read && (written | told) & bit == 0;
-            if is_unset && let Some(ty) = followed(program, &access.root) {
+            let Root::Local(name) = &access.root else { continue };
+            let local = program.header.locals.iter().find(|local| is_unset && local.name == *name);
+            if let Some(ty) = local.and_then(|local| followed(&local.type_name)) {
                 told |= bit;
-                let Root::Local(name) = &access.root else { continue };
                 let reported = found.report(&RULE, program.range(access.id), word(name, ty));
                 if let Some(place) = declarations::local(program.db, program.file, name.clone()) {
                     reported.related_in(Span { file: place.file, range: place.range }, "declared here");
@@ -64,11 +68,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The type of a local variable whose first value is hardly ever meant.
-fn followed(program: &Program<'_>, root: &Root) -> Option<BaseType> {
-    let Root::Local(name) = root else { return None };
-    let local = program.header.locals.iter().find(|local| local.name == *name)?;
-    let (ty, _) = BaseType::from_file_name(&local.type_name)?;
+/// A type whose first value is hardly ever meant.
+fn followed(type_name: &str) -> Option<BaseType> {
+    let (ty, _) = BaseType::from_file_name(type_name)?;
     matches!(ty, BaseType::Joint | BaseType::Trsf | BaseType::Config | BaseType::Mdesc).then_some(ty)
 }
 
