@@ -44,6 +44,9 @@ pub struct Application {
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
     /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
     pub waiting: FxHashSet<SmolStr>,
+    /// Programs that may call themselves, on their own or through others, and those on a way from one such circle to
+    /// another. It is empty for most applications.
+    pub circles: FxHashSet<SmolStr>,
     /// For each global the programs that use it.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
 }
@@ -70,6 +73,7 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     }
     application.find_runs(&summaries);
     application.find_waiting(&summaries);
+    application.circles = circles(&summaries);
     application
 }
 
@@ -77,6 +81,28 @@ fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<T
     let entry = |name: &&str| programs.clone().any(|program| program == name);
     let task = |name| Task { created_by: None, start: TaskStart::of_controller(name) };
     ENTRY_POINTS.into_iter().filter(entry).map(task).collect()
+}
+
+/// Takes away programs that call none of the others, or that none of the others calls, until all are in circles.
+fn circles(summaries: &FxHashMap<&SmolStr, &Summary>) -> FxHashSet<SmolStr> {
+    let mut left: FxHashSet<SmolStr> = summaries.keys().map(|name| (*name).clone()).collect();
+    loop {
+        let mut called = FxHashSet::default();
+        let mut calling = FxHashSet::default();
+        for name in &left {
+            let calls = summaries.get(name).into_iter().flat_map(|summary| &summary.calls);
+            let own = calls.filter(|callee| callee.library.is_none() && left.contains(&callee.program));
+            for callee in own {
+                calling.insert(name.clone());
+                called.insert(callee.program.clone());
+            }
+        }
+        let before = left.len();
+        left.retain(|name| calling.contains(name) && called.contains(name));
+        if left.len() == before {
+            return left;
+        }
+    }
 }
 
 impl Application {

@@ -97,6 +97,7 @@ rules! {
     dead_store,
     complexity,
     for_counter_reused,
+    unlinked_io,
     // Motion
     no_reference,
     data_without_reference,

@@ -124,6 +124,14 @@ pub(crate) const POSITIONS: &[Mutation] = &[
     slip("lost position of the arm", "palletiser/home.pgx", "    l_pUp=here(tSuction,fCell)\n", "", "V0401")
         .at(&[("palletiser/home.pgx", "movel(l_pUp")]),
     slip(
+        "input that is linked to nothing",
+        "palletiser/home.pgx",
+        "    </Locals>\n    <Code><![CDATA[begin\n",
+        "      <Local name=\"l_diKey\" type=\"dio\" xsi:type=\"array\" size=\"1\" />\n    </Locals>\n    \
+         <Code><![CDATA[begin\n  wait(l_diKey==true)$0\n",
+        "V0316",
+    ),
+    slip(
         "lost father",
         "palletiser/palletiser.dtx",
         "z=\"900\" rx=\"180\" shoulder=\"righty\" elbow=\"epositive\" wrist=\"wpositive\" fatherId=\"fCell[0]\"",

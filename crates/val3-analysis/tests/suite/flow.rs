@@ -1,7 +1,9 @@
 //! The control-flow graph: every point of a program and the ways between them.
 
+use std::collections::BTreeSet;
+
 use expect_test::{Expect, expect};
-use val3_analysis::flow::{Flow, Point, PointKind, flow};
+use val3_analysis::flow::{Facts, Flow, Point, PointId, PointKind, backward, flow, forward};
 
 use crate::show::{program, project, workspace};
 
@@ -226,4 +228,46 @@ fn return_leads_to_the_end() {
         5 assign ! `n=1` -> 1
     "#]],
     );
+}
+
+/// The points that hold a fact, and the numbers it has collected.
+fn collected(flow: &Flow, facts: &Facts<BTreeSet<usize>>) -> String {
+    let of_point = |(id, _): (PointId, &Point)| Some(format!("{}: {:?}\n", id.index(), facts.before(id)?));
+    flow.points().filter_map(of_point).collect()
+}
+
+#[test]
+fn both_directions() {
+    let workspace = workspace("num n\nbool b\n\nwhile b\n  if b\n    n=1\n  endIf\nendWhile\nreturn\nn=2");
+    let db = &workspace.db;
+    let flow = flow(db, program(db, project(&workspace, "main"), "start"));
+    let step = |id: PointId, point: &Point, facts: &BTreeSet<usize>| {
+        let assigns = matches!(point.kind, PointKind::Assign { .. });
+        facts.iter().copied().chain(assigns.then_some(id.index())).collect()
+    };
+    let join = |known: &mut BTreeSet<usize>, more: &BTreeSet<usize>| {
+        let before = known.len();
+        known.extend(more);
+        known.len() > before
+    };
+    // What was assigned before, and what is assigned behind.
+    expect![[r#"
+        0: {}
+        1: {4}
+        2: {4}
+        3: {4}
+        4: {4}
+        5: {4}
+    "#]]
+    .assert_eq(&collected(flow, &forward(flow, BTreeSet::new(), step, join)));
+    expect![[r#"
+        0: {4}
+        1: {}
+        2: {4}
+        3: {4}
+        4: {4}
+        5: {}
+        6: {}
+    "#]]
+    .assert_eq(&collected(flow, &backward(flow, BTreeSet::new(), step, join)));
 }

@@ -3,6 +3,7 @@
 
 mod show;
 
+mod application;
 mod arguments;
 mod calls;
 mod data;
@@ -15,6 +16,7 @@ mod firewall;
 mod flow;
 mod headers;
 mod hostile;
+mod initial;
 mod interfaces;
 mod literals;
 mod names;

@@ -53,6 +53,10 @@ rule! {
 
 /// A circle is told once, at the first of its programs by name.
 fn check(program: &Program<'_>, found: &mut Findings) {
+    let circles = &program.application().circles;
+    if !circles.contains(program.name()) {
+        return;
+    }
     for stmt in program.body.stmts() {
         let StmtKind::Call(call) = stmt.kind else { continue };
         let Expr::Call(callee, _) = program.body.expr(call) else { continue };
@@ -73,7 +77,8 @@ fn circle(program: &Program<'_>, first: &SmolStr) -> Option<Vec<SmolStr>> {
         if name == start {
             return Some(way(&came_from, from));
         }
-        let Some(file) = program.items.programs.get(&name).filter(|_| name.as_str() > start) else { continue };
+        let is_other = name.as_str() > start && program.application().circles.contains(&name);
+        let Some(file) = program.items.programs.get(&name).filter(|_| is_other) else { continue };
         if came_from.contains_key(&name) {
             continue;
         }
