@@ -5,6 +5,8 @@
 
 mod choices;
 mod findings;
+#[cfg(test)]
+pub(crate) mod fixed;
 mod locals;
 mod motion;
 mod points;

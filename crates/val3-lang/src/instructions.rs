@@ -273,6 +273,15 @@ pub const LIB_EXIST: &str = "libExist";
 /// Tells the time (5.10): a loop that asks it paces itself.
 pub const CLOCK: &str = "clock";
 
+/// Waits until the arm has made every recorded move (10.6).
+pub const WAIT_END_MOVE: &str = "waitEndMove";
+
+/// Lets other tasks go on until a condition holds (5.10).
+pub const WAIT: &str = "wait";
+
+/// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
+pub const DELAY: &str = "delay";
+
 /// Changes the reference of its first argument, although the manual does not mark it as passed by reference (9.4.4,
 /// 9.5.4, 9.6.3).
 pub const LINK: &str = "link";

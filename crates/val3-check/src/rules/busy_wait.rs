@@ -1,7 +1,8 @@
 //! V0309: an empty loop that waits for something.
 
-use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
-use val3_lang::operators::UnaryOp;
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_lang::instructions::WAIT;
+use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
@@ -52,20 +53,42 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// What makes the loop a `wait`; nothing where a comment would be lost.
 fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Option<Vec<(TextRange, String)>> {
-    let negated = is_while.then(|| operand_of_not(program.body, condition));
-    let asked = program.range(negated.flatten().unwrap_or(condition));
-    let before = TextRange::new(stmt.range.start(), asked.start());
-    let behind = TextRange::new(asked.end(), stmt.range.end());
+    let condition = program.body.peel(condition);
+    let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
+    let (kept, open, close) = match negation {
+        Negation::Of(operand) => (program.body.peel(operand), "", ""),
+        Negation::Flipped(_) => (condition, "", ""),
+        Negation::Around => (condition, "!(", ")"),
+    };
+    let kept = program.range(kept);
+    let before = TextRange::new(stmt.range.start(), kept.start());
+    let behind = TextRange::new(kept.end(), stmt.range.end());
     let has_comment = [before, behind].into_iter().any(|range| program.text_at(range).contains("//"));
-    let (open, close) = if negated == Some(None) { ("wait(!(", "))") } else { ("wait(", ")") };
-    (!has_comment).then(|| vec![(before, open.to_owned()), (behind, close.to_owned())])
+    let flip = if let Negation::Flipped(edit) = negation { Some(edit) } else { None };
+    let edits = [Some((before, format!("{WAIT}({open}"))), flip, Some((behind, format!("{close})")))];
+    (!has_comment).then(|| edits.into_iter().flatten().collect())
 }
 
-/// The operand of `!x`.
-fn operand_of_not(body: &Body, condition: ExprId) -> Option<ExprId> {
-    match body.expr(body.peel(condition)) {
-        Expr::Unary(UnaryOp::Not, operand) => Some(*operand),
-        _ => None,
+/// How a condition is turned round.
+enum Negation {
+    /// It is the opposite of this one.
+    Of(ExprId),
+    /// Its operator becomes the other one.
+    Flipped((TextRange, String)),
+    /// With `!` before brackets around it.
+    Around,
+}
+
+fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
+    let flipped = |left, right, from, to| {
+        let between = TextRange::new(program.range(left).end(), program.range(right).start());
+        Negation::Flipped((between, program.text_at(between).replace(from, to)))
+    };
+    match program.body.expr(condition) {
+        Expr::Unary(UnaryOp::Not, operand) => Negation::Of(*operand),
+        Expr::Binary(BinaryOp::Equal, left, right) => flipped(*left, *right, "==", "!="),
+        Expr::Binary(BinaryOp::NotEqual, left, right) => flipped(*left, *right, "!=", "=="),
+        _ => Negation::Around,
     }
 }
 
@@ -82,6 +105,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
+    use crate::lint::fixed::fixed;
     use crate::lint::testing::check;
 
     #[test]
@@ -100,6 +124,20 @@ mod tests {
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
         "#]].assert_eq(&check(&RULE, "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile"));
+    }
+
+    #[test]
+    fn the_fix_waits() {
+        expect![[r#"
+            wait(d!=false)
+            wait(d)
+            wait(d)
+            wait(!(d and d))
+            put(1)
+            end"#]].assert_eq(&fixed(
+            &RULE,
+            "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile\nwhile d and d\nendWhile\nput(1)",
+        ));
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! V0306: a `case` value that stands there twice.
 
+use rustc_hash::FxHashMap;
 use val3_analysis::body::{ExprId, StmtKind};
 
 use crate::diagnostic::Wording;
@@ -45,13 +46,13 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for stmt in program.body.stmts() {
         let StmtKind::Switch { cases, .. } = &stmt.kind else { continue };
-        let values: Vec<ExprId> = cases.iter().flat_map(|(values, _)| values).copied().collect();
-        for (index, value) in values.iter().enumerate() {
-            let before = values.iter().take(index).find(|before| program.body.is_same(**before, *value));
-            if let Some(before) = before.filter(|_| program.is_pure(*value)) {
+        let mut seen: FxHashMap<String, ExprId> = FxHashMap::default();
+        for value in cases.iter().flat_map(|(values, _)| values).copied().filter(|value| program.is_pure(*value)) {
+            let first = *seen.entry(program.body.normal_form(value)).or_insert(value);
+            if first != value {
                 found
-                    .report(&RULE, program.range(*value), word(program.text(*value)))
-                    .related(program.range(*before), "this `case` is taken");
+                    .report(&RULE, program.range(value), word(program.text(value)))
+                    .related(program.range(first), "this `case` is taken");
             }
         }
     }

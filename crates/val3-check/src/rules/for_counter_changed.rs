@@ -38,9 +38,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let body = program.body;
     for stmt in body.stmts() {
         let StmtKind::For { counter: Some(counter), block, .. } = &stmt.kind else { continue };
+        let name = body.normal_form(*counter);
         for inner in block.iter().flat_map(Stmt::with_inner) {
             let StmtKind::Assign { target, value } = inner.kind else { continue };
-            if body.is_same(target, *counter) && reads(body, value, *counter) {
+            if body.normal_form(target) == name && reads(body, value, &name) {
                 found
                     .report(&RULE, inner.range, word(program.text(*counter)))
                     .related(program.range(*counter), "counted by this `for`");
@@ -49,8 +50,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn reads(body: &Body, value: ExprId, counter: ExprId) -> bool {
-    body.within(value).into_iter().any(|id| body.is_same(id, counter))
+fn reads(body: &Body, value: ExprId, counter: &str) -> bool {
+    body.within(value).into_iter().any(|id| body.normal_form(id) == counter)
 }
 
 fn word(counter: &str) -> Wording {

@@ -89,6 +89,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
+    use crate::lint::fixed::fixed;
     use crate::lint::testing::check;
 
     #[test]
@@ -108,6 +109,15 @@ mod tests {
             &RULE,
             "num n\nfor n=9 to 0\nendFor\nfor n=-1 to -(2+1) step 2\nendFor\nfor n=0 to 9 step -1\nendFor",
         ));
+    }
+
+    #[test]
+    fn the_fix_counts_downwards() {
+        expect![[r#"
+            for n=(9) to 0 step -1
+            put(n)
+            endFor
+            end"#]].assert_eq(&fixed(&RULE, "num n\nfor n=(9) to 0\nput(n)\nendFor"));
     }
 
     #[test]

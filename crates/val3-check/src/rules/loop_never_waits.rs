@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::flow::{Point, PointKind};
-use val3_lang::instructions::CLOCK;
+use val3_lang::instructions::{CLOCK, DELAY};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -45,7 +45,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let leaves = stmt.with_inner().iter().any(|inner| inner.kind == StmtKind::Return);
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
         if !leaves && !inside().any(|(_, point)| waits(program, point)) {
-            found.report(&RULE, program.range(condition), word(is_synchronous(program)));
+            let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
+            let last = stmt.blocks().next().and_then(<[_]>::last);
+            if let Some(edit) = last.and_then(|last| program.line_behind(last.range, &format!("{DELAY}(0)"))) {
+                reported.fix("give way to the other tasks", false, vec![edit]);
+            }
         }
     }
 }
@@ -83,6 +87,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
+    use crate::lint::fixed::fixed;
     use crate::lint::testing::check;
 
     #[test]
@@ -91,6 +96,7 @@ mod tests {
             start.pgx:6 `true` nothing in this endless loop waits, so it takes all the time it can get from the other tasks
               | goes round without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
+              ! give way to the other tasks (unsafe)
         "#]].assert_eq(&check(
             &RULE,
             "num n\n\nwhile true\nn=n+1\ncall add()\nendWhile\n\nprogram add()\nbegin\n  n=n+2\nend",
@@ -99,7 +105,20 @@ mod tests {
             start.pgx:7 `false` nothing in this endless loop waits, so it takes all the time it can get from the other tasks
               | goes round without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
+              ! give way to the other tasks (unsafe)
         "#]].assert_eq(&check(&RULE, "num n\ndo\nn=n+1\nuntil false"));
+    }
+
+    #[test]
+    fn the_fix_gives_way() {
+        expect![[r#"
+            while true
+              if n>1
+                n=0
+              endIf
+              delay(0)
+            endWhile
+            end"#]].assert_eq(&fixed(&RULE, "num n\nwhile true\n  if n>1\n    n=0\n  endIf\nendWhile"));
     }
 
     #[test]
@@ -109,6 +128,7 @@ mod tests {
             turn.pgx:5 `true` nothing in this endless loop waits: the synchronous task overruns every period
               | goes round without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
+              ! give way to the other tasks (unsafe)
         "#]].assert_eq(&check(&RULE, &format!("{main}n=n+1\n  endWhile\nend")));
         assert_eq!(check(&RULE, &format!("{main}delay(0)\n  endWhile\nend")), "");
     }

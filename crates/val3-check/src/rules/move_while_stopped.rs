@@ -1,5 +1,6 @@
 //! V0407: the program waits for an arm that it has stopped.
 
+use rustc_hash::FxHashSet;
 use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
@@ -35,12 +36,11 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let mut told = Vec::new();
+    let mut told = FxHashSet::default();
     for step in program.motion_steps() {
         let Phase::Stopped(stop) = step.arm.phase else { continue };
         let needs_arm = matches!(step.role, MotionRole::Move(_) | MotionRole::Arrive);
-        if needs_arm && !told.contains(&stop) {
-            told.push(stop);
+        if needs_arm && told.insert(stop) {
             let is_move = step.role != MotionRole::Arrive;
             found
                 .report(&RULE, program.range(step.call.id), word(step.call.instruction.name, is_move))

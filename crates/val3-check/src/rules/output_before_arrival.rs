@@ -4,6 +4,7 @@ use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
 use val3_analysis::flow::{Point, PointKind};
 use val3_lang::instruction::{Class, Family};
+use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
@@ -44,6 +45,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let Some(motion) = program.motion() else { return };
+    let wait = format!("{WAIT_END_MOVE}()");
     let mut told = FxHashSet::default();
     for (id, point) in program.flow().points() {
         let arm = motion.arm(id);
@@ -51,9 +53,12 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         // The first output behind a move is enough.
         if let Some(output) = output(program, point).filter(|_| told.insert(last)) {
             let target = program.target(last).unwrap_or(last);
-            found
+            let reported = found
                 .report(&RULE, point.range, word(program.text(output), program.text(target)))
                 .related(program.range(last), "the arm only starts here");
+            if let Some(edit) = program.line_before(point.range, &wait) {
+                reported.fix("wait for the arm", false, vec![edit]);
+            }
         }
     }
 }
@@ -88,6 +93,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
+    use crate::lint::fixed::fixed;
     use crate::lint::testing::check;
 
     fn program(code: &str) -> String {
@@ -101,18 +107,32 @@ mod tests {
               | set while the arm is on its way
               ? if the arm has to be there, call `waitEndMove()` before
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
             start.pgx:11 `aioSet(aA,3)` `aA` is set before the arm has got to `pA`
               | set while the arm is on its way
               ? if the arm has to be there, call `waitEndMove()` before
               > start.pgx:10 `movej(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
             start.pgx:13 `tA.gripper=true` `tA.gripper` is set before the arm has got to `pA`
               | set while the arm is on its way
               ? if the arm has to be there, call `waitEndMove()` before
               > start.pgx:12 `movej(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
         "#]].assert_eq(&check(
             &RULE,
             &program("movel(pA,tA,mA)\nnA=1\ndA=true\ndA=false\nmovej(pA,tA,mA)\naioSet(aA,3)\nmovej(pA,tA,mA)\ntA.gripper=true"),
         ));
+    }
+
+    #[test]
+    fn the_fix_waits() {
+        expect![[r#"
+            if bA
+              movel(pA,tA,mA)
+              waitEndMove()
+              dA=true
+            endIf
+            end"#]].assert_eq(&fixed(&RULE, &program("if bA\n  movel(pA,tA,mA)\n  dA=true\nendIf")));
     }
 
     #[test]

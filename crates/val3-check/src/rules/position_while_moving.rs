@@ -1,6 +1,7 @@
 //! V0408: the position of the arm is stored while it is on its way.
 
 use val3_analysis::flow::PointKind;
+use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::motion::{MotionRole, role};
 
 use crate::diagnostic::Wording;
@@ -41,15 +42,19 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let Some(motion) = program.motion() else { return };
+    let wait = format!("{WAIT_END_MOVE}()");
     for (id, point) in program.flow().points() {
         let arm = motion.arm(id);
         let PointKind::Assign { .. } = point.kind else { continue };
         let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
         let read = program.calls_at(point).find(|call| role(call.instruction) == Some(MotionRole::Position));
         if let Some(read) = read {
-            found
+            let reported = found
                 .report(&RULE, program.range(read.id), word(read.instruction.name))
                 .related(program.range(last), "the arm only starts here");
+            if let Some(edit) = program.line_before(point.range, &wait) {
+                reported.fix("wait for the arm", false, vec![edit]);
+            }
         }
     }
 }
@@ -80,10 +85,12 @@ mod tests {
               | some position on the way
               ? if the end of the move is meant, call `waitEndMove()` before
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
             start.pgx:8 `here(tA,world)` `here` is asked while the arm is on its way
               | some position on the way
               ? if the end of the move is meant, call `waitEndMove()` before
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
         "#]].assert_eq(&check(&RULE, &program("jA=herej()\nnA=distance(here(tA,world),pA)")));
     }
 

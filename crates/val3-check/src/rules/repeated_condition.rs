@@ -1,5 +1,6 @@
 //! V0307: an `elseIf` that an earlier condition leaves nothing to.
 
+use rustc_hash::FxHashMap;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
 use val3_lang::operators::BinaryOp;
 
@@ -41,37 +42,61 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for stmt in program.body.stmts() {
         let StmtKind::If { arms, .. } = &stmt.kind else { continue };
-        let conditions: Vec<ExprId> = arms.iter().filter_map(|(condition, _)| *condition).collect();
-        for (index, later) in conditions.iter().enumerate().skip(1).filter(|(_, later)| program.is_pure(**later)) {
-            let earlier = conditions.iter().take(index).find(|earlier| implies(program.body, *later, **earlier));
-            if let Some(earlier) = earlier {
-                let word = word(program.body.is_same(*later, *earlier));
-                found.report(&RULE, program.range(*later), word).related(program.range(*earlier), "asked first");
+        let mut asked = Asked::default();
+        // Constants are told as such; what acts may well yield another value the next time.
+        let is_followed = |id: &ExprId| program.body.constant(*id).is_none() && program.is_pure(*id);
+        for condition in arms.iter().filter_map(|(condition, _)| *condition).filter(is_followed) {
+            if let Some(earlier) = asked.covering(program.body, condition) {
+                let word = word(program.body.is_same(condition, earlier));
+                found.report(&RULE, program.range(condition), word).related(program.range(earlier), "asked first");
             }
+            asked.add(program.body, condition);
         }
     }
 }
 
-/// Wherever `later` holds, `earlier` does: both are the same, or ask for ranges of the same value. Constants are told
-/// as such.
-fn implies(body: &Body, later: ExprId, earlier: ExprId) -> bool {
-    if body.constant(later).is_some() {
-        return false;
-    }
-    if body.is_same(later, earlier) {
-        return true;
-    }
-    let (Some(inner), Some(outer)) = (range(body, later), range(body, earlier)) else { return false };
-    body.is_same(inner.value, outer.value) && inner.is_within(&outer)
+/// The conditions of an `if` so far.
+#[derive(Default)]
+struct Asked {
+    /// Each condition as it is written.
+    conditions: FxHashMap<String, ExprId>,
+    /// The widest ranges that were asked for, by the value compared: above a bound, below one.
+    ranges: FxHashMap<String, [Option<(Range, ExprId)>; 2]>,
 }
 
-/// The numbers between two bounds; a bound is open where the number itself is left out.
+impl Asked {
+    /// An earlier condition that holds wherever `condition` does.
+    fn covering(&self, body: &Body, condition: ExprId) -> Option<ExprId> {
+        let same = self.conditions.get(&body.normal_form(condition)).copied();
+        same.or_else(|| {
+            let (value, range) = range(body, condition)?;
+            let widest = self.ranges.get(&value)?.iter().flatten();
+            widest.into_iter().find(|(outer, _)| range.is_within(outer)).map(|(_, earlier)| *earlier)
+        })
+    }
+
+    fn add(&mut self, body: &Body, condition: ExprId) {
+        self.conditions.entry(body.normal_form(condition)).or_insert(condition);
+        let Some((value, range)) = range(body, condition) else { return };
+        let [above, below] = self.ranges.entry(value).or_default();
+        let side = match (range.low.at.is_finite(), range.high.at.is_finite()) {
+            (true, false) => above,
+            (false, true) => below,
+            _ => return,
+        };
+        if side.as_ref().is_none_or(|(widest, _)| widest.is_within(&range)) {
+            *side = Some((range, condition));
+        }
+    }
+}
+
+/// The numbers between two bounds.
 struct Range {
-    value: ExprId,
     low: Bound,
     high: Bound,
 }
 
+/// A bound; it is open where the number itself is left out.
 #[derive(Clone, Copy)]
 struct Bound {
     at: f64,
@@ -88,11 +113,11 @@ impl Range {
     }
 }
 
-/// `value > constant` and its like, the constant on either side.
-fn range(body: &Body, id: ExprId) -> Option<Range> {
+/// `value > constant` and its like, the constant on either side: the value as it is written, and its range.
+fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
     let Expr::Binary(op, left, right) = body.expr(body.peel(id)) else { return None };
     if let Some(at) = body.number(*right) {
-        return compared(*left, *op, at);
+        return Some((body.normal_form(*left), compared(*op, at)?));
     }
     let mirrored = match op {
         BinaryOp::Less => BinaryOp::Greater,
@@ -101,13 +126,13 @@ fn range(body: &Body, id: ExprId) -> Option<Range> {
         BinaryOp::GreaterOrEqual => BinaryOp::LessOrEqual,
         other => *other,
     };
-    compared(*right, mirrored, body.number(*left)?)
+    Some((body.normal_form(*right), compared(mirrored, body.number(*left)?)?))
 }
 
-fn compared(value: ExprId, op: BinaryOp, at: f64) -> Option<Range> {
+fn compared(op: BinaryOp, at: f64) -> Option<Range> {
     let (closed, open) = (Bound { at, is_open: false }, Bound { at, is_open: true });
-    let (lowest, highest) =
-        (Bound { at: f64::NEG_INFINITY, is_open: false }, Bound { at: f64::INFINITY, is_open: false });
+    let lowest = Bound { at: f64::NEG_INFINITY, is_open: false };
+    let highest = Bound { at: f64::INFINITY, is_open: false };
     let (low, high) = match op {
         BinaryOp::Equal => (closed, closed),
         BinaryOp::Less => (lowest, open),
@@ -116,7 +141,7 @@ fn compared(value: ExprId, op: BinaryOp, at: f64) -> Option<Range> {
         BinaryOp::GreaterOrEqual => (closed, highest),
         _ => return None,
     };
-    Some(Range { value, low, high })
+    Some(Range { low, high })
 }
 
 fn word(is_same: bool) -> Wording {

@@ -1,5 +1,6 @@
 //! V0302: code that no way leads to.
 
+use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
 use val3_analysis::flow::{Point, PointKind};
 
@@ -39,7 +40,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let flow = program.flow();
-    let endless: Vec<ExprId> =
+    let endless: FxHashSet<ExprId> =
         program.body.stmts().into_iter().filter_map(|stmt| program.endless_condition(stmt)).collect();
     // A block behind another constant condition is told where the condition stands.
     let is_endless = |point: &Point| match point.kind {
