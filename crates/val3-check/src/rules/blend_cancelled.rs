@@ -89,13 +89,15 @@ mod tests {
               | the arm stops here
               ? pass that move a descriptor with `blend` off
               > start.pgx:9 `mA` this descriptor asks for a rounded corner
-        "#]].assert_eq(&check(&RULE, &program("mA.blend=Cartesian\nmovel(pA,tA,mA)\nopen(tA)")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("mA.blend=Cartesian\nmovel(pA,tA,mA)\nopen(tA)")));
         expect![[r#"
             start.pgx:11 `close(tA)` `close` waits for the arm, so the corner of the move before is not rounded
               | the arm stops here
               ? pass that move a descriptor with `blend` off
               > start.pgx:10 `l_m` this descriptor asks for a rounded corner
-        "#]].assert_eq(&check(&RULE, &program("l_m=mA\nl_m.blend=joint\nmovel(pA,tA,l_m)\nclose(tA)")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("l_m=mA\nl_m.blend=joint\nmovel(pA,tA,l_m)\nclose(tA)")));
     }
 
     #[test]

@@ -123,7 +123,8 @@ mod tests {
               | asked over and over
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
-        "#]].assert_eq(&check(&RULE, "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile"));
+        "#]]
+        .assert_eq(&check(&RULE, "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile"));
     }
 
     #[test]
@@ -134,7 +135,8 @@ mod tests {
             wait(d)
             wait(!(d and d))
             put(1)
-            end"#]].assert_eq(&fixed(
+            end"#]]
+        .assert_eq(&fixed(
             &RULE,
             "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile\nwhile d and d\nendWhile\nput(1)",
         ));
@@ -146,12 +148,16 @@ mod tests {
             start.pgx:5 `d` this empty loop waits, and takes time from what it waits for
               | asked over and over
               ? use `wait(…)`, or `watch(…)` with a time limit
-        "#]].assert_eq(&check(&RULE, "dio d\nwhile d\n// until it closes\nendWhile"));
+        "#]]
+        .assert_eq(&check(&RULE, "dio d\nwhile d\n// until it closes\nendWhile"));
     }
 
     #[test]
     fn loops_that_do_something() {
         assert_eq!(check(&RULE, "dio d\nwhile d\ndelay(0)\nendWhile"), "");
-        assert_eq!(check(&RULE, "while getKey()!=-1\nendWhile\nwhile watch(false,1)\nendWhile\ndo\nuntil get()==270"), "");
+        assert_eq!(
+            check(&RULE, "while getKey()!=-1\nendWhile\nwhile watch(false,1)\nendWhile\ndo\nuntil get()==270"),
+            ""
+        );
     }
 }

@@ -93,7 +93,8 @@ mod tests {
             start.pgx:3 `start` the program `start` has a complexity of 22, more than 20
               | many decisions
               ? make programs of its parts
-        "#]].assert_eq(&check(&RULE, &format!("{}do\nuntil b", ifs(10))));
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{}do\nuntil b", ifs(10))));
         let cases = |count: usize| {
             let values: Vec<String> = (0..count).map(|value| value.to_string()).collect();
             format!("num n\nswitch n\ncase {}\nput(1)\nbreak\nendSwitch", values.join(","))

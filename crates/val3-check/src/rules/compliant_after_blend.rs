@@ -50,7 +50,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for step in program.motion_steps() {
         let compliant = MotionRole::Move(Path::Compliant);
         let is_compliant = step.role == compliant && step.arm.phase == Phase::Moving;
-        let Some(last) = step.arm.last.filter(|last| is_compliant && role_of(*last) != Some(compliant) && program.is_blended(*last)) else { continue };
+        let Some(last) =
+            step.arm.last.filter(|last| is_compliant && role_of(*last) != Some(compliant) && program.is_blended(*last))
+        else {
+            continue;
+        };
         let descriptor = program.descriptor(last).unwrap_or(last);
         found
             .report(&RULE, program.range(step.call.callee), word(step.call.instruction.name))
@@ -85,12 +89,14 @@ mod tests {
               ? pass the move before a descriptor with `blend` off
               > start.pgx:7 `mA` this descriptor asks for a rounded corner
         "#]]
-            .assert_eq(&check(&RULE, &program("mA.blend=joint\nmovej(pA,tA,mA)\nmovejf(jA,tA,mA,0)\nmovelf(pA,tA,mA,0)")));
+        .assert_eq(&check(&RULE, &program("mA.blend=joint\nmovej(pA,tA,mA)\nmovejf(jA,tA,mA,0)\nmovelf(pA,tA,mA,0)")));
     }
 
     #[test]
     fn behind_a_stop() {
-        for between in ["mA.blend=off\nmovej(pA,tA,mA)", "movej(pA,tA,mA)", "mA.blend=joint\nmovej(pA,tA,mA)\nwaitEndMove()"] {
+        for between in
+            ["mA.blend=off\nmovej(pA,tA,mA)", "movej(pA,tA,mA)", "mA.blend=joint\nmovej(pA,tA,mA)\nwaitEndMove()"]
+        {
             assert_eq!(check(&RULE, &program(&format!("{between}\nmovelf(pA,tA,mA,0)"))), "", "{between}");
         }
     }

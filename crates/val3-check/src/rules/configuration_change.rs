@@ -100,10 +100,8 @@ mod tests {
               | asks for `enegative`
               ? reach the point with a joint move, or teach both points in one configuration
               > start.pgx:8 `pA` the arm comes from here with `epositive`
-        "#]].assert_eq(&check(
-            &RULE,
-            &program(&format!("{SET}movel(pA,tA,mA)\nwaitEndMove()\nmovec(pA,pB,tA,mA)")),
-        ));
+        "#]]
+        .assert_eq(&check(&RULE, &program(&format!("{SET}movel(pA,tA,mA)\nwaitEndMove()\nmovec(pA,pB,tA,mA)"))));
     }
 
     #[test]
@@ -113,10 +111,8 @@ mod tests {
               | asks for `enegative`
               ? reach the point with a joint move, or teach both points in one configuration
               > start.pgx:8 `appro(pA,{0,0,1,0,0,0})` the arm comes from here with `epositive`
-        "#]].assert_eq(&check(
-            &RULE,
-            &program(&format!("{SET}movej(appro(pA,{{0,0,1,0,0,0}}),tA,mA)\nmovel(pB,tA,mA)")),
-        ));
+        "#]]
+        .assert_eq(&check(&RULE, &program(&format!("{SET}movej(appro(pA,{{0,0,1,0,0,0}}),tA,mA)\nmovel(pB,tA,mA)"))));
     }
 
     #[test]
@@ -140,7 +136,8 @@ mod tests {
               | asks for `enegative`
               ? reach the point with a joint move, or teach both points in one configuration
               > start.pgx:5 `pX[0]` the arm comes from here with `epositive`
-        "#]].assert_eq(&check(&RULE, &format!("{code}\n{}", data("enegative"))));
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{code}\n{}", data("enegative"))));
         assert_eq!(check(&RULE, &format!("{code}\n{}", data("epositive"))), "");
         assert_eq!(check(&RULE, &format!("pX[1]=pX[0]\n{code}\n{}", data("enegative"))), "");
     }

@@ -111,7 +111,8 @@ mod tests {
               | no reference
               ? name its father in the data file (`fatherId`), or `link` it before it is used
               > main.dtx:8 `tX` its data names no father
-        "#]].assert_eq(&check(&RULE, &listing("movel(pX[1],tX,mX)\nmovel(pX[0],tX,mX)")));
+        "#]]
+        .assert_eq(&check(&RULE, &listing("movel(pX[1],tX,mX)\nmovel(pX[0],tX,mX)")));
     }
 
     #[test]
@@ -139,7 +140,8 @@ mod tests {
               | no reference
               ? name its father in the data file (`fatherId`), or `link` it before it is used
               > main.dtx:7 `pX` its data names no father
-        "#]].assert_eq(&check(&RULE, &data("")));
+        "#]]
+        .assert_eq(&check(&RULE, &data("")));
         assert_eq!(check(&RULE, &data("world")), "");
     }
 }

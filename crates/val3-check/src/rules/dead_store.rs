@@ -95,7 +95,9 @@ mod tests {
     use crate::lint::testing::check;
 
     fn program(code: &str) -> String {
-        format!("num nA\nbool bA\ndio dA\n\nprogram start()\n  num l_n\n  num l_nAll[3]\n  dio l_d\nbegin\n{code}\nend\n\nprogram set(num& x_n)\nbegin\n  x_n=1\nend")
+        format!(
+            "num nA\nbool bA\ndio dA\n\nprogram start()\n  num l_n\n  num l_nAll[3]\n  dio l_d\nbegin\n{code}\nend\n\nprogram set(num& x_n)\nbegin\n  x_n=1\nend"
+        )
     }
 
     #[test]
@@ -107,7 +109,8 @@ mod tests {
             start.pgx:17 `l_n=nA` the value stored in `l_n` is never used
               | overwritten or forgotten before it is used
               ? use the value, or remove the line
-        "#]].assert_eq(&check(&RULE, &program("l_n=nA\nif bA\nl_n=nA+1\nelse\nl_n=nA+2\nendIf\nput(l_n)\nl_n=nA")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("l_n=nA\nif bA\nl_n=nA+1\nelse\nl_n=nA+2\nendIf\nput(l_n)\nl_n=nA")));
     }
 
     #[test]

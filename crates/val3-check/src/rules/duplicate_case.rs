@@ -88,13 +88,15 @@ mod tests {
               | never taken
               ? remove it, or write the value that was meant
               > start.pgx:6 `1` this `case` is taken
-        "#]].assert_eq(&check(&RULE, &switch("1,2", "3,2,1+0")));
+        "#]]
+        .assert_eq(&check(&RULE, &switch("1,2", "3,2,1+0")));
         expect![[r#"
             start.pgx:9 `m[1]` an earlier `case` already has the value `m[1]`
               | never taken
               ? remove it, or write the value that was meant
               > start.pgx:6 `m[1]` this `case` is taken
-        "#]].assert_eq(&check(&RULE, &switch("m[1]", "m[1]")));
+        "#]]
+        .assert_eq(&check(&RULE, &switch("m[1]", "m[1]")));
     }
 
     #[test]
@@ -111,7 +113,8 @@ mod tests {
               | never taken
               ? remove it, or write the value that was meant
               > start.pgx:6 `"a"` this `case` is taken
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "string s\nswitch s\ncase \"a\"\nput(1)\nbreak\ncase \"b\",\"a\"\nput(2)\nbreak\nendSwitch",
         ));

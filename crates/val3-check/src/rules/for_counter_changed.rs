@@ -76,7 +76,8 @@ mod tests {
               | `endFor` counts on from here
               ? use `step`, or a `while` that does all the counting itself
               > start.pgx:5 `n` counted by this `for`
-        "#]].assert_eq(&check(&RULE, "num n\nfor n=0 to 9\nif n==3\nn=n+2\nendIf\nendFor"));
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nfor n=0 to 9\nif n==3\nn=n+2\nendIf\nendFor"));
     }
 
     #[test]

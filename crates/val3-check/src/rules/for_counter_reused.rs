@@ -76,7 +76,8 @@ mod tests {
               | counted twice
               ? give each loop a counter of its own
               > start.pgx:5 `n` the outer `for` counts with it
-        "#]].assert_eq(&check(&RULE, "num n\nfor n=0 to 2\nif n==1\nfor n=0 to 3\nput(n)\nendFor\nendIf\nendFor"));
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nfor n=0 to 2\nif n==1\nfor n=0 to 3\nput(n)\nendFor\nendIf\nendFor"));
     }
 
     #[test]

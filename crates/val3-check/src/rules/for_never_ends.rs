@@ -63,7 +63,8 @@ mod tests {
             start.pgx:5 `1-1` this `for` never ends: it counts by 0
               | the counter stays where it starts
               ? count by a number other than 0; for a loop without end write `while true`
-        "#]].assert_eq(&check(&RULE, "num n\nfor n=0 to 3 step 1-1\ndelay(1)\nendFor"));
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nfor n=0 to 3 step 1-1\ndelay(1)\nendFor"));
         for step in ["", "step 1", "step -1", "step 0.1", "step n"] {
             assert_eq!(check(&RULE, &format!("num n\nnum m\nfor m=0 to 3 {step}\nput(m)\nendFor")), "", "{step}");
         }

@@ -73,11 +73,7 @@ fn word_for(start: f64, stop: f64, step: Option<f64>) -> Wording {
         Some(0.0..) => ("upwards", "to count downwards, make the step negative"),
         Some(_) => ("downwards", "to count upwards, leave `step` out or make it positive"),
     };
-    Wording::new(
-        format!("this `for` never runs: it counts {direction} from {start} to {stop}"),
-        "passed at once",
-        help,
-    )
+    Wording::new(format!("this `for` never runs: it counts {direction} from {start} to {stop}"), "passed at once", help)
 }
 
 fn word_while() -> Wording {
@@ -105,7 +101,8 @@ mod tests {
             start.pgx:9 `0 to 9 step -1` this `for` never runs: it counts downwards from 0 to 9
               | passed at once
               ? to count upwards, leave `step` out or make it positive
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num n\nfor n=9 to 0\nendFor\nfor n=-1 to -(2+1) step 2\nendFor\nfor n=0 to 9 step -1\nendFor",
         ));
@@ -117,7 +114,8 @@ mod tests {
             for n=(9) to 0 step -1
             put(n)
             endFor
-            end"#]].assert_eq(&fixed(&RULE, "num n\nfor n=(9) to 0\nput(n)\nendFor"));
+            end"#]]
+        .assert_eq(&fixed(&RULE, "num n\nfor n=(9) to 0\nput(n)\nendFor"));
     }
 
     #[test]
@@ -134,7 +132,8 @@ mod tests {
             start.pgx:5 `(false)` this `while` never runs
               | always false
               ? remove the loop, or write its condition
-        "#]].assert_eq(&check(&RULE, "while (false)\nput(1)\nendWhile"));
+        "#]]
+        .assert_eq(&check(&RULE, "while (false)\nput(1)\nendWhile"));
         assert_eq!(check(&RULE, "while true\ndelay(1)\nendWhile\ndo\nput(1)\nuntil true\nwhile 1==2\nendWhile"), "");
     }
 }

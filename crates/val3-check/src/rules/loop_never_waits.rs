@@ -118,7 +118,8 @@ mod tests {
               endIf
               delay(0)
             endWhile
-            end"#]].assert_eq(&fixed(&RULE, "num n\nwhile true\n  if n>1\n    n=0\n  endIf\nendWhile"));
+            end"#]]
+        .assert_eq(&fixed(&RULE, "num n\nwhile true\n  if n>1\n    n=0\n  endIf\nendWhile"));
     }
 
     #[test]
@@ -129,13 +130,15 @@ mod tests {
               | goes round without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
               ! give way to the other tasks (unsafe)
-        "#]].assert_eq(&check(&RULE, &format!("{main}n=n+1\n  endWhile\nend")));
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{main}n=n+1\n  endWhile\nend")));
         assert_eq!(check(&RULE, &format!("{main}delay(0)\n  endWhile\nend")), "");
     }
 
     #[test]
     fn a_pause_of_any_kind() {
-        let lines = ["delay(0)", "b=watch(d,1)", "s=line", "line=s", "n=clock()", "n=get()", "setMutex(b)", "call rest()"];
+        let lines =
+            ["delay(0)", "b=watch(d,1)", "s=line", "line=s", "n=clock()", "n=get()", "setMutex(b)", "call rest()"];
         for line in lines {
             let data = "num n\nbool b\ndio d\nstring s\nsio line\n";
             let rest = "program rest()\nbegin\n  call more()\nend\n\nprogram more()\nbegin\n  delay(1)\nend";

@@ -77,20 +77,27 @@ mod tests {
               | nothing has let the arm go on
               ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
               > start.pgx:6 `stopMove()` stopped here
-        "#]].assert_eq(&check(&RULE, &program("stopMove()\nmovej(jA,tA,mA)\nwaitEndMove()")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("stopMove()\nmovej(jA,tA,mA)\nwaitEndMove()")));
         expect![[r#"
             start.pgx:9 `waitEndMove()` the arm is stopped: `waitEndMove` waits for ever
               | nothing has let the arm go on
               ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
               > start.pgx:7 `stopMove()` stopped here
-        "#]].assert_eq(&check(&RULE, &program("movej(jA,tA,mA)\nstopMove()\nif isEmpty()\nwaitEndMove()\nendIf")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("movej(jA,tA,mA)\nstopMove()\nif isEmpty()\nwaitEndMove()\nendIf")));
     }
 
     #[test]
     fn set_free() {
-        let lines = ["restartMove()", "resetMotion()", "resetMotion(jA)", "call resume()", "if bA\nrestartMove()\nendIf"];
+        let lines =
+            ["restartMove()", "resetMotion()", "resetMotion(jA)", "call resume()", "if bA\nrestartMove()\nendIf"];
         for line in lines {
-            assert_eq!(check(&RULE, &program(&format!("stopMove()\n{line}\nmovej(jA,tA,mA)\nwaitEndMove()"))), "", "{line}");
+            assert_eq!(
+                check(&RULE, &program(&format!("stopMove()\n{line}\nmovej(jA,tA,mA)\nwaitEndMove()"))),
+                "",
+                "{line}"
+            );
         }
         assert_eq!(check(&RULE, &program("movej(jA,tA,mA)\nstopMove()")), "");
     }

@@ -158,7 +158,8 @@ mod tests {
             start.pgx:14 `l_f` the frame `l_f` has no reference frame when `here` uses it (run-time error 163)
               | no reference yet
               ? assign a frame that has one before, or `link(l_f,world)`
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             &program("movel(l_p,tA,mA)\nmovel(pA,l_t,mA)\nl_q[0]=appro(l_q[1],{0,0,1,0,0,0})\nl_p=here(tA,l_f)"),
         ));
@@ -185,7 +186,8 @@ mod tests {
             start.pgx:11 `l_p` the point `l_p` has no reference frame when `movej` uses it (run-time error 162)
               | no reference yet
               ? assign a point that has one before, or `link(l_p,world)`
-        "#]].assert_eq(&check(&RULE, &program("movej(l_p,tA,mA)\nl_p=pA\nmovej(l_p,tA,mA)")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("movej(l_p,tA,mA)\nl_p=pA\nmovej(l_p,tA,mA)")));
         assert_eq!(check(&RULE, &program("while bA\nif bA\nmovej(l_p,tA,mA)\nendIf\nl_p=pA\nendWhile")), "");
     }
 
@@ -206,7 +208,8 @@ mod tests {
             start.pgx:8 `l_s.pIn` the point `l_s.pIn` has no reference frame when `movej` uses it (run-time error 162)
               | no reference yet
               ? assign a point that has one before, or `link(l_s.pIn,world)`
-        "#]].assert_eq(&check(&RULE, &listing("movej(l_s.pIn,tA,mA)")));
+        "#]]
+        .assert_eq(&check(&RULE, &listing("movej(l_s.pIn,tA,mA)")));
         assert_eq!(check(&RULE, &listing("l_s.pIn=pA\nmovej(l_s.pIn,tA,mA)")), "");
     }
 }

@@ -132,12 +132,14 @@ mod tests {
               waitEndMove()
               dA=true
             endIf
-            end"#]].assert_eq(&fixed(&RULE, &program("if bA\n  movel(pA,tA,mA)\n  dA=true\nendIf")));
+            end"#]]
+        .assert_eq(&fixed(&RULE, &program("if bA\n  movel(pA,tA,mA)\n  dA=true\nendIf")));
     }
 
     #[test]
     fn there() {
-        let lines = ["waitEndMove()", "open(tA)", "wait(getMoveId()>3)", "delay(1)", "wait(isSettled())", "resetMotion()"];
+        let lines =
+            ["waitEndMove()", "open(tA)", "wait(getMoveId()>3)", "delay(1)", "wait(isSettled())", "resetMotion()"];
         for line in lines {
             assert_eq!(check(&RULE, &program(&format!("movel(pA,tA,mA)\n{line}\ndA=true"))), "", "{line}");
         }

@@ -91,7 +91,8 @@ mod tests {
               ? if the end of the move is meant, call `waitEndMove()` before
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
               ! wait for the arm (unsafe)
-        "#]].assert_eq(&check(&RULE, &program("jA=herej()\nnA=distance(here(tA,world),pA)")));
+        "#]]
+        .assert_eq(&check(&RULE, &program("jA=herej()\nnA=distance(here(tA,world),pA)")));
     }
 
     #[test]

@@ -105,10 +105,9 @@ struct Bound {
 
 impl Range {
     fn is_within(&self, outer: &Self) -> bool {
-        let low = self.low.at > outer.low.at
-            || self.low.at >= outer.low.at && (self.low.is_open || !outer.low.is_open);
-        let high = self.high.at < outer.high.at
-            || self.high.at <= outer.high.at && (self.high.is_open || !outer.high.is_open);
+        let low = self.low.at > outer.low.at || self.low.at >= outer.low.at && (self.low.is_open || !outer.low.is_open);
+        let high =
+            self.high.at < outer.high.at || self.high.at <= outer.high.at && (self.high.is_open || !outer.high.is_open);
         low && high
     }
 }
@@ -172,7 +171,8 @@ mod tests {
               | never decides
               ? write the condition that was meant
               > start.pgx:5 `b==true` asked first
-        "#]].assert_eq(&check(&RULE, &chain(["b==true", "(b==true)"])));
+        "#]]
+        .assert_eq(&check(&RULE, &chain(["b==true", "(b==true)"])));
     }
 
     #[test]
@@ -182,7 +182,8 @@ mod tests {
               | never decides
               ? ask for the narrower range first
               > start.pgx:5 `n>1` asked first
-        "#]].assert_eq(&check(&RULE, &chain(["n>1", "2<n"])));
+        "#]]
+        .assert_eq(&check(&RULE, &chain(["n>1", "2<n"])));
         for pair in [["n>=1", "n==1"], ["n<3", "n<=2.9"], ["n<=3", "n<3"], ["n>1", "n>1.0"]] {
             assert_ne!(check(&RULE, &chain(pair)), "", "{pair:?}");
         }
@@ -190,7 +191,8 @@ mod tests {
 
     #[test]
     fn other_conditions() {
-        let pairs = [["n>2", "n>1"], ["n>1", "n>=1"], ["n==1", "n==2"], ["n>1", "m>2"], ["n>1", "n<2"], ["n!=1", "n!=2"]];
+        let pairs =
+            [["n>2", "n>1"], ["n>1", "n>=1"], ["n==1", "n==2"], ["n>1", "m>2"], ["n>1", "n<2"], ["n!=1", "n!=2"]];
         for pair in pairs.into_iter().chain([["getKey()==1", "getKey()==1"], ["b", "!b"], ["n==1", "n>0"]]) {
             assert_eq!(check(&RULE, &chain(pair)), "", "{pair:?}");
         }

@@ -140,7 +140,8 @@ mod tests {
             start.pgx:15 `l_s` the sio `l_s` is not linked when it is used (run-time error 123)
               | no link yet
               ? link it to an input or output of the application before
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             &program("if l_d\nnA=dioGet(l_dAll)\nendIf\nnA=aioSet(l_a,1)\nsA=l_s\nl_d=true\ndioLink(l_d,dA)"),
         ));

@@ -83,7 +83,10 @@ mod tests {
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
         "#]]
-        .assert_eq(&check(&RULE, "num n\nif n==1\nreturn\nn=2\nn=3\nelse\nreturn\nendIf\nfor n=1 to 3\nput(n)\nendFor"));
+        .assert_eq(&check(
+            &RULE,
+            "num n\nif n==1\nreturn\nn=2\nn=3\nelse\nreturn\nendIf\nfor n=1 to 3\nput(n)\nendFor",
+        ));
     }
 
     #[test]
@@ -92,12 +95,14 @@ mod tests {
             start.pgx:8 `put(1)` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
-        "#]].assert_eq(&check(&RULE, "while true\ndelay(1)\nendWhile\nput(1)\nput(2)"));
+        "#]]
+        .assert_eq(&check(&RULE, "while true\ndelay(1)\nendWhile\nput(1)\nput(2)"));
         expect![[r#"
             start.pgx:8 `put(1)` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
-        "#]].assert_eq(&check(&RULE, "do\ndelay(1)\nuntil false\nput(1)"));
+        "#]]
+        .assert_eq(&check(&RULE, "do\ndelay(1)\nuntil false\nput(1)"));
     }
 
     #[test]
@@ -114,6 +119,7 @@ mod tests {
             start.pgx:8 `n==3` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
-        "#]].assert_eq(&check(&RULE, "num n\ndo\nput(n)\nreturn\nuntil n==3"));
+        "#]]
+        .assert_eq(&check(&RULE, "num n\ndo\nput(n)\nreturn\nuntil n==3"));
     }
 }

@@ -121,7 +121,8 @@ mod tests {
               | no shift and no turn
               ? assign `l_trAll` before it is used
               > start.pgx:9 `l_trAll` declared here
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             &program("movej(l_j,flange,l_m)\ntrA=l_tr*l_tr\nl_j=jA\nl_m.vel=3\nl_trAll[0]=l_trAll[1]"),
         ));
