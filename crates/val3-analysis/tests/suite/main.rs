@@ -3,7 +3,6 @@
 
 mod show;
 
-mod application;
 mod arguments;
 mod calls;
 mod data;
@@ -24,3 +23,4 @@ mod operators;
 mod projects;
 mod silence;
 mod variables;
+mod waiting;
