@@ -4,6 +4,7 @@
 //! mistake makes one message.
 
 mod choices;
+mod edit;
 mod findings;
 #[cfg(test)]
 pub(crate) mod fixed;

@@ -3,7 +3,6 @@
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
 use val3_analysis::flow::{Point, PointKind};
 use val3_lang::instruction::Class;
-use val3_syntax::{TextRange, TextSize};
 
 use super::{Call, Program};
 
@@ -36,26 +35,6 @@ impl<'db> Program<'db> {
             Some(Constant::Bool(value)) => branch == usize::from(!value),
             _ => true,
         }
-    }
-
-    /// An edit that puts `line` before a statement; `None` where the statement does not start its line.
-    pub(crate) fn line_before(&self, stmt: TextRange, line: &str) -> Option<(TextRange, String)> {
-        let indent = self.line_end_and_indent(stmt.start())?;
-        Some((TextRange::empty(stmt.start()), format!("{line}{indent}")))
-    }
-
-    /// An edit that puts `line` behind a statement; `None` where the statement does not start its line.
-    pub(crate) fn line_behind(&self, stmt: TextRange, line: &str) -> Option<(TextRange, String)> {
-        let indent = self.line_end_and_indent(stmt.start())?;
-        Some((TextRange::empty(stmt.end()), format!("{indent}{line}")))
-    }
-
-    /// The end of the line before `at`, and the blanks that stand before `at`.
-    fn line_end_and_indent(&self, at: TextSize) -> Option<&'db str> {
-        let before = self.text_at(TextRange::up_to(at));
-        let line = before.trim_end_matches([' ', '\t']);
-        let text = line.strip_suffix("\r\n").or_else(|| line.strip_suffix('\n'))?;
-        before.get(text.len()..)
     }
 
     /// An expression that only looks: it waits for nothing and changes nothing, so that asking it twice is the same

@@ -108,11 +108,11 @@ impl<'db> Program<'db> {
 
     /// The text of an expression as it stands in the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
-        self.text_at(self.range(id))
+        self.slice(self.range(id))
     }
 
-    /// A part of the file's text.
-    pub(crate) fn text_at(&self, range: TextRange) -> &'db str {
+    /// A part of the file as it stands there.
+    pub(crate) fn slice(&self, range: TextRange) -> &'db str {
         self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
     }
 }

@@ -63,7 +63,7 @@ fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) 
     let kept = program.range(kept);
     let before = TextRange::new(stmt.range.start(), kept.start());
     let behind = TextRange::new(kept.end(), stmt.range.end());
-    let has_comment = [before, behind].into_iter().any(|range| program.text_at(range).contains("//"));
+    let has_comment = [before, behind].into_iter().any(|range| program.slice(range).contains("//"));
     let flip = if let Negation::Flipped(edit) = negation { Some(edit) } else { None };
     let edits = [Some((before, format!("{WAIT}({open}"))), flip, Some((behind, format!("{close})")))];
     (!has_comment).then(|| edits.into_iter().flatten().collect())
@@ -80,9 +80,9 @@ enum Negation {
 }
 
 fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
-    let flipped = |left, right, from, to| {
-        let between = TextRange::new(program.range(left).end(), program.range(right).start());
-        Negation::Flipped((between, program.text_at(between).replace(from, to)))
+    let flipped = |left, right, from, to: &str| {
+        let operator = program.operator(left, right, from);
+        operator.map_or(Negation::Around, |range| Negation::Flipped((range, to.to_owned())))
     };
     match program.body.expr(condition) {
         Expr::Unary(UnaryOp::Not, operand) => Negation::Of(*operand),

@@ -46,8 +46,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
         if !leaves && !inside().any(|(_, point)| waits(program, point)) {
             let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
-            let last = stmt.blocks().next().and_then(<[_]>::last);
-            if let Some(edit) = last.and_then(|last| program.line_behind(last.range, &format!("{DELAY}(0)"))) {
+            if let Some(last) = stmt.blocks().next().and_then(<[_]>::last) {
+                let edit = program.line_after(last.range, &format!("{DELAY}(0)"));
                 reported.fix("give way to the other tasks", false, vec![edit]);
             }
         }

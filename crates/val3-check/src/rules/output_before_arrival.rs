@@ -53,12 +53,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         // The first output behind a move is enough.
         if let Some(output) = output(program, point).filter(|_| told.insert(last)) {
             let target = program.target(last).unwrap_or(last);
-            let reported = found
+            found
                 .report(&RULE, point.range, word(program.text(output), program.text(target)))
-                .related(program.range(last), "the arm only starts here");
-            if let Some(edit) = program.line_before(point.range, &wait) {
-                reported.fix("wait for the arm", false, vec![edit]);
-            }
+                .related(program.range(last), "the arm only starts here")
+                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
         }
     }
 }

@@ -49,12 +49,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
         let read = program.calls_at(point).find(|call| role(call.instruction) == Some(MotionRole::Position));
         if let Some(read) = read {
-            let reported = found
+            found
                 .report(&RULE, program.range(read.id), word(read.instruction.name))
-                .related(program.range(last), "the arm only starts here");
-            if let Some(edit) = program.line_before(point.range, &wait) {
-                reported.fix("wait for the arm", false, vec![edit]);
-            }
+                .related(program.range(last), "the arm only starts here")
+                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
         }
     }
 }
