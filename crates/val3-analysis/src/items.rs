@@ -6,6 +6,7 @@
 pub mod data;
 pub mod declarations;
 pub mod faults;
+pub mod initial;
 pub mod limits;
 pub mod manifest;
 pub mod program;

@@ -14,6 +14,7 @@ pub mod instruction;
 pub mod instructions;
 pub mod keywords;
 pub mod library_errors;
+pub mod motion;
 pub mod operators;
 pub mod page;
 pub mod results;

@@ -8,6 +8,7 @@
 )]
 
 mod edit;
+mod flow;
 mod misuse;
 mod mutation;
 mod names;
@@ -41,6 +42,10 @@ const ALL: &[&[Mutation]] = &[
     misuse::VALUES,
     misuse::DATA,
     misuse::TASKS,
+    flow::ORDER,
+    flow::WAITING,
+    flow::POSITIONS,
+    flow::MOVES,
 ];
 
 fn all() -> impl Iterator<Item = &'static Mutation> {

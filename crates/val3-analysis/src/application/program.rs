@@ -24,6 +24,9 @@ pub struct Summary {
     pub tasks: Vec<TaskStart>,
     /// Global data that it uses.
     pub data: FxHashMap<SmolStr, Use>,
+    /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
+    /// a program of a library, of which nothing is known.
+    pub waits: bool,
 }
 
 /// A `taskCreate` or `taskCreateSync`.
@@ -96,7 +99,9 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         }
     }
     add_tasks(body, &body.block, false, &mut summary.tasks);
-    for access in Effects::new(db, project, file).all() {
+    let effects = Effects::new(db, project, file);
+    summary.waits = effects.may_wait();
+    for access in effects.all() {
         if let Root::Data(name) = access.root {
             summary.data.entry(name).or_default().add(access.kind);
         }

@@ -1,5 +1,7 @@
 //! A program as lints see it.
 
+use std::cell::OnceCell;
+
 use val3_analysis::application::{Application, application};
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
@@ -12,6 +14,8 @@ use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
 use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_syntax::TextRange;
+
+use super::{LocalUse, Motion};
 
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
@@ -26,6 +30,9 @@ pub(crate) struct Program<'db> {
     pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
+    /// What the arm does, once somebody has asked.
+    pub(super) motion: OnceCell<Option<Motion>>,
+    local_use: OnceCell<LocalUse>,
 }
 
 /// A call of an instruction.
@@ -61,6 +68,8 @@ impl<'db> Program<'db> {
             inference: infer(db, project, file),
             options,
             effects: Effects::new(db, project, file),
+            motion: OnceCell::new(),
+            local_use: OnceCell::new(),
         }
     }
 
@@ -72,6 +81,11 @@ impl<'db> Program<'db> {
     /// Its control-flow graph.
     pub(crate) fn flow(&self) -> &'db Flow {
         flow(self.db, self.file)
+    }
+
+    /// What each of its points does to local variables.
+    pub(crate) fn local_use(&self) -> &LocalUse {
+        self.local_use.get_or_init(|| LocalUse::new(self))
     }
 
     /// What its application does as a whole.
@@ -87,6 +101,12 @@ impl<'db> Program<'db> {
     /// Every call of the instruction `name`.
     pub(crate) fn calls_of(&self, name: &str) -> impl Iterator<Item = Call<'db>> {
         self.calls().filter(move |call| call.instruction.name == name)
+    }
+
+    /// The call of an instruction that `id` is.
+    pub(crate) fn call_of(&self, id: ExprId) -> Option<Call<'db>> {
+        let (instruction, form) = self.effects.instruction(id)?;
+        self.call(&InstructionCall { id, instruction, form })
     }
 
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
@@ -106,6 +126,11 @@ impl<'db> Program<'db> {
 
     /// The text of an expression as it stands in the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
-        self.file.text(self.db).get(std::ops::Range::<usize>::from(self.range(id))).unwrap_or("")
+        self.slice(self.range(id))
+    }
+
+    /// A part of the file as it stands there.
+    pub(crate) fn slice(&self, range: TextRange) -> &'db str {
+        self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
     }
 }
