@@ -10,7 +10,7 @@ use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::flow::{Flow, Point, PointKind, flow};
+use crate::flow::{Flow, Point, PointId, PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
@@ -52,10 +52,38 @@ pub struct Access {
     pub kind: AccessKind,
 }
 
+/// What each point of a program does to variables.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Accesses {
+    all: Vec<Access>,
+    /// Where in `all` the accesses of each point end.
+    ends: Vec<usize>,
+}
+
+impl Accesses {
+    fn at(&self, point: PointId) -> &[Access] {
+        let end = self.ends.get(point.index()).copied().unwrap_or(0);
+        let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
+        self.all.get(start..end).unwrap_or(&[])
+    }
+}
+
+#[salsa::tracked(lru = 256, no_eq)]
+fn accesses(db: &dyn Db, project: Project, file: File) -> Accesses {
+    let effects = Effects::new(db, project, file);
+    let mut accesses = Accesses::default();
+    for (_, point) in effects.flow.points() {
+        accesses.all.extend(walk::point(&effects, point));
+        accesses.ends.push(accesses.all.len());
+    }
+    accesses
+}
+
 /// Everything that is needed to tell what a program does to its variables.
 pub struct Effects<'db> {
     db: &'db dyn Db,
     project: Project,
+    file: File,
     body: &'db Body,
     flow: &'db Flow,
     inference: &'db Inference,
@@ -72,6 +100,7 @@ impl<'db> Effects<'db> {
         Self {
             db,
             project,
+            file,
             body: body(db, file),
             flow: flow(db, file),
             inference,
@@ -116,13 +145,13 @@ impl<'db> Effects<'db> {
     }
 
     /// What happens at a point, in the order of evaluation.
-    pub fn at(&self, point: &Point) -> Vec<Access> {
-        walk::point(self, point)
+    pub fn at(&self, point: PointId) -> &'db [Access] {
+        accesses(self.db, self.project, self.file).at(point)
     }
 
     /// Every use of a variable in the program.
-    pub fn all(&self) -> Vec<Access> {
-        self.flow.points().flat_map(|(_, point)| self.at(point)).collect()
+    pub fn all(&self) -> &'db [Access] {
+        &accesses(self.db, self.project, self.file).all
     }
 
     /// The variable that `id` is or is a part of; `None` for constants, computed values and names that are built in.

@@ -102,8 +102,8 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     let effects = Effects::new(db, project, file);
     summary.waits = effects.may_wait();
     for access in effects.all() {
-        if let Root::Data(name) = access.root {
-            summary.data.entry(name).or_default().add(access.kind);
+        if let Root::Data(name) = &access.root {
+            summary.data.entry(name.clone()).or_default().add(access.kind);
         }
     }
     summary

@@ -1,5 +1,7 @@
 //! Which enumerators the fields of positions and motion descriptors hold: `mFast.blend`, `pPick.config.elbow`.
 
+use std::rc::Rc;
+
 use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_analysis::body::{Constant, Expr, ExprId};
@@ -17,17 +19,20 @@ pub(crate) type Choices = FxHashMap<SmolStr, &'static Enumerator>;
 
 impl Program<'_> {
     /// What is certain before each point about fields that the program itself sets.
-    pub(crate) fn choices(&self) -> Facts<Choices> {
+    pub(crate) fn choices(&self) -> Facts<Rc<Choices>> {
         let start = self.header.locals.iter().flat_map(|local| {
             let ty = BaseType::from_file_name(&local.type_name).filter(|_| local.sizes == [1]);
             let fields = ty.into_iter().flat_map(|(ty, _)| enumerated(ty));
             fields.filter_map(|(field, ty)| Some((join(&local.name, field), enumerations::values(ty).next()?)))
         });
-        let step = |_: PointId, point: &Point, before: &Choices| self.choices_after(point, before);
-        forward(self.flow(), start.collect(), step, |known, other| {
-            let before = known.len();
-            known.retain(|field, value| other.get(field) == Some(value));
-            known.len() < before
+        let step = |id: PointId, point: &Point, before: &Rc<Choices>| self.choices_after(id, point, before);
+        forward(self.flow(), Rc::new(start.collect()), step, |known, other| {
+            let differs = |(field, value): (&SmolStr, &&'static Enumerator)| other.get(field) != Some(value);
+            let news = !Rc::ptr_eq(known, other) && known.iter().any(differs);
+            if news {
+                Rc::make_mut(known).retain(|field, value| other.get(field) == Some(value));
+            }
+            news
         })
     }
 
@@ -84,12 +89,16 @@ impl Program<'_> {
         Some(keys?.join(",").into())
     }
 
-    fn choices_after(&self, point: &Point, before: &Choices) -> Choices {
-        let mut known = before.clone();
+    fn choices_after(&self, id: PointId, point: &Point, before: &Rc<Choices>) -> Rc<Choices> {
+        let writes = self.effects.at(id).iter().any(|access| access.kind != AccessKind::Read);
+        if !writes && !matches!(point.kind, PointKind::Call(_)) {
+            return before.clone();
+        }
+        let mut known = Choices::clone(before);
         if let PointKind::Call(_) = point.kind {
             known.retain(|field, _| self.is_own(field));
         }
-        for access in self.effects.at(point).into_iter().filter(|access| access.kind != AccessKind::Read) {
+        for access in self.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read) {
             let written = self.loose_path(access.id);
             known.retain(|field, _| !is_part(field, &written) && !is_part(&written, field));
         }
@@ -98,7 +107,7 @@ impl Program<'_> {
         {
             known.extend(self.assigned(before, &target, value));
         }
-        known
+        Rc::new(known)
     }
 
     /// What `target=value` makes certain.

@@ -29,9 +29,9 @@ impl LocalUse {
             return Self { points };
         }
         let measured = measured(program);
-        for (_, point) in program.flow().points() {
-            let accesses = program.effects.at(point).into_iter().filter(|access| !measured.contains(&access.id));
-            points.push(accesses.filter_map(|access| Some((bit(&access)?, access))).collect());
+        for (id, _) in program.flow().points() {
+            let accesses = program.effects.at(id).iter().filter(|access| !measured.contains(&access.id));
+            points.push(accesses.filter_map(|access| Some((bit(access)?, access.clone()))).collect());
         }
         Self { points }
     }

@@ -1,5 +1,8 @@
 //! What the arm is doing while the program runs ahead of it.
 
+use std::cell::OnceCell;
+use std::rc::Rc;
+
 use rustc_hash::FxHashMap;
 use val3_analysis::body::ExprId;
 use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
@@ -13,7 +16,8 @@ use super::{Call, Choices, Program};
 /// What is certain about the arm and its moves before each point of a program.
 pub(crate) struct Motion {
     arm: Facts<ArmState>,
-    choices: Facts<Choices>,
+    /// Found out when somebody asks.
+    choices: OnceCell<Facts<Rc<Choices>>>,
     /// Where the calls that record moves stand.
     moves: FxHashMap<ExprId, PointId>,
 }
@@ -48,14 +52,14 @@ pub(crate) struct Step<'db> {
 
 impl Motion {
     fn new(program: &Program<'_>) -> Self {
-        let step = |_: PointId, point: &Point, before: &ArmState| program.arm_after(point, *before);
+        let step = |id: PointId, point: &Point, before: &ArmState| program.arm_after(id, point, *before);
         let arm = forward(program.flow(), ArmState::default(), step, ArmState::join);
         let mut moves = FxHashMap::default();
-        for (id, point) in program.flow().points() {
-            let calls = program.calls_at(point).filter(|call| is_move(call));
+        for (id, _) in program.flow().points() {
+            let calls = program.calls_at(id).iter().filter(|call| is_move(call));
             moves.extend(calls.map(|call| (call.id, id)));
         }
-        Self { arm, choices: program.choices(), moves }
+        Self { arm, choices: OnceCell::new(), moves }
     }
 
     /// What is certain about the arm before a point.
@@ -124,7 +128,10 @@ impl<'db> Program<'db> {
 
     /// The certain values of the enumerated fields of `argument`, a variable, at the move that `call` records.
     pub(crate) fn choices_of(&self, call: ExprId, argument: ExprId) -> Vec<&'static Enumerator> {
-        let known = self.motion().and_then(|motion| motion.choices.before(*motion.moves.get(&call)?));
+        let known = self.motion().and_then(|motion| {
+            let choices = motion.choices.get_or_init(|| self.choices());
+            choices.before(*motion.moves.get(&call)?)
+        });
         let ty = self.inference.ty(argument).base.builtin();
         let (Some(known), Some(ty)) = (known, ty) else { return Vec::new() };
         enumerated(ty).filter_map(|(field, _)| self.choice(known, argument, field)).collect()
@@ -137,21 +144,25 @@ impl<'db> Program<'db> {
     }
 
     /// Every call that has to do with the arm, with what is certain before it; points that no way reaches left out.
-    pub(crate) fn motion_steps(&self) -> Vec<Step<'db>> {
+    pub(crate) fn motion_steps(&self) -> &[Step<'db>] {
+        self.motion_steps.get_or_init(|| self.find_motion_steps())
+    }
+
+    fn find_motion_steps(&self) -> Vec<Step<'db>> {
         let Some(motion) = self.motion() else { return Vec::new() };
         let mut steps = Vec::new();
-        for (id, point) in self.flow().points() {
+        for (id, _) in self.flow().points() {
             let Some(mut arm) = motion.arm.before(id).copied() else { continue };
-            for call in self.calls_at(point) {
-                steps.extend(motion::role(call.instruction).map(|role| Step { call, role, arm }));
-                arm = arm.after(&call);
+            for call in self.calls_at(id) {
+                steps.extend(motion::role(call.instruction).map(|role| Step { call: *call, role, arm }));
+                arm = arm.after(call);
             }
         }
         steps
     }
 
-    fn arm_after(&self, point: &Point, before: ArmState) -> ArmState {
-        let after = self.calls_at(point).fold(before, |arm, call| arm.after(&call));
+    fn arm_after(&self, id: PointId, point: &Point, before: ArmState) -> ArmState {
+        let after = self.calls_at(id).iter().fold(before, |arm, call| arm.after(call));
         // Whatever the program does with the arm, it is not known here.
         if matches!(point.kind, PointKind::Call(_)) { ArmState::default() } else { after }
     }

@@ -1,16 +1,22 @@
 //! What lints ask about the points of the control-flow graph.
 
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
-use val3_analysis::flow::{Point, PointKind};
+use val3_analysis::flow::{Point, PointId, PointKind};
 use val3_lang::instruction::Class;
 
 use super::{Call, Program};
 
 impl<'db> Program<'db> {
     /// The calls of instructions at a point, in the order of evaluation.
-    pub(crate) fn calls_at(&self, point: &Point) -> impl Iterator<Item = Call<'db>> {
+    pub(crate) fn calls_at(&self, id: PointId) -> &[Call<'db>] {
+        let calls =
+            self.calls_by_point.get_or_init(|| self.flow().points().map(|(_, point)| self.calls_in(point)).collect());
+        calls.get(id.index()).map_or(&[], Vec::as_slice)
+    }
+
+    fn calls_in(&self, point: &Point) -> Vec<Call<'db>> {
         let exprs = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
-        exprs.filter_map(|id| self.call_of(id))
+        exprs.filter_map(|id| self.call_of(id)).collect()
     }
 
     /// A loop that is left by `return` alone: `while true`, `until false`.

@@ -15,6 +15,7 @@ use val3_config::Options;
 use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_syntax::TextRange;
 
+use super::motion::Step;
 use super::{LocalUse, Motion};
 
 /// A program without faults, with all that is known of it.
@@ -32,6 +33,8 @@ pub(crate) struct Program<'db> {
     pub(crate) effects: Effects<'db>,
     /// What the arm does, once somebody has asked.
     pub(super) motion: OnceCell<Option<Motion>>,
+    pub(super) motion_steps: OnceCell<Vec<Step<'db>>>,
+    pub(super) calls_by_point: OnceCell<Vec<Vec<Call<'db>>>>,
     local_use: OnceCell<LocalUse>,
 }
 
@@ -69,6 +72,8 @@ impl<'db> Program<'db> {
             options,
             effects: Effects::new(db, project, file),
             motion: OnceCell::new(),
+            motion_steps: OnceCell::new(),
+            calls_by_point: OnceCell::new(),
             local_use: OnceCell::new(),
         }
     }

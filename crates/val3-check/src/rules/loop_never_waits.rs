@@ -1,7 +1,7 @@
 //! V0308: a loop without end in which nothing waits.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::flow::{Point, PointKind};
+use val3_analysis::flow::{Point, PointId, PointKind};
 use val3_lang::instructions::{CLOCK, DELAY};
 
 use crate::diagnostic::Wording;
@@ -44,7 +44,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let Some(condition) = program.endless_condition(stmt) else { continue };
         let leaves = stmt.with_inner().iter().any(|inner| inner.kind == StmtKind::Return);
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
-        if !leaves && !inside().any(|(_, point)| waits(program, point)) {
+        if !leaves && !inside().any(|(id, point)| waits(program, id, point)) {
             let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
             if let Some(last) = stmt.blocks().next().and_then(<[_]>::last) {
                 let edit = program.line_after(last.range, &format!("{DELAY}(0)"));
@@ -55,9 +55,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Other tasks may go on at this point, or the loop paces itself by the clock.
-fn waits(program: &Program<'_>, point: &Point) -> bool {
+fn waits(program: &Program<'_>, id: PointId, point: &Point) -> bool {
     program.effects.may_wait_at(point)
-        || program.calls_at(point).any(|call| call.instruction.name == CLOCK)
+        || program.calls_at(id).iter().any(|call| call.instruction.name == CLOCK)
         || matches!(point.kind, PointKind::Call(call) if may_wait(program, call))
 }
 

@@ -1,5 +1,7 @@
 //! V0401: a local point, frame or tool that is used before it has a reference.
 
+use std::rc::Rc;
+
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::ExprId;
@@ -59,17 +61,19 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         return;
     }
     let flow = program.flow();
-    let step = |_: PointId, point: &Point, before: &Linked| after(program, point, before);
-    let facts = forward(flow, Linked::default(), step, |known, more| {
-        let before = known.len();
-        known.extend(more.iter().cloned());
-        known.len() > before
+    let step = |id: PointId, point: &Point, before: &Rc<Linked>| after(program, id, point, before);
+    let facts = forward(flow, Rc::default(), step, |known, more| {
+        let news = !Rc::ptr_eq(known, more) && !more.is_subset(known);
+        if news {
+            Rc::make_mut(known).extend(more.iter().cloned());
+        }
+        news
     });
     let mut told = Linked::default();
-    for (id, point) in flow.points() {
+    for (id, _) in flow.points() {
         let Some(linked) = facts.before(id) else { continue };
-        for call in program.calls_at(point) {
-            for (arg, ty) in needed(&call) {
+        for call in program.calls_at(id) {
+            for (arg, ty) in needed(call) {
                 let Some(name) = local(program, arg).filter(|name| !is_linked(linked, name)) else { continue };
                 if told.insert(name) {
                     found.report(&RULE, program.range(arg), word(program.text(arg), ty, call.instruction.name));
@@ -89,14 +93,19 @@ pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseT
     params.zip(args).filter_map(needed)
 }
 
-fn after(program: &Program<'_>, point: &Point, before: &Linked) -> Linked {
-    let mut linked = before.clone();
-    for access in program.effects.at(point) {
-        if access.kind != AccessKind::Read && !copies_nothing(program, point, before) {
-            linked.extend(local(program, access.id));
-        }
+fn after(program: &Program<'_>, id: PointId, point: &Point, before: &Rc<Linked>) -> Rc<Linked> {
+    let writes = program.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read);
+    let linked: Vec<SmolStr> = writes
+        .filter(|_| !copies_nothing(program, point, before))
+        .filter_map(|access| local(program, access.id))
+        .filter(|name| !before.contains(name))
+        .collect();
+    if linked.is_empty() {
+        return before.clone();
     }
-    linked
+    let mut after = Linked::clone(before);
+    after.extend(linked);
+    Rc::new(after)
 }
 
 /// `l_pA=l_pB`, where `l_pB` has no reference either.

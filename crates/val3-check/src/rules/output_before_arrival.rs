@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
-use val3_analysis::flow::{Point, PointKind};
+use val3_analysis::flow::{Point, PointId, PointKind};
 use val3_lang::instruction::{Class, Family};
 use val3_lang::instructions::WAIT_END_MOVE;
 use val3_lang::types::BaseType;
@@ -51,7 +51,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let arm = motion.arm(id);
         let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
         // The first output behind a move is enough.
-        if let Some(output) = output(program, point).filter(|_| told.insert(last)) {
+        if let Some(output) = output(program, id, point).filter(|_| told.insert(last)) {
             let target = program.target(last).unwrap_or(last);
             found
                 .report(&RULE, point.range, word(program.text(output), program.text(target)))
@@ -62,14 +62,14 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// The output that is set at a point.
-fn output(program: &Program<'_>, point: &Point) -> Option<ExprId> {
+fn output(program: &Program<'_>, id: PointId, point: &Point) -> Option<ExprId> {
     let is_output = |id: ExprId| {
         let ty = program.inference.ty(id).base.builtin();
         matches!(ty, Some(BaseType::Dio | BaseType::Aio)).then_some(id)
     };
     match point.kind {
         PointKind::Assign { target, .. } => is_output(target),
-        _ => program.calls_at(point).find_map(|call| {
+        _ => program.calls_at(id).iter().find_map(|call| {
             let form = call.form.filter(|form| form.class == Class::Modifier)?;
             let sets_number = form.params.get(1).is_some_and(|param| param.ty == Some(BaseType::Num));
             let is_setter = call.instruction.family == Family::Io && sets_number;

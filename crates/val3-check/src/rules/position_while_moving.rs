@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let arm = motion.arm(id);
         let PointKind::Assign { .. } = point.kind else { continue };
         let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
-        let read = program.calls_at(point).find(|call| role(call.instruction) == Some(MotionRole::Position));
+        let read = program.calls_at(id).iter().find(|call| role(call.instruction) == Some(MotionRole::Position));
         if let Some(read) = read {
             found
                 .report(&RULE, program.range(read.id), word(read.instruction.name))

@@ -42,6 +42,9 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for stmt in program.body.stmts() {
         let StmtKind::If { arms, .. } = &stmt.kind else { continue };
+        if arms.len() < 2 {
+            continue;
+        }
         let mut asked = Asked::default();
         // Constants are told as such; what acts may well yield another value the next time.
         let is_followed = |id: &ExprId| program.body.constant(*id).is_none() && program.is_pure(*id);
