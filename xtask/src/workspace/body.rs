@@ -1,11 +1,22 @@
 //! The code of one program while it is written.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::model::{Signature, Variable, is_code};
+use super::model::{Signature, Type, Variable, is_code};
 use super::random::Random;
 use super::scope::Scope;
 use super::words::COMMENTS;
+
+/// What a local of a position type holds before anything else happens to it: nothing that moves may do without.
+fn first_value(local: &Variable, scope: &Scope, random: &mut Random) -> Option<String> {
+    match local.ty {
+        Type::Trsf => Some("{0,0,0,0,0,0}".to_owned()),
+        Type::Point | Type::Joint | Type::Frame | Type::Tool | Type::Mdesc | Type::Slot => {
+            scope.readable(local.ty, random)
+        }
+        Type::Num | Type::Bool | Type::Text | Type::Dio => None,
+    }
+}
 
 /// A program's code so far.
 pub(super) struct Body<'a> {
@@ -16,6 +27,8 @@ pub(super) struct Body<'a> {
     /// Locals it may use; only those it names are declared.
     locals: &'a [Variable],
     used_locals: BTreeSet<String>,
+    /// The line that gives a local its first value.
+    starts: BTreeMap<String, String>,
     lines: Vec<String>,
     code_lines: usize,
     depth: usize,
@@ -29,6 +42,8 @@ impl<'a> Body<'a> {
         callees: &'a [Signature],
         locals: &'a [Variable],
     ) -> Self {
+        let starts = locals.iter().filter_map(|local| Some((local.name.clone(), first_value(local, &scope, random)?)));
+        let starts = starts.collect();
         locals.iter().for_each(|local| scope.add(local));
         Self {
             random,
@@ -36,6 +51,7 @@ impl<'a> Body<'a> {
             callees,
             locals,
             used_locals: BTreeSet::new(),
+            starts,
             lines: Vec::new(),
             code_lines: 0,
             depth: 0,
@@ -90,6 +106,8 @@ impl<'a> Body<'a> {
     /// The lines from `begin` to `end`, and the locals to declare.
     pub(super) fn finish(self) -> (Vec<String>, Vec<Variable>) {
         let mut lines = vec!["begin".to_owned()];
+        let starts = self.starts.iter().filter(|(local, _)| self.used_locals.contains(*local));
+        lines.extend(starts.map(|(local, value)| format!("  {local}={value}")));
         lines.extend(self.lines);
         lines.push("end".to_owned());
         let used = self.locals.iter().filter(|local| self.used_locals.contains(&local.name));
