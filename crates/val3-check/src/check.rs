@@ -9,6 +9,7 @@ use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
 use crate::diagnostic::{Diagnostic, RelatedNote, Span};
 use crate::echoes::without_echoes;
+use crate::options::Asked;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::{keywords, lint, related};
@@ -54,7 +55,12 @@ pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
 
 /// Everything that is wrong in one piece of work, by position.
 pub fn check_unit(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
-    let mut check = Check { db, unit, found: Vec::new() };
+    check_unit_with(db, unit, Asked::default())
+}
+
+/// As [`check_unit`], with other settings and with rules that are off by default.
+pub fn check_unit_with(db: &dyn Db, unit: Unit, asked: Asked<'_>) -> Vec<Diagnostic> {
+    let mut check = Check { db, unit, asked, found: Vec::new() };
     check.run();
     check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
     check.found
@@ -72,6 +78,7 @@ pub fn finish(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
 struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
+    asked: Asked<'db>,
     found: Vec<Diagnostic>,
 }
 
@@ -87,14 +94,14 @@ impl Check<'_> {
                     self.found.extend(keywords::spelling(db, project, file));
                 }
                 if self.is_sound() {
-                    self.found.extend(lint::program(db, project, file));
+                    self.found.extend(lint::program(db, project, file, self.asked));
                 }
             }
             Unit::Data(project, file) => {
                 self.text(file);
                 self.problems(file, data_check::problems(db, project, file));
                 if self.is_sound() {
-                    self.found.extend(lint::data(db, project, file));
+                    self.found.extend(lint::data(db, project, file, self.asked));
                 }
             }
             Unit::Project(project) => {
@@ -103,7 +110,7 @@ impl Check<'_> {
                 self.problems(file, project_check::problems(db, project));
                 self.problems(file, interfaces::problems(db, project));
                 if self.is_sound() {
-                    self.found.extend(lint::project(db, project));
+                    self.found.extend(lint::project(db, project, self.asked));
                 }
             }
         }

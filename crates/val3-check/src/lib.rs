@@ -8,6 +8,7 @@ mod echoes;
 mod english;
 mod keywords;
 mod lint;
+mod options;
 mod phrase;
 mod related;
 pub mod rule;
@@ -17,5 +18,6 @@ mod statistics;
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;
 
-pub use check::{Unit, check_unit, finish, units};
+pub use check::{Unit, check_unit, check_unit_with, finish, units};
+pub use options::{Asked, Options};
 pub use statistics::{Statistics, statistics};

@@ -12,7 +12,7 @@ use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
 use val3_analysis::load::{self, Workspace};
 use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
-use val3_check::{Unit, check_unit, finish};
+use val3_check::{Asked, Unit, check_unit_with, finish};
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
 
@@ -63,8 +63,9 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
 fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
     let units = val3_check::units(&workspace.db, &workspace.projects);
     let progress = Progress::new(units.len());
+    let asked = Asked { rules: selection.switched_on(), ..Asked::default() };
     let check = |db: &mut Database, unit: &Unit| {
-        let mut found = check_unit(db, *unit);
+        let mut found = check_unit_with(db, *unit, asked);
         found.retain(|diagnostic| selection.contains(diagnostic.rule));
         progress.advance();
         found

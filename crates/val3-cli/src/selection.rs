@@ -11,21 +11,28 @@ use crate::user_error::UserError;
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Selection {
     codes: BTreeSet<&'static str>,
+    switched_on: Vec<&'static Rule>,
 }
 
 impl Selection {
-    /// Chooses from `rules`: those that an entry of `select` means (all if it is empty) without those that an entry of
+    /// Chooses from `rules`: those that an entry of `select` means (if it is empty, all that are not off by default) without those that an entry of
     /// `ignore` means. An entry is a code, the beginning of one or a name, in any letter case; one that means no rule
     /// is an error.
     pub(crate) fn new(rules: &[&'static Rule], select: &[String], ignore: &[String]) -> Result<Self, UserError> {
         let mut codes = match select {
-            [] => rules.iter().map(|rule| rule.code).collect(),
+            [] => rules.iter().filter(|rule| !rule.off).map(|rule| rule.code).collect(),
             entries => codes(rules, entries, "--select")?,
         };
         for code in self::codes(rules, ignore, "--ignore")? {
             codes.remove(code);
         }
-        Ok(Self { codes })
+        let switched_on = rules.iter().copied().filter(|rule| rule.off && codes.contains(rule.code)).collect();
+        Ok(Self { codes, switched_on })
+    }
+
+    /// Rules that are off by default and were asked for.
+    pub(crate) fn switched_on(&self) -> &[&'static Rule] {
+        &self.switched_on
     }
 
     /// Whether findings of a rule are shown.

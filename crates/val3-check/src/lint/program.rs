@@ -11,6 +11,8 @@ use val3_analysis::items::project::{Items, items};
 use val3_lang::instruction::{Instruction, Overload};
 use val3_syntax::TextRange;
 
+use crate::options::Options;
+
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
     pub(crate) db: &'db dyn Db,
@@ -20,6 +22,8 @@ pub(crate) struct Program<'db> {
     pub(crate) items: &'db Items,
     pub(crate) body: &'db Body,
     pub(crate) inference: &'db Inference,
+    /// The settings of the rules.
+    pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
 }
@@ -38,7 +42,7 @@ pub(crate) struct Call<'db> {
 }
 
 impl<'db> Program<'db> {
-    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, options: &'db Options) -> Self {
         Self {
             db,
             project,
@@ -47,6 +51,7 @@ impl<'db> Program<'db> {
             items: items(db, project),
             body: body(db, file),
             inference: infer(db, project, file),
+            options,
             effects: Effects::new(db, project, file),
         }
     }

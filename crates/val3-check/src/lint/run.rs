@@ -4,14 +4,15 @@ use val3_analysis::db::{Db, File, Project};
 
 use super::{DataFile, Findings, Program, ProjectView};
 use crate::diagnostic::Diagnostic;
+use crate::options::Asked;
 use crate::rule::Lint;
 use crate::rules;
 
 /// What the lints find in the program in `file`.
-pub(crate) fn program(db: &dyn Db, project: Project, file: File) -> Vec<Diagnostic> {
-    let program = Program::new(db, project, file);
+pub(crate) fn program(db: &dyn Db, project: Project, file: File, asked: Asked<'_>) -> Vec<Diagnostic> {
+    let program = Program::new(db, project, file, asked.options);
     let mut found = Findings::new(file, Some(program.name().to_owned()), project.manifest(db));
-    for lint in lints() {
+    for lint in lints(asked) {
         if let Lint::Program(check) = lint {
             check(&program, &mut found);
         }
@@ -20,10 +21,10 @@ pub(crate) fn program(db: &dyn Db, project: Project, file: File) -> Vec<Diagnost
 }
 
 /// What they find in the data in `file`.
-pub(crate) fn data(db: &dyn Db, project: Project, file: File) -> Vec<Diagnostic> {
-    let data = DataFile::new(db, project, file);
+pub(crate) fn data(db: &dyn Db, project: Project, file: File, asked: Asked<'_>) -> Vec<Diagnostic> {
+    let data = DataFile::new(db, project, file, asked.options);
     let mut found = Findings::new(file, None, project.manifest(db));
-    for lint in lints() {
+    for lint in lints(asked) {
         if let Lint::Data(check) = lint {
             check(&data, &mut found);
         }
@@ -32,11 +33,11 @@ pub(crate) fn data(db: &dyn Db, project: Project, file: File) -> Vec<Diagnostic>
 }
 
 /// What they find in the project file of `project`.
-pub(crate) fn project(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
-    let view = ProjectView::new(db, project);
+pub(crate) fn project(db: &dyn Db, project: Project, asked: Asked<'_>) -> Vec<Diagnostic> {
+    let view = ProjectView::new(db, project, asked.options);
     let file = project.manifest(db);
     let mut found = Findings::new(file, None, file);
-    for lint in lints() {
+    for lint in lints(asked) {
         if let Lint::Project(check) = lint {
             check(&view, &mut found);
         }
@@ -44,6 +45,6 @@ pub(crate) fn project(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
     found.into_diagnostics()
 }
 
-fn lints() -> impl Iterator<Item = Lint> {
-    rules::all().iter().filter_map(|rule| rule.lint)
+fn lints(asked: Asked<'_>) -> impl Iterator<Item = Lint> {
+    rules::all().iter().filter(move |rule| asked.contains(rule)).filter_map(|rule| rule.lint)
 }

@@ -6,11 +6,16 @@ use val3_analysis::system::Memory;
 use val3_test::{Fixture, ROOT};
 
 use crate::rule::Rule;
-use crate::{check_unit, units};
+use crate::{Asked, Options, check_unit_with, units};
 
 /// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
 /// related places.
-pub(crate) fn check(rule: &Rule, listing: &str) -> String {
+pub(crate) fn check(rule: &'static Rule, listing: &str) -> String {
+    check_with(rule, &Options::default(), listing)
+}
+
+/// As [`check`], with other settings.
+pub(crate) fn check_with(rule: &'static Rule, options: &Options, listing: &str) -> String {
     let fixture = Fixture::parse(listing);
     let files = fixture
         .files
@@ -18,7 +23,7 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
         .map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.clone().into_bytes()));
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
-    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit));
+    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit_with(db, unit, Asked { options, rules: &[rule] }));
     let mut shown = String::new();
     for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
         let at = |place: crate::diagnostic::Span| {
