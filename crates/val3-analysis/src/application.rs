@@ -35,6 +35,8 @@ pub struct Task {
 pub struct Application {
     /// Every program could be read and has no fault of names or types, so that what is not here is not there.
     pub sound: bool,
+    /// What uses its private names is known: it is sound, and no user page (s8) names data and programs of it.
+    pub closed: bool,
     /// The tasks, those of `start` and `stop` first.
     pub tasks: Vec<Task>,
     /// For each program the tasks (by their place in `tasks`) that may run it. Programs without an entry are run by
@@ -44,6 +46,10 @@ pub struct Application {
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
     /// For each global the programs that use it.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
+    /// How the names begin of data that programs read by name, as a text.
+    pub named_in_texts: FxHashSet<SmolStr>,
+    /// Library identifiers that stand in code.
+    pub libraries: FxHashSet<SmolStr>,
 }
 
 /// The programs the controller starts on its own (5.1, 6.2).
@@ -67,8 +73,13 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
         application.add(name, summary);
     }
     application.find_runs(&summaries);
+    let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
+    application.closed = application.sound && !has_pages;
     application
 }
+
+/// The folder of the user pages of an application of s8.
+const USER_PAGES: &str = "interface";
 
 fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<Task> {
     let entry = |name: &&str| programs.clone().any(|program| program == name);
@@ -86,6 +97,8 @@ impl Application {
         for start in &summary.tasks {
             self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
         }
+        self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
+        self.libraries.extend(summary.libraries.iter().cloned());
         for (data, uses) in &summary.data {
             self.users.entry(data.clone()).or_default().push((name.clone(), *uses));
         }
@@ -104,6 +117,21 @@ impl Application {
                 }
             }
         }
+    }
+
+    /// What all programs of the project together do to the data called `name`.
+    pub fn uses_of(&self, name: &str) -> Use {
+        let uses = self.users.get(name).into_iter().flatten();
+        uses.fold(Use::default(), |all, (_, one)| Use {
+            read: all.read || one.read,
+            written: all.written || one.written,
+            referenced: all.referenced || one.referenced,
+        })
+    }
+
+    /// A program reads data by a name that may be `name`, given as a text.
+    pub fn is_named_in_text(&self, name: &str) -> bool {
+        self.named_in_texts.iter().any(|beginning| beginning.starts_with(name) || name.starts_with(beginning.as_str()))
     }
 
     /// The tasks that may run a program.

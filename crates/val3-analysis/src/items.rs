@@ -5,6 +5,7 @@
 
 pub mod data;
 pub mod declarations;
+pub mod fathers;
 pub mod faults;
 pub mod manifest;
 pub mod program;

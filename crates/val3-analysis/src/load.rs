@@ -129,7 +129,8 @@ impl<'s> Loader<'s> {
         named.extend(loaded.iter().filter_map(Loaded::whole));
         let disk = disk::root(self.system, &folder, &named);
         let cell = self.cell(disk.as_deref());
-        let project = Project::new(&self.db, file, disk.clone(), cell);
+        let beside = self.names_in(&folder);
+        let project = Project::new(&self.db, file, disk.clone(), cell, beside);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
         named.into_iter().for_each(|reference| self.enqueue(&folder, disk.as_deref(), reference));

@@ -9,6 +9,8 @@ mod project;
 mod run;
 #[cfg(test)]
 pub(crate) mod testing;
+pub(crate) mod unused_data;
+pub(crate) mod variable_use;
 
 pub(crate) use findings::Findings;
 pub(crate) use program::{Call, Program};

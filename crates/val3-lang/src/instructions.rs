@@ -267,6 +267,9 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 /// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
+/// Reads data by its name, given as a text (2.5.4): what it names is used.
+pub const GET_DATA: &str = "getData";
+
 /// Tells whether a library has an item (6.7): a guard before its use.
 pub const LIB_EXIST: &str = "libExist";
 

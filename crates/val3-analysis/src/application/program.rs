@@ -2,6 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
+use val3_lang::instructions::GET_DATA;
 
 use super::Callee;
 use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
@@ -11,6 +12,7 @@ use crate::flow::{PointKind, flow};
 use crate::infer;
 use crate::items::faults::text_faults;
 use crate::items::program::header;
+use crate::problem::ProblemKind;
 
 /// What a program does.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -23,6 +25,10 @@ pub struct Summary {
     pub tasks: Vec<TaskStart>,
     /// Global data that it uses.
     pub data: FxHashMap<SmolStr, Use>,
+    /// How the names begin of data that it reads by name, as a text.
+    pub named_in_texts: FxHashSet<SmolStr>,
+    /// Library identifiers that stand in its code.
+    pub libraries: FxHashSet<SmolStr>,
 }
 
 /// A `taskCreate` or `taskCreateSync`.
@@ -30,6 +36,8 @@ pub struct Summary {
 pub struct TaskStart {
     /// The name, where the code tells it.
     pub name: Option<SmolStr>,
+    /// How the name begins, as far as the code tells: all of it where `name` is known.
+    pub beginning: SmolStr,
     /// The program.
     pub program: Callee,
     /// It is `taskCreateSync`.
@@ -53,12 +61,13 @@ impl TaskStart {
     /// The task in which the controller runs `program`.
     pub(super) fn of_controller(program: &'static str) -> Self {
         let program = Callee { library: None, program: SmolStr::new_static(program) };
-        Self { name: None, program, synchronous: false, repeated: false }
+        Self { name: None, beginning: SmolStr::default(), program, synchronous: false, repeated: false }
     }
 }
 
 impl Use {
-    fn add(&mut self, kind: AccessKind) {
+    /// Takes in one more use.
+    pub fn add(&mut self, kind: AccessKind) {
         match kind {
             AccessKind::Read => self.read = true,
             AccessKind::Write | AccessKind::WritePart => self.written = true,
@@ -84,7 +93,9 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     let mut summary = Summary {
         sound: header(db, file).complete
             && text_faults(db, file).errors.is_empty()
-            && infer::problems(db, project, file).is_empty(),
+            && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
+        libraries: libraries(body),
+        named_in_texts: named_in_texts(body),
         ..Summary::default()
     };
     for (_, point) in flow(db, file).points() {
@@ -101,6 +112,28 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     summary
 }
 
+/// The fault leaves no name in doubt: what an instruction of an add-on does to variables is taken to be anything.
+fn hides_nothing(problem: &ProblemKind) -> bool {
+    matches!(problem, ProblemKind::MissingAddOn { .. })
+}
+
+fn libraries(body: &Body) -> FxHashSet<SmolStr> {
+    let named = body.exprs().filter_map(|(_, expr, _)| match expr {
+        Expr::Path { library, .. } => Some(library.clone()),
+        _ => None,
+    });
+    named.collect()
+}
+
+fn named_in_texts(body: &Body) -> FxHashSet<SmolStr> {
+    let arguments = body.exprs().filter_map(|(_, expr, _)| {
+        let Expr::Call(callee, arguments) = expr else { return None };
+        let is_read = matches!(body.expr(*callee), Expr::Name(name) if name == GET_DATA);
+        is_read.then(|| arguments.first()).flatten()
+    });
+    arguments.map(|text| body.beginning(*text)).collect()
+}
+
 fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskStart>) {
     for stmt in block {
         if let StmtKind::TaskCreate { synchronous, arguments } = &stmt.kind {
@@ -113,8 +146,9 @@ fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskSt
 
 fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], repeated: bool) -> Option<TaskStart> {
     let program = callee(body, *arguments.last()?)?;
-    let name = arguments.first().and_then(|name| body.string(*name));
-    Some(TaskStart { name, program, synchronous, repeated })
+    let name = arguments.first()?;
+    let (beginning, name) = (body.beginning(*name), body.string(*name));
+    Some(TaskStart { name, beginning, program, synchronous, repeated })
 }
 
 /// The program that a call names.

@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use val3_syntax::encoding::Encoding;
 
 use crate::cell::CellConfig;
@@ -50,6 +51,9 @@ pub struct Project {
     /// The cell around it.
     #[returns(copy)]
     pub cell: Option<Cell>,
+    /// Names of what lies in its folder, sorted.
+    #[returns(ref)]
+    pub beside: Vec<SmolStr>,
 }
 
 /// A controller folder: `usr` with its `configs` and `app`.

@@ -22,7 +22,10 @@ pub(super) fn point(effects: &Effects<'_>, point: &Point) -> Vec<Access> {
             walk.values(step.as_slice());
             walk.targets(counter.as_slice());
         }
-        PointKind::ForTest { counter } => walk.targets(counter.as_slice()),
+        PointKind::ForTest { counter } => {
+            walk.values(counter.as_slice());
+            walk.targets(counter.as_slice());
+        }
         PointKind::Switch { selector, values } => {
             walk.values(selector.as_slice());
             walk.values(values);

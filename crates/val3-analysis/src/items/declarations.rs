@@ -21,6 +21,26 @@ pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
     Some(Place { file, range })
 }
 
+/// The names of all global variables in a `.dtx`, in order, with their places.
+pub fn all_data(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+    let parse = parse(db, file);
+    names(data_items::elements(View::root(parse.green())))
+}
+
+/// The names of all parameters of a `.pgx`, in order, with their places.
+pub fn all_params(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()));
+    program.map(|program| names(program_items::params(program))).unwrap_or_default()
+}
+
+/// The names of all locals of a `.pgx`, in order, with their places.
+pub fn all_locals(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()));
+    program.map(|program| names(program_items::locals(program))).unwrap_or_default()
+}
+
 /// The name of a parameter in a `.pgx`.
 #[salsa::tracked(returns(copy))]
 pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
@@ -52,12 +72,46 @@ pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<Place> {
     let parse = parse(db, file);
     let root = xml::root(View::root(parse.green()))?;
     let spelling = spelling(root);
-    let mut elements = entries(root, spelling.libraries);
-    let range = elements.find_map(|element| {
-        let found = element.attribute(spelling.library_name)?;
-        (found.text() == alias.as_str()).then_some(found.range)
-    })?;
+    let range = named(entries(root, spelling.libraries), spelling.library_name, &alias)?;
     Some(Place { file, range })
+}
+
+/// The entry of a user type in a `.pjx`.
+#[salsa::tracked(returns(copy))]
+pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> {
+    let file = project.manifest(db);
+    let parse = parse(db, file);
+    let root = xml::root(View::root(parse.green()))?;
+    let range = named(entries(root, spelling(root).types), "name", &name)?;
+    Some(Place { file, range })
+}
+
+/// The version in a `.pjx`.
+pub fn version(db: &dyn Db, project: Project) -> Option<TextRange> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    Some(root.child(&[spelling(root).parameters])?.attribute("version")?.range)
+}
+
+/// The entry of a program file in a `.pjx`.
+pub fn program_file(db: &dyn Db, project: Project, reference: &str) -> Option<TextRange> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    named(entries(root, spelling(root).programs), "file", reference)
+}
+
+/// The list of program files, or of data files, in a `.pjx`; the root where it has none.
+pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<TextRange> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(root);
+    let (list, _) = if of_programs { spelling.programs } else { spelling.data };
+    Some(root.child(&[list]).unwrap_or(root).name_range())
+}
+
+fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<(SmolStr, TextRange)> {
+    let name = |element: Element<'g>| element.attribute("name").map(|found| (found.text().into(), found.range));
+    elements.filter_map(name).collect()
 }
 
 fn named<'g>(mut elements: impl Iterator<Item = Element<'g>>, attribute: &str, name: &str) -> Option<TextRange> {

@@ -23,7 +23,9 @@ pub(crate) fn check_with(rule: &'static Rule, options: &Options, listing: &str) 
         .map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.clone().into_bytes()));
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
-    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit_with(db, unit, Asked { options, rules: &[rule] }));
+    let found = units(db, &workspace.projects)
+        .into_iter()
+        .flat_map(|unit| check_unit_with(db, unit, Asked { options, rules: &[rule] }));
     let mut shown = String::new();
     for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
         let at = |place: crate::diagnostic::Span| {
