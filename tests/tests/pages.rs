@@ -7,7 +7,8 @@ use val3_lang::{instructions, page, statements};
 use val3_test::{Fixture, ROOT};
 
 /// Rules on what a whole application leaves unused: an example is an excerpt of one.
-const OF_WHOLE_APPLICATIONS: [&str; 8] = ["V0113", "V0114", "V0115", "V0116", "V0117", "V0118", "V0119", "V0120"];
+const OF_WHOLE_APPLICATIONS: [&str; 9] =
+    ["V0113", "V0114", "V0115", "V0116", "V0117", "V0118", "V0119", "V0120", "V0341"];
 
 /// The findings in an example of the page of `rule`, or of another page.
 fn check(listing: &str, rule: Option<&'static Rule>) -> Vec<CheckedFinding> {

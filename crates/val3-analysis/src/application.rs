@@ -2,8 +2,10 @@
 //!
 //! Each program is summed up on its own, without ranges, so that an edit that changes no sum changes nothing here.
 
+mod locks;
 mod program;
 
+pub use locks::{Lock, locks};
 pub use program::{Summary, TaskStart, Use, summary};
 
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -50,6 +52,8 @@ pub struct Application {
     pub named_in_texts: FxHashSet<SmolStr>,
     /// Library identifiers that stand in code.
     pub libraries: FxHashSet<SmolStr>,
+    /// Flags that are tested on one line and set on the next, and the programs that do so.
+    pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
 
 /// The programs the controller starts on its own (5.1, 6.2).
@@ -99,6 +103,9 @@ impl Application {
         }
         self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
         self.libraries.extend(summary.libraries.iter().cloned());
+        for flag in &summary.locks {
+            self.locks.entry(flag.clone()).or_default().push(name.clone());
+        }
         for (data, uses) in &summary.data {
             self.users.entry(data.clone()).or_default().push((name.clone(), *uses));
         }
@@ -132,6 +139,34 @@ impl Application {
     /// A program reads data by a name that may be `name`, given as a text.
     pub fn is_named_in_text(&self, name: &str) -> bool {
         self.named_in_texts.iter().any(|beginning| beginning.starts_with(name) || name.starts_with(beginning.as_str()))
+    }
+
+    /// How many tasks may run any of these programs at the same time; 2 stands for any number from 2 on. Tasks of the
+    /// same name follow each other.
+    pub fn tasks_at_once<'a>(&self, programs: impl IntoIterator<Item = &'a SmolStr>) -> usize {
+        let tasks = programs.into_iter().flat_map(|program| self.tasks_of(program));
+        let starts = tasks.map(|task| &task.start);
+        let mut distinct: FxHashSet<(&SmolStr, &Callee)> = FxHashSet::default();
+        for start in starts {
+            distinct.insert((&start.beginning, &start.program));
+            if start.repeated && start.name.is_none() {
+                return 2;
+            }
+        }
+        distinct.len().min(2)
+    }
+
+    /// A task of this project may be called `name`.
+    pub fn may_have_task(&self, name: &str) -> bool {
+        self.created_tasks().any(|start| match &start.name {
+            Some(known) => known == name,
+            None => name.starts_with(start.beginning.as_str()),
+        })
+    }
+
+    /// The tasks that programs create, in the order of the programs' names.
+    pub fn created_tasks(&self) -> impl Iterator<Item = &TaskStart> {
+        self.tasks.iter().filter(|task| task.created_by.is_some()).map(|task| &task.start)
     }
 
     /// The tasks that may run a program.

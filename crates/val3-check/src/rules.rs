@@ -96,6 +96,10 @@ rules! {
     not_assignable,
     // Flow and tasks
     constant_condition,
+    lock_without_mutex,
+    unknown_task,
+    duplicate_task,
+    computed_task_name,
     // Project and data
     file_missing,
     file_unreadable,

@@ -267,6 +267,15 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 /// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
+/// Lets a task wait for a condition (5.10).
+pub const WAIT: &str = "wait";
+
+/// Takes a flag for one task alone: waits for it and sets it within one line (5.9).
+pub const SET_MUTEX: &str = "setMutex";
+
+/// Instructions that name a task of the same application or library (5.10).
+pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", "taskStatus"];
+
 /// Reads data by its name, given as a text (2.5.4): what it names is used.
 pub const GET_DATA: &str = "getData";
 

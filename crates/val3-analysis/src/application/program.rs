@@ -4,7 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_lang::instructions::GET_DATA;
 
-use super::Callee;
+use super::{Callee, locks};
 use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use crate::db::{Db, File, Project};
 use crate::effects::{AccessKind, Effects, Root};
@@ -29,6 +29,8 @@ pub struct Summary {
     pub named_in_texts: FxHashSet<SmolStr>,
     /// Library identifiers that stand in its code.
     pub libraries: FxHashSet<SmolStr>,
+    /// Flags that it tests on one line and sets on the next.
+    pub locks: FxHashSet<SmolStr>,
 }
 
 /// A `taskCreate` or `taskCreateSync`.
@@ -95,6 +97,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
         libraries: libraries(body),
+        locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
         named_in_texts: named_in_texts(body),
         ..Summary::default()
     };

@@ -79,16 +79,16 @@ mod tests {
     #[test]
     fn instructions_values_and_data() {
         expect![[r#"
-            p.pgx:5 `size` the parameter is called `size` like an instruction
+            p.pgx:5 `size` the parameter `size` has the name of an instruction
               | an instruction
               ? give it another name
-            p.pgx:6 `off` the parameter is called `off` like a value of VAL 3 itself
+            p.pgx:6 `off` the parameter `off` has the name of a value of VAL 3 itself
               | a value of VAL 3 itself
               ? give it another name
-            p.pgx:9 `world` the local variable is called `world` like data of VAL 3 itself
+            p.pgx:9 `world` the local variable `world` has the name of data of VAL 3 itself
               | data of VAL 3 itself
               ? give it another name
-            p.pgx:10 `config` the local variable is called `config` like a type
+            p.pgx:10 `config` the local variable `config` has the name of a type
               | a type
               ? give it another name
         "#]].assert_eq(&check(&RULE, "program p(num size, bool off)\n  frame world\n  num config\nbegin\nend"));
