@@ -125,6 +125,9 @@ rules! {
     io_link_unknown,
     io_link_kind,
     library_circle,
+    unlisted_file,
+    instruction_version,
+    version_feature,
     // Library interfaces
     library_item_unknown,
     library_item_private,

@@ -7,7 +7,7 @@ use smol_str::SmolStr;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
-use super::manifest::{entries, spelling};
+use super::manifest::{OLD, entries, spelling};
 use super::{data as data_items, parse, program as program_items};
 use crate::db::{Db, File, Project};
 use crate::problem::Place;
@@ -100,13 +100,31 @@ pub fn program_file(db: &dyn Db, project: Project, reference: &str) -> Option<Te
     named(entries(root, spelling(root).programs), "file", reference)
 }
 
-/// The list of program files, or of data files, in a `.pjx`; the root where it has none.
-pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<TextRange> {
+/// A list of files in a `.pjx`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FileList {
+    /// The name of the list; that of the root where there is no such list.
+    pub place: TextRange,
+    /// How an entry is called.
+    pub item: &'static str,
+    /// The last entry.
+    pub last: Option<TextRange>,
+}
+
+/// The list of the program files of a project, or of its data files.
+pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<FileList> {
     let parse = parse(db, project.manifest(db));
     let root = xml::root(View::root(parse.green()))?;
     let spelling = spelling(root);
-    let (list, _) = if of_programs { spelling.programs } else { spelling.data };
-    Some(root.child(&[list]).unwrap_or(root).name_range())
+    let (list, item) = if of_programs { spelling.programs } else { spelling.data };
+    let last = entries(root, (list, item)).last().map(|entry| entry.view().range());
+    Some(FileList { place: root.child(&[list]).unwrap_or(root).name_range(), item, last })
+}
+
+/// The project file has the form of s5 and s6.
+pub fn is_old(db: &dyn Db, project: Project) -> bool {
+    let parse = parse(db, project.manifest(db));
+    xml::root(View::root(parse.green())).is_some_and(|root| root.name() == OLD.root)
 }
 
 fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<(SmolStr, TextRange)> {

@@ -1,5 +1,7 @@
 //! V0341: a task that nobody creates.
 
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
 use val3_analysis::near::nearest;
 use val3_lang::instructions::ON_TASKS;
 
@@ -15,7 +17,8 @@ rule! {
     /// ## Why
     /// A task is found by its name, and only by the application or library that created it. To halt or resume another
     /// one is run-time error 30; to end it does nothing, and its status is always -1. Most often the name is
-    /// misspelt: upper and lower case make a difference. Tasks whose names are computed are taken into account.
+    /// misspelt: upper and lower case make a difference. Tasks whose names are computed are taken into account. A name
+    /// is reported once a program.
     ///
     /// ## Bad
     /// ```val3
@@ -51,11 +54,12 @@ rule! {
 const OF_CONTROLLER: char = '~';
 
 fn check(program: &Program<'_>, found: &mut Findings) {
+    let mut told: FxHashSet<SmolStr> = FxHashSet::default();
     for call in program.calls().filter(|call| ON_TASKS.contains(&call.instruction.name)) {
         let Some(argument) = call.args.first() else { continue };
         let Some(name) = program.body.string(*argument).filter(|name| !name.contains(OF_CONTROLLER)) else { continue };
         let application = program.application();
-        if !application.sound || application.may_have_task(&name) {
+        if !application.sound || application.may_have_task(&name) || !told.insert(name.clone()) {
             continue;
         }
         let mut known: Vec<&str> = application.created_tasks().filter_map(|start| start.name.as_deref()).collect();
@@ -91,11 +95,11 @@ mod tests {
             start.pgx:7 `"Robot"` the application creates no task called `Robot`
               | no such task
               ? did you mean `robot`?
-            start.pgx:8 `"io"` the application creates no task called `io`
+            start.pgx:9 `"io"` the application creates no task called `io`
               | no such task
               ? it creates `robot` and `screen`
         "#]].assert_eq(&program(
-            "taskCreate \"robot\",10,p()\ntaskCreate \"screen\",10,p()\ntaskSuspend(\"Robot\")\nnA=taskStatus(\"io\")",
+            "taskCreate \"robot\",10,p()\ntaskCreate \"screen\",10,p()\ntaskSuspend(\"Robot\")\ntaskKill(\"Robot\")\nnA=taskStatus(\"io\")",
         ));
     }
 
