@@ -11,7 +11,7 @@ pub use program::{Summary, TaskStart, Use, summary};
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
-use crate::db::{Db, Project};
+use crate::db::{Db, Project, Sources};
 use crate::items::project::items;
 
 /// A program of the own project (`library` is `None`) or of a library.
@@ -52,6 +52,8 @@ pub struct Application {
     pub named_in_texts: FxHashSet<SmolStr>,
     /// Library identifiers that stand in code.
     pub libraries: FxHashSet<SmolStr>,
+    /// Items of libraries that stand in code, whatever the library.
+    pub foreign_items: FxHashSet<SmolStr>,
     /// Flags that are tested on one line and set on the next, and the programs that do so.
     pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
@@ -82,6 +84,13 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application
 }
 
+/// Another project uses an item called `name` of a library, which may be the item of `project`: libraries are loaded in
+/// place of each other.
+pub fn is_named_elsewhere(db: &dyn Db, project: Project, name: &str) -> bool {
+    let mut others = Sources::get(db).projects(db).values().filter(|other| **other != project);
+    others.any(|other| application(db, *other).foreign_items.contains(name))
+}
+
 /// The folder of the user pages of an application of s8.
 const USER_PAGES: &str = "interface";
 
@@ -102,7 +111,8 @@ impl Application {
             self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
         }
         self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
-        self.libraries.extend(summary.libraries.iter().cloned());
+        self.libraries.extend(summary.foreign_items.iter().filter_map(|item| item.library.clone()));
+        self.foreign_items.extend(summary.foreign_items.iter().map(|item| item.program.clone()));
         for flag in &summary.locks {
             self.locks.entry(flag.clone()).or_default().push(name.clone());
         }

@@ -7,6 +7,7 @@
     reason = "a slip that does not fit the cell fails the suite"
 )]
 
+mod application;
 mod edit;
 mod mutation;
 mod names;
@@ -36,6 +37,10 @@ const ALL: &[&[Mutation]] = &[
     projects::VALUES,
     projects::LINKS,
     projects::LIBRARIES,
+    application::UNUSED,
+    application::HIDDEN,
+    application::TASKS,
+    application::VERSIONS,
 ];
 
 fn all() -> impl Iterator<Item = &'static Mutation> {

@@ -27,8 +27,8 @@ pub struct Summary {
     pub data: FxHashMap<SmolStr, Use>,
     /// How the names begin of data that it reads by name, as a text.
     pub named_in_texts: FxHashSet<SmolStr>,
-    /// Library identifiers that stand in its code.
-    pub libraries: FxHashSet<SmolStr>,
+    /// Items of libraries that stand in its code, data as well as programs.
+    pub foreign_items: FxHashSet<Callee>,
     /// Flags that it tests on one line and sets on the next.
     pub locks: FxHashSet<SmolStr>,
 }
@@ -96,7 +96,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         sound: header(db, file).complete
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
-        libraries: libraries(body),
+        foreign_items: foreign_items(body),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
         named_in_texts: named_in_texts(body),
         ..Summary::default()
@@ -120,9 +120,9 @@ fn hides_nothing(problem: &ProblemKind) -> bool {
     matches!(problem, ProblemKind::MissingAddOn { .. })
 }
 
-fn libraries(body: &Body) -> FxHashSet<SmolStr> {
+fn foreign_items(body: &Body) -> FxHashSet<Callee> {
     let named = body.exprs().filter_map(|(_, expr, _)| match expr {
-        Expr::Path { library, .. } => Some(library.clone()),
+        Expr::Path { library, item } => Some(Callee { library: Some(library.clone()), program: item.clone() }),
         _ => None,
     });
     named.collect()

@@ -17,9 +17,9 @@ rule! {
     ///
     /// ## Bad
     /// ```val3
-    /// call report(true)
+    /// call report("ready")
     ///
-    /// program report(bool report)
+    /// program report(string report)
     /// begin
     ///   putln(report)
     /// end
@@ -27,11 +27,11 @@ rule! {
     ///
     /// ## Good
     /// ```val3
-    /// call report(true)
+    /// call report("ready")
     ///
-    /// program report(bool x_bReport)
+    /// program report(string x_sReport)
     /// begin
-    ///   putln(x_bReport)
+    ///   putln(x_sReport)
     /// end
     /// ```
     V0123 "ambiguous-name" Info, Program: check

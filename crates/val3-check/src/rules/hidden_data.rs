@@ -23,7 +23,7 @@ rule! {
     /// program start()
     ///   num nCount
     /// begin
-    ///   nCount=size("ready")
+    ///   nCount=len("ready")
     ///   putln(nCount)
     /// end
     /// ```
@@ -35,7 +35,7 @@ rule! {
     /// program start()
     ///   num l_nCount
     /// begin
-    ///   l_nCount=size("ready")
+    ///   l_nCount=len("ready")
     ///   nCount=l_nCount
     /// end
     /// ```

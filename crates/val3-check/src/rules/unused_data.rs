@@ -1,5 +1,6 @@
 //! V0113: private data that no program uses.
 
+use val3_analysis::application::is_named_elsewhere;
 use val3_analysis::items::declarations::all_data;
 
 use crate::diagnostic::Wording;
@@ -44,7 +45,9 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
         return;
     }
     for (name, range) in all_data(data.view.db, data.file) {
-        if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write()) {
+        if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
+            && !is_named_elsewhere(data.view.db, data.view.project, &name)
+        {
             found.report(&RULE, range, word(&name));
         }
     }

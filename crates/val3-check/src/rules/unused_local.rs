@@ -27,7 +27,7 @@ rule! {
     /// program start()
     ///   num l_nCount
     /// begin
-    ///   l_nCount=size("ready")
+    ///   l_nCount=len("ready")
     ///   putln(l_nCount)
     /// end
     /// ```
