@@ -4,6 +4,7 @@
 //! mistake makes one message.
 
 mod findings;
+pub(crate) mod naming;
 mod program;
 mod project;
 mod run;

@@ -7,18 +7,18 @@ use crate::rule::Rule;
 /// The settings of rules. Each is used by the rule that its documentation names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Options {
-    /// V0117, V0712: programs that somebody other than the application's own code starts, besides `start` and `stop`.
+    /// V0117: programs that somebody other than the application's own code starts, besides `start` and `stop`.
     pub entry_points: Vec<String>,
     /// V0117: beginnings of the names of such programs.
     pub entry_prefixes: Vec<String>,
-    /// V0710: how the name of global data begins, by type as code writes it (`num`, `jointRx` is `joint`). A type
-    /// that is not listed may begin with anything; `user` stands for every user type.
+    /// V0710, V0711: how the name of global data begins, by type as code writes it (`num`, `jointRx` is `joint`). Data
+    /// of a type that is not listed may begin with anything.
     pub prefixes: Vec<(String, String)>,
-    /// V0710: what stands before that in the name of a local variable.
+    /// V0711: what stands before that in the name of a local variable.
     pub local_prefix: String,
-    /// V0710: what stands before that in the name of a parameter.
+    /// V0711: what stands before that in the name of a parameter.
     pub parameter_prefix: String,
-    /// V0713: words in comments that mark unfinished work.
+    /// V0714: words in comments that mark unfinished work.
     pub marks: Vec<String>,
     /// V0716: the most characters in a line of code.
     pub line_length: usize,

@@ -138,6 +138,17 @@ rules! {
     implementation_different,
     // Style
     keyword_spelling,
+    data_prefix,
+    variable_prefix,
+    unlinked_data,
+    missing_description,
+    unfinished_mark,
+    empty_program,
+    long_line,
+    many_parameters,
+    foreign_characters,
+    bare_key_code,
+    bare_error_number,
 }
 
 /// Every rule, sorted by code.

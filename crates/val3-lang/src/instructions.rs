@@ -276,6 +276,15 @@ pub const SET_MUTEX: &str = "setMutex";
 /// Instructions that name a task of the same application or library (5.10).
 pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", "taskStatus"];
 
+/// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
+pub const TASK_STATUS: &str = "taskStatus";
+
+/// Instructions that give the code of a key (4.3).
+pub const READ_KEYS: [&str; 2] = ["get", "getKey"];
+
+/// Takes the code of a key as its last argument (4.3).
+pub const IS_KEY_PRESSED: &str = "isKeyPressed";
+
 /// Reads data by its name, given as a text (2.5.4): what it names is used.
 pub const GET_DATA: &str = "getData";
 

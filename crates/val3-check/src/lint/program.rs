@@ -93,6 +93,11 @@ impl<'db> Program<'db> {
 
     /// The text of an expression as it stands in the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
-        self.file.text(self.db).get(std::ops::Range::<usize>::from(self.range(id))).unwrap_or("")
+        self.slice(self.range(id))
+    }
+
+    /// A part of the file as it stands there.
+    pub(crate) fn slice(&self, range: TextRange) -> &'db str {
+        self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
     }
 }

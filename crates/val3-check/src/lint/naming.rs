@@ -1,0 +1,54 @@
+//! How names begin: what the rules on prefixes share.
+
+use val3_lang::types::BaseType;
+
+use crate::diagnostic::Wording;
+use crate::options::Options;
+
+/// What a name of this type should begin with and does not, `scope` before the letters of the type.
+pub(crate) fn lacking(options: &Options, base: BaseType, scope: &str, name: &str) -> Option<String> {
+    let letters = options.prefixes.iter().find(|(ty, _)| ty == base.name()).map(|(_, letters)| letters)?;
+    let prefix = format!("{scope}{letters}");
+    (!begins(name, &prefix)).then_some(prefix)
+}
+
+/// The name begins with the prefix, and the rest is a word of its own: `nCount` and `n2` with `n`, `number` not. The
+/// names `n` and `l_n` are short for one.
+fn begins(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix).is_some_and(|rest| !rest.starts_with(|first: char| first.is_ascii_lowercase()))
+        // What inputs and outputs do is often told with further letters: `diDoor`, `doLamp`, `aiWeight`.
+        || name.strip_prefix(prefix).is_some_and(|rest| {
+            let mut letters = rest.chars();
+            matches!(letters.next(), Some('i' | 'o')) && letters.next().is_some_and(|next| next.is_ascii_uppercase())
+        })
+}
+
+/// Words the finding; `what` says what has the name.
+pub(crate) fn word(base: BaseType, name: &str, prefix: &str, what: &str) -> Wording {
+    Wording::new(
+        format!("the name of the {what} `{name}` does not begin with `{prefix}`"),
+        format!("this is a `{}`", base.name()),
+        format!("call it `{prefix}{}`", capitalised(name)),
+    )
+}
+
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::begins;
+
+    #[test]
+    fn a_prefix_ends_before_a_word() {
+        for name in ["nCount", "n", "n2", "n_a"] {
+            assert!(begins(name, "n"), "{name}");
+        }
+        for name in ["number", "N", "xCount", "niece"] {
+            assert!(!begins(name, "n"), "{name}");
+        }
+        assert!(begins("l_nA", "l_n") && begins("doLamp", "d") && !begins("door", "d"));
+    }
+}

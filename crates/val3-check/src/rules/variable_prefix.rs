@@ -1,0 +1,96 @@
+//! V0711: a local variable or parameter whose name does not begin as the shop asks.
+
+use smol_str::SmolStr;
+use val3_analysis::items::declarations::{all_locals, all_params};
+use val3_analysis::items::project::resolve_type;
+use val3_analysis::ty::Base;
+use val3_lang::types::BaseType;
+
+use crate::lint::{Findings, Program, naming};
+use crate::rule::rule;
+
+rule! {
+    /// The name of a local variable or of a parameter does not begin with the letters that stand for its scope and
+    /// its type.
+    ///
+    /// ## Why
+    /// `l_` and `x_` tell at a glance what a line changes: a variable of the program, what the caller gave, or global
+    /// data. The options `local-prefix`, `parameter-prefix` and `prefixes` set the letters. A counter of one or two
+    /// letters (`l_i`, `i`) is a name that everybody knows. This is a convention of a shop, and off unless it is asked
+    /// for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program show(num nValue)
+    /// begin
+    ///   putln(nValue)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program show(num x_nValue)
+    /// begin
+    ///   putln(x_nValue)
+    /// end
+    /// ```
+    V0711 "variable-prefix" Info off, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let options = program.options;
+    let header = program.header;
+    let base = |ty: &SmolStr| resolve_type(&program.items.types, ty).and_then(Base::builtin);
+    let locals: Vec<_> = header.locals.iter().map(|local| base(&local.type_name)).collect();
+    for ((name, range), base) in all_locals(program.db, program.file).into_iter().zip(locals) {
+        if let Some((base, prefix)) = lacking(program, base, &options.local_prefix, &name) {
+            found.report(&RULE, range, naming::word(base, &name, &prefix, "local variable"));
+        }
+    }
+    let params: Vec<_> = header.params.iter().map(|param| base(&param.type_name)).collect();
+    for ((name, range), base) in all_params(program.db, program.file).into_iter().zip(params) {
+        if let Some((base, prefix)) = lacking(program, base, &options.parameter_prefix, &name) {
+            found.report(&RULE, range, naming::word(base, &name, &prefix, "parameter"));
+        }
+    }
+}
+
+fn lacking(program: &Program<'_>, base: Option<BaseType>, scope: &str, name: &str) -> Option<(BaseType, String)> {
+    const COUNTER: usize = 2;
+    let base = base?;
+    let is_counter = base == BaseType::Num && name.strip_prefix(scope).unwrap_or(name).len() <= COUNTER;
+    let prefix = naming::lacking(program.options, base, scope, name).filter(|_| !is_counter)?;
+    Some((base, prefix))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::{check, check_with};
+    use crate::options::Options;
+
+    #[test]
+    fn scope_and_type() {
+        expect![[r#"
+            p.pgx:6 `x_A` the name of the parameter `x_A` does not begin with `x_b`
+              | this is a `bool`
+              ? call it `x_bX_A`
+            p.pgx:9 `sA` the name of the local variable `sA` does not begin with `l_s`
+              | this is a `string`
+              ? call it `l_sSA`
+        "#]].assert_eq(&check(&RULE, "program p(num nA, bool x_A)\n  string sA\nbegin\nend"));
+    }
+
+    #[test]
+    fn well_named_and_counters() {
+        assert_eq!(check(&RULE, "program p(num x_nA, bool& x_bA)\n  string l_sA\n  num l_i\n  num i\nbegin\nend"), "");
+    }
+
+    #[test]
+    fn the_letters_can_be_set() {
+        let options = Options { local_prefix: "l".to_owned(), parameter_prefix: String::new(), ..Options::default() };
+        assert_eq!(check_with(&RULE, &options, "program p(num nA)\n  string lsA\nbegin\nend"), "");
+    }
+}
