@@ -149,6 +149,7 @@ rules! {
     foreign_characters,
     bare_key_code,
     bare_error_number,
+    duplicate_constant,
 }
 
 /// Every rule, sorted by code.

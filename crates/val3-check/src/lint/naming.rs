@@ -24,12 +24,22 @@ fn begins(name: &str, prefix: &str) -> bool {
 }
 
 /// Words the finding; `what` says what has the name.
-pub(crate) fn word(base: BaseType, name: &str, prefix: &str, what: &str) -> Wording {
+pub(crate) fn word(options: &Options, base: BaseType, name: &str, prefix: &str, what: &str) -> Wording {
     Wording::new(
         format!("the name of the {what} `{name}` does not begin with `{prefix}`"),
         format!("this is a `{}`", base.name()),
-        format!("call it `{prefix}{}`", capitalised(name)),
+        format!("call it `{prefix}{}`", capitalised(bare(options, name))),
     )
+}
+
+/// The name without the letters of any scope and type.
+fn bare<'n>(options: &Options, name: &'n str) -> &'n str {
+    let scopes = [&options.local_prefix, &options.parameter_prefix];
+    let scope = scopes.into_iter().filter(|scope| !scope.is_empty());
+    let name = scope.filter_map(|scope| name.strip_prefix(scope.as_str())).next().unwrap_or(name);
+    let is_word = |rest: &&str| rest.starts_with(|first: char| first.is_ascii_uppercase());
+    let rest = options.prefixes.iter().filter_map(|(_, letters)| name.strip_prefix(letters.as_str()));
+    rest.filter(is_word).min_by_key(|rest| rest.len()).unwrap_or(name)
 }
 
 fn capitalised(name: &str) -> String {

@@ -32,7 +32,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
         let base = view.items.data.get(&name).and_then(|item| item.base.builtin());
         let Some(base) = base.filter(|_| val3_lang::builtins::find(&name).is_none()) else { continue };
         if let Some(prefix) = naming::lacking(view.options, base, "", &name) {
-            found.report(&RULE, range, naming::word(base, &name, &prefix, "data"));
+            found.report(&RULE, range, naming::word(view.options, base, &name, &prefix, "data"));
         }
     }
 }
@@ -53,10 +53,10 @@ mod tests {
               ? call it `nCount`
             main.dtx:5 `nReady` the name of the data `nReady` does not begin with `b`
               | this is a `bool`
-              ? call it `bNReady`
+              ? call it `bReady`
             main.dtx:6 `tOffset` the name of the data `tOffset` does not begin with `tr`
               | this is a `trsf`
-              ? call it `trTOffset`
+              ? call it `trOffset`
         "#]].assert_eq(&check(&RULE, "num count\nbool nReady\ntrsf tOffset\njoint j"));
         assert_eq!(check(&RULE, "num nCount\nbool bReady\ntrsf trOffset\njoint jHome\nnum n2"), "");
     }

@@ -44,23 +44,27 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let locals: Vec<_> = header.locals.iter().map(|local| base(&local.type_name)).collect();
     for ((name, range), base) in all_locals(program.db, program.file).into_iter().zip(locals) {
         if let Some((base, prefix)) = lacking(program, base, &options.local_prefix, &name) {
-            found.report(&RULE, range, naming::word(base, &name, &prefix, "local variable"));
+            found.report(&RULE, range, naming::word(options, base, &name, &prefix, "local variable"));
         }
     }
     let params: Vec<_> = header.params.iter().map(|param| base(&param.type_name)).collect();
     for ((name, range), base) in all_params(program.db, program.file).into_iter().zip(params) {
         if let Some((base, prefix)) = lacking(program, base, &options.parameter_prefix, &name) {
-            found.report(&RULE, range, naming::word(base, &name, &prefix, "parameter"));
+            found.report(&RULE, range, naming::word(options, base, &name, &prefix, "parameter"));
         }
     }
 }
 
 fn lacking(program: &Program<'_>, base: Option<BaseType>, scope: &str, name: &str) -> Option<(BaseType, String)> {
-    const COUNTER: usize = 2;
     let base = base?;
-    let is_counter = base == BaseType::Num && name.strip_prefix(scope).unwrap_or(name).len() <= COUNTER;
+    let is_counter = base == BaseType::Num && is_short(name.strip_prefix(scope).unwrap_or(name));
     let prefix = naming::lacking(program.options, base, scope, name).filter(|_| !is_counter)?;
     Some((base, prefix))
+}
+
+/// `i`, `k2`: one or two characters without a capital.
+fn is_short(name: &str) -> bool {
+    name.len() <= 2 && !name.bytes().any(|byte| byte.is_ascii_uppercase())
 }
 
 #[cfg(test)]
@@ -74,12 +78,15 @@ mod tests {
     #[test]
     fn scope_and_type() {
         expect![[r#"
+            p.pgx:5 `nA` the name of the parameter `nA` does not begin with `x_n`
+              | this is a `num`
+              ? call it `x_nA`
             p.pgx:6 `x_A` the name of the parameter `x_A` does not begin with `x_b`
               | this is a `bool`
-              ? call it `x_bX_A`
+              ? call it `x_bA`
             p.pgx:9 `sA` the name of the local variable `sA` does not begin with `l_s`
               | this is a `string`
-              ? call it `l_sSA`
+              ? call it `l_sA`
         "#]].assert_eq(&check(&RULE, "program p(num nA, bool x_A)\n  string sA\nbegin\nend"));
     }
 
