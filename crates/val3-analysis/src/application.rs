@@ -54,6 +54,8 @@ pub struct Application {
     pub libraries: FxHashSet<SmolStr>,
     /// Items of libraries that stand in code, whatever the library.
     pub foreign_items: FxHashSet<SmolStr>,
+    /// Programs that take a flag with `setMutex`.
+    pub takers_of_mutexes: FxHashSet<SmolStr>,
     /// Flags that are tested on one line and set on the next, and the programs that do so.
     pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
@@ -113,6 +115,9 @@ impl Application {
         self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
         self.libraries.extend(summary.foreign_items.iter().filter_map(|item| item.library.clone()));
         self.foreign_items.extend(summary.foreign_items.iter().map(|item| item.program.clone()));
+        if summary.takes_mutex {
+            self.takers_of_mutexes.insert(name.clone());
+        }
         for flag in &summary.locks {
             self.locks.entry(flag.clone()).or_default().push(name.clone());
         }
@@ -143,6 +148,8 @@ impl Application {
             read: all.read || one.read,
             written: all.written || one.written,
             referenced: all.referenced || one.referenced,
+            read_whole: all.read_whole || one.read_whole,
+            written_in_parts: all.written_in_parts || one.written_in_parts,
         })
     }
 
@@ -164,6 +171,18 @@ impl Application {
             }
         }
         distinct.len().min(2)
+    }
+
+    /// Tasks that programs create may run both programs, each in one of its own, at the same time.
+    pub fn run_side_by_side(&self, one: &SmolStr, other: &SmolStr) -> bool {
+        let is_created = |program: &SmolStr| self.tasks_of(program).any(|task| task.created_by.is_some());
+        is_created(one) && is_created(other) && {
+            let created = |task: &&Task| task.created_by.is_some();
+            let name = |task: &Task| (task.start.beginning.clone(), task.start.program.clone());
+            let ones: FxHashSet<_> = self.tasks_of(one).filter(created).map(name).collect();
+            let others: FxHashSet<_> = self.tasks_of(other).filter(created).map(name).collect();
+            ones.union(&others).count() > 1
+        }
     }
 
     /// A task of this project may be called `name`.

@@ -100,6 +100,7 @@ rules! {
     unknown_task,
     duplicate_task,
     computed_task_name,
+    torn_data,
     // Project and data
     file_missing,
     file_unreadable,

@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
-use val3_lang::instructions::GET_DATA;
+use val3_lang::instructions::{GET_DATA, SET_MUTEX};
 
 use super::{Callee, locks};
 use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
@@ -31,6 +31,8 @@ pub struct Summary {
     pub foreign_items: FxHashSet<Callee>,
     /// Flags that it tests on one line and sets on the next.
     pub locks: FxHashSet<SmolStr>,
+    /// It takes a flag with `setMutex`.
+    pub takes_mutex: bool,
 }
 
 /// A `taskCreate` or `taskCreateSync`.
@@ -57,6 +59,10 @@ pub struct Use {
     pub written: bool,
     /// It hands the variable over by reference.
     pub referenced: bool,
+    /// It reads the value as a whole: all fields on one line.
+    pub read_whole: bool,
+    /// It writes fields of the value on several lines.
+    pub written_in_parts: bool,
 }
 
 impl TaskStart {
@@ -97,6 +103,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
         foreign_items: foreign_items(body),
+        takes_mutex: takes_mutex(body),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
         named_in_texts: named_in_texts(body),
         ..Summary::default()
@@ -109,7 +116,12 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     add_tasks(body, &body.block, false, &mut summary.tasks);
     for access in Effects::new(db, project, file).all() {
         if let Root::Data(name) = access.root {
-            summary.data.entry(name).or_default().add(access.kind);
+            let is_part = matches!(body.expr(access.id), Expr::Field { .. });
+            let uses = summary.data.entry(name).or_default();
+            uses.read_whole |= access.kind == AccessKind::Read && !is_part;
+            let again = uses.written;
+            uses.written_in_parts |= access.kind == AccessKind::WritePart && is_part && again;
+            uses.add(access.kind);
         }
     }
     summary
@@ -118,6 +130,10 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
 /// The fault leaves no name in doubt: what an instruction of an add-on does to variables is taken to be anything.
 fn hides_nothing(problem: &ProblemKind) -> bool {
     matches!(problem, ProblemKind::MissingAddOn { .. })
+}
+
+fn takes_mutex(body: &Body) -> bool {
+    body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if name == SET_MUTEX))
 }
 
 fn foreign_items(body: &Body) -> FxHashSet<Callee> {

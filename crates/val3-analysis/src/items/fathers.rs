@@ -56,7 +56,10 @@ fn unlinked(element: Element<'_>) -> Option<(SmolStr, String, TextRange)> {
     let ty = element.value("type")?;
     BaseType::from_file_name(&ty).filter(|(base, _)| base.has_father())?;
     let is_linked = |value: Element<'_>| value.value(FATHER).is_some_and(|father| !father.trim().is_empty());
-    let value = element.elements().find(|value| !is_linked(*value))?;
-    let key = value.value("key")?.into_owned();
+    let mut values = element.elements().peekable();
+    if values.peek().is_none() && element.value("size").is_some() {
+        return Some((name.text().into(), "0".to_owned(), name.range));
+    }
+    let key = values.find(|value| !is_linked(*value))?.value("key")?.into_owned();
     Some((name.text().into(), key, name.range))
 }

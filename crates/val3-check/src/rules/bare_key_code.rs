@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_lang::instructions::{IS_KEY_PRESSED, READ_KEYS};
-use val3_lang::keys::{self, Key};
+use val3_lang::keys::{KEYS, Key};
 use val3_lang::operators::BinaryOp;
 
 use crate::diagnostic::Wording;
@@ -72,11 +72,8 @@ fn reads_key(program: &Program<'_>, id: ExprId) -> bool {
 
 fn key(program: &Program<'_>, id: ExprId) -> Option<&'static Key> {
     let number = program.body.number(id)?;
-    KEY_CODES.find(|code| f64::from(*code) == number).and_then(keys::find)
+    KEYS.iter().find(|key| f64::from(key.code) == number)
 }
-
-/// The codes beyond those of characters.
-const KEY_CODES: std::ops::Range<u16> = 255..300;
 
 fn word(key: &Key) -> Wording {
     Wording::new(

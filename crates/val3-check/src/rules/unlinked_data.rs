@@ -79,6 +79,7 @@ mod tests {
               ? give its value a `fatherId`, such as `world[0]` or `flange[0]`
         "#]].assert_eq(&data("pointRx", values));
         assert!(!data("tool", "<Value key=\"0\" x=\"1\"/>").is_empty());
+        assert!(!data("frame", "").is_empty());
     }
 
     #[test]
