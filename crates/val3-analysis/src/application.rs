@@ -86,11 +86,16 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application
 }
 
-/// Another project uses an item called `name` of a library, which may be the item of `project`: libraries are loaded in
-/// place of each other.
-pub fn is_named_elsewhere(db: &dyn Db, project: Project, name: &str) -> bool {
-    let mut others = Sources::get(db).projects(db).values().filter(|other| **other != project);
-    others.any(|other| application(db, *other).foreign_items.contains(name))
+/// Some program uses an item called `name` of some library. Libraries are loaded in place of each other, so it may be
+/// the item of any project.
+pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
+    library_items(db, Sources::get(db)).contains(name)
+}
+
+#[salsa::tracked]
+fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
+    let projects = sources.projects(db).values();
+    projects.flat_map(|project| &application(db, *project).foreign_items).cloned().collect()
 }
 
 /// The folder of the user pages of an application of s8.
@@ -175,14 +180,14 @@ impl Application {
 
     /// Tasks that programs create may run both programs, each in one of its own, at the same time.
     pub fn run_side_by_side(&self, one: &SmolStr, other: &SmolStr) -> bool {
-        let is_created = |program: &SmolStr| self.tasks_of(program).any(|task| task.created_by.is_some());
-        is_created(one) && is_created(other) && {
-            let created = |task: &&Task| task.created_by.is_some();
-            let name = |task: &Task| (task.start.beginning.clone(), task.start.program.clone());
-            let ones: FxHashSet<_> = self.tasks_of(one).filter(created).map(name).collect();
-            let others: FxHashSet<_> = self.tasks_of(other).filter(created).map(name).collect();
-            ones.union(&others).count() > 1
-        }
+        let (one, other) = (self.created_tasks_of(one), self.created_tasks_of(other));
+        !one.is_empty() && !other.is_empty() && one.union(&other).count() > 1
+    }
+
+    /// The tasks that programs create and that may run `program`, by what tells one from another.
+    fn created_tasks_of(&self, program: &str) -> FxHashSet<(&SmolStr, &Callee)> {
+        let created = self.tasks_of(program).filter(|task| task.created_by.is_some());
+        created.map(|task| (&task.start.beginning, &task.start.program)).collect()
     }
 
     /// A task of this project may be called `name`.

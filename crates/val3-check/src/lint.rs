@@ -7,6 +7,7 @@ mod findings;
 pub(crate) mod naming;
 mod program;
 mod project;
+pub(crate) mod removal;
 mod run;
 #[cfg(test)]
 pub(crate) mod testing;

@@ -100,6 +100,16 @@ pub fn program_file(db: &dyn Db, project: Project, reference: &str) -> Option<Te
     named(entries(root, spelling(root).programs), "file", reference)
 }
 
+/// The innermost element around `place`.
+pub fn element_around(db: &dyn Db, file: File, place: TextRange) -> Option<TextRange> {
+    let parse = parse(db, file);
+    let mut found = xml::root(View::root(parse.green()))?;
+    while let Some(inner) = found.elements().find(|inner| inner.view().range().contains_range(place)) {
+        found = inner;
+    }
+    Some(found.view().range()).filter(|range| range.contains_range(place))
+}
+
 /// A list of files in a `.pjx`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FileList {

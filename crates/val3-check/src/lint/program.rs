@@ -1,9 +1,11 @@
 //! A program as lints see it.
 
+use std::cell::OnceCell;
+
 use val3_analysis::application::{Application, application};
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::effects::Effects;
+use val3_analysis::effects::{Access, Effects};
 use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::program::{Header, header};
@@ -26,6 +28,7 @@ pub(crate) struct Program<'db> {
     pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
+    accesses: OnceCell<Vec<Access>>,
 }
 
 /// A call of an instruction.
@@ -53,12 +56,18 @@ impl<'db> Program<'db> {
             inference: infer(db, project, file),
             options,
             effects: Effects::new(db, project, file),
+            accesses: OnceCell::new(),
         }
     }
 
     /// The name of the program.
     pub(crate) fn name(&self) -> &'db str {
         &self.header.name
+    }
+
+    /// Every use of a variable in it.
+    pub(crate) fn accesses(&self) -> &[Access] {
+        self.accesses.get_or_init(|| self.effects.all())
     }
 
     /// Its control-flow graph.

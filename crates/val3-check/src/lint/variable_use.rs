@@ -25,11 +25,11 @@ pub(crate) fn of_params(program: &Program<'_>) -> FxHashMap<SmolStr, Use> {
     })
 }
 
-fn gather(program: &Program<'_>, name: impl Fn(Root) -> Option<SmolStr>) -> FxHashMap<SmolStr, Use> {
+fn gather(program: &Program<'_>, name: impl Fn(&Root) -> Option<&SmolStr>) -> FxHashMap<SmolStr, Use> {
     let mut uses: FxHashMap<SmolStr, Use> = FxHashMap::default();
-    for access in program.effects.all() {
-        if let Some(name) = name(access.root) {
-            uses.entry(name).or_default().add(access.kind);
+    for access in program.accesses() {
+        if let Some(name) = name(&access.root) {
+            uses.entry(name.clone()).or_default().add(access.kind);
         }
     }
     uses

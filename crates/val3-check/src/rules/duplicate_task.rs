@@ -3,6 +3,7 @@
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::flow::PointKind;
 use val3_lang::instructions;
 use val3_syntax::TextRange;
 
@@ -48,6 +49,9 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
+    if program.flow().points().all(|(_, point)| !matches!(point.kind, PointKind::TaskCreate(_))) {
+        return;
+    }
     let mut pairs = Vec::new();
     in_block(program.body, &program.body.block, &mut pairs);
     for Pair { name, first, second } in pairs {
@@ -72,11 +76,11 @@ fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<Pair>) {
             if let Some(first) = running.insert(name.clone(), range) {
                 pairs.push(Pair { name, first, second: range });
             }
-        } else if may_wait(body, stmt) {
+        } else if !running.is_empty() && may_wait(body, stmt) {
             running.clear();
         }
         match &stmt.kind {
-            StmtKind::For { block, .. } if !may_wait(body, stmt) => {
+            StmtKind::For { block, .. } if creates(body, block) && !may_wait(body, stmt) => {
                 let again = block.iter().filter_map(|stmt| created(body, stmt));
                 pairs.extend(again.map(|(name, range)| Pair { name, first: range, second: range }));
             }
@@ -90,6 +94,10 @@ fn created(body: &Body, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
     let StmtKind::TaskCreate { arguments, .. } = &stmt.kind else { return None };
     let name = arguments.first()?;
     Some((body.string(*name)?, body.range(*name)))
+}
+
+fn creates(body: &Body, block: &[Stmt]) -> bool {
+    block.iter().any(|stmt| created(body, stmt).is_some())
 }
 
 /// Something in the statement lets other tasks have their turn, ends one, or is not known.

@@ -35,10 +35,10 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    if program.header.locals.is_empty() {
+    let used = variable_use::of_locals(program);
+    if used.values().all(|uses| uses.may_read()) {
         return;
     }
-    let used = variable_use::of_locals(program);
     for (name, range) in all_locals(program.db, program.file) {
         let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
         if is_lost && !variable_use::is_linkable(program, &name) {

@@ -1,7 +1,8 @@
 //! V0344: data that one task writes field by field while another reads it as a whole.
 
 use smol_str::SmolStr;
-use val3_analysis::effects::{AccessKind, Root};
+use val3_analysis::application::summary;
+use val3_analysis::effects::{Access, AccessKind, Root};
 use val3_lang::instructions::SET_MUTEX;
 use val3_syntax::TextRange;
 
@@ -88,21 +89,16 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Data of which the program writes several fields, with the place of the second such line.
 fn parts(program: &Program<'_>) -> Vec<(SmolStr, TextRange)> {
-    let mut written: Vec<(SmolStr, Option<TextRange>)> = Vec::new();
-    let application = program.application();
-    for access in program.effects.all() {
-        let Root::Data(name) = access.root else { continue };
-        let users = application.users.get(&name).into_iter().flatten();
-        let in_parts = users.into_iter().any(|(user, uses)| user == program.name() && uses.written_in_parts);
-        if access.kind != AccessKind::WritePart || !in_parts {
-            continue;
-        }
-        match written.iter_mut().find(|(known, _)| *known == name) {
-            Some((_, second)) => *second = second.or(Some(program.range(access.id))),
-            None => written.push((name, None)),
-        }
-    }
-    written.into_iter().filter_map(|(name, second)| Some((name, second?))).collect()
+    let in_parts = summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
+    let mut found: Vec<(SmolStr, TextRange)> = in_parts
+        .filter_map(|(name, _)| {
+            let is_part = |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
+            let second = program.accesses().iter().filter(is_part).nth(1)?;
+            Some((name.clone(), program.range(second.id)))
+        })
+        .collect();
+    found.sort_by_key(|(_, range)| range.start());
+    found
 }
 
 fn word(data: &str, reader: &str) -> Wording {

@@ -81,10 +81,7 @@ fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, besid
     let unlisted = beside.iter().filter(|name| has_extension(name, extension) && !is_listed(name));
     for name in unlisted {
         let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
-        let reported = found.report(&RULE, list.place, word(name, what));
-        if let Some(edit) = entry(list, name) {
-            reported.fix(format!("list `{name}`"), false, vec![edit]);
-        }
+        found.report(&RULE, list.place, word(name, what)).fix_by(format!("list `{name}`"), false, entry(list, name));
     }
 }
 

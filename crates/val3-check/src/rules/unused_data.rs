@@ -1,10 +1,10 @@
 //! V0113: private data that no program uses.
 
-use val3_analysis::application::is_named_elsewhere;
+use val3_analysis::application::is_library_item;
 use val3_analysis::items::declarations::all_data;
 
 use crate::diagnostic::Wording;
-use crate::lint::{DataFile, Findings, unused_data};
+use crate::lint::{DataFile, Findings, removal, unused_data};
 use crate::rule::rule;
 
 rule! {
@@ -46,9 +46,10 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     }
     for (name, range) in all_data(data.view.db, data.file) {
         if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
-            && !is_named_elsewhere(data.view.db, data.view.project, &name)
+            && !is_library_item(data.view.db, &name)
         {
-            found.report(&RULE, range, word(&name));
+            found.report(&RULE, range, word(&name))
+                .fix_by(format!("remove `{name}`"), false, removal::of_declaration(data.view.db, data.file, range));
         }
     }
 }
@@ -70,6 +71,7 @@ mod tests {
             main.dtx:4 `nA` no program uses `nA`
               | never used
               ? remove it, or make it public if others need it
+              ! remove `nA` (unsafe)
         "#]].assert_eq(&check(&RULE, "num nA\npublic num nB\nprogram start()\nbegin\nend"));
     }
 

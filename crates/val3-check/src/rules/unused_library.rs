@@ -5,7 +5,7 @@ use val3_analysis::items::fathers::fathers;
 use val3_analysis::items::manifest::manifest;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, ProjectView, unused_data};
+use crate::lint::{Findings, ProjectView, removal, unused_data};
 use crate::rule::rule;
 
 rule! {
@@ -43,7 +43,8 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
             || view.application.is_named_in_text(name)
             || fathers(view.db, view.project).contains(name);
         if let Some(place) = declarations::library(view.db, view.project, name.clone()).filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(name));
+            found.report(&RULE, place.range, word(name))
+                .fix_by(format!("remove `{name}`"), false, removal::of_declaration(view.db, place.file, place.range));
         }
     }
 }
@@ -69,6 +70,7 @@ mod tests {
             main.pjx:11 `part` no program uses the library identifier `part`
               | never used
               ? remove the entry
+              ! remove `part` (unsafe)
         "#]].assert_eq(&library("cls()"));
     }
 

@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::all_locals;
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, variable_use};
+use crate::lint::{Findings, Program, removal, variable_use};
 use crate::rule::rule;
 
 rule! {
@@ -35,13 +35,14 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    if program.header.locals.is_empty() {
+    let used = variable_use::of_locals(program);
+    if program.header.locals.iter().all(|local| used.contains_key(&local.name)) {
         return;
     }
-    let used = variable_use::of_locals(program);
     for (name, range) in all_locals(program.db, program.file) {
         if !used.contains_key(&name) {
-            found.report(&RULE, range, word(&name));
+            found.report(&RULE, range, word(&name))
+                .fix_by(format!("remove `{name}`"), true, removal::of_declaration(program.db, program.file, range));
         }
     }
 }
@@ -63,6 +64,7 @@ mod tests {
             start.pgx:6 `l_pB` the program does not use its local variable `l_pB`
               | never used
               ? remove it
+              ! remove `l_pB`
         "#]].assert_eq(&check(&RULE, "program start()\n  num l_nA\n  point l_pB\nbegin\n  l_nA=1\nend"));
     }
 

@@ -9,7 +9,7 @@ use val3_analysis::items::program::header;
 use val3_analysis::items::project::{data_files, items, program_files};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, ProjectView};
+use crate::lint::{Findings, ProjectView, removal};
 use crate::rule::rule;
 
 rule! {
@@ -46,7 +46,8 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         let is_used = named.contains(&entry.name) || is_used_by_library(view, &entry.name);
         let place = declarations::user_type(view.db, view.project, entry.name.clone());
         if let Some(place) = place.filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(&entry.name));
+            found.report(&RULE, place.range, word(&entry.name))
+                .fix_by(format!("remove `{}`", entry.name), false, removal::of_declaration(view.db, place.file, place.range));
         }
     }
 }
@@ -88,6 +89,7 @@ mod tests {
             main.pjx:12 `Slot` nothing in the project has the user type `Slot`
               | never used
               ? remove the entry
+              ! remove `Slot` (unsafe)
         "#]].assert_eq(&check(&RULE, &format!("type Slot \"Disk://Slot/Slot.pjx\"\ncls()\n{TYPE}")));
     }
 
