@@ -21,21 +21,32 @@ pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
     Some(Place { file, range })
 }
 
-/// The names of all global variables in a `.dtx`, in order, with their places.
-pub fn all_data(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+/// Something that a file declares.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Declared {
+    /// Its name.
+    pub name: SmolStr,
+    /// Where the name stands.
+    pub range: TextRange,
+    /// The whole element.
+    pub element: TextRange,
+}
+
+/// All global variables in a `.dtx`, in order.
+pub fn all_data(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
     names(data_items::elements(View::root(parse.green())))
 }
 
-/// The names of all parameters of a `.pgx`, in order, with their places.
-pub fn all_params(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+/// All parameters of a `.pgx`, in order.
+pub fn all_params(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
     let program = program_items::element(View::root(parse.green()));
     program.map(|program| names(program_items::params(program))).unwrap_or_default()
 }
 
-/// The names of all locals of a `.pgx`, in order, with their places.
-pub fn all_locals(db: &dyn Db, file: File) -> Vec<(SmolStr, TextRange)> {
+/// All locals of a `.pgx`, in order.
+pub fn all_locals(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
     let program = program_items::element(View::root(parse.green()));
     program.map(|program| names(program_items::locals(program))).unwrap_or_default()
@@ -137,9 +148,12 @@ pub fn is_old(db: &dyn Db, project: Project) -> bool {
     xml::root(View::root(parse.green())).is_some_and(|root| root.name() == OLD.root)
 }
 
-fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<(SmolStr, TextRange)> {
-    let name = |element: Element<'g>| element.attribute("name").map(|found| (found.text().into(), found.range));
-    elements.filter_map(name).collect()
+fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<Declared> {
+    let declared = |element: Element<'g>| {
+        let name = element.attribute("name")?;
+        Some(Declared { name: name.text().into(), range: name.range, element: element.view().range() })
+    };
+    elements.filter_map(declared).collect()
 }
 
 fn named<'g>(mut elements: impl Iterator<Item = Element<'g>>, attribute: &str, name: &str) -> Option<TextRange> {

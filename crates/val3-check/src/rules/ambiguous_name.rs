@@ -1,8 +1,6 @@
 //! V0123: a variable that is called like a program or a library identifier.
 
-use smol_str::SmolStr;
-use val3_analysis::items::declarations::{all_locals, all_params};
-use val3_syntax::TextRange;
+use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -47,8 +45,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<(SmolStr, TextRange)>) {
-    for (name, range) in names {
+fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
+    for Declared { name, range, .. } in names {
         if let Some(other) = other_use(program, &name) {
             found.report(&RULE, range, word(what, &name, other));
         }
@@ -80,7 +78,8 @@ mod tests {
 
     #[test]
     fn programs_and_libraries() {
-        let listing = "library part \"Disk://part/part.pjx\"\nprogram p(num p)\n  num part\nbegin\nend\n--- part\npublic num nW";
+        let listing =
+            "library part \"Disk://part/part.pjx\"\nprogram p(num p)\n  num part\nbegin\nend\n--- part\npublic num nW";
         expect![[r#"
             p.pgx:5 `p` `p` is a parameter here and also a program of the project
               | also a program
@@ -88,7 +87,8 @@ mod tests {
             p.pgx:8 `part` `part` is a local variable here and also a library identifier of the project
               | also a library identifier
               ? give it another name
-        "#]].assert_eq(&check(&RULE, listing));
+        "#]]
+        .assert_eq(&check(&RULE, listing));
     }
 
     #[test]

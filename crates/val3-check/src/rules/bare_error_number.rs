@@ -78,7 +78,8 @@ mod tests {
             start.pgx:6 `30` 30 is a run-time error: no such task
               | no such task
               ? give the number a name: data of its own
-        "#]].assert_eq(&check(&RULE, "if taskStatus(\"a\")==20\nelseIf (taskStatus(\"a\"))!=30\nendIf"));
+        "#]]
+        .assert_eq(&check(&RULE, "if taskStatus(\"a\")==20\nelseIf (taskStatus(\"a\"))!=30\nendIf"));
     }
 
     #[test]

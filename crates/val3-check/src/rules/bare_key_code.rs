@@ -102,7 +102,8 @@ mod tests {
             start.pgx:8 `270` 270 is the key Return of the pendant
               | the key Return
               ? give the number a name: data of its own
-        "#]].assert_eq(&check(
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "if getKey()!=255 or isKeyPressed(282)\nendIf\nswitch get()\n  case 270,13\n  break\nendSwitch",
         ));
@@ -110,6 +111,9 @@ mod tests {
 
     #[test]
     fn names_characters_and_other_numbers() {
-        assert_eq!(check(&RULE, "num nF1\nif getKey()==nF1 or getKey()==-1 or getKey()==65\nendIf\nif nF1==271\nendIf"), "");
+        assert_eq!(
+            check(&RULE, "num nF1\nif getKey()==nF1 or getKey()==-1 or getKey()==65\nendIf\nif nF1==271\nendIf"),
+            ""
+        );
     }
 }

@@ -57,7 +57,10 @@ mod tests {
     use crate::lint::testing::check;
 
     fn program(name: &str) -> String {
-        check(&RULE, &format!("string sA\nprogram p()\nbegin\nend\nprogram start()\nbegin\ntaskCreate {name},10,p()\nend"))
+        check(
+            &RULE,
+            &format!("string sA\nprogram p()\nbegin\nend\nprogram start()\nbegin\ntaskCreate {name},10,p()\nend"),
+        )
     }
 
     #[test]
@@ -69,7 +72,8 @@ mod tests {
             start.pgx:5 `"a"+sA` the name of this task is computed
               | not a plain text
               ? write the name as a text
-        "#]].assert_eq(&(program("sA") + &program("\"a\"+sA")));
+        "#]]
+        .assert_eq(&(program("sA") + &program("\"a\"+sA")));
     }
 
     #[test]

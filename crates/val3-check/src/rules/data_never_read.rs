@@ -1,6 +1,6 @@
 //! V0116: private data that programs write and never read.
 
-use val3_analysis::items::declarations::all_data;
+use val3_analysis::items::declarations::{Declared, all_data};
 
 use crate::diagnostic::Wording;
 use crate::lint::{DataFile, Findings, unused_data};
@@ -42,7 +42,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if !unused_data::is_judged(view) {
         return;
     }
-    for (name, range) in all_data(view.db, data.file) {
+    for Declared { name, range, .. } in all_data(view.db, data.file) {
         let Some(uses) = unused_data::uses(view, &name) else { continue };
         let base = view.items.data.get(&name).and_then(|item| item.base.builtin());
         if uses.written && !uses.may_read() && !base.is_some_and(|base| base.is_linkable()) {
@@ -71,7 +71,8 @@ mod tests {
             main.dtx:5 `trB` programs write `trB`, and none reads it
               | never read
               ? remove it, or read it
-        "#]].assert_eq(&check(&RULE, "num nA\ntrsf trB\nprogram start()\nbegin\n  nA=1\n  trB.x=2\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\ntrsf trB\nprogram start()\nbegin\n  nA=1\n  trB.x=2\nend"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! V0710: global data whose name does not begin as the shop asks.
 
-use val3_analysis::items::declarations::all_data;
+use val3_analysis::items::declarations::{Declared, all_data};
 
 use crate::lint::{DataFile, Findings, naming};
 use crate::rule::rule;
@@ -28,7 +28,7 @@ rule! {
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
     let view = &data.view;
-    for (name, range) in all_data(view.db, data.file) {
+    for Declared { name, range, .. } in all_data(view.db, data.file) {
         let base = view.items.data.get(&name).and_then(|item| item.base.builtin());
         let Some(base) = base.filter(|_| val3_lang::builtins::find(&name).is_none()) else { continue };
         if let Some(prefix) = naming::lacking(view.options, base, "", &name) {
@@ -57,7 +57,8 @@ mod tests {
             main.dtx:6 `tOffset` the name of the data `tOffset` does not begin with `tr`
               | this is a `trsf`
               ? call it `trOffset`
-        "#]].assert_eq(&check(&RULE, "num count\nbool nReady\ntrsf tOffset\njoint j"));
+        "#]]
+        .assert_eq(&check(&RULE, "num count\nbool nReady\ntrsf tOffset\njoint j"));
         assert_eq!(check(&RULE, "num nCount\nbool bReady\ntrsf trOffset\njoint jHome\nnum n2"), "");
     }
 

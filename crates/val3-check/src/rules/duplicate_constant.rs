@@ -102,7 +102,8 @@ mod tests {
               | 2 again
               ? give it a value of its own
               > main.dtx:7 `nState_1` the first one
-        "#]].assert_eq(&group_of(&[1, 2, 3, 2]));
+        "#]]
+        .assert_eq(&group_of(&[1, 2, 3, 2]));
     }
 
     #[test]

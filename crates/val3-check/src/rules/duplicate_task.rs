@@ -149,7 +149,8 @@ mod tests {
               | run-time error 31
               ? give each task a name of its own
               > start.pgx:5 `"a"` the first one
-        "#]].assert_eq(&program("taskCreate \"a\",10,p()\nnA=abs(1)\ntaskCreate \"a\",10,p()"));
+        "#]]
+        .assert_eq(&program("taskCreate \"a\",10,p()\nnA=abs(1)\ntaskCreate \"a\",10,p()"));
     }
 
     #[test]
@@ -158,13 +159,16 @@ mod tests {
             start.pgx:6 `"a"` the second round creates the task `a` while the first one runs
               | run-time error 31
               ? give each task a name of its own
-        "#]].assert_eq(&program("for nA=0 to 2\ntaskCreate \"a\",10,p()\nendFor"));
+        "#]]
+        .assert_eq(&program("for nA=0 to 2\ntaskCreate \"a\",10,p()\nendFor"));
     }
 
     #[test]
     fn the_first_may_have_ended() {
         let between = |line: &str| program(&format!("taskCreate \"a\",10,p()\n{line}\ntaskCreate \"a\",10,p()"));
-        for line in ["taskKill(\"a\")", "delay(1)", "call p()", "wait(taskStatus(\"a\")==-1)", "if nA==0\ndelay(0)\nendIf"] {
+        for line in
+            ["taskKill(\"a\")", "delay(1)", "call p()", "wait(taskStatus(\"a\")==-1)", "if nA==0\ndelay(0)\nendIf"]
+        {
             assert_eq!(between(line), "", "{line}");
         }
         assert_eq!(program("for nA=0 to 2\ntaskCreate \"a\",10,p()\ndelay(1)\nendFor"), "");
@@ -172,7 +176,10 @@ mod tests {
 
     #[test]
     fn other_names() {
-        assert_eq!(program("taskCreate \"a\",10,p()\ntaskCreate \"b\",10,p()\ntaskCreate sA,10,p()\ntaskCreate sA,10,p()"), "");
+        assert_eq!(
+            program("taskCreate \"a\",10,p()\ntaskCreate \"b\",10,p()\ntaskCreate sA,10,p()\ntaskCreate sA,10,p()"),
+            ""
+        );
         assert_eq!(program("for nA=0 to 2\ntaskCreate \"a\"+toString(\"\",nA),10,p()\nendFor"), "");
         assert_eq!(program("if nA==0\ntaskCreate \"a\",10,p()\nelse\ntaskCreate \"a\",20,p()\nendIf"), "");
     }

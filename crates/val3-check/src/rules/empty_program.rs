@@ -48,7 +48,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 fn word(name: &str) -> Wording {
-    Wording::new(format!("the program `{name}` has no line of code"), "does nothing", "write it, or remove it and its calls")
+    Wording::new(
+        format!("the program `{name}` has no line of code"),
+        "does nothing",
+        "write it, or remove it and its calls",
+    )
 }
 
 #[cfg(test)]
@@ -64,7 +68,8 @@ mod tests {
             p.pgx:3 `p` the program `p` has no line of code
               | does nothing
               ? write it, or remove it and its calls
-        "#]].assert_eq(&check(&RULE, "program p()\nbegin\n  // later\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program p()\nbegin\n  // later\nend"));
     }
 
     #[test]

@@ -62,7 +62,8 @@ mod tests {
             start.pgx:6 `"5°"` not every pendant shows the character `°`
               | not ASCII
               ? write it in other letters, or take the text from data
-        "#]].assert_eq(&check(&RULE, "num nA\nput(\"Höhe \"+toString(\"\",nA))\npopUpMsg(\"5°\")"));
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\nput(\"Höhe \"+toString(\"\",nA))\npopUpMsg(\"5°\")"));
     }
 
     #[test]

@@ -1,8 +1,7 @@
 //! V0121: a local variable or parameter that hides global data.
 
 use smol_str::SmolStr;
-use val3_analysis::items::declarations::{self, all_locals, all_params};
-use val3_syntax::TextRange;
+use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
 
 use crate::diagnostic::{Span, Wording};
 use crate::lint::{Findings, Program};
@@ -53,8 +52,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<(SmolStr, TextRange)>) {
-    for (name, range) in names {
+fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
+    for Declared { name, range, .. } in names {
         let Some(item) = program.items.data.get(&name) else { continue };
         let reported = found.report(&RULE, range, word(what, &name));
         if let Some(place) = declarations::data(program.db, item.file, name) {
@@ -89,7 +88,8 @@ mod tests {
               | hides global data
               ? give it another name
               > main.dtx:4 `nA` the global data
-        "#]].assert_eq(&check(&RULE, "num nA\nbool bB\nprogram p(bool bB)\n  string nA\nbegin\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\nbool bB\nprogram p(bool bB)\n  string nA\nbegin\nend"));
     }
 
     #[test]

@@ -1,10 +1,8 @@
 //! V0122: a name that hides a word of the language.
 
-use smol_str::SmolStr;
-use val3_analysis::items::declarations::{all_locals, all_params};
+use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 use val3_lang::keywords::{Reserved, reserved};
 use val3_lang::types::BaseType;
-use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -46,8 +44,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn report(found: &mut Findings, what: &str, names: Vec<(SmolStr, TextRange)>) {
-    for (name, range) in names {
+fn report(found: &mut Findings, what: &str, names: Vec<Declared>) {
+    for Declared { name, range, .. } in names {
         if let Some(meaning) = meaning(&name) {
             found.report(&RULE, range, word(what, &name, meaning));
         }
@@ -91,7 +89,8 @@ mod tests {
             p.pgx:10 `config` the local variable `config` has the name of a type
               | a type
               ? give it another name
-        "#]].assert_eq(&check(&RULE, "program p(num size, bool off)\n  frame world\n  num config\nbegin\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program p(num size, bool off)\n  frame world\n  num config\nbegin\nend"));
     }
 
     #[test]

@@ -40,7 +40,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for call in program.calls() {
         if let Some(lack) = lack(call, version).filter(|_| told.insert(call.instruction)) {
             let manifest = Span { file: program.project.manifest(program.db), range: declared };
-            found.report(&RULE, program.range(call.callee), word(call.instruction, &lack, version)).related_in(manifest, "declared here");
+            found
+                .report(&RULE, program.range(call.callee), word(call.instruction, &lack, version))
+                .related_in(manifest, "declared here");
         }
     }
 }
@@ -97,7 +99,8 @@ mod tests {
               | not in s7.11.3
               ? use what this version has, or declare the version of the controllers that run it
               > main.pjx:3 `s7.11.3` declared here
-        "#]].assert_eq(&export("s7.11.3"));
+        "#]]
+        .assert_eq(&export("s7.11.3"));
     }
 
     #[test]

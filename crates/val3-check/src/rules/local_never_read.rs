@@ -1,6 +1,6 @@
 //! V0120: a local variable that is written and never read.
 
-use val3_analysis::items::declarations::all_locals;
+use val3_analysis::items::declarations::{Declared, all_locals};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program, variable_use};
@@ -39,7 +39,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if used.values().all(|uses| uses.may_read()) {
         return;
     }
-    for (name, range) in all_locals(program.db, program.file) {
+    for Declared { name, range, .. } in all_locals(program.db, program.file) {
         let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
         if is_lost && !variable_use::is_linkable(program, &name) {
             found.report(&RULE, range, word(&name));
@@ -71,7 +71,8 @@ mod tests {
             start.pgx:6 `l_trB` the program writes its local variable `l_trB` and never reads it
               | never read
               ? remove it, or use its value
-        "#]].assert_eq(&check(&RULE, "program start()\n  num l_nA\n  trsf l_trB\nbegin\n  l_nA=1\n  l_trB.x=2\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program start()\n  num l_nA\n  trsf l_trB\nbegin\n  l_nA=1\n  l_trB.x=2\nend"));
     }
 
     #[test]

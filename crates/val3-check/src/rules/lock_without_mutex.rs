@@ -107,14 +107,18 @@ mod tests {
               | not locked
               ? `setMutex(bB)` waits for it and sets it within one line
               > p.pgx:10 `bB!=false` it is tested here
-        "#]].assert_eq(&tasks(
+        "#]]
+        .assert_eq(&tasks(
             "wait(bA==false and bB)\nbA=true\nif !bA\nbA=true\nendIf\nwhile bB!=false\ndelay(0)\nendWhile\nbB=true",
         ));
     }
 
     #[test]
     fn another_test_or_another_flag() {
-        assert_eq!(tasks("wait(bA==true)\nbA=true\nwait(bA==false)\nbB=true\nwait(!bA)\nbA=false\nif bA\nbA=true\nendIf"), "");
+        assert_eq!(
+            tasks("wait(bA==true)\nbA=true\nwait(bA==false)\nbB=true\nwait(!bA)\nbA=false\nif bA\nbA=true\nendIf"),
+            ""
+        );
         assert_eq!(tasks("wait(bA==false)\ncls()\nbA=true"), "");
         assert_eq!(tasks("setMutex(bA)\nbA=false"), "");
     }

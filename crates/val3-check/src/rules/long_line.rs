@@ -65,7 +65,8 @@ mod tests {
             start.pgx:7 `putln("äöü")` this line has 12 characters, more than 11
               | too long
               ? divide it
-        "#]].assert_eq(&check_with(&RULE, &options, "putln(\"123\")\nputln(\"12\")\nputln(\"äöü\")"));
+        "#]]
+        .assert_eq(&check_with(&RULE, &options, "putln(\"123\")\nputln(\"12\")\nputln(\"äöü\")"));
         let options = Options { line_length: 12, ..Options::default() };
         assert_eq!(check_with(&RULE, &options, "putln(\"123\")\nputln(\"äöü\")"), "");
     }

@@ -1,6 +1,6 @@
 //! V0124: a parameter by value that is written and never read.
 
-use val3_analysis::items::declarations::all_params;
+use val3_analysis::items::declarations::{Declared, all_params};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program, variable_use};
@@ -45,7 +45,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
     let used = variable_use::of_params(program);
     let by_value = |name: &str| program.header.params.iter().any(|param| param.name == name && !param.by_reference);
-    for (name, range) in all_params(program.db, program.file) {
+    for Declared { name, range, .. } in all_params(program.db, program.file) {
         let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
         if is_lost && by_value(&name) && !variable_use::is_linkable(program, &name) {
             found.report(&RULE, range, word(&name));
@@ -77,7 +77,8 @@ mod tests {
             p.pgx:6 `x_trB` the value that the program writes to `x_trB` never reaches the caller
               | taken by value
               ? take the parameter by reference
-        "#]].assert_eq(&check(&RULE, "program p(num x_nA, trsf x_trB)\nbegin\n  x_nA=1\n  x_trB.x=1\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program p(num x_nA, trsf x_trB)\nbegin\n  x_nA=1\n  x_trB.x=1\nend"));
     }
 
     #[test]

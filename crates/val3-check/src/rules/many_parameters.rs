@@ -64,7 +64,8 @@ mod tests {
             p.pgx:3 `p` the program `p` has 2 parameters, more than 1
               | too many parameters
               ? put what belongs together into a user type
-        "#]].assert_eq(&check_with(&RULE, &options, "program p(num x_nA, num x_nB)\nbegin\nend"));
+        "#]]
+        .assert_eq(&check_with(&RULE, &options, "program p(num x_nA, num x_nB)\nbegin\nend"));
         assert_eq!(check_with(&RULE, &options, "program p(num x_nA)\nbegin\nend"), "");
     }
 }

@@ -67,7 +67,8 @@ mod tests {
             p.pgx:3 `p` the program `p` does not begin with a comment
               | not described
               ? say before the first line what it does
-        "#]].assert_eq(&check(&RULE, "program p()\nbegin\n  // ------\n  cls()\n  // why\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program p()\nbegin\n  // ------\n  cls()\n  // why\nend"));
     }
 
     #[test]

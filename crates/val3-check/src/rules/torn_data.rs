@@ -89,10 +89,12 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// Data of which the program writes several fields, with the place of the second such line.
 fn parts(program: &Program<'_>) -> Vec<(SmolStr, TextRange)> {
-    let in_parts = summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
+    let in_parts =
+        summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
     let mut found: Vec<(SmolStr, TextRange)> = in_parts
         .filter_map(|(name, _)| {
-            let is_part = |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
+            let is_part =
+                |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
             let second = program.accesses().iter().filter(is_part).nth(1)?;
             Some((name.clone(), program.range(second.id)))
         })
@@ -129,7 +131,8 @@ mod tests {
             p.pgx:6 `trA.y` a task that runs `q` may read `trA` when only some of its fields are new
               | another line, another turn
               ? assign the whole value on one line, or take a flag with `setMutex` on both sides
-        "#]].assert_eq(&tasks("trA.x=1\ntrA.y=2\ntrA.z=3", "trB=trA"));
+        "#]]
+        .assert_eq(&tasks("trA.x=1\ntrA.y=2\ntrA.z=3", "trB=trA"));
     }
 
     #[test]

@@ -72,7 +72,8 @@ mod tests {
         expect![[r#"
             start.pgx:6 `todo` `TODO`: something is still to be done here
               | still to be done
-        "#]].assert_eq(&check(&RULE, "// first\n//!todo: speed, FIXME\ncls()"));
+        "#]]
+        .assert_eq(&check(&RULE, "// first\n//!todo: speed, FIXME\ncls()"));
     }
 
     #[test]

@@ -109,7 +109,8 @@ mod tests {
             start.pgx:5 `"robot"` the application creates no task called `robot`
               | no such task
               ? the application creates no task at all
-        "#]].assert_eq(&program("taskKill(\"robot\")"));
+        "#]]
+        .assert_eq(&program("taskKill(\"robot\")"));
     }
 
     #[test]

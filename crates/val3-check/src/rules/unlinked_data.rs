@@ -65,9 +65,16 @@ mod tests {
     use crate::lint::testing::check;
 
     fn data(ty: &str, values: &str) -> String {
-        let project = "<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Database><Data file=\"a.dtx\"/></Database></Project>";
-        let value = format!("<Data name=\"xA\" access=\"public\" xsi:type=\"array\" type=\"{ty}\" size=\"2\">{values}</Data>");
-        check(&RULE, &format!("=== a/a.pjx\n{project}\n=== a/a.dtx\n<Database xmlns:xsi=\"y\"><Datas>\n{value}\n</Datas></Database>"))
+        let project =
+            "<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Database><Data file=\"a.dtx\"/></Database></Project>";
+        let value =
+            format!("<Data name=\"xA\" access=\"public\" xsi:type=\"array\" type=\"{ty}\" size=\"2\">{values}</Data>");
+        check(
+            &RULE,
+            &format!(
+                "=== a/a.pjx\n{project}\n=== a/a.dtx\n<Database xmlns:xsi=\"y\"><Datas>\n{value}\n</Datas></Database>"
+            ),
+        )
     }
 
     #[test]
@@ -77,7 +84,8 @@ mod tests {
             a.dtx:2 `xA` `xA[1]` hangs on no frame or tool
               | no father
               ? give its value a `fatherId`, such as `world[0]` or `flange[0]`
-        "#]].assert_eq(&data("pointRx", values));
+        "#]]
+        .assert_eq(&data("pointRx", values));
         assert!(!data("tool", "<Value key=\"0\" x=\"1\"/>").is_empty());
         assert!(!data("frame", "").is_empty());
     }

@@ -117,10 +117,15 @@ mod tests {
     use crate::lint::testing::check;
 
     fn project(programs: &str, files: &[&str]) -> String {
-        let parts = ["<Project xmlns=\"x\"><Parameters version=\"s8.20\"/>", programs, "<Database><Data file=\"a.dtx\"/></Database></Project>"];
+        let parts = [
+            "<Project xmlns=\"x\"><Parameters version=\"s8.20\"/>",
+            programs,
+            "<Database><Data file=\"a.dtx\"/></Database></Project>",
+        ];
         let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
         let files: String = files.iter().map(|name| format!("=== a/{name}\n{program}\n")).collect();
-        let listing = format!("=== a/a.pjx\n{}\n=== a/a.dtx\n<Database xmlns=\"y\"><Datas/></Database>\n{files}", parts.concat());
+        let listing =
+            format!("=== a/a.pjx\n{}\n=== a/a.dtx\n<Database xmlns=\"y\"><Datas/></Database>\n{files}", parts.concat());
         check(&RULE, &listing)
     }
 
@@ -136,7 +141,8 @@ mod tests {
               | not in this list
               ? add it to the project, or move it out of the folder
               ! list `b.dtx` (unsafe)
-        "#]].assert_eq(&project(listed, &["p.pgx", "q.PGX", "b.dtx"]));
+        "#]]
+        .assert_eq(&project(listed, &["p.pgx", "q.PGX", "b.dtx"]));
     }
 
     #[test]

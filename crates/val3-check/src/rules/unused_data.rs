@@ -1,7 +1,7 @@
 //! V0113: private data that no program uses.
 
 use val3_analysis::application::is_library_item;
-use val3_analysis::items::declarations::all_data;
+use val3_analysis::items::declarations::{Declared, all_data};
 
 use crate::diagnostic::Wording;
 use crate::lint::{DataFile, Findings, removal, unused_data};
@@ -44,12 +44,15 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if !unused_data::is_judged(&data.view) {
         return;
     }
-    for (name, range) in all_data(data.view.db, data.file) {
+    for Declared { name, range, element } in all_data(data.view.db, data.file) {
         if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
             && !is_library_item(data.view.db, &name)
         {
-            found.report(&RULE, range, word(&name))
-                .fix_by(format!("remove `{name}`"), false, removal::of_declaration(data.view.db, data.file, range));
+            found.report(&RULE, range, word(&name)).fix_by(
+                format!("remove `{name}`"),
+                false,
+                Some(removal::of_element(data.file.text(data.view.db), element)),
+            );
         }
     }
 }
@@ -72,7 +75,8 @@ mod tests {
               | never used
               ? remove it, or make it public if others need it
               ! remove `nA` (unsafe)
-        "#]].assert_eq(&check(&RULE, "num nA\npublic num nB\nprogram start()\nbegin\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\npublic num nB\nprogram start()\nbegin\nend"));
     }
 
     #[test]
@@ -87,7 +91,10 @@ mod tests {
         let text = |argument: &str| {
             check(&RULE, &format!("num nA\nnum nB1\nnum nX\nprogram start()\nbegin\n  getData({argument},nX)\nend"))
         };
-        assert_eq!(text("\"nA[\"+toString(\"\",nX)+\"]\"").lines().next(), Some("main.dtx:5 `nB1` no program uses `nB1`"));
+        assert_eq!(
+            text("\"nA[\"+toString(\"\",nX)+\"]\"").lines().next(),
+            Some("main.dtx:5 `nB1` no program uses `nB1`")
+        );
         assert!(!text("\"nB\"+toString(\"\",nX)").contains("nB1"));
         assert_eq!(text("toString(\"\",nX)"), "");
     }

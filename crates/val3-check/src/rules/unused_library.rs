@@ -43,8 +43,11 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
             || view.application.is_named_in_text(name)
             || fathers(view.db, view.project).contains(name);
         if let Some(place) = declarations::library(view.db, view.project, name.clone()).filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(name))
-                .fix_by(format!("remove `{name}`"), false, removal::of_declaration(view.db, place.file, place.range));
+            found.report(&RULE, place.range, word(name)).fix_by(
+                format!("remove `{name}`"),
+                false,
+                removal::of_entry(view.db, place.file, place.range),
+            );
         }
     }
 }
@@ -61,7 +64,12 @@ mod tests {
     use crate::lint::testing::check;
 
     fn library(code: &str) -> String {
-        check(&RULE, &format!("library part \"Disk://part/part.pjx\"\nnum nA\nprogram start()\nbegin\n  {code}\nend\n--- part\npublic num nW\n"))
+        check(
+            &RULE,
+            &format!(
+                "library part \"Disk://part/part.pjx\"\nnum nA\nprogram start()\nbegin\n  {code}\nend\n--- part\npublic num nW\n"
+            ),
+        )
     }
 
     #[test]
@@ -71,7 +79,8 @@ mod tests {
               | never used
               ? remove the entry
               ! remove `part` (unsafe)
-        "#]].assert_eq(&library("cls()"));
+        "#]]
+        .assert_eq(&library("cls()"));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! V0115: a local variable that its program does not use.
 
-use val3_analysis::items::declarations::all_locals;
+use val3_analysis::items::declarations::{Declared, all_locals};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program, removal, variable_use};
@@ -39,10 +39,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if program.header.locals.iter().all(|local| used.contains_key(&local.name)) {
         return;
     }
-    for (name, range) in all_locals(program.db, program.file) {
+    for Declared { name, range, element } in all_locals(program.db, program.file) {
         if !used.contains_key(&name) {
-            found.report(&RULE, range, word(&name))
-                .fix_by(format!("remove `{name}`"), true, removal::of_declaration(program.db, program.file, range));
+            found.report(&RULE, range, word(&name)).fix_by(
+                format!("remove `{name}`"),
+                true,
+                Some(removal::of_element(program.file.text(program.db), element)),
+            );
         }
     }
 }
@@ -65,7 +68,8 @@ mod tests {
               | never used
               ? remove it
               ! remove `l_pB`
-        "#]].assert_eq(&check(&RULE, "program start()\n  num l_nA\n  point l_pB\nbegin\n  l_nA=1\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program start()\n  num l_nA\n  point l_pB\nbegin\n  l_nA=1\nend"));
     }
 
     #[test]

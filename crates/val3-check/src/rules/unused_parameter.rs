@@ -1,6 +1,6 @@
 //! V0114: a parameter that its program does not use.
 
-use val3_analysis::items::declarations::all_params;
+use val3_analysis::items::declarations::{Declared, all_params};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program, variable_use};
@@ -42,7 +42,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         return;
     }
     let used = variable_use::of_params(program);
-    for (name, range) in all_params(program.db, program.file) {
+    for Declared { name, range, .. } in all_params(program.db, program.file) {
         if !used.contains_key(&name) {
             found.report(&RULE, range, word(program.name(), &name));
         }
@@ -50,7 +50,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 fn word(program: &str, name: &str) -> Wording {
-    Wording::new(format!("`{program}` does not use its parameter `{name}`"), "never used", "use it, or remove it here and at each call")
+    Wording::new(
+        format!("`{program}` does not use its parameter `{name}`"),
+        "never used",
+        "use it, or remove it here and at each call",
+    )
 }
 
 #[cfg(test)]
@@ -66,7 +70,8 @@ mod tests {
             p.pgx:5 `x_nA` `p` does not use its parameter `x_nA`
               | never used
               ? use it, or remove it here and at each call
-        "#]].assert_eq(&check(&RULE, "call p(1,2)\nprogram p(num x_nA, num x_nB)\nbegin\n  ?x_nB\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "call p(1,2)\nprogram p(num x_nA, num x_nB)\nbegin\n  ?x_nB\nend"));
     }
 
     #[test]

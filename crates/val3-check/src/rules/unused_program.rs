@@ -91,7 +91,8 @@ mod tests {
             p.pgx:3 `p` nothing calls the program `p`
               | never called
               ? call it, remove it, or make it public if others call it
-        "#]].assert_eq(&check(&RULE, ALONE));
+        "#]]
+        .assert_eq(&check(&RULE, ALONE));
     }
 
     #[test]

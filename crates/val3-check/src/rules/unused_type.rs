@@ -46,8 +46,11 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         let is_used = named.contains(&entry.name) || is_used_by_library(view, &entry.name);
         let place = declarations::user_type(view.db, view.project, entry.name.clone());
         if let Some(place) = place.filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(&entry.name))
-                .fix_by(format!("remove `{}`", entry.name), false, removal::of_declaration(view.db, place.file, place.range));
+            found.report(&RULE, place.range, word(&entry.name)).fix_by(
+                format!("remove `{}`", entry.name),
+                false,
+                removal::of_entry(view.db, place.file, place.range),
+            );
         }
     }
 }
@@ -90,7 +93,8 @@ mod tests {
               | never used
               ? remove the entry
               ! remove `Slot` (unsafe)
-        "#]].assert_eq(&check(&RULE, &format!("type Slot \"Disk://Slot/Slot.pjx\"\ncls()\n{TYPE}")));
+        "#]]
+        .assert_eq(&check(&RULE, &format!("type Slot \"Disk://Slot/Slot.pjx\"\ncls()\n{TYPE}")));
     }
 
     #[test]
@@ -99,7 +103,8 @@ mod tests {
         assert_eq!(check(&RULE, &format!("{head}private Slot slA\n{TYPE}")), "");
         assert_eq!(check(&RULE, &format!("{head}program p(Slot x_slA)\nbegin\nend\n{TYPE}")), "");
         assert_eq!(check(&RULE, &format!("{head}program p()\n  Slot l_slA\nbegin\nend\n{TYPE}")), "");
-        let library = "library part \"Disk://part/part.pjx\"\n--- part\ntype Slot \"Disk://Slot/Slot.pjx\"\npublic Slot slA\n";
+        let library =
+            "library part \"Disk://part/part.pjx\"\n--- part\ntype Slot \"Disk://Slot/Slot.pjx\"\npublic Slot slA\n";
         assert_eq!(check(&RULE, &format!("{head}{library}{TYPE}")), "");
     }
 }

@@ -1,7 +1,7 @@
 //! V0711: a local variable or parameter whose name does not begin as the shop asks.
 
 use smol_str::SmolStr;
-use val3_analysis::items::declarations::{all_locals, all_params};
+use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 use val3_analysis::items::project::resolve_type;
 use val3_analysis::ty::Base;
 use val3_lang::types::BaseType;
@@ -42,13 +42,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let header = program.header;
     let base = |ty: &SmolStr| resolve_type(&program.items.types, ty).and_then(Base::builtin);
     let locals: Vec<_> = header.locals.iter().map(|local| base(&local.type_name)).collect();
-    for ((name, range), base) in all_locals(program.db, program.file).into_iter().zip(locals) {
+    for (Declared { name, range, .. }, base) in all_locals(program.db, program.file).into_iter().zip(locals) {
         if let Some((base, prefix)) = lacking(program, base, &options.local_prefix, &name) {
             found.report(&RULE, range, naming::word(options, base, &name, &prefix, "local variable"));
         }
     }
     let params: Vec<_> = header.params.iter().map(|param| base(&param.type_name)).collect();
-    for ((name, range), base) in all_params(program.db, program.file).into_iter().zip(params) {
+    for (Declared { name, range, .. }, base) in all_params(program.db, program.file).into_iter().zip(params) {
         if let Some((base, prefix)) = lacking(program, base, &options.parameter_prefix, &name) {
             found.report(&RULE, range, naming::word(options, base, &name, &prefix, "parameter"));
         }
@@ -87,7 +87,8 @@ mod tests {
             p.pgx:9 `sA` the name of the local variable `sA` does not begin with `l_s`
               | this is a `string`
               ? call it `l_sA`
-        "#]].assert_eq(&check(&RULE, "program p(num nA, bool x_A)\n  string sA\nbegin\nend"));
+        "#]]
+        .assert_eq(&check(&RULE, "program p(num nA, bool x_A)\n  string sA\nbegin\nend"));
     }
 
     #[test]

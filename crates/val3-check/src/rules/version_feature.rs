@@ -78,7 +78,8 @@ mod tests {
             main.pjx:3 `s6.8` the project declares s6.8, and its files have the form of s7
               | older than the form of the files
               ? declare the version of the controllers that run it
-        "#]].assert_eq(&check(&RULE, "version s6.8\ncls()"));
+        "#]]
+        .assert_eq(&check(&RULE, "version s6.8\ncls()"));
         assert_eq!(check(&RULE, "version s7.0\ncls()"), "");
     }
 
@@ -95,7 +96,8 @@ mod tests {
               | in a sub-folder
               ? put the program beside the project file
               > a.pjx:2 `s8.13` declared here
-        "#]].assert_eq(&project("s8.13", "comm/p.pgx"));
+        "#]]
+        .assert_eq(&project("s8.13", "comm/p.pgx"));
         assert_eq!(project("s8.20.2", "comm/p.pgx"), "");
         assert_eq!(project("s8.13", "p.pgx"), "");
     }
