@@ -18,7 +18,7 @@ pub struct Options {
     pub local_prefix: String,
     /// V0711: what stands before that in the name of a parameter.
     pub parameter_prefix: String,
-    /// V0714: words in comments that mark unfinished work.
+    /// V0714: words in comments that mark unfinished work, in any letter case.
     pub marks: Vec<String>,
     /// V0716: the most characters in a line of code.
     pub line_length: usize,
@@ -51,7 +51,7 @@ impl Default for Options {
             prefixes: prefixes.map(|(ty, prefix)| (ty.to_owned(), prefix.to_owned())).to_vec(),
             local_prefix: "l_".to_owned(),
             parameter_prefix: "x_".to_owned(),
-            marks: ["TODO", "FIXME", "XXX", "HACK"].map(str::to_owned).to_vec(),
+            marks: ["todo", "fixme", "xxx", "hack"].map(str::to_owned).to_vec(),
             line_length: 259,
             parameters: 10,
         }

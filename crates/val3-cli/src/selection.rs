@@ -68,34 +68,34 @@ fn unknown(rules: &[&'static Rule], entry: &str, option: &str) -> UserError {
 
 #[cfg(test)]
 mod tests {
-    use val3_check::rule::Severity;
+    use val3_check::rules::find;
 
     use super::*;
 
-    const RULES: [&Rule; 3] =
-        [&rule("V0101", "unknown-name"), &rule("V0203", "argument-type"), &rule("V0204", "argument-count")];
-
-    const fn rule(code: &'static str, name: &'static str) -> Rule {
-        Rule { code, name, severity: Severity::Error, page: "" }
+    /// Three rules that are on, and one that is off by default.
+    fn some_rules() -> Vec<&'static Rule> {
+        ["V0101", "V0203", "V0204", "V0710"].iter().filter_map(|code| find(code)).collect()
     }
 
     fn selected(select: &[&str], ignore: &[&str]) -> Result<Vec<&'static str>, UserError> {
         let owned = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
-        let selection = Selection::new(&RULES, &owned(select), &owned(ignore))?;
-        let rules = RULES.iter().filter(|rule| selection.contains(rule));
+        let rules = some_rules();
+        let selection = Selection::new(&rules, &owned(select), &owned(ignore))?;
+        let rules = rules.iter().filter(|rule| selection.contains(rule));
         Ok(rules.map(|rule| rule.code).collect())
     }
 
     #[test]
-    fn without_words_everything_is_selected() {
+    fn without_words_everything_is_selected_that_is_not_off() {
         assert_eq!(selected(&[], &[]).unwrap(), ["V0101", "V0203", "V0204"]);
+        assert_eq!(selected(&["V0710"], &[]).unwrap(), ["V0710"]);
     }
 
     #[test]
     fn codes_beginnings_and_names() {
         assert_eq!(selected(&["V02"], &[]).unwrap(), ["V0203", "V0204"]);
         assert_eq!(selected(&["v0101", " Argument-Count"], &[]).unwrap(), ["V0101", "V0204"]);
-        assert_eq!(selected(&["V"], &["V0203"]).unwrap(), ["V0101", "V0204"]);
+        assert_eq!(selected(&["V0"], &["V0203"]).unwrap(), ["V0101", "V0204", "V0710"]);
     }
 
     #[test]

@@ -8,7 +8,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A comment holds a word such as `TODO` or `FIXME`.
+    /// A comment holds a word such as `todo` or `fixme`.
     ///
     /// ## Why
     /// What was to be done later should not be forgotten when the cell is handed over. The option `marks` lists the
@@ -17,7 +17,7 @@ rule! {
     ///
     /// ## Bad
     /// ```val3
-    /// // TODO: check the pressure
+    /// // todo: check the pressure
     /// putln("ready")
     /// ```
     ///
@@ -35,7 +35,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let marks = program.options.marks.iter().filter_map(|mark| Some((find_word(text, mark)?, mark)));
         if let Some((at, mark)) = marks.min_by_key(|(at, _)| *at) {
             let start = comment.start() + TextSize::new(u32::try_from(at).unwrap_or(0));
-            found.report(&RULE, TextRange::at(start, TextSize::of(mark.as_str())), word(mark));
+            let range = TextRange::at(start, TextSize::of(mark.as_str()));
+            found.report(&RULE, range, word(program.slice(range)));
         }
     }
 }
@@ -70,14 +71,14 @@ mod tests {
     #[test]
     fn words_of_their_own() {
         expect![[r#"
-            start.pgx:6 `todo` `TODO`: something is still to be done here
+            start.pgx:6 `Todo` `Todo`: something is still to be done here
               | still to be done
         "#]]
-        .assert_eq(&check(&RULE, "// first\n//!todo: speed, FIXME\ncls()"));
+        .assert_eq(&check(&RULE, "// first\n//!Todo: speed, fixme\ncls()"));
     }
 
     #[test]
     fn parts_of_words_and_texts() {
-        assert_eq!(check(&RULE, "// todos, nTODO\nputln(\"TODO\")"), "");
+        assert_eq!(check(&RULE, "// todos, nTodo\nputln(\"todo\")"), "");
     }
 }
