@@ -2,6 +2,7 @@
 
 use val3_analysis::body::Expr;
 use val3_lang::instruction::Family;
+use val3_syntax::TextRange;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -27,13 +28,13 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for call in program.calls().filter(|call| call.instruction.family == Family::Screen) {
-        let place = program.range(call.id);
-        for (_, expr, range) in program.body.exprs().filter(|(_, _, range)| place.contains_range(*range)) {
-            let Expr::String(text) = expr else { continue };
-            if let Some(foreign) = text.chars().find(|c| !c.is_ascii()) {
-                found.report(&RULE, range, word(foreign));
-            }
+    let shown = program.calls().filter(|call| call.instruction.family == Family::Screen);
+    let shown: Vec<TextRange> = shown.map(|call| program.range(call.id)).collect();
+    for (_, expr, range) in program.body.exprs() {
+        let Expr::String(text) = expr else { continue };
+        let foreign = text.chars().find(|c| !c.is_ascii());
+        if let Some(foreign) = foreign.filter(|_| shown.iter().any(|call| call.contains_range(range))) {
+            found.report(&RULE, range, word(foreign));
         }
     }
 }

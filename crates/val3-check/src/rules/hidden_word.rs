@@ -2,7 +2,6 @@
 
 use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 use val3_lang::keywords::{Reserved, reserved};
-use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -52,11 +51,11 @@ fn report(found: &mut Findings, what: &str, names: Vec<Declared>) {
     }
 }
 
-/// What the word means in VAL 3. Keywords are an error of their own, and so is a name that some file calls a type.
+/// What the word means in VAL 3. Keywords are an error of their own.
 fn meaning(name: &str) -> Option<&'static str> {
     match reserved(name)? {
         Reserved::Keyword => None,
-        Reserved::Type => BaseType::from_name(name).map(|_| "a type"),
+        Reserved::Type => Some("a type"),
         Reserved::Builtin => Some("data of VAL 3 itself"),
         Reserved::Enumerator => Some("a value of VAL 3 itself"),
         Reserved::Instruction => Some("an instruction"),
