@@ -1,8 +1,8 @@
 //! Every VAL 3 example of the pages is run through the check.
 
-use val3_check::rule::Rule;
 use val3_check::rules;
-use val3_check::testing::{CheckedFinding, check_files_for};
+use val3_check::settings::Selection;
+use val3_check::testing::{CheckedFinding, check_selected};
 use val3_lang::{instructions, page, statements};
 use val3_test::{Fixture, ROOT};
 
@@ -10,14 +10,13 @@ use val3_test::{Fixture, ROOT};
 const OF_WHOLE_PROJECTS: [&str; 10] =
     ["V0113", "V0114", "V0115", "V0116", "V0117", "V0118", "V0119", "V0120", "V0341", "V0533"];
 
-/// The findings in an example of the page of `rule`, or of another page.
-fn check(listing: &str, rule: Option<&'static Rule>) -> Vec<CheckedFinding> {
+/// The findings in a listing; those of `asked` also where they are off until asked for, or need a whole project.
+fn check_for(asked: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {
+    let selection = Selection { named: asked.into_iter().collect(), ..Selection::default() };
     let fixture = Fixture::parse(listing);
     let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
-    let mut found = check_files_for(&files.collect::<Vec<_>>(), rule.as_slice());
-    found.retain(|finding| {
-        rule.is_some_and(|rule| rule.code == finding.code) || !OF_WHOLE_PROJECTS.contains(&finding.code)
-    });
+    let mut found = check_selected(&files.collect::<Vec<_>>(), &selection);
+    found.retain(|finding| asked == Some(finding.code) || !OF_WHOLE_PROJECTS.contains(&finding.code));
     found
 }
 
@@ -33,9 +32,9 @@ fn listings_below(page: &str, heading: &str) -> Vec<String> {
 #[test]
 fn the_bad_example_of_a_rule_shows_its_finding_alone() {
     let mut faults = Vec::new();
-    for &rule in rules::all() {
+    for rule in rules::all() {
         for listing in listings_below(rule.page, "## Bad") {
-            let found = check(&listing, Some(rule));
+            let found = check_for(Some(rule.code), &listing);
             if found.len() != 1 || found.iter().any(|finding| finding.code != rule.code) {
                 faults.push(format!("{} {}: {found:#?}\n{listing}", rule.code, rule.name));
             }
@@ -47,9 +46,9 @@ fn the_bad_example_of_a_rule_shows_its_finding_alone() {
 #[test]
 fn the_good_example_of_a_rule_is_clean() {
     let mut faults = Vec::new();
-    for &rule in rules::all() {
+    for rule in rules::all() {
         for listing in listings_below(rule.page, "## Good") {
-            let found = check(&listing, Some(rule));
+            let found = check_for(Some(rule.code), &listing);
             if !found.is_empty() {
                 faults.push(format!("{} {}: {found:#?}\n{listing}", rule.code, rule.name));
             }
@@ -77,7 +76,8 @@ fn the_examples_of_instructions_and_statements_are_clean() {
     for (name, text) in instructions.chain(statements) {
         for example in page::examples(text) {
             // The table of an add-on is not part of its page.
-            let found: Vec<_> = check(&example, None).into_iter().filter(|finding| finding.code != "V0104").collect();
+            let found: Vec<_> =
+                check_for(None, &example).into_iter().filter(|finding| finding.code != "V0104").collect();
             if !found.is_empty() {
                 faults.push(format!("{name}: {found:#?}\n{example}"));
             }

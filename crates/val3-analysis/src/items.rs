@@ -11,6 +11,7 @@ pub mod layout;
 pub mod manifest;
 pub mod program;
 pub mod project;
+pub mod suppressions;
 
 use val3_syntax::Parse;
 

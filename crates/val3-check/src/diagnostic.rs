@@ -51,7 +51,7 @@ pub struct Edit {
 }
 
 /// A range of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Span {
     /// The file.
     pub file: File,

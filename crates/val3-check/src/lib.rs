@@ -1,5 +1,6 @@
 //! Diagnostics: the rules with their pages, and the check that applies them.
 
+pub mod baseline;
 mod built_in;
 mod check;
 mod conversion;
@@ -8,16 +9,17 @@ mod echoes;
 mod english;
 mod keywords;
 mod lint;
-mod options;
 mod phrase;
 mod related;
 pub mod rule;
 pub mod rules;
+pub mod settings;
 mod statistics;
+pub mod suppression;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;
+pub mod topics;
 
-pub use check::{Unit, check_unit, check_unit_with, finish, units};
-pub use options::{Asked, Options};
+pub use check::{Checked, Unit, check_unit, finish, units};
 pub use statistics::{Statistics, statistics};

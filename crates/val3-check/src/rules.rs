@@ -139,6 +139,8 @@ rules! {
     implementation_different,
     // Style
     keyword_spelling,
+    unused_suppression,
+    unknown_suppression,
     data_prefix,
     variable_prefix,
     unlinked_data,

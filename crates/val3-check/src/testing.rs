@@ -4,8 +4,9 @@ use camino::Utf8PathBuf;
 use val3_analysis::load::load;
 use val3_analysis::system::Memory;
 
-use crate::rule::{Rule, Severity};
-use crate::{Asked, check_unit_with, finish, units};
+use crate::rule::Severity;
+use crate::settings::{Selection, WorkspaceSettings};
+use crate::{check_unit, finish, units};
 
 /// One finding with its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,21 +28,23 @@ pub struct CheckedFinding {
 /// # Panics
 /// If there is no project among the files.
 pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
-    check_files_for(files, &[])
+    check_selected(files, &Selection::default())
 }
 
-/// As [`check_files`], with rules that are off by default.
+/// As [`check_files`], with what a command line says about findings.
 ///
 /// # Panics
-/// If there is no project among the files.
-pub fn check_files_for(files: &[(String, Vec<u8>)], rules: &[&'static Rule]) -> Vec<CheckedFinding> {
-    let asked = Asked { rules, ..Asked::default() };
+/// As [`check_files`].
+pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec<CheckedFinding> {
     let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
     let system = Memory::new(files.iter().map(rooted));
     let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
     let db = &workspace.db;
     let units = units(db, &workspace.projects);
-    let found = finish(units.into_iter().flat_map(|unit| check_unit_with(db, unit, asked)).collect());
+    let settings =
+        WorkspaceSettings::new(db, &workspace.projects, selection).unwrap_or_else(|errors| panic!("{errors:?}"));
+    let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
+    let found = finish(db, &units, &settings, checked).findings;
     let mut findings: Vec<CheckedFinding> = found
         .iter()
         .map(|diagnostic| {

@@ -4,17 +4,31 @@ use std::process::ExitCode;
 
 use crate::args::{CheckArgs, Color};
 use crate::engine;
+use crate::explain_config;
 use crate::format;
+use crate::opening::{Request, open};
 use crate::output::{to_file, to_stderr, to_stdout};
 use crate::report::Report;
-use crate::selection::Selection;
+use crate::selection;
 use crate::summary;
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// Runs the command; the exit code says whether findings reach the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
-    let selection = Selection::new(val3_check::rules::all(), &args.select, &args.ignore)?;
-    let report = engine::check(&args.paths, &selection, args.jobs)?;
+    let selection = selection::read(&args.select, &args.ignore)?;
+    let request = Request {
+        asked: args.paths.clone(),
+        selection,
+        baseline: args.baseline.clone(),
+        mode: args.baseline_mode(),
+        jobs: args.jobs,
+    };
+    if args.explain_config {
+        let opened = open(&request)?;
+        to_stdout(color, |mut out| explain_config::write(&opened, &request, &mut out))?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let report = engine::check(&request)?;
     write_files(args, &report)?;
     write_findings(args, color, &report)?;
     Ok(exit_code(args, &report))

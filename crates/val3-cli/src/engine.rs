@@ -3,55 +3,51 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
+use rayon::ThreadPool;
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
 use rustc_hash::FxHashMap;
 use salsa::Database as _;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items;
-use val3_analysis::load::{self, Workspace};
+use val3_analysis::load::Workspace;
 use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
-use val3_check::{Asked, Unit, check_unit_with, finish};
+use val3_check::settings::WorkspaceSettings;
+use val3_check::{Checked, Unit, check_unit, finish};
 use val3_syntax::encoding::Encoding;
 use val3_syntax::view::View;
 
+use crate::baseline::KnownFindings;
 use crate::code_lines::CodeLines;
-use crate::parallel_disk::ParallelDisk;
+use crate::opening::{Opened, Request, open};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
-use crate::selection::Selection;
 use crate::user_error::UserError;
-
-/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
-const STACK_SIZE: usize = 16 << 20;
 
 /// Pieces of work between which trees that are no longer needed are dropped.
 const BATCH: usize = 2048;
 
-/// Checks everything that `asked` leads to, on `jobs` threads.
-pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
+/// Checks everything that is asked for.
+pub(crate) fn check(request: &Request) -> Result<Report, UserError> {
     let started = Instant::now();
-    let threads = threads(jobs)?;
-    let current = current_folder()?;
-    let paths = Paths::new(&folders(asked), &current);
-    // Only an absolute path shows the `usrapp` above the current folder.
-    let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-    let mut workspace =
-        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
-    let diagnostics = diagnostics(&mut workspace, selection, &threads);
+    let Opened { threads, current, paths, mut workspace, settings } = open(request)?;
+    let units = val3_check::units(&workspace.db, &workspace.projects);
+    let mut checked = check_units(&mut workspace, &units, &settings, &threads);
+    let named = request.baseline.as_ref().map(|path| current.join(path));
+    let known = KnownFindings { workspace: &workspace, units: &units, selection: &request.selection, paths: &paths };
+    let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
     let mut translator = Translator::new(&workspace.db, paths);
-    let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    let report = Report::new(statistics(&workspace, &threads, started), findings, unreadable);
+    let findings = checked.findings.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+    let report = Report {
+        silenced: checked.silenced,
+        baseline,
+        ..Report::new(statistics(&workspace, &threads, started), findings, unreadable)
+    };
     // The process is about to end: taking the database apart piece by piece would only cost time.
     std::mem::forget(workspace);
     Ok(report)
-}
-
-fn refused(error: &load::LoadError, paths: &Paths) -> UserError {
-    UserError::new(format!("`{}`: {}", paths.shown(&error.path), error.reason))
 }
 
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
@@ -60,26 +56,28 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
 }
 
 /// The findings in the order of the files, however many threads there are.
-fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
-    let units = val3_check::units(&workspace.db, &workspace.projects);
+fn check_units(
+    workspace: &mut Workspace,
+    units: &[Unit],
+    settings: &WorkspaceSettings,
+    threads: &ThreadPool,
+) -> Checked {
     let progress = Progress::new(units.len());
-    let asked = Asked { rules: selection.switched_on(), ..Asked::default() };
     let check = |db: &mut Database, unit: &Unit| {
-        let mut found = check_unit_with(db, *unit, asked);
-        found.retain(|diagnostic| selection.contains(diagnostic.rule));
+        let found = check_unit(db, *unit, settings);
         progress.advance();
         found
     };
-    let mut found = Vec::new();
+    let mut checked = Vec::with_capacity(units.len());
     let mut batches = units.chunks(BATCH).peekable();
     while let Some(batch) = batches.next() {
         let db = workspace.db.clone();
-        found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
+        checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
         if batches.peek().is_some() {
             forget_trees(&mut workspace.db, batch, threads);
         }
     }
-    finish(found)
+    finish(&workspace.db, units, settings, checked.into_iter().sum())
 }
 
 /// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
@@ -101,28 +99,6 @@ fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> 
         code_lines: counted.code_lines,
         seconds: started.elapsed().as_secs_f64(),
     }
-}
-
-fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
-    let threads = jobs.map_or(0, usize::from);
-    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
-        UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
-    })
-}
-
-fn current_folder() -> Result<Utf8PathBuf, UserError> {
-    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
-    Utf8PathBuf::from_path_buf(path)
-        .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
-}
-
-/// The folders that were asked for; of a file, the one around it.
-fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    let folder = |path: &Utf8PathBuf| match path.parent() {
-        Some(parent) if path.is_file() => parent.to_owned(),
-        _ => path.clone(),
-    };
-    asked.iter().map(folder).collect()
 }
 
 /// Turns diagnostics into findings; each file is indexed once.
@@ -198,7 +174,7 @@ impl<'a> Translator<'a> {
     fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
         let manifest = application.path(self.db);
         let project = self.project(manifest);
-        let disk = project.and_then(|project| project.disk(self.db).as_deref());
+        let disk = project.and_then(|project| project.disk(self.db));
         let disk = disk.or_else(|| manifest.parent()?.parent())?;
         let inside = path.strip_prefix(disk).ok()?;
         Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))

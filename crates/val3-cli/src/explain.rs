@@ -3,12 +3,12 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
+use val3_check::topics::{self, Kind, Topic};
 
 use crate::args::{Color, ExplainArgs};
 use crate::markdown::{code_style, heading_style, render, styled};
 use crate::output::to_stdout;
 use crate::similar::{question, similar};
-use crate::topics::{self, Kind, Topic};
 use crate::user_error::UserError;
 
 /// Runs the command.

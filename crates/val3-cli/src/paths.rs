@@ -56,7 +56,7 @@ fn common(a: &Utf8Path, b: &Utf8Path) -> Utf8PathBuf {
 }
 
 /// `path` seen from `base`; itself where they have nothing in common.
-fn relative(base: &Utf8Path, path: &Utf8Path) -> String {
+pub(crate) fn relative(base: &Utf8Path, path: &Utf8Path) -> String {
     let common = common(base, path);
     if common.as_str().is_empty() {
         return slashes(path);

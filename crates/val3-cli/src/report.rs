@@ -12,6 +12,7 @@ use serde::Serialize;
 use val3_check::rule;
 use val3_syntax::encoding::Encoding;
 
+use crate::baseline::Outcome;
 use crate::line_index::{LineIndex, Position};
 use crate::user_error::UserError;
 
@@ -151,6 +152,10 @@ pub(crate) struct Report {
     pub(crate) statistics: Statistics,
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
+    /// How many findings comments in the code silence.
+    pub(crate) silenced: usize,
+    /// What the baselines left out.
+    pub(crate) baseline: Outcome,
     /// Folders that could not be read, so that the findings may not be all.
     pub(crate) unreadable: Vec<UserError>,
 }
@@ -161,7 +166,7 @@ impl Report {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
         // A file that two applications use may be judged twice.
         findings.dedup_by(|a, b| order(a) == order(b));
-        Self { statistics, findings, unreadable }
+        Self { statistics, findings, silenced: 0, baseline: Outcome::default(), unreadable }
     }
 
     /// How many findings have a level.

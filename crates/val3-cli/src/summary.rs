@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use crate::baseline::Outcome;
 use crate::report::{Report, Severity};
 
 /// Writes the hint at the pages, where there are findings, and the counts.
@@ -9,7 +10,24 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
     }
-    writeln!(out, "{}", counts(report))
+    writeln!(out, "{}", counts(report))?;
+    left_out(report, out)
+}
+
+/// What was found and is not reported, and what happened to the baselines.
+fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+    let Outcome { known, gone, written } = &report.baseline;
+    let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
+    let hidden = hidden.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{} {why}", grouped(*count)));
+    let hidden: Vec<_> = hidden.collect();
+    if !hidden.is_empty() {
+        writeln!(out, "not shown: {}", hidden.join(", "))?;
+    }
+    if *gone > 0 {
+        let findings = number(*gone, "known finding");
+        writeln!(out, "not found any more: {findings}; --prune-baseline takes such out of the baseline")?;
+    }
+    written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
 
 /// The code of the first finding of the highest level.
@@ -36,7 +54,11 @@ fn findings(report: &Report) -> String {
     let counted = levels.map(|(level, word)| (report.count(level), word));
     let words: Vec<_> =
         counted.iter().filter(|(count, _)| *count > 0).map(|(count, word)| number(*count, word)).collect();
-    if words.is_empty() { "no findings".to_owned() } else { words.join(", ") }
+    match (words.is_empty(), report.baseline.known) {
+        (false, _) => words.join(", "),
+        (true, 0) => "no findings".to_owned(),
+        (true, _) => "no new findings".to_owned(),
+    }
 }
 
 fn files(report: &Report) -> String {
@@ -87,6 +109,18 @@ mod tests {
     #[test]
     fn no_findings() {
         insta::assert_snapshot!(summary(&sample::clean()), @"no findings in 3 files (1 application, 1,412 code lines, 0.02 s)");
+    }
+
+    #[test]
+    fn what_is_left_out_is_said() {
+        let written = vec![("val3-baseline.json".to_owned(), 1204)];
+        let baseline = Outcome { known: 1204, gone: 1, written };
+        insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"
+        no new findings in 3 files (1 application, 1,412 code lines, 0.02 s)
+        not shown: 1,204 known from the baseline, 2 silenced by comments
+        not found any more: 1 known finding; --prune-baseline takes such out of the baseline
+        wrote val3-baseline.json with 1,204 known findings
+        ");
     }
 
     #[test]

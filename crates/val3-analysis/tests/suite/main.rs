@@ -6,6 +6,7 @@ mod show;
 mod application;
 mod arguments;
 mod calls;
+mod configuration;
 mod data;
 mod dialect;
 mod discovery;

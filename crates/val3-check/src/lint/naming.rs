@@ -1,13 +1,24 @@
 //! How names begin: what the rules on prefixes share.
 
-use val3_lang::types::BaseType;
+use smol_str::SmolStr;
+use val3_analysis::db::Db;
+use val3_analysis::ty::Base;
+use val3_config::Options;
 
 use crate::diagnostic::Wording;
-use crate::options::Options;
+use crate::english::a;
+
+/// The type as code writes it, of no particular arm.
+pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
+    match base {
+        Base::Builtin(base, _) => base.name().into(),
+        other => other.display(db),
+    }
+}
 
 /// What a name of this type should begin with and does not, `scope` before the letters of the type.
-pub(crate) fn lacking(options: &Options, base: BaseType, scope: &str, name: &str) -> Option<String> {
-    let letters = options.prefixes.iter().find(|(ty, _)| ty == base.name()).map(|(_, letters)| letters)?;
+pub(crate) fn lacking(options: &Options, ty: &str, scope: &str, name: &str) -> Option<String> {
+    let letters = options.prefixes.get(ty)?;
     let prefix = format!("{scope}{letters}");
     (!begins(name, &prefix)).then_some(prefix)
 }
@@ -24,10 +35,10 @@ fn begins(name: &str, prefix: &str) -> bool {
 }
 
 /// Words the finding; `what` says what has the name.
-pub(crate) fn word(options: &Options, base: BaseType, name: &str, prefix: &str, what: &str) -> Wording {
+pub(crate) fn word(options: &Options, ty: &str, name: &str, prefix: &str, what: &str) -> Wording {
     Wording::new(
         format!("the name of the {what} `{name}` does not begin with `{prefix}`"),
-        format!("this is a `{}`", base.name()),
+        format!("this is {}", a(ty)),
         format!("call it `{prefix}{}`", capitalised(bare(options, name))),
     )
 }
@@ -38,7 +49,7 @@ fn bare<'n>(options: &Options, name: &'n str) -> &'n str {
     let scope = scopes.into_iter().filter(|scope| !scope.is_empty());
     let name = scope.filter_map(|scope| name.strip_prefix(scope.as_str())).next().unwrap_or(name);
     let is_word = |rest: &&str| rest.starts_with(|first: char| first.is_ascii_uppercase());
-    let rest = options.prefixes.iter().filter_map(|(_, letters)| name.strip_prefix(letters.as_str()));
+    let rest = options.prefixes.values().filter_map(|letters| name.strip_prefix(letters.as_str()));
     rest.filter(is_word).min_by_key(|rest| rest.len()).unwrap_or(name)
 }
 

@@ -10,10 +10,9 @@ use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
+use val3_config::Options;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_syntax::TextRange;
-
-use crate::options::Options;
 
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
@@ -24,7 +23,7 @@ pub(crate) struct Program<'db> {
     pub(crate) items: &'db Items,
     pub(crate) body: &'db Body,
     pub(crate) inference: &'db Inference,
-    /// The settings of the rules.
+    /// What the application asks of rules.
     pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,

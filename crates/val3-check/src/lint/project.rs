@@ -3,15 +3,14 @@
 use val3_analysis::application::{Application, application};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{Items, items};
-
-use crate::options::Options;
+use val3_config::Options;
 
 /// A project: an application, a library or a user type.
 pub(crate) struct ProjectView<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) items: &'db Items,
-    /// The settings of the rules.
+    /// What the application asks of rules.
     pub(crate) options: &'db Options,
     /// What its programs do together.
     pub(crate) application: &'db Application,

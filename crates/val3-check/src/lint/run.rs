@@ -4,15 +4,15 @@ use val3_analysis::db::{Db, File, Project};
 
 use super::{DataFile, Findings, Program, ProjectView};
 use crate::diagnostic::Diagnostic;
-use crate::options::Asked;
 use crate::rule::Lint;
 use crate::rules;
+use crate::settings::Settings;
 
 /// What the lints find in the program in `file`.
-pub(crate) fn program(db: &dyn Db, project: Project, file: File, asked: Asked<'_>) -> Vec<Diagnostic> {
-    let program = Program::new(db, project, file, asked.options);
+pub(crate) fn program(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
+    let program = Program::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, Some(program.name().to_owned()), project.manifest(db));
-    for lint in lints(asked) {
+    for lint in lints(settings) {
         if let Lint::Program(check) = lint {
             check(&program, &mut found);
         }
@@ -21,10 +21,10 @@ pub(crate) fn program(db: &dyn Db, project: Project, file: File, asked: Asked<'_
 }
 
 /// What they find in the data in `file`.
-pub(crate) fn data(db: &dyn Db, project: Project, file: File, asked: Asked<'_>) -> Vec<Diagnostic> {
-    let data = DataFile::new(db, project, file, asked.options);
+pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
+    let data = DataFile::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, None, project.manifest(db));
-    for lint in lints(asked) {
+    for lint in lints(settings) {
         if let Lint::Data(check) = lint {
             check(&data, &mut found);
         }
@@ -33,11 +33,11 @@ pub(crate) fn data(db: &dyn Db, project: Project, file: File, asked: Asked<'_>) 
 }
 
 /// What they find in the project file of `project`.
-pub(crate) fn project(db: &dyn Db, project: Project, asked: Asked<'_>) -> Vec<Diagnostic> {
-    let view = ProjectView::new(db, project, asked.options);
+pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec<Diagnostic> {
+    let view = ProjectView::new(db, project, &settings.options);
     let file = project.manifest(db);
     let mut found = Findings::new(file, None, file);
-    for lint in lints(asked) {
+    for lint in lints(settings) {
         if let Lint::Project(check) = lint {
             check(&view, &mut found);
         }
@@ -45,6 +45,7 @@ pub(crate) fn project(db: &dyn Db, project: Project, asked: Asked<'_>) -> Vec<Di
     found.into_diagnostics()
 }
 
-fn lints(asked: Asked<'_>) -> impl Iterator<Item = Lint> {
-    rules::all().iter().filter(move |rule| asked.contains(rule)).filter_map(|rule| rule.lint)
+/// The lints that are asked for.
+fn lints(settings: &Settings) -> impl Iterator<Item = Lint> {
+    rules::all().iter().filter(|rule| settings.wants(rule)).filter_map(|rule| rule.lint)
 }

@@ -1,21 +1,19 @@
 //! For the tests of lints: what one rule says about a listing.
 
+use std::collections::BTreeSet;
+
 use camino::Utf8PathBuf;
 use val3_analysis::load::load;
 use val3_analysis::system::Memory;
 use val3_test::{Fixture, ROOT};
 
 use crate::rule::Rule;
-use crate::{Asked, Options, check_unit_with, units};
+use crate::settings::{Selection, WorkspaceSettings};
+use crate::{check_unit, units};
 
 /// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
 /// related places.
-pub(crate) fn check(rule: &'static Rule, listing: &str) -> String {
-    check_with(rule, &Options::default(), listing)
-}
-
-/// As [`check`], with other settings.
-pub(crate) fn check_with(rule: &'static Rule, options: &Options, listing: &str) -> String {
+pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     let fixture = Fixture::parse(listing);
     let files = fixture
         .files
@@ -23,9 +21,10 @@ pub(crate) fn check_with(rule: &'static Rule, options: &Options, listing: &str) 
         .map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.clone().into_bytes()));
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
-    let found = units(db, &workspace.projects)
-        .into_iter()
-        .flat_map(|unit| check_unit_with(db, unit, Asked { options, rules: &[rule] }));
+    let only = BTreeSet::from([rule.code]);
+    let selection = Selection { only: Some(only.clone()), named: only, ..Selection::default() };
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &selection).unwrap();
+    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit, &settings).findings);
     let mut shown = String::new();
     for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
         let at = |place: crate::diagnostic::Span| {

@@ -10,8 +10,8 @@ rule! {
     ///
     /// ## Why
     /// Where names tell the type (`nCount`, `pPick`, `bReady`), a line of code can be read without its declarations.
-    /// The letters for each type are the option `prefixes`; a type without an entry may be called anything. Data of
-    /// user types and fields of user types are not asked. This is a convention of a shop, and off unless it is asked
+    /// The letters for each type are the option `prefixes`; a type without an entry may be called anything. A user
+    /// type is asked by its own name. This is a convention of a shop, and off unless it is asked
     /// for.
     ///
     /// ## Bad
@@ -29,10 +29,10 @@ rule! {
 fn check(data: &DataFile<'_>, found: &mut Findings) {
     let view = &data.view;
     for Declared { name, range, .. } in all_data(view.db, data.file) {
-        let base = view.items.data.get(&name).and_then(|item| item.base.builtin());
-        let Some(base) = base.filter(|_| val3_lang::builtins::find(&name).is_none()) else { continue };
-        if let Some(prefix) = naming::lacking(view.options, base, "", &name) {
-            found.report(&RULE, range, naming::word(view.options, base, &name, &prefix, "data"));
+        let item = view.items.data.get(&name).filter(|_| val3_lang::builtins::find(&name).is_none());
+        let Some(ty) = item.map(|item| naming::type_name(view.db, item.base)) else { continue };
+        if let Some(prefix) = naming::lacking(view.options, &ty, "", &name) {
+            found.report(&RULE, range, naming::word(view.options, &ty, &name, &prefix, "data"));
         }
     }
 }
@@ -42,8 +42,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::{check, check_with};
-    use crate::options::Options;
+    use crate::lint::testing::check;
 
     #[test]
     fn each_type_has_its_letters() {
@@ -70,7 +69,9 @@ mod tests {
 
     #[test]
     fn the_letters_can_be_set() {
-        let options = Options { prefixes: vec![("num".to_owned(), "r".to_owned())], ..Options::default() };
-        assert_eq!(check_with(&RULE, &options, "num rCount\nbool ready"), "");
+        let settings = "=== val3.toml\n[lint]\nprefixes = { num = \"r\", Slot = \"sl\" }";
+        assert_eq!(check(&RULE, &format!("num rCount\nbool ready\n{settings}")), "");
+        let slot = "type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slot first\n--- Slot\npublic num rA";
+        assert!(!check(&RULE, &format!("{slot}\n{settings}")).is_empty());
     }
 }

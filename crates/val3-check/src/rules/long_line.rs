@@ -52,12 +52,11 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check_with;
-    use crate::options::Options;
+    use crate::lint::testing::check;
 
     #[test]
     fn one_character_more_or_less() {
-        let options = Options { line_length: 11, ..Options::default() };
+        let settings = "=== val3.toml\n[lint]\nline-length = 11";
         expect![[r#"
             start.pgx:5 `putln("123")` this line has 12 characters, more than 11
               | too long
@@ -66,8 +65,8 @@ mod tests {
               | too long
               ? divide it
         "#]]
-        .assert_eq(&check_with(&RULE, &options, "putln(\"123\")\nputln(\"12\")\nputln(\"äöü\")"));
-        let options = Options { line_length: 12, ..Options::default() };
-        assert_eq!(check_with(&RULE, &options, "putln(\"123\")\nputln(\"äöü\")"), "");
+        .assert_eq(&check(&RULE, &format!("putln(\"123\")\nputln(\"12\")\nputln(\"äöü\")\n{settings}")));
+        let settings = "=== val3.toml\n[lint]\nline-length = 12";
+        assert_eq!(check(&RULE, &format!("putln(\"123\")\nputln(\"äöü\")\n{settings}")), "");
     }
 }

@@ -54,18 +54,17 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check_with;
-    use crate::options::Options;
+    use crate::lint::testing::check;
 
     #[test]
     fn one_more_or_less() {
-        let options = Options { parameters: 1, ..Options::default() };
+        let settings = "=== val3.toml\n[lint]\nparameters = 1";
         expect![[r#"
             p.pgx:3 `p` the program `p` has 2 parameters, more than 1
               | too many parameters
               ? put what belongs together into a user type
         "#]]
-        .assert_eq(&check_with(&RULE, &options, "program p(num x_nA, num x_nB)\nbegin\nend"));
-        assert_eq!(check_with(&RULE, &options, "program p(num x_nA)\nbegin\nend"), "");
+        .assert_eq(&check(&RULE, &format!("program p(num x_nA, num x_nB)\nbegin\nend\n{settings}")));
+        assert_eq!(check(&RULE, &format!("program p(num x_nA)\nbegin\nend\n{settings}")), "");
     }
 }

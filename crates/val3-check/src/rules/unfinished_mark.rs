@@ -11,7 +11,7 @@ rule! {
     /// A comment holds a word such as `todo` or `fixme`.
     ///
     /// ## Why
-    /// What was to be done later should not be forgotten when the cell is handed over. The option `marks` lists the
+    /// What was to be done later should not be forgotten when the cell is handed over. The option `task-words` lists the
     /// words; they count in any letter case where they stand alone. This is a convention of a shop, and off unless it
     /// is asked for.
     ///
@@ -32,7 +32,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for comment in comments(program.db, program.file) {
         let text = program.slice(comment);
-        let marks = program.options.marks.iter().filter_map(|mark| Some((find_word(text, mark)?, mark)));
+        let marks = program.options.task_words.iter().filter_map(|mark| Some((find_word(text, mark)?, mark)));
         if let Some((at, mark)) = marks.min_by_key(|(at, _)| *at) {
             let start = comment.start() + TextSize::new(u32::try_from(at).unwrap_or(0));
             let range = TextRange::at(start, TextSize::of(mark.as_str()));

@@ -80,8 +80,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::{check, check_with};
-    use crate::options::Options;
+    use crate::lint::testing::check;
 
     const ALONE: &str = "program start()\nbegin\nend\nprogram notes()\nbegin\nend\nprogram p()\nbegin\n  call p()\nend";
 
@@ -104,10 +103,10 @@ mod tests {
 
     #[test]
     fn entry_points_can_be_named() {
-        let options = Options { entry_points: vec!["p".to_owned()], ..Options::default() };
-        assert_eq!(check_with(&RULE, &options, ALONE), "");
-        let options = Options { entry_prefixes: vec!["p".to_owned()], ..Options::default() };
-        assert_eq!(check_with(&RULE, &options, ALONE), "");
+        let settings = "=== val3.toml\n[lint]\nentry-points = [\"p\"]";
+        assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
+        let settings = "=== val3.toml\n[lint]\nentry-prefixes = [\"p\"]";
+        assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
     }
 
     #[test]

@@ -3,7 +3,6 @@
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{Declared, all_locals, all_params};
 use val3_analysis::items::project::resolve_type;
-use val3_analysis::ty::Base;
 use val3_lang::types::BaseType;
 
 use crate::lint::{Findings, Program, naming};
@@ -40,26 +39,26 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     let options = program.options;
     let header = program.header;
-    let base = |ty: &SmolStr| resolve_type(&program.items.types, ty).and_then(Base::builtin);
-    let locals: Vec<_> = header.locals.iter().map(|local| base(&local.type_name)).collect();
-    for (Declared { name, range, .. }, base) in all_locals(program.db, program.file).into_iter().zip(locals) {
-        if let Some((base, prefix)) = lacking(program, base, &options.local_prefix, &name) {
-            found.report(&RULE, range, naming::word(options, base, &name, &prefix, "local variable"));
+    let shown = |ty: &SmolStr| resolve_type(&program.items.types, ty).map(|base| naming::type_name(program.db, base));
+    let locals: Vec<_> = header.locals.iter().map(|local| shown(&local.type_name)).collect();
+    for (Declared { name, range, .. }, ty) in all_locals(program.db, program.file).into_iter().zip(locals) {
+        if let Some((ty, prefix)) = lacking(program, ty, &options.local_prefix, &name) {
+            found.report(&RULE, range, naming::word(options, &ty, &name, &prefix, "local variable"));
         }
     }
-    let params: Vec<_> = header.params.iter().map(|param| base(&param.type_name)).collect();
-    for (Declared { name, range, .. }, base) in all_params(program.db, program.file).into_iter().zip(params) {
-        if let Some((base, prefix)) = lacking(program, base, &options.parameter_prefix, &name) {
-            found.report(&RULE, range, naming::word(options, base, &name, &prefix, "parameter"));
+    let params: Vec<_> = header.params.iter().map(|param| shown(&param.type_name)).collect();
+    for (Declared { name, range, .. }, ty) in all_params(program.db, program.file).into_iter().zip(params) {
+        if let Some((ty, prefix)) = lacking(program, ty, &options.parameter_prefix, &name) {
+            found.report(&RULE, range, naming::word(options, &ty, &name, &prefix, "parameter"));
         }
     }
 }
 
-fn lacking(program: &Program<'_>, base: Option<BaseType>, scope: &str, name: &str) -> Option<(BaseType, String)> {
-    let base = base?;
-    let is_counter = base == BaseType::Num && is_short(name.strip_prefix(scope).unwrap_or(name));
-    let prefix = naming::lacking(program.options, base, scope, name).filter(|_| !is_counter)?;
-    Some((base, prefix))
+fn lacking(program: &Program<'_>, ty: Option<SmolStr>, scope: &str, name: &str) -> Option<(SmolStr, String)> {
+    let ty = ty?;
+    let is_counter = ty == BaseType::Num.name() && is_short(name.strip_prefix(scope).unwrap_or(name));
+    let prefix = naming::lacking(program.options, &ty, scope, name).filter(|_| !is_counter)?;
+    Some((ty, prefix))
 }
 
 /// `i`, `k2`: one or two characters without a capital.
@@ -72,8 +71,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::{check, check_with};
-    use crate::options::Options;
+    use crate::lint::testing::check;
 
     #[test]
     fn scope_and_type() {
@@ -98,7 +96,8 @@ mod tests {
 
     #[test]
     fn the_letters_can_be_set() {
-        let options = Options { local_prefix: "l".to_owned(), parameter_prefix: String::new(), ..Options::default() };
-        assert_eq!(check_with(&RULE, &options, "program p(num nA)\n  string lsA\nbegin\nend"), "");
+        let settings = "=== val3.toml\n[lint]\nlocal-prefix = \"l\"\nparameter-prefix = \"\"";
+        let listing = format!("program p(num nA)\n  string lsA\nbegin\nend\n{settings}");
+        assert_eq!(check(&RULE, &listing), "");
     }
 }

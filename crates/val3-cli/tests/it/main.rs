@@ -2,7 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a fault of a test may stop it")]
 
+mod baseline;
 mod check;
+mod configuration;
 mod explain;
 mod formats;
 mod support;

@@ -1,30 +1,30 @@
-//! What `val3 explain` can explain.
+//! Every page there is: what `val3 explain` prints, and what the book and editors show.
 
-use val3_check::rule::Rule;
 use val3_lang::instruction::{Availability, Instruction};
 use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
 use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
 use val3_lang::statements::{STATEMENTS, Statement};
 use val3_lang::{instructions, page};
 
-use crate::report::Severity;
+use crate::rule::Rule;
+use crate::rules;
 
 /// One page.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Topic {
+pub struct Topic {
     /// What it is about.
-    pub(crate) kind: Kind,
+    pub kind: Kind,
     /// The words that ask for it, the first as it is listed.
-    pub(crate) names: Vec<String>,
+    pub names: Vec<String>,
     /// One line that says what it is.
-    pub(crate) summary: String,
+    pub summary: String,
     /// The page in Markdown.
-    pub(crate) page: String,
+    pub page: String,
 }
 
 /// What a page is about, in the order of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Kind {
+pub enum Kind {
     /// A rule of `val3 check`.
     Finding,
     /// A keyword of the language.
@@ -38,8 +38,8 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// The heading of the list.
-    pub(crate) fn heading(self) -> &'static str {
+    /// The heading of a list of such pages.
+    pub fn heading(self) -> &'static str {
         match self {
             Self::Finding => "Findings of val3 check",
             Self::Statement => "Statements",
@@ -51,8 +51,8 @@ impl Kind {
 }
 
 /// Every topic, kind by kind.
-pub(crate) fn all() -> Vec<Topic> {
-    let mut topics: Vec<Topic> = val3_check::rules::all().iter().map(|rule| finding(rule)).collect();
+pub fn all() -> Vec<Topic> {
+    let mut topics: Vec<Topic> = rules::all().iter().map(|rule| finding(rule)).collect();
     topics.extend(STATEMENTS.iter().map(statement));
     topics.extend(instructions::all().iter().map(|row| instruction(row)));
     topics.extend(RUNTIME_ERRORS.iter().map(runtime_error));
@@ -61,12 +61,13 @@ pub(crate) fn all() -> Vec<Topic> {
 }
 
 fn finding(rule: &Rule) -> Topic {
-    let level = Severity::from(rule.severity).word();
+    let level = rule.severity.word();
+    let off = if rule.on { "" } else { ", off until configured" };
     Topic {
         kind: Kind::Finding,
         names: vec![rule.code.to_owned(), rule.name.to_owned()],
         summary: format!("{:<24} {}", rule.name, page::summary(rule.page)),
-        page: format!("# {} {} ({level})\n\n{}", rule.code, rule.name, page::text(rule.page)),
+        page: format!("# {} {} ({level}{off})\n\n{}", rule.code, rule.name, page::text(rule.page)),
     }
 }
 

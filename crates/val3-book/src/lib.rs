@@ -1,0 +1,63 @@
+//! The book: pages written by hand, and one page for every rule, statement, instruction and error, from the code.
+
+#![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
+
+mod reference;
+
+use std::fs;
+
+use anyhow::{Context as _, Result};
+use camino::{Utf8Path, Utf8PathBuf};
+use mdbook_driver::MDBook;
+
+/// Builds the book of the project at `root` as HTML in `target/book/html` and returns the folder.
+///
+/// # Errors
+/// If a page cannot be read or written, or the book is not sound.
+pub fn build(root: &Utf8Path) -> Result<Utf8PathBuf> {
+    let folder = root.join("target/book");
+    write_sources(&root.join("docs"), &folder)?;
+    let book = MDBook::load(&folder).context("the book's sources")?;
+    book.build().context("building the book")?;
+    Ok(folder.join("html"))
+}
+
+/// Writes all pages of the book below `folder`, in place of what was there.
+///
+/// # Errors
+/// If a file cannot be read or written.
+pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
+    let pages = folder.join("src");
+    if pages.exists() {
+        fs::remove_dir_all(&pages).with_context(|| format!("clearing {pages}"))?;
+    }
+    fs::create_dir_all(&pages).with_context(|| format!("creating {pages}"))?;
+    copy(&docs.join("book.toml"), &folder.join("book.toml"))?;
+    for entry in docs.join("src").read_dir_utf8().with_context(|| format!("listing {docs}/src"))? {
+        let entry = entry?;
+        copy(entry.path(), &pages.join(entry.file_name()))?;
+    }
+    let mut summary = read(&pages.join("SUMMARY.md"))? + "\n";
+    for section in reference::sections() {
+        summary.push_str(&section.summary());
+        for page in &section.pages {
+            write(&pages.join(&page.path), &page.text)?;
+        }
+    }
+    write(&pages.join("SUMMARY.md"), &summary)
+}
+
+fn copy(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
+    write(to, &read(from)?)
+}
+
+fn read(path: &Utf8Path) -> Result<String> {
+    fs::read_to_string(path).with_context(|| format!("reading {path}"))
+}
+
+fn write(path: &Utf8Path, text: &str) -> Result<()> {
+    if let Some(folder) = path.parent() {
+        fs::create_dir_all(folder).with_context(|| format!("creating {folder}"))?;
+    }
+    fs::write(path, text).with_context(|| format!("writing {path}"))
+}

@@ -1,0 +1,108 @@
+//! The pages that are generated from the code.
+
+use val3_check::topics::{self, Kind, Topic};
+
+/// The pages of one kind, with a page that lists them.
+pub(crate) struct Section {
+    /// The list first, then each page.
+    pub(crate) pages: Vec<Page>,
+}
+
+/// A page of the book.
+pub(crate) struct Page {
+    /// Where it stands below `src`.
+    pub(crate) path: String,
+    /// What the table of contents calls it.
+    pub(crate) title: String,
+    /// The page in Markdown.
+    pub(crate) text: String,
+}
+
+/// One section for each kind of page.
+pub(crate) fn sections() -> Vec<Section> {
+    let topics = topics::all();
+    let kinds = [Kind::Finding, Kind::Statement, Kind::Instruction, Kind::RuntimeError, Kind::LibraryError];
+    kinds.into_iter().map(|kind| section(kind, &topics)).collect()
+}
+
+fn section(kind: Kind, topics: &[Topic]) -> Section {
+    let topics: Vec<&Topic> = topics.iter().filter(|topic| topic.kind == kind).collect();
+    let mut pages = vec![Page {
+        path: format!("{}/index.md", folder(kind)),
+        title: kind.heading().to_owned(),
+        text: list(kind, &topics),
+    }];
+    pages.extend(topics.into_iter().map(page));
+    Section { pages }
+}
+
+fn page(topic: &Topic) -> Page {
+    Page { path: format!("{}/{}", folder(topic.kind), file(topic)), title: title(topic), text: topic.page.clone() }
+}
+
+/// A table of all pages of a kind.
+fn list(kind: Kind, topics: &[&Topic]) -> String {
+    let rows = topics.iter().map(|topic| format!("| [{}]({}) | {} |\n", title(topic), file(topic), summary(topic)));
+    format!("# {}\n\n| | |\n|---|---|\n{}", kind.heading(), rows.collect::<String>())
+}
+
+fn title(topic: &Topic) -> String {
+    topic.names.first().cloned().unwrap_or_default()
+}
+
+/// The line about a topic, without the padding of a list in a terminal.
+fn summary(topic: &Topic) -> String {
+    let words: Vec<&str> = topic.summary.split_whitespace().collect();
+    words.join(" ").replace('|', "\\|")
+}
+
+/// A file name of the topic: signs are written as words.
+fn file(topic: &Topic) -> String {
+    let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
+    let name = signs.iter().fold(title(topic), |name, (sign, word)| name.replace(sign, word));
+    format!("{name}.md")
+}
+
+fn folder(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Finding => "rules",
+        Kind::Statement => "statements",
+        Kind::Instruction => "instructions",
+        Kind::RuntimeError => "errors",
+        Kind::LibraryError => "library-results",
+    }
+}
+
+impl Section {
+    /// The lines of the table of contents.
+    pub(crate) fn summary(&self) -> String {
+        let line = |(index, page): (usize, &Page)| {
+            let indent = if index == 0 { "" } else { "  " };
+            format!("{indent}- [{}]({})\n", page.title, page.path)
+        };
+        self.pages.iter().enumerate().map(line).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn no_two_pages_share_a_file() {
+        let paths: Vec<String> =
+            sections().into_iter().flat_map(|section| section.pages).map(|page| page.path.to_lowercase()).collect();
+        let different: BTreeSet<&String> = paths.iter().collect();
+        assert_eq!(different.len(), paths.len());
+    }
+
+    #[test]
+    fn file_names_suit_every_system() {
+        for page in sections().into_iter().flat_map(|section| section.pages) {
+            let fine = |c: char| c.is_ascii_alphanumeric() || "/-_.".contains(c);
+            assert!(page.path.chars().all(fine), "{}", page.path);
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! The book can be built, its links lead somewhere, and its examples do what it says.
+
+#![allow(clippy::disallowed_methods, reason = "the book is read from the disk")]
+#![allow(clippy::unwrap_used, reason = "a book that cannot be read fails the suite")]
+
+use std::fs;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_check::testing::check_files;
+use val3_test::{Fixture, ROOT};
+
+fn root() -> Utf8PathBuf {
+    Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
+/// Every page written by hand: file name and text.
+fn pages() -> Vec<(String, String)> {
+    let entries = root().join("docs/src").read_dir_utf8().unwrap();
+    let pages = entries.map(|entry| entry.unwrap());
+    pages.map(|page| (page.file_name().to_owned(), fs::read_to_string(page.path()).unwrap())).collect()
+}
+
+#[test]
+fn it_can_be_built() {
+    let html = val3_book::build(&root()).unwrap();
+    for page in ["index.html", "ci.html", "rules/V0203.html", "instructions/movej.html", "errors/80.html"] {
+        assert!(html.join(page).is_file(), "{page}");
+    }
+}
+
+#[test]
+fn links_between_pages_lead_somewhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = Utf8Path::from_path(folder.path()).unwrap();
+    val3_book::write_sources(&root().join("docs"), folder).unwrap();
+    let mut dead = Vec::new();
+    for (page, text) in pages() {
+        for link in text.split("](").skip(1).filter_map(|rest| rest.split(')').next()) {
+            let file = link.split('#').next().unwrap();
+            if !link.contains("://") && !file.is_empty() && !folder.join("src").join(file).is_file() {
+                dead.push(format!("{page}: {link}"));
+            }
+        }
+    }
+    assert!(dead.is_empty(), "{dead:#?}");
+}
+
+/// A block marked `val3` shows no finding; one marked `val3 V0101 V0201` shows these and no others.
+#[test]
+fn its_examples_show_what_they_are_said_to() {
+    for (page, text) in pages() {
+        for block in text.split("\n```val3").skip(1) {
+            let (codes, rest) = block.split_once('\n').unwrap();
+            let example = rest.split("\n```").next().unwrap();
+            let fixture = Fixture::parse(example);
+            let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
+            let found = check_files(&files.collect::<Vec<_>>());
+            let found: Vec<_> = found.iter().map(|finding| finding.code).collect();
+            assert_eq!(found, codes.split_whitespace().collect::<Vec<_>>(), "{page}:\n{example}");
+        }
+    }
+}
