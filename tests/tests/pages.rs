@@ -5,10 +5,7 @@ use val3_check::settings::Selection;
 use val3_check::testing::{CheckedFinding, check_selected};
 use val3_lang::{instructions, page, statements};
 use val3_test::{Fixture, ROOT};
-
-/// Rules on what only a whole project shows. An example is an excerpt of one, in the form of s7 whatever it declares.
-const OF_WHOLE_PROJECTS: [&str; 10] =
-    ["V0113", "V0114", "V0115", "V0116", "V0117", "V0118", "V0119", "V0120", "V0341", "V0533"];
+use val3_tests::OF_WHOLE_PROJECTS;
 
 /// The findings in a listing; those of `asked` also where they are off until asked for, or need a whole project.
 fn check_for(asked: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {

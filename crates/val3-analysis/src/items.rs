@@ -8,6 +8,7 @@ pub mod declarations;
 pub mod fathers;
 pub mod faults;
 pub mod layout;
+pub mod limits;
 pub mod manifest;
 pub mod program;
 pub mod project;

@@ -11,11 +11,12 @@ use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
 use crate::diagnostic::{Diagnostic, RelatedNote, Span};
 use crate::echoes::without_echoes;
+use crate::fix::Site;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
 use crate::suppression::{self, Used};
-use crate::{keywords, lint, related};
+use crate::{fix, keywords, lint, related};
 
 /// The rule of which one finding an application is enough.
 const MISSING_ADD_ON: &str = "V0104";
@@ -194,7 +195,10 @@ impl Check<'_> {
         let related = error
             .related
             .map(|range| RelatedNote { place: Span { file, range }, message: related::other_side(&error.kind) });
-        self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect())
+        let site = Site::new(self.db, file, error.range, error.related);
+        let diagnostic =
+            self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect());
+        Diagnostic { fix: fix::of_syntax(&error.kind, &site), ..diagnostic }
     }
 
     fn problems(&mut self, file: File, problems: &[Problem]) {
@@ -209,6 +213,7 @@ impl Check<'_> {
             if self.is_uncertain(&problem.kind) {
                 diagnostic.severity = Severity::Warning;
             }
+            diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
             self.add(diagnostic);
         }
     }

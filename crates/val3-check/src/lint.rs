@@ -3,12 +3,17 @@
 //! A lint is a function over a [`Program`] or a [`ProjectView`]; it runs on files without faults only, so that one
 //! mistake makes one message.
 
+mod edit;
 mod findings;
 pub(crate) mod naming;
 mod program;
 mod project;
+pub(crate) mod ranges;
 pub(crate) mod removal;
 mod run;
+mod same;
+mod sizes;
+mod tasks;
 #[cfg(test)]
 pub(crate) mod testing;
 pub(crate) mod unused_data;

@@ -14,7 +14,7 @@ use crate::report::Severity;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  no finding at or above the fail level
-  1  findings
+  1  findings; with --diff, something to change
   2  wrong usage, or a file that cannot be read or written";
 
 const CONFIGURATION: &str = "\
@@ -77,14 +77,29 @@ pub(crate) struct CheckArgs {
     /// All but these findings; wins over --select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
+    /// Mend what can be mended without changing what the programs do, and report the rest
+    #[arg(long, group = "mending")]
+    pub(crate) fix: bool,
+    /// With --fix or --diff: also make the changes that are a guess, such as a near name
+    #[arg(long, requires = "mending")]
+    pub(crate) unsafe_fixes: bool,
+    /// Show what --fix would change, and write nothing; exits with 1 if there is something to change
+    #[arg(long, group = "mending")]
+    pub(crate) diff: bool,
+    /// Count the findings of each rule instead of listing them
+    #[arg(long, conflicts_with = "diff")]
+    pub(crate) statistics: bool,
+    /// Check again whenever a file is changed, until Ctrl-C
+    #[arg(long, conflicts_with_all = ["diff", "write_baseline", "prune_baseline", "explain_config"])]
+    pub(crate) watch: bool,
     /// A file with known findings, which are not reported; wins over `baseline` in a val3.toml
     #[arg(long, value_name = "FILE")]
     pub(crate) baseline: Option<Utf8PathBuf>,
     /// Make everything that is found known: write it into the baseline, and report nothing
-    #[arg(long, conflicts_with = "prune_baseline")]
+    #[arg(long, conflicts_with_all = ["prune_baseline", "mending"])]
     pub(crate) write_baseline: bool,
     /// Take out of the baseline what is not found any more
-    #[arg(long)]
+    #[arg(long, conflicts_with = "mending")]
     pub(crate) prune_baseline: bool,
     /// Check nothing; print each setting of each application, and who sets it
     #[arg(long)]

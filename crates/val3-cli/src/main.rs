@@ -9,20 +9,26 @@ mod code_lines;
 mod engine;
 mod explain;
 mod explain_config;
+mod fingerprint;
+mod fixing;
 mod format;
 mod line_index;
 mod markdown;
 mod opening;
 mod output;
 mod parallel_disk;
+mod patch;
 mod paths;
 mod progress;
 mod report;
+mod rule_counts;
 mod schema;
 mod selection;
 mod similar;
 mod summary;
+mod translation;
 mod user_error;
+mod watch;
 
 use std::process::ExitCode;
 

@@ -1,6 +1,6 @@
 //! From what is asked for to what can be checked: threads, files in the database, settings.
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use val3_analysis::load::{self, LoadError, Workspace};
 use val3_check::settings::{Selection, WorkspaceSettings};
@@ -47,7 +47,7 @@ pub(crate) struct Opened {
 pub(crate) fn open(request: &Request) -> Result<Opened, UserError> {
     let threads = threads(request.jobs)?;
     let current = current_folder()?;
-    let paths = Paths::new(&folders(&request.asked), &current);
+    let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
     let absolute: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
     let workspace =
@@ -80,6 +80,11 @@ fn current_folder() -> Result<Utf8PathBuf, UserError> {
     let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
     Utf8PathBuf::from_path_buf(path)
         .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
+}
+
+/// The nearest folder above `current` that a version control keeps.
+fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
+    current.ancestors().find(|folder| [".git", ".hg", ".svn"].iter().any(|name| folder.join(name).exists()))
 }
 
 /// The folders that were asked for; of a file, the one around it.

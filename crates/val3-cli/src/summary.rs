@@ -11,7 +11,8 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
     }
     writeln!(out, "{}", counts(report))?;
-    left_out(report, out)
+    left_out(report, out)?;
+    fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
 }
 
 /// What was found and is not reported, and what happened to the baselines.
@@ -28,6 +29,22 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "not found any more: {findings}; --prune-baseline takes such out of the baseline")?;
     }
     written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
+}
+
+/// What was mended, or can be.
+fn fixes(report: &Report) -> Option<String> {
+    if let Some(mended) = report.mended {
+        return Some(format!("{} of {} mended", grouped(mended), number(mended + report.findings.len(), "finding")));
+    }
+    match (report.fixable(true), report.fixable(false)) {
+        (0, 0) => None,
+        (0, guesses) => Some(format!("{} may be mended by --fix --unsafe-fixes", grouped(guesses))),
+        (safe, 0) => Some(format!("{} can be mended by --fix", grouped(safe))),
+        (safe, guesses) => {
+            let (safe, guesses) = (grouped(safe), grouped(guesses));
+            Some(format!("{safe} can be mended by --fix, {guesses} more may be by --unsafe-fixes"))
+        }
+    }
 }
 
 /// The code of the first finding of the highest level.
@@ -103,7 +120,16 @@ mod tests {
         insta::assert_snapshot!(summary(&sample::report()), @r"
         More about a finding: val3 explain V0203
         1 error, 1 warning, 1 info in 2 of 3 files (1 application, 1,412 code lines, 0.02 s)
+        1 may be mended by --fix --unsafe-fixes
         ");
+    }
+
+    #[test]
+    fn what_was_mended_is_counted_with_what_is_left() {
+        let report = Report { mended: Some(2), ..sample::report() };
+        assert!(summary(&report).ends_with("\n2 of 5 findings mended\n"));
+        let report = Report { mended: Some(0), ..sample::clean() };
+        assert!(summary(&report).ends_with("\n0 of 0 findings mended\n"));
     }
 
     #[test]

@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 
 use rustc_hash::FxHashMap;
 
-use crate::{declare::catalogue, instruction::Instruction};
+use crate::declare::catalogue;
+use crate::instruction::{Family, Instruction};
 
 catalogue! {
     variables {
@@ -270,17 +271,14 @@ pub const LIB_LOAD: &str = "libLoad";
 /// Lets a task wait for a condition (5.10).
 pub const WAIT: &str = "wait";
 
-/// Takes a flag for one task alone: waits for it and sets it within one line (5.9).
-pub const SET_MUTEX: &str = "setMutex";
-
 /// Instructions that name a task of the same application or library (5.10).
-pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", "taskStatus"];
+pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", TASK_STATUS];
 
 /// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
 pub const TASK_STATUS: &str = "taskStatus";
 
 /// Instructions that give the code of a key (4.3).
-pub const READ_KEYS: [&str; 2] = ["get", "getKey"];
+pub const READ_KEYS: [&str; 2] = ["get", GET_KEY];
 
 /// Takes the code of a key as its last argument (4.3).
 pub const IS_KEY_PRESSED: &str = "isKeyPressed";
@@ -293,3 +291,57 @@ pub const LIB_EXIST: &str = "libExist";
 
 /// Tells whether a variable or element exists (2.5.4): a guard before its use.
 pub const IS_DEFINED: &str = "isDefined";
+
+/// The move at hand and how far it has come (10.6): a number that grows in steps of any size.
+pub const GET_MOVE_ID: &str = "getMoveId";
+
+/// The last key that was struck since it was asked before, or -1 (4.3).
+pub const GET_KEY: &str = "getKey";
+
+/// Arms the latch of the arm's position (9.2.3).
+pub const SET_LATCH: &str = "setLatch";
+
+/// Reads the latched position (9.2.3): the one before until the latch is armed.
+pub const GET_LATCH: &str = "getLatch";
+
+/// Waits for a flag that tasks share and takes it, within one line (5.9).
+pub const SET_MUTEX: &str = "setMutex";
+
+/// Writes a number in binary to an array of outputs (3.5.3).
+pub const DIO_SET: &str = "dioSet";
+
+/// Encodes numbers as bytes (3.3.3): values, their number, format, bytes.
+pub const TO_BINARY: &str = "toBinary";
+
+/// Decodes numbers from bytes (3.3.3): bytes, their number, format, values.
+pub const FROM_BINARY: &str = "fromBinary";
+
+/// Gives the other tasks their turn (5.10); with 0 it does nothing else.
+pub const DELAY: &str = "delay";
+
+/// Changes a parameter of a serial line or socket (3.7.3).
+pub const SIO_CTRL: &str = "sioCtrl";
+
+/// Changes the size of an array (2.5.4, 2.5.5): none of them takes a local array.
+const RESIZING: [&str; 4] = ["insert", "delete", "append", "resize"];
+
+/// The instruction changes the size of the array it is given.
+#[must_use]
+pub fn resizes(name: &str) -> bool {
+    RESIZING.contains(&name)
+}
+
+/// The instruction may change the size of a container that it is given: those above, and those that make a global
+/// array large enough for their result (6.7, 8.1). What add-ons do is not known.
+#[must_use]
+pub fn may_resize(instruction: &Instruction) -> bool {
+    resizes(instruction.name)
+        || matches!(instruction.name, "libList" | "ioBusStatus")
+        || matches!(instruction.family, Family::AddOns | Family::Additions)
+}
+
+/// The instruction changes the size of an array of two or three dimensions as well (2.5.5).
+#[must_use]
+pub fn resizes_every_array(name: &str) -> bool {
+    name == "resize"
+}

@@ -7,6 +7,7 @@
 mod declare;
 
 pub mod add_on;
+pub mod arguments;
 pub mod builtins;
 pub mod enumerations;
 pub mod instruction;
@@ -16,7 +17,9 @@ pub mod keywords;
 pub mod library_errors;
 pub mod operators;
 pub mod page;
+pub mod results;
 pub mod runtime_errors;
 pub mod statements;
+pub mod tasks;
 pub mod types;
 pub mod versions;

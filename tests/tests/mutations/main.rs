@@ -9,6 +9,7 @@
 
 mod application;
 mod edit;
+mod misuse;
 mod mutation;
 mod names;
 mod projects;
@@ -37,6 +38,10 @@ const ALL: &[&[Mutation]] = &[
     projects::VALUES,
     projects::LINKS,
     projects::LIBRARIES,
+    misuse::ARGUMENTS,
+    misuse::VALUES,
+    misuse::DATA,
+    misuse::TASKS,
     application::UNUSED,
     application::HIDDEN,
     application::TASKS,

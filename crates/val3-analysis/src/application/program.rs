@@ -3,6 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_lang::instructions::{GET_DATA, SET_MUTEX};
+use val3_lang::tasks::period_steps;
 
 use super::{Callee, locks};
 use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
@@ -46,6 +47,8 @@ pub struct TaskStart {
     pub program: Callee,
     /// It is `taskCreateSync`.
     pub synchronous: bool,
+    /// The period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), where the code tells it.
+    pub period: Option<u32>,
     /// The statement lies in a loop, so that it may create several tasks.
     pub repeated: bool,
 }
@@ -69,7 +72,7 @@ impl TaskStart {
     /// The task in which the controller runs `program`.
     pub(super) fn of_controller(program: &'static str) -> Self {
         let program = Callee { library: None, program: SmolStr::new_static(program) };
-        Self { name: None, beginning: SmolStr::default(), program, synchronous: false, repeated: false }
+        Self { name: None, beginning: SmolStr::default(), program, synchronous: false, period: None, repeated: false }
     }
 }
 
@@ -167,7 +170,8 @@ fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], repeated: bo
     let program = callee(body, *arguments.last()?)?;
     let name = arguments.first()?;
     let (beginning, name) = (body.beginning(*name), body.string(*name));
-    Some(TaskStart { name, beginning, program, synchronous, repeated })
+    let seconds = arguments.get(1).filter(|_| synchronous).and_then(|pace| body.number(*pace));
+    Some(TaskStart { name, beginning, program, synchronous, period: seconds.and_then(period_steps), repeated })
 }
 
 /// The program that a call names.

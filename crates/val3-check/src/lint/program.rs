@@ -8,10 +8,11 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::{Access, Effects};
 use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
+use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
-use val3_lang::instruction::{Instruction, Overload};
+use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_syntax::TextRange;
 
 /// A program without faults, with all that is known of it.
@@ -41,6 +42,14 @@ pub(crate) struct Call<'db> {
     /// The name that is called.
     pub(crate) callee: ExprId,
     pub(crate) args: &'db [ExprId],
+}
+
+impl<'db> Call<'db> {
+    /// The arguments with their parameters, where the form is known.
+    pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static Param, ExprId)> {
+        let params = self.form.map_or(&[][..], |form| form.params);
+        params.iter().zip(self.args.iter().copied())
+    }
 }
 
 impl<'db> Program<'db> {
@@ -92,6 +101,11 @@ impl<'db> Program<'db> {
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
         Some(Call { id: call.id, instruction: call.instruction, form: call.form, callee: *callee, args })
+    }
+
+    /// Where the name of the program stands.
+    pub(crate) fn head(&self) -> TextRange {
+        declarations::program(self.db, self.file).map_or_else(TextRange::default, |place| place.range)
     }
 
     /// Where an expression stands.

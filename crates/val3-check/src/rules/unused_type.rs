@@ -6,7 +6,7 @@ use val3_analysis::items::data::data;
 use val3_analysis::items::declarations;
 use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::program::header;
-use val3_analysis::items::project::{data_files, items, program_files};
+use val3_analysis::items::project::{data_files, items, program_files, resolve_type};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, ProjectView, removal};
@@ -42,6 +42,10 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         return;
     }
     let named = named_types(view);
+    // A type that is not known may be one of these, misspelt.
+    if named.iter().any(|name| resolve_type(&view.items.types, name).is_none()) {
+        return;
+    }
     for entry in &manifest(view.db, view.project.manifest(view.db)).types {
         let is_used = named.contains(&entry.name) || is_used_by_library(view, &entry.name);
         let place = declarations::user_type(view.db, view.project, entry.name.clone());
@@ -95,6 +99,11 @@ mod tests {
               ! remove `Slot` (unsafe)
         "#]]
         .assert_eq(&check(&RULE, &format!("type Slot \"Disk://Slot/Slot.pjx\"\ncls()\n{TYPE}")));
+    }
+
+    #[test]
+    fn a_misspelt_type_may_mean_it() {
+        assert_eq!(check(&RULE, &format!("type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slt slA\n{TYPE}")), "");
     }
 
     #[test]

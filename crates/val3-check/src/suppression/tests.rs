@@ -62,7 +62,7 @@ fn a_comment_may_silence_nothing_in_part_or_whole() {
 #[test]
 fn findings_of_the_project_in_a_program_are_silenced() {
     let part = "--- part\npublic program init()\nbegin\nputln(\"part\")\nend\n";
-    let main = "library part \"Disk://part/part.pjx\"\n//val3: allow(lib-load-path)\npart:libLoad(\"Disk://patr\")\n";
+    let main = "library part \"Disk://part/part.pjx\"\nnum nCode\n//val3: allow(lib-load-path)\nnCode=part:libLoad(\"Disk://patr\")\nput(nCode)\n";
     check(&format!("{main}call part:init()\n{part}"), expect![[r#""#]]);
 }
 

@@ -64,7 +64,8 @@ impl Folder {
         command
     }
 
-    fn path(&self) -> &Path {
+    /// The path of the folder.
+    pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
 }
