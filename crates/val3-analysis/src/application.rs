@@ -46,6 +46,11 @@ pub struct Application {
     pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
     /// Programs that call each program, or create a task with it.
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
+    /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
+    pub waiting: FxHashSet<SmolStr>,
+    /// Programs that may call themselves, on their own or through others, and those on a way from one such circle to
+    /// another. It is empty for most applications.
+    pub circles: FxHashSet<SmolStr>,
     /// For each global the programs that use it.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
     /// How the names begin of data that programs read by name, as a text.
@@ -81,6 +86,8 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
         application.add(name, summary);
     }
     application.find_runs(&summaries);
+    application.find_waiting(&summaries);
+    application.circles = circles(&summaries);
     let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
     application.closed = application.sound && !has_pages;
     application
@@ -105,6 +112,28 @@ fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<T
     let entry = |name: &&str| programs.clone().any(|program| program == name);
     let task = |name| Task { created_by: None, start: TaskStart::of_controller(name) };
     ENTRY_POINTS.into_iter().filter(entry).map(task).collect()
+}
+
+/// Takes away programs that call none of the others, or that none of the others calls, until all are in circles.
+fn circles(summaries: &FxHashMap<&SmolStr, &Summary>) -> FxHashSet<SmolStr> {
+    let mut left: FxHashSet<SmolStr> = summaries.keys().map(|name| (*name).clone()).collect();
+    loop {
+        let mut called = FxHashSet::default();
+        let mut calling = FxHashSet::default();
+        for name in &left {
+            let calls = summaries.get(name).into_iter().flat_map(|summary| &summary.calls);
+            let own = calls.filter(|callee| callee.library.is_none() && left.contains(&callee.program));
+            for callee in own {
+                calling.insert(name.clone());
+                called.insert(callee.program.clone());
+            }
+        }
+        let before = left.len();
+        left.retain(|name| calling.contains(name) && called.contains(name));
+        if left.len() == before {
+            return left;
+        }
+    }
 }
 
 impl Application {
@@ -201,6 +230,24 @@ impl Application {
     /// The tasks that programs create, in the order of the programs' names.
     pub fn created_tasks(&self) -> impl Iterator<Item = &TaskStart> {
         self.tasks.iter().filter(|task| task.created_by.is_some()).map(|task| &task.start)
+    }
+
+    /// Goes from the programs that wait to those that call them.
+    fn find_waiting(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        let calls_unknown = |summary: &Summary| {
+            summary.calls.iter().any(|callee| callee.library.is_none() && !summaries.contains_key(&callee.program))
+        };
+        let first = summaries.iter().filter(|(_, summary)| summary.waits || !summary.sound || calls_unknown(summary));
+        let mut open: Vec<SmolStr> = first.map(|(name, _)| (*name).clone()).collect();
+        while let Some(program) = open.pop() {
+            let callers = self.callers.get(&program).into_iter().flatten();
+            let calls = |caller: &&SmolStr| {
+                let summary = summaries.get(caller);
+                summary.is_some_and(|summary| summary.calls.iter().any(|callee| callee.program == program))
+            };
+            open.extend(callers.filter(|caller| !self.waiting.contains(*caller)).filter(calls).cloned());
+            self.waiting.insert(program);
+        }
     }
 
     /// The tasks that may run a program.

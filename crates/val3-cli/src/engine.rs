@@ -117,7 +117,7 @@ fn check_units(
         found
     };
     let mut checked = Vec::with_capacity(units.len());
-    let mut batches = units.chunks(BATCH).peekable();
+    let mut batches = batches(units).into_iter().peekable();
     while let Some(batch) = batches.next() {
         let db = workspace.db.clone();
         checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
@@ -126,6 +126,24 @@ fn check_units(
         }
     }
     finish(&workspace.db, units, settings, checked.into_iter().sum())
+}
+
+/// Pieces of about [`BATCH`] units. The units of a project stay together, since each asks about all of it.
+fn batches(units: &[Unit]) -> Vec<&[Unit]> {
+    let mut batches = Vec::new();
+    let mut rest = units;
+    while !rest.is_empty() {
+        let last = rest.get(BATCH.min(rest.len()) - 1).map(|unit| unit.project());
+        let len = rest
+            .iter()
+            .skip(BATCH)
+            .position(|unit| Some(unit.project()) != last)
+            .map_or(rest.len(), |more| BATCH + more);
+        let (batch, behind) = rest.split_at(len);
+        batches.push(batch);
+        rest = behind;
+    }
+    batches
 }
 
 /// Evicts the trees of `batch`. They are taken apart while the next batch is checked.

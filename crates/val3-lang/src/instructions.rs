@@ -268,9 +268,6 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 /// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
-/// Lets a task wait for a condition (5.10).
-pub const WAIT: &str = "wait";
-
 /// Instructions that name a task of the same application or library (5.10).
 pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", TASK_STATUS];
 
@@ -288,6 +285,22 @@ pub const GET_DATA: &str = "getData";
 
 /// Tells whether a library has an item (6.7): a guard before its use.
 pub const LIB_EXIST: &str = "libExist";
+
+/// Tells the time (5.10): a loop that asks it paces itself.
+pub const CLOCK: &str = "clock";
+
+/// Waits until the arm has made every recorded move (10.6).
+pub const WAIT_END_MOVE: &str = "waitEndMove";
+
+/// Lets other tasks go on until a condition holds (5.10).
+pub const WAIT: &str = "wait";
+
+/// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
+pub const DELAY: &str = "delay";
+
+/// Changes the reference of its first argument, although the manual does not mark it as passed by reference (9.4.4,
+/// 9.5.4, 9.6.3).
+pub const LINK: &str = "link";
 
 /// Tells whether a variable or element exists (2.5.4): a guard before its use.
 pub const IS_DEFINED: &str = "isDefined";
@@ -315,9 +328,6 @@ pub const TO_BINARY: &str = "toBinary";
 
 /// Decodes numbers from bytes (3.3.3): bytes, their number, format, values.
 pub const FROM_BINARY: &str = "fromBinary";
-
-/// Gives the other tasks their turn (5.10); with 0 it does nothing else.
-pub const DELAY: &str = "delay";
 
 /// Changes a parameter of a serial line or socket (3.7.3).
 pub const SIO_CTRL: &str = "sioCtrl";

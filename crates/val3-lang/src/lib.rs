@@ -15,6 +15,7 @@ pub mod instructions;
 pub mod keys;
 pub mod keywords;
 pub mod library_errors;
+pub mod motion;
 pub mod operators;
 pub mod page;
 pub mod results;

@@ -37,6 +37,9 @@ impl TaskState {
     }
 }
 
+/// An input, output or serial line is used without a link (3.5 to 3.7).
+pub const UNLINKED: u16 = 123;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }

@@ -9,6 +9,7 @@
 
 mod application;
 mod edit;
+mod flow;
 mod misuse;
 mod mutation;
 mod names;
@@ -42,6 +43,10 @@ const ALL: &[&[Mutation]] = &[
     misuse::VALUES,
     misuse::DATA,
     misuse::TASKS,
+    flow::ORDER,
+    flow::WAITING,
+    flow::POSITIONS,
+    flow::MOVES,
     application::UNUSED,
     application::HIDDEN,
     application::TASKS,

@@ -34,6 +34,9 @@ pub struct Summary {
     pub locks: FxHashSet<SmolStr>,
     /// It takes a flag with `setMutex`.
     pub takes_mutex: bool,
+    /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
+    /// a program of a library, of which nothing is known.
+    pub waits: bool,
 }
 
 /// A `taskCreate` or `taskCreateSync`.
@@ -117,10 +120,13 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         }
     }
     add_tasks(body, &body.block, false, &mut summary.tasks);
-    for access in Effects::new(db, project, file).all() {
-        if let Root::Data(name) = access.root {
+    let effects = Effects::new(db, project, file);
+    // What an instruction of an add-on does is not known.
+    summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
+    for access in effects.all() {
+        if let Root::Data(name) = &access.root {
             let is_part = matches!(body.expr(access.id), Expr::Field { .. });
-            let uses = summary.data.entry(name).or_default();
+            let uses = summary.data.entry(name.clone()).or_default();
             uses.read_whole |= access.kind == AccessKind::Read && !is_part;
             let again = uses.written;
             uses.written_in_parts |= access.kind == AccessKind::WritePart && is_part && again;

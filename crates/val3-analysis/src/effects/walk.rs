@@ -101,7 +101,7 @@ impl Walk<'_, '_> {
     }
 
     fn instruction(&mut self, id: ExprId, args: &[ExprId]) {
-        let Some((instruction, form)) = self.effects.instructions.get(&id).copied() else {
+        let Some((instruction, form)) = self.effects.instruction(id) else {
             // What an unknown instruction does to its arguments is not known.
             return args.iter().for_each(|arg| self.argument(*arg, Some(AccessKind::Reference)));
         };

@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use val3_analysis::application::{Application, application};
 use val3_analysis::body::{Body, Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::effects::{Access, Effects};
+use val3_analysis::effects::Effects;
 use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::declarations;
@@ -14,6 +14,9 @@ use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
 use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_syntax::TextRange;
+
+use super::motion::Step;
+use super::{LocalUse, Motion};
 
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
@@ -28,7 +31,11 @@ pub(crate) struct Program<'db> {
     pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
-    accesses: OnceCell<Vec<Access>>,
+    /// What the arm does, once somebody has asked.
+    pub(super) motion: OnceCell<Option<Motion>>,
+    pub(super) motion_steps: OnceCell<Vec<Step<'db>>>,
+    pub(super) calls_by_point: OnceCell<Vec<Vec<Call<'db>>>>,
+    local_use: OnceCell<LocalUse>,
 }
 
 /// A call of an instruction.
@@ -64,7 +71,10 @@ impl<'db> Program<'db> {
             inference: infer(db, project, file),
             options,
             effects: Effects::new(db, project, file),
-            accesses: OnceCell::new(),
+            motion: OnceCell::new(),
+            motion_steps: OnceCell::new(),
+            calls_by_point: OnceCell::new(),
+            local_use: OnceCell::new(),
         }
     }
 
@@ -73,14 +83,14 @@ impl<'db> Program<'db> {
         &self.header.name
     }
 
-    /// Every use of a variable in it.
-    pub(crate) fn accesses(&self) -> &[Access] {
-        self.accesses.get_or_init(|| self.effects.all())
-    }
-
     /// Its control-flow graph.
     pub(crate) fn flow(&self) -> &'db Flow {
         flow(self.db, self.file)
+    }
+
+    /// What each of its points does to local variables.
+    pub(crate) fn local_use(&self) -> &LocalUse {
+        self.local_use.get_or_init(|| LocalUse::new(self))
     }
 
     /// What its application does as a whole.
@@ -96,6 +106,12 @@ impl<'db> Program<'db> {
     /// Every call of the instruction `name`.
     pub(crate) fn calls_of(&self, name: &str) -> impl Iterator<Item = Call<'db>> {
         self.calls().filter(move |call| call.instruction.name == name)
+    }
+
+    /// The call of an instruction that `id` is.
+    pub(crate) fn call_of(&self, id: ExprId) -> Option<Call<'db>> {
+        let (instruction, form) = self.effects.instruction(id)?;
+        self.call(&InstructionCall { id, instruction, form })
     }
 
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {

@@ -27,7 +27,7 @@ pub(crate) fn of_params(program: &Program<'_>) -> FxHashMap<SmolStr, Use> {
 
 fn gather(program: &Program<'_>, name: impl Fn(&Root) -> Option<&SmolStr>) -> FxHashMap<SmolStr, Use> {
     let mut uses: FxHashMap<SmolStr, Use> = FxHashMap::default();
-    for access in program.accesses() {
+    for access in program.effects.all() {
         if let Some(name) = name(&access.root) {
             uses.entry(name.clone()).or_default().add(access.kind);
         }

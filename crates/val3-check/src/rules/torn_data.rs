@@ -95,7 +95,7 @@ fn parts(program: &Program<'_>) -> Vec<(SmolStr, TextRange)> {
         .filter_map(|(name, _)| {
             let is_part =
                 |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
-            let second = program.accesses().iter().filter(is_part).nth(1)?;
+            let second = program.effects.all().iter().filter(is_part).nth(1)?;
             Some((name.clone(), program.range(second.id)))
         })
         .collect();
