@@ -5,13 +5,16 @@ use val3_check::settings::Selection;
 use val3_check::testing::{CheckedFinding, check_selected};
 use val3_lang::{instructions, page, statements};
 use val3_test::{Fixture, ROOT};
+use val3_tests::OF_WHOLE_PROJECTS;
 
-/// The findings in a listing; those of `asked` also where they are off until asked for.
+/// The findings in a listing; those of `asked` also where they are off until asked for, or need a whole project.
 fn check_for(asked: Option<&'static str>, listing: &str) -> Vec<CheckedFinding> {
     let selection = Selection { named: asked.into_iter().collect(), ..Selection::default() };
     let fixture = Fixture::parse(listing);
     let files = fixture.files.iter().map(|(path, text)| (format!("{ROOT}/{path}"), text.clone().into_bytes()));
-    check_selected(&files.collect::<Vec<_>>(), &selection)
+    let mut found = check_selected(&files.collect::<Vec<_>>(), &selection);
+    found.retain(|finding| asked == Some(finding.code) || !OF_WHOLE_PROJECTS.contains(&finding.code));
+    found
 }
 
 /// The VAL 3 listings below a heading of a page.

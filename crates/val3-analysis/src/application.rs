@@ -2,14 +2,16 @@
 //!
 //! Each program is summed up on its own, without ranges, so that an edit that changes no sum changes nothing here.
 
+mod locks;
 mod program;
 
+pub use locks::{Lock, locks};
 pub use program::{Summary, TaskStart, Use, summary};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
-use crate::db::{Db, Project};
+use crate::db::{Db, Project, Sources};
 use crate::items::project::items;
 
 /// A program of the own project (`library` is `None`) or of a library.
@@ -35,6 +37,8 @@ pub struct Task {
 pub struct Application {
     /// Every program could be read and has no fault of names or types, so that what is not here is not there.
     pub sound: bool,
+    /// What uses its private names is known: it is sound, and no user page (s8) names data and programs of it.
+    pub closed: bool,
     /// The tasks, those of `start` and `stop` first.
     pub tasks: Vec<Task>,
     /// For each program the tasks (by their place in `tasks`) that may run it. Programs without an entry are run by
@@ -49,6 +53,16 @@ pub struct Application {
     pub circles: FxHashSet<SmolStr>,
     /// For each global the programs that use it.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
+    /// How the names begin of data that programs read by name, as a text.
+    pub named_in_texts: FxHashSet<SmolStr>,
+    /// Library identifiers that stand in code.
+    pub libraries: FxHashSet<SmolStr>,
+    /// Items of libraries that stand in code, whatever the library.
+    pub foreign_items: FxHashSet<SmolStr>,
+    /// Programs that take a flag with `setMutex`.
+    pub takers_of_mutexes: FxHashSet<SmolStr>,
+    /// Flags that are tested on one line and set on the next, and the programs that do so.
+    pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
 
 /// The programs the controller starts on its own (5.1, 6.2).
@@ -74,8 +88,25 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application.find_runs(&summaries);
     application.find_waiting(&summaries);
     application.circles = circles(&summaries);
+    let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
+    application.closed = application.sound && !has_pages;
     application
 }
+
+/// Some program uses an item called `name` of some library. Libraries are loaded in place of each other, so it may be
+/// the item of any project.
+pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
+    library_items(db, Sources::get(db)).contains(name)
+}
+
+#[salsa::tracked]
+fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
+    let projects = sources.projects(db).values();
+    projects.flat_map(|project| &application(db, *project).foreign_items).cloned().collect()
+}
+
+/// The folder of the user pages of an application of s8.
+const USER_PAGES: &str = "interface";
 
 fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<Task> {
     let entry = |name: &&str| programs.clone().any(|program| program == name);
@@ -115,6 +146,15 @@ impl Application {
         for start in &summary.tasks {
             self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
         }
+        self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
+        self.libraries.extend(summary.foreign_items.iter().filter_map(|item| item.library.clone()));
+        self.foreign_items.extend(summary.foreign_items.iter().map(|item| item.program.clone()));
+        if summary.takes_mutex {
+            self.takers_of_mutexes.insert(name.clone());
+        }
+        for flag in &summary.locks {
+            self.locks.entry(flag.clone()).or_default().push(name.clone());
+        }
         for (data, uses) in &summary.data {
             self.users.entry(data.clone()).or_default().push((name.clone(), *uses));
         }
@@ -133,6 +173,63 @@ impl Application {
                 }
             }
         }
+    }
+
+    /// What all programs of the project together do to the data called `name`.
+    pub fn uses_of(&self, name: &str) -> Use {
+        let uses = self.users.get(name).into_iter().flatten();
+        uses.fold(Use::default(), |all, (_, one)| Use {
+            read: all.read || one.read,
+            written: all.written || one.written,
+            referenced: all.referenced || one.referenced,
+            read_whole: all.read_whole || one.read_whole,
+            written_in_parts: all.written_in_parts || one.written_in_parts,
+        })
+    }
+
+    /// A program reads data by a name that may be `name`, given as a text.
+    pub fn is_named_in_text(&self, name: &str) -> bool {
+        self.named_in_texts.iter().any(|beginning| beginning.starts_with(name) || name.starts_with(beginning.as_str()))
+    }
+
+    /// How many tasks may run any of these programs at the same time; 2 stands for any number from 2 on. Tasks of the
+    /// same name follow each other.
+    pub fn tasks_at_once<'a>(&self, programs: impl IntoIterator<Item = &'a SmolStr>) -> usize {
+        let tasks = programs.into_iter().flat_map(|program| self.tasks_of(program));
+        let starts = tasks.map(|task| &task.start);
+        let mut distinct: FxHashSet<(&SmolStr, &Callee)> = FxHashSet::default();
+        for start in starts {
+            distinct.insert((&start.beginning, &start.program));
+            if start.repeated && start.name.is_none() {
+                return 2;
+            }
+        }
+        distinct.len().min(2)
+    }
+
+    /// Tasks that programs create may run both programs, each in one of its own, at the same time.
+    pub fn run_side_by_side(&self, one: &SmolStr, other: &SmolStr) -> bool {
+        let (one, other) = (self.created_tasks_of(one), self.created_tasks_of(other));
+        !one.is_empty() && !other.is_empty() && one.union(&other).count() > 1
+    }
+
+    /// The tasks that programs create and that may run `program`, by what tells one from another.
+    fn created_tasks_of(&self, program: &str) -> FxHashSet<(&SmolStr, &Callee)> {
+        let created = self.tasks_of(program).filter(|task| task.created_by.is_some());
+        created.map(|task| (&task.start.beginning, &task.start.program)).collect()
+    }
+
+    /// A task of this project may be called `name`.
+    pub fn may_have_task(&self, name: &str) -> bool {
+        self.created_tasks().any(|start| match &start.name {
+            Some(known) => known == name,
+            None => name.starts_with(start.beginning.as_str()),
+        })
+    }
+
+    /// The tasks that programs create, in the order of the programs' names.
+    pub fn created_tasks(&self) -> impl Iterator<Item = &TaskStart> {
+        self.tasks.iter().filter(|task| task.created_by.is_some()).map(|task| &task.start)
     }
 
     /// Goes from the programs that wait to those that call them.

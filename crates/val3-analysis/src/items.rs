@@ -5,8 +5,10 @@
 
 pub mod data;
 pub mod declarations;
+pub mod fathers;
 pub mod faults;
 pub mod initial;
+pub mod layout;
 pub mod limits;
 pub mod manifest;
 pub mod program;

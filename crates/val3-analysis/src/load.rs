@@ -129,7 +129,8 @@ impl<'s> Loader<'s> {
         named.into_iter().for_each(|reference| self.enqueue(&folder, &roots, reference));
         let prefixes = loaded.iter().filter_map(Loaded::prefix);
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, prefix));
-        let project = Project::new(&self.db, file, roots, cell, configuration);
+        let beside = self.names_in(&folder);
+        let project = Project::new(&self.db, file, roots, cell, beside, configuration);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
     }

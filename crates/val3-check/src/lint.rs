@@ -10,16 +10,20 @@ mod findings;
 pub(crate) mod fixed;
 mod locals;
 mod motion;
+pub(crate) mod naming;
 mod points;
 mod program;
 mod project;
 pub(crate) mod ranges;
+pub(crate) mod removal;
 mod run;
 mod same;
 mod sizes;
 mod tasks;
 #[cfg(test)]
 pub(crate) mod testing;
+pub(crate) mod unused_data;
+pub(crate) mod variable_use;
 
 pub(crate) use choices::Choices;
 pub(crate) use findings::Findings;

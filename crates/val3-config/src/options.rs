@@ -11,6 +11,8 @@ use serde::{Deserialize, Serialize};
 pub struct Options {
     /// The most characters a line of code may have.
     pub line_length: usize,
+    /// The most parameters of a program.
+    pub parameters: usize,
     /// The most ways through one program that are easy to follow: 1, and one more for each `if`, `elseIf`, loop,
     /// `case`, `and` and `or`.
     pub complexity: usize,
@@ -30,18 +32,37 @@ pub struct Options {
     pub task_words: Vec<String>,
 }
 
+/// The prefixes that most public programs use.
+const PREFIXES: [(&str, &str); 14] = [
+    ("bool", "b"),
+    ("num", "n"),
+    ("string", "s"),
+    ("dio", "d"),
+    ("aio", "a"),
+    ("sio", "si"),
+    ("screen", "sc"),
+    ("trsf", "tr"),
+    ("frame", "f"),
+    ("tool", "t"),
+    ("point", "p"),
+    ("joint", "j"),
+    ("config", "c"),
+    ("mdesc", "m"),
+];
+
 impl Default for Options {
     fn default() -> Self {
         let words = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect();
         Self {
             line_length: 259,
+            parameters: 10,
             complexity: 20,
             entry_points: words(&["start", "stop"]),
             entry_prefixes: Vec::new(),
-            prefixes: BTreeMap::new(),
-            local_prefix: String::new(),
-            parameter_prefix: String::new(),
-            task_words: words(&["todo", "fixme"]),
+            prefixes: PREFIXES.map(|(ty, prefix)| (ty.to_owned(), prefix.to_owned())).into(),
+            local_prefix: "l_".to_owned(),
+            parameter_prefix: "x_".to_owned(),
+            task_words: words(&["todo", "fixme", "xxx", "hack"]),
         }
     }
 }

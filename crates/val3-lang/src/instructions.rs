@@ -268,6 +268,21 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 /// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
+/// Instructions that name a task of the same application or library (5.10).
+pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", TASK_STATUS];
+
+/// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
+pub const TASK_STATUS: &str = "taskStatus";
+
+/// Instructions that give the code of a key (4.3).
+pub const READ_KEYS: [&str; 2] = ["get", GET_KEY];
+
+/// Takes the code of a key as its last argument (4.3).
+pub const IS_KEY_PRESSED: &str = "isKeyPressed";
+
+/// Reads data by its name, given as a text (2.5.4): what it names is used.
+pub const GET_DATA: &str = "getData";
+
 /// Tells whether a library has an item (6.7): a guard before its use.
 pub const LIB_EXIST: &str = "libExist";
 
@@ -302,7 +317,7 @@ pub const SET_LATCH: &str = "setLatch";
 /// Reads the latched position (9.2.3): the one before until the latch is armed.
 pub const GET_LATCH: &str = "getLatch";
 
-/// Waits for a flag that tasks share and takes it (5.9).
+/// Waits for a flag that tasks share and takes it, within one line (5.9).
 pub const SET_MUTEX: &str = "setMutex";
 
 /// Writes a number in binary to an array of outputs (3.5.3).

@@ -12,6 +12,7 @@ pub mod builtins;
 pub mod enumerations;
 pub mod instruction;
 pub mod instructions;
+pub mod keys;
 pub mod keywords;
 pub mod library_errors;
 pub mod motion;

@@ -7,6 +7,7 @@
     reason = "a slip that does not fit the cell fails the suite"
 )]
 
+mod application;
 mod edit;
 mod flow;
 mod misuse;
@@ -46,6 +47,10 @@ const ALL: &[&[Mutation]] = &[
     flow::WAITING,
     flow::POSITIONS,
     flow::MOVES,
+    application::UNUSED,
+    application::HIDDEN,
+    application::TASKS,
+    application::VERSIONS,
 ];
 
 fn all() -> impl Iterator<Item = &'static Mutation> {

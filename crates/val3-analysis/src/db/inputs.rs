@@ -6,6 +6,7 @@ use std::sync::Arc;
 
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use val3_config::ConfigFile;
 use val3_syntax::encoding::Encoding;
 
@@ -52,6 +53,9 @@ pub struct Project {
     /// The cell around it.
     #[returns(copy)]
     pub cell: Option<Cell>,
+    /// Names of what lies in its folder, sorted.
+    #[returns(ref)]
+    pub beside: Vec<SmolStr>,
     /// The nearest `val3.toml` above it.
     #[returns(copy)]
     pub configuration: Option<Configuration>,

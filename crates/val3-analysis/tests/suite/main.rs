@@ -3,6 +3,7 @@
 
 mod show;
 
+mod application;
 mod arguments;
 mod calls;
 mod configuration;

@@ -22,7 +22,7 @@ pub(crate) fn program(db: &dyn Db, project: Project, file: File, settings: &Sett
 
 /// What they find in the data in `file`.
 pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
-    let data = DataFile::new(db, project, file);
+    let data = DataFile::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, None, project.manifest(db));
     for lint in lints(settings) {
         if let Lint::Data(check) = lint {
@@ -34,7 +34,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Setting
 
 /// What they find in the project file of `project`.
 pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec<Diagnostic> {
-    let view = ProjectView::new(db, project);
+    let view = ProjectView::new(db, project, &settings.options);
     let file = project.manifest(db);
     let mut found = Findings::new(file, None, file);
     for lint in lints(settings) {

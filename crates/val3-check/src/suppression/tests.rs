@@ -80,7 +80,7 @@ fn the_syntax_is_never_silenced() {
 #[test]
 fn comments_that_cannot_work() {
     check(
-        "num nA\n//val3: ignore(V0101)\nnA=1\n//val3: allow-program(V0101)\nnA=2\n",
+        "public num nA\n//val3: ignore(V0101)\nnA=1\n//val3: allow-program(V0101)\nnA=2\n",
         expect![[r#"
         V0703 a comment with `val3:` needs `allow(…)` or `allow-program(…)`
         V0703 `allow-program` stands behind the first line of code
@@ -90,7 +90,7 @@ fn comments_that_cannot_work() {
 
 #[test]
 fn what_is_not_looked_for_is_not_missed() {
-    let listing = "num nA\n//val3: allow(V0101)\nnA=1\n";
+    let listing = "public num nA\n//val3: allow(V0101)\nnA=1\n";
     let files: Vec<_> =
         Fixture::parse(listing).files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
     let never = Selection { never: ["V0101"].into(), ..Selection::default() };

@@ -104,7 +104,7 @@ fn a_folder_that_vanishes_for_a_while_is_no_end() {
 
 #[test]
 fn what_is_mended_is_no_endless_change() {
-    let folder = Folder::with("num nCount\nIF nCount==1\nendIf\n");
+    let folder = Folder::with("num nCount\nIF nCount==1\ncls()\nendIf\n");
     let watching = Watching::start(&folder, &["--fix"]);
     watching.round("1 of 1 finding mended");
     watching.round("0 of 0 findings mended");

@@ -84,7 +84,7 @@ fn unknown_keys() {
               |
             1 | [lint.naming]
               |       ^^^^^^
-              help: known here: complexity, entry-points, entry-prefixes, line-length, local-prefix, parameter-prefix, prefixes, task-words
+              help: known here: complexity, entry-points, entry-prefixes, line-length, local-prefix, parameter-prefix, parameters, prefixes, task-words
         "#]],
     );
 }
