@@ -11,7 +11,7 @@ pub use program::{Summary, TaskStart, Use, summary};
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
-use crate::db::{Db, Project, Sources};
+use crate::db::{Db, File, Project, Sources};
 use crate::items::project::items;
 
 /// A program of the own project (`library` is `None`) or of a library.
@@ -57,8 +57,6 @@ pub struct Application {
     pub named_in_texts: FxHashSet<SmolStr>,
     /// Library identifiers that stand in code.
     pub libraries: FxHashSet<SmolStr>,
-    /// Items of libraries that stand in code, whatever the library.
-    pub foreign_items: FxHashSet<SmolStr>,
     /// Programs that take a flag with `setMutex`.
     pub takers_of_mutexes: FxHashSet<SmolStr>,
     /// Flags that are tested on one line and set on the next, and the programs that do so.
@@ -101,8 +99,23 @@ pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
 
 #[salsa::tracked]
 fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
-    let projects = sources.projects(db).values();
-    projects.flat_map(|project| &application(db, *project).foreign_items).cloned().collect()
+    sources.files(db).values().flat_map(|file| mentions(db, *file)).cloned().collect()
+}
+
+/// The names that stand behind a colon in the text of a file: every `library:item`, and some that are none. The text
+/// alone tells, so that nobody has to read every program of a workspace to judge one.
+#[salsa::tracked]
+fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
+    let mut mentions = FxHashSet::default();
+    for (_, behind) in file.text(db).match_indices(':').filter_map(|(at, _)| file.text(db).split_at_checked(at + 1)) {
+        let name = behind.trim_start_matches([' ', '\t']);
+        let is_name = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+        let name = name.split(|letter| !is_name(letter)).next().unwrap_or("");
+        if !name.is_empty() {
+            mentions.insert(name.into());
+        }
+    }
+    mentions
 }
 
 /// The folder of the user pages of an application of s8.
@@ -147,8 +160,7 @@ impl Application {
             self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
         }
         self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
-        self.libraries.extend(summary.foreign_items.iter().filter_map(|item| item.library.clone()));
-        self.foreign_items.extend(summary.foreign_items.iter().map(|item| item.program.clone()));
+        self.libraries.extend(summary.libraries.iter().cloned());
         if summary.takes_mutex {
             self.takers_of_mutexes.insert(name.clone());
         }

@@ -5,10 +5,9 @@ use std::sync::Arc;
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
-use val3_analysis::items;
+use val3_analysis::items::faults::text_faults;
 use val3_check::diagnostic::{self, Diagnostic, RelatedNote, Span};
 use val3_syntax::encoding::Encoding;
-use val3_syntax::view::View;
 
 use crate::code_lines::CodeLines;
 use crate::paths::Paths;
@@ -91,8 +90,8 @@ impl<'a> Translator<'a> {
         source.shown = self.paths.shown(path);
         source.in_repository = self.paths.in_repository(path);
         source.disk = application.and_then(|application| self.on_controller(path, application));
-        let parse = items::parse(self.db, file);
-        Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(View::root(parse.green()))) }
+        let codes = &text_faults(self.db, file).codes;
+        Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(codes)) }
     }
 
     fn encoding(&self, file: File) -> Encoding {

@@ -28,8 +28,8 @@ pub struct Summary {
     pub data: FxHashMap<SmolStr, Use>,
     /// How the names begin of data that it reads by name, as a text.
     pub named_in_texts: FxHashSet<SmolStr>,
-    /// Items of libraries that stand in its code, data as well as programs.
-    pub foreign_items: FxHashSet<Callee>,
+    /// Library identifiers that stand in its code.
+    pub libraries: FxHashSet<SmolStr>,
     /// Flags that it tests on one line and sets on the next.
     pub locks: FxHashSet<SmolStr>,
     /// It takes a flag with `setMutex`.
@@ -108,7 +108,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         sound: header(db, file).complete
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
-        foreign_items: foreign_items(body),
+        libraries: libraries(body),
         takes_mutex: takes_mutex(body),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
         named_in_texts: named_in_texts(body),
@@ -145,9 +145,9 @@ fn takes_mutex(body: &Body) -> bool {
     body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if name == SET_MUTEX))
 }
 
-fn foreign_items(body: &Body) -> FxHashSet<Callee> {
+fn libraries(body: &Body) -> FxHashSet<SmolStr> {
     let named = body.exprs().filter_map(|(_, expr, _)| match expr {
-        Expr::Path { library, item } => Some(Callee { library: Some(library.clone()), program: item.clone() }),
+        Expr::Path { library, .. } => Some(library.clone()),
         _ => None,
     });
     named.collect()
