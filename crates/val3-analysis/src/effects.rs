@@ -2,7 +2,6 @@
 
 mod walk;
 
-use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::instruction::{Class, Instruction, Overload, Shape};
 use val3_lang::instructions::LINK;
@@ -89,22 +88,18 @@ pub struct Effects<'db> {
     inference: &'db Inference,
     header: &'db Header,
     items: &'db Items,
-    instructions: FxHashMap<ExprId, (&'static Instruction, Option<&'static Overload>)>,
 }
 
 impl<'db> Effects<'db> {
     /// Those of the program in `file` as a part of `project`.
     pub fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
-        let inference = infer(db, project, file);
-        let instructions = inference.calls().iter().map(|call| (call.id, (call.instruction, call.form)));
         Self {
             db,
             project,
             file,
             body: body(db, file),
             flow: flow(db, file),
-            inference,
-            instructions: instructions.collect(),
+            inference: infer(db, project, file),
             header: header(db, file),
             items: items(db, project),
         }
@@ -112,7 +107,7 @@ impl<'db> Effects<'db> {
 
     /// The instruction that the call `id` calls, with the form that suits the arguments.
     pub fn instruction(&self, id: ExprId) -> Option<(&'static Instruction, Option<&'static Overload>)> {
-        self.instructions.get(&id).copied()
+        self.inference.call(id).map(|call| (call.instruction, call.form))
     }
 
     /// The scheduler may go on to the next task somewhere in the program: an instruction waits, a serial line is read

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::model::{Signature, Type, Variable, is_code};
+use super::model::{Container, Signature, Type, Variable, is_code};
 use super::random::Random;
 use super::scope::Scope;
 use super::words::COMMENTS;
@@ -16,6 +16,27 @@ fn first_value(local: &Variable, scope: &Scope, random: &mut Random) -> Option<S
         }
         Type::Num | Type::Bool | Type::Text | Type::Dio => None,
     }
+}
+
+/// A line that reads a variable.
+fn last_use(variable: &Variable) -> Option<String> {
+    let index = match variable.container {
+        Container::One => "",
+        Container::Array(_) => "[0]",
+        Container::Grid(..) => "[0,0]",
+        Container::Collection(_) => return None,
+    };
+    let name = &variable.name;
+    Some(match variable.ty {
+        Type::Num | Type::Text => format!("putln({name}{index})"),
+        Type::Bool | Type::Dio => format!("wait({name}{index}==true)"),
+        Type::Trsf => format!("putln({name}{index}.z)"),
+        Type::Point | Type::Tool => format!("putln({name}{index}.trsf.z)"),
+        Type::Joint => format!("putln({name}{index}.j1)"),
+        Type::Mdesc => format!("putln({name}{index}.vel)"),
+        Type::Slot => format!("putln({name}{index}.sLabel)"),
+        Type::Frame => return None,
+    })
 }
 
 /// A program's code so far.
@@ -103,12 +124,16 @@ impl<'a> Body<'a> {
         place
     }
 
-    /// The lines from `begin` to `end`, and the locals to declare.
-    pub(super) fn finish(self) -> (Vec<String>, Vec<Variable>) {
+    /// The lines from `begin` to `end`, and the locals to declare. At the end every variable is read once more, so
+    /// that none is there for nothing.
+    pub(super) fn finish<'p>(self, parameters: impl IntoIterator<Item = &'p Variable>) -> (Vec<String>, Vec<Variable>) {
         let mut lines = vec!["begin".to_owned()];
         let starts = self.starts.iter().filter(|(local, _)| self.used_locals.contains(*local));
         lines.extend(starts.map(|(local, value)| format!("  {local}={value}")));
         lines.extend(self.lines);
+        let read = self.locals.iter().filter(|local| self.used_locals.contains(&local.name)).filter_map(last_use);
+        let read = read.chain(parameters.into_iter().filter_map(last_use));
+        lines.extend(read.map(|line| format!("  {line}")));
         lines.push("end".to_owned());
         let used = self.locals.iter().filter(|local| self.used_locals.contains(&local.name));
         (lines, used.cloned().collect())

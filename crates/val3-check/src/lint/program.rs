@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use val3_analysis::application::{Application, application};
-use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::body::{Body, Expr, ExprId, Stmt, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::Effects;
 use val3_analysis::flow::{Flow, flow};
@@ -36,6 +36,7 @@ pub(crate) struct Program<'db> {
     pub(super) motion_steps: OnceCell<Vec<Step<'db>>>,
     pub(super) calls_by_point: OnceCell<Vec<Vec<Call<'db>>>>,
     local_use: OnceCell<LocalUse>,
+    stmts: OnceCell<Vec<&'db Stmt>>,
 }
 
 /// A call of an instruction.
@@ -75,6 +76,7 @@ impl<'db> Program<'db> {
             motion_steps: OnceCell::new(),
             calls_by_point: OnceCell::new(),
             local_use: OnceCell::new(),
+            stmts: OnceCell::new(),
         }
     }
 
@@ -91,6 +93,11 @@ impl<'db> Program<'db> {
     /// What each of its points does to local variables.
     pub(crate) fn local_use(&self) -> &LocalUse {
         self.local_use.get_or_init(|| LocalUse::new(self))
+    }
+
+    /// Every statement, outer ones before inner ones.
+    pub(crate) fn stmts(&self) -> &[&'db Stmt] {
+        self.stmts.get_or_init(|| self.body.stmts())
     }
 
     /// What its application does as a whole.

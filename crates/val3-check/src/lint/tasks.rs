@@ -42,7 +42,7 @@ impl TaskCreation<'_> {
 impl<'db> Program<'db> {
     /// Every statement that creates a task, in the order of the text.
     pub(crate) fn task_creations(&self) -> impl Iterator<Item = TaskCreation<'db>> {
-        let statements = self.body.stmts().into_iter().filter_map(|stmt| match &stmt.kind {
+        let statements = self.stmts().iter().copied().filter_map(|stmt| match &stmt.kind {
             StmtKind::TaskCreate { arguments, .. } => Some(arguments.as_slice()),
             _ => None,
         });

@@ -43,7 +43,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let calls = program.body.stmts().into_iter().filter_map(|stmt| match stmt.kind {
+    let calls = program.stmts().iter().copied().filter_map(|stmt| match stmt.kind {
         StmtKind::Call(call) => program.program_call(call),
         _ => None,
     });

@@ -34,7 +34,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let (condition, is_while) = match &stmt.kind {
             StmtKind::While { condition: Some(condition), block } if block.is_empty() => (*condition, true),
             StmtKind::Do { block, condition: Some(condition) } if block.is_empty() => (*condition, false),

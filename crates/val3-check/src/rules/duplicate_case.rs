@@ -44,7 +44,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::Switch { cases, .. } = &stmt.kind else { continue };
         let mut seen: FxHashMap<String, ExprId> = FxHashMap::default();
         for value in cases.iter().flat_map(|(values, _)| values).copied().filter(|value| program.is_pure(*value)) {

@@ -35,7 +35,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::If { arms, .. } = &stmt.kind else { continue };
         for (condition, block) in arms {
             let Some(condition) = condition.map(|id| program.range(id)).filter(|_| block.is_empty()) else { continue };

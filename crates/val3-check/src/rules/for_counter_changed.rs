@@ -36,7 +36,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let body = program.body;
-    for stmt in body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::For { counter: Some(counter), block, .. } = &stmt.kind else { continue };
         let name = body.normal_form(*counter);
         for inner in block.iter().flat_map(Stmt::with_inner) {

@@ -41,7 +41,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::For { counter: Some(outer), block, .. } = &stmt.kind else { continue };
         for inside in block.iter().flat_map(Stmt::with_inner) {
             let StmtKind::For { counter: Some(inner), .. } = inside.kind else { continue };

@@ -34,7 +34,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::For { step: Some(step), .. } = stmt.kind else { continue };
         if program.body.number(step) == Some(0.0) {
             found.report(&RULE, program.range(step), word());

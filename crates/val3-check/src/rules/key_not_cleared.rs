@@ -34,7 +34,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     // What was read anywhere before counts as cleared.
     let Some(first) = program.calls_of(GET_KEY).map(|call| call.id).min() else { return };
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let (condition, ends_when) = match &stmt.kind {
             StmtKind::While { condition: Some(condition), .. } => (*condition, false),
             StmtKind::Do { condition: Some(condition), .. } => (*condition, true),

@@ -34,7 +34,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         match &stmt.kind {
             StmtKind::For { start: Some(start), stop: Some(stop), step, .. } => {
                 check_for(program, [*start, *stop], *step, found);

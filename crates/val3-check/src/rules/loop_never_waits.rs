@@ -40,7 +40,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let Some(condition) = program.endless_condition(stmt) else { continue };
         let leaves = stmt.with_inner().iter().any(|inner| inner.kind == StmtKind::Return);
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));

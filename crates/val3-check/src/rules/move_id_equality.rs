@@ -39,7 +39,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             reported.fix(format!("write `{instead}`"), false, vec![(edit, program.spelt(instead).into_owned())]);
         }
     }
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         if let StmtKind::Switch { selector: Some(selector), .. } = stmt.kind
             && is_move_id(program, selector)
         {

@@ -31,7 +31,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::Assign { target, value } = stmt.kind else { continue };
         match (program.body.expr(target), program.body.expr(value)) {
             (Expr::Field { base, field, .. }, _) if is_descriptor(program, *base) => {

@@ -57,7 +57,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if !circles.contains(program.name()) {
         return;
     }
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::Call(call) = stmt.kind else { continue };
         let Expr::Call(callee, _) = program.body.expr(call) else { continue };
         let Expr::Name(name) = program.body.expr(*callee) else { continue };

@@ -40,7 +40,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::If { arms, .. } = &stmt.kind else { continue };
         if arms.len() < 2 {
             continue;

@@ -40,7 +40,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::Expr(call) = stmt.kind else { continue };
         let Expr::Call(callee, _) = program.body.expr(call) else { continue };
         let (Expr::Name(name) | Expr::Path { item: name, .. }) = program.body.expr(*callee) else { continue };

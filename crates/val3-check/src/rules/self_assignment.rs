@@ -35,7 +35,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for stmt in program.body.stmts() {
+    for stmt in program.stmts() {
         let StmtKind::Assign { target, value } = stmt.kind else { continue };
         // A serial line is read and written.
         let is_line = program.inference.ty(target).base.builtin() == Some(BaseType::Sio);

@@ -41,7 +41,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     let flow = program.flow();
     let endless: FxHashSet<ExprId> =
-        program.body.stmts().into_iter().filter_map(|stmt| program.endless_condition(stmt)).collect();
+        program.stmts().iter().copied().filter_map(|stmt| program.endless_condition(stmt)).collect();
     // A block behind another constant condition is told where the condition stands.
     let is_endless = |point: &Point| match point.kind {
         PointKind::Test { condition: Some(condition), .. } => endless.contains(&condition),
