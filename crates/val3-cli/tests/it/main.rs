@@ -7,6 +7,7 @@ mod baseline;
 mod check;
 mod configuration;
 mod explain;
+mod faulty_cell;
 mod fixes;
 mod formats;
 mod statistics;
