@@ -20,6 +20,7 @@ use salsa::Setter as _;
 use val3_analysis::db::{Database, File};
 use val3_analysis::load::{self, Workspace};
 use val3_analysis::system::Disk;
+use val3_check::settings::WorkspaceSettings;
 use val3_check::{Unit, check_unit, units};
 
 const CODE_LINES: usize = 100_000;
@@ -51,7 +52,8 @@ impl Written {
 
 /// The number of findings, which is 0.
 fn check_all(db: &Database, units: &[Unit]) -> usize {
-    units.par_iter().map_with(db.clone(), |db, unit| check_unit(db, *unit).len()).sum()
+    let settings = WorkspaceSettings::default();
+    units.par_iter().map_with(db.clone(), |db, unit| check_unit(db, *unit, &settings).findings.len()).sum()
 }
 
 #[divan::bench(sample_count = 10)]
@@ -105,7 +107,7 @@ fn edited_body(bencher: Bencher<'_, '_>) {
     let mut edited = Edited::new();
     bencher.bench_local(|| {
         edited.edit();
-        black_box(check_unit(&edited.workspace.db, edited.unit))
+        black_box(check_unit(&edited.workspace.db, edited.unit, &WorkspaceSettings::default()))
     });
 }
 

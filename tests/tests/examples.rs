@@ -7,6 +7,9 @@ const FAULTS: &[(&str, &str, &str)] = &[
     ("V0014", "sorter/sort.pgx", "call feeder:advance"),
     ("V0101", "sorter/count.pgx", "nSortd"),
     ("V0203", "sorter/drop.pgx", "movej("),
+    ("V0302", "sorter/pause.pgx", "putln("),
+    ("V0322", "sorter/belt.pgx", "taskCreate"),
+    ("V0401", "sorter/home.pgx", "movej("),
     ("V0501", "sorter/sorter.pjx", "park.pgx"),
     ("V0512", "sorter/sorter.dtx", "key=\"2\""),
     ("V0520", "sorter/sorter.dtx", "fTabel"),
@@ -16,7 +19,8 @@ const FAULTS: &[(&str, &str, &str)] = &[
 ];
 
 /// What introduces the comment on a fault, one word a family.
-const FAMILIES: &[&str] = &["Syntax: ", "Names: ", "Types: ", "Project: ", "Data: ", "Library: ", "Style: "];
+const FAMILIES: &[&str] =
+    &["Syntax: ", "Names: ", "Types: ", "Flow: ", "Tasks: ", "Motion: ", "Project: ", "Data: ", "Library: ", "Style: "];
 
 #[test]
 fn the_faults_are_where_they_should_be() {

@@ -82,9 +82,16 @@ fn lang_knows_no_tree() {
 }
 
 #[test]
-fn analysis_stands_on_syntax_and_lang() {
-    check_only("val3-analysis", &["val3-syntax", "val3-lang"], &["clap", "serde_json", "tokio"]);
-    check_only("val3-check", &["val3-analysis", "val3-syntax", "val3-lang"], &["clap", "serde_json", "tokio"]);
+fn config_knows_the_language_alone() {
+    check_only("val3-config", &["val3-lang"], &["salsa", "rowan", "clap", "tokio"]);
+}
+
+#[test]
+fn analysis_stands_on_syntax_lang_and_config() {
+    let below = ["val3-syntax", "val3-lang", "val3-config"];
+    check_only("val3-analysis", &below, &["clap", "serde_json", "toml", "tokio"]);
+    let below = [&below[..], &["val3-analysis"]].concat();
+    check_only("val3-check", &below, &["clap", "serde_json", "toml", "tokio"]);
 }
 
 #[test]
@@ -108,7 +115,8 @@ fn the_two_towers_do_not_touch() {
 #[test]
 fn every_crate_has_its_place() {
     let metadata = metadata();
-    let below = ["val3-syntax", "val3-lang", "val3-test", "val3-book", "val3-tests", "val3-benches", "xtask"];
+    let below =
+        ["val3-syntax", "val3-lang", "val3-config", "val3-test", "val3-book", "val3-tests", "val3-benches", "xtask"];
     let known: BTreeSet<_> = [ANALYSIS, RUNTIME, BRIDGES, &below].into_iter().flatten().copied().collect();
     let strangers = dependencies(&metadata).into_keys().filter(|name| !known.contains(name)).collect();
     assert_none(strangers, "name the crate's place in this test");
@@ -152,7 +160,8 @@ fn xtask_builds_without_the_toolchain() {
 #[test]
 fn no_crate_below_the_binaries_touches_the_system() {
     let metadata = metadata();
-    let pure = ["val3-syntax", "val3-lang", "val3-check", "val3-fmt", "val3-ide", "val3-vm", "val3-motion"];
+    let pure =
+        ["val3-syntax", "val3-lang", "val3-config", "val3-check", "val3-fmt", "val3-ide", "val3-vm", "val3-motion"];
     for package in metadata.packages.iter().filter(|package| pure.contains(&package.name.as_str())) {
         let folder = package.manifest_path.parent().unwrap().join("src");
         let wrong = sources(&folder).into_iter().filter(|path| touches_the_system(path)).collect::<Vec<_>>();

@@ -2,14 +2,16 @@
 //!
 //! Each program is summed up on its own, without ranges, so that an edit that changes no sum changes nothing here.
 
+mod locks;
 mod program;
 
+pub use locks::{Lock, locks};
 pub use program::{Summary, TaskStart, Use, summary};
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
-use crate::db::{Db, Project};
+use crate::db::{Db, File, Project, Sources};
 use crate::items::project::items;
 
 /// A program of the own project (`library` is `None`) or of a library.
@@ -35,6 +37,8 @@ pub struct Task {
 pub struct Application {
     /// Every program could be read and has no fault of names or types, so that what is not here is not there.
     pub sound: bool,
+    /// What uses its private names is known: it is sound, and no user page (s8) names data and programs of it.
+    pub closed: bool,
     /// The tasks, those of `start` and `stop` first.
     pub tasks: Vec<Task>,
     /// For each program the tasks (by their place in `tasks`) that may run it. Programs without an entry are run by
@@ -42,8 +46,21 @@ pub struct Application {
     pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
     /// Programs that call each program, or create a task with it.
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
+    /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
+    pub waiting: FxHashSet<SmolStr>,
+    /// Programs that may call themselves, on their own or through others, and those on a way from one such circle to
+    /// another. It is empty for most applications.
+    pub circles: FxHashSet<SmolStr>,
     /// For each global the programs that use it.
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
+    /// How the names begin of data that programs read by name, as a text.
+    pub named_in_texts: FxHashSet<SmolStr>,
+    /// Library identifiers that stand in code.
+    pub libraries: FxHashSet<SmolStr>,
+    /// Programs that take a flag with `setMutex`.
+    pub takers_of_mutexes: FxHashSet<SmolStr>,
+    /// Flags that are tested on one line and set on the next, and the programs that do so.
+    pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
 
 /// The programs the controller starts on its own (5.1, 6.2).
@@ -67,13 +84,69 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
         application.add(name, summary);
     }
     application.find_runs(&summaries);
+    application.find_waiting(&summaries);
+    application.circles = circles(&summaries);
+    let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
+    application.closed = application.sound && !has_pages;
     application
 }
+
+/// Some program uses an item called `name` of some library. Libraries are loaded in place of each other, so it may be
+/// the item of any project.
+pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
+    library_items(db, Sources::get(db)).contains(name)
+}
+
+#[salsa::tracked]
+fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
+    sources.files(db).values().flat_map(|file| mentions(db, *file)).cloned().collect()
+}
+
+/// The names that stand behind a colon in the text of a file: every `library:item`, and some that are none. The text
+/// alone tells, so that nobody has to read every program of a workspace to judge one.
+#[salsa::tracked]
+fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
+    let mut mentions = FxHashSet::default();
+    for (_, behind) in file.text(db).match_indices(':').filter_map(|(at, _)| file.text(db).split_at_checked(at + 1)) {
+        let name = behind.trim_start_matches([' ', '\t']);
+        let is_name = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+        let name = name.split(|letter| !is_name(letter)).next().unwrap_or("");
+        if !name.is_empty() {
+            mentions.insert(name.into());
+        }
+    }
+    mentions
+}
+
+/// The folder of the user pages of an application of s8.
+const USER_PAGES: &str = "interface";
 
 fn entry_tasks<'a>(programs: impl Iterator<Item = &'a SmolStr> + Clone) -> Vec<Task> {
     let entry = |name: &&str| programs.clone().any(|program| program == name);
     let task = |name| Task { created_by: None, start: TaskStart::of_controller(name) };
     ENTRY_POINTS.into_iter().filter(entry).map(task).collect()
+}
+
+/// Takes away programs that call none of the others, or that none of the others calls, until all are in circles.
+fn circles(summaries: &FxHashMap<&SmolStr, &Summary>) -> FxHashSet<SmolStr> {
+    let mut left: FxHashSet<SmolStr> = summaries.keys().map(|name| (*name).clone()).collect();
+    loop {
+        let mut called = FxHashSet::default();
+        let mut calling = FxHashSet::default();
+        for name in &left {
+            let calls = summaries.get(name).into_iter().flat_map(|summary| &summary.calls);
+            let own = calls.filter(|callee| callee.library.is_none() && left.contains(&callee.program));
+            for callee in own {
+                calling.insert(name.clone());
+                called.insert(callee.program.clone());
+            }
+        }
+        let before = left.len();
+        left.retain(|name| calling.contains(name) && called.contains(name));
+        if left.len() == before {
+            return left;
+        }
+    }
 }
 
 impl Application {
@@ -85,6 +158,14 @@ impl Application {
         }
         for start in &summary.tasks {
             self.tasks.push(Task { created_by: Some(name.clone()), start: start.clone() });
+        }
+        self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
+        self.libraries.extend(summary.libraries.iter().cloned());
+        if summary.takes_mutex {
+            self.takers_of_mutexes.insert(name.clone());
+        }
+        for flag in &summary.locks {
+            self.locks.entry(flag.clone()).or_default().push(name.clone());
         }
         for (data, uses) in &summary.data {
             self.users.entry(data.clone()).or_default().push((name.clone(), *uses));
@@ -103,6 +184,81 @@ impl Application {
                     open.extend(own.map(|callee| &callee.program));
                 }
             }
+        }
+    }
+
+    /// What all programs of the project together do to the data called `name`.
+    pub fn uses_of(&self, name: &str) -> Use {
+        let uses = self.users.get(name).into_iter().flatten();
+        uses.fold(Use::default(), |all, (_, one)| Use {
+            read: all.read || one.read,
+            written: all.written || one.written,
+            referenced: all.referenced || one.referenced,
+            read_whole: all.read_whole || one.read_whole,
+            written_in_parts: all.written_in_parts || one.written_in_parts,
+        })
+    }
+
+    /// A program reads data by a name that may be `name`, given as a text.
+    pub fn is_named_in_text(&self, name: &str) -> bool {
+        self.named_in_texts.iter().any(|beginning| beginning.starts_with(name) || name.starts_with(beginning.as_str()))
+    }
+
+    /// How many tasks may run any of these programs at the same time; 2 stands for any number from 2 on. Tasks of the
+    /// same name follow each other.
+    pub fn tasks_at_once<'a>(&self, programs: impl IntoIterator<Item = &'a SmolStr>) -> usize {
+        let tasks = programs.into_iter().flat_map(|program| self.tasks_of(program));
+        let starts = tasks.map(|task| &task.start);
+        let mut distinct: FxHashSet<(&SmolStr, &Callee)> = FxHashSet::default();
+        for start in starts {
+            distinct.insert((&start.beginning, &start.program));
+            if start.repeated && start.name.is_none() {
+                return 2;
+            }
+        }
+        distinct.len().min(2)
+    }
+
+    /// Tasks that programs create may run both programs, each in one of its own, at the same time.
+    pub fn run_side_by_side(&self, one: &SmolStr, other: &SmolStr) -> bool {
+        let (one, other) = (self.created_tasks_of(one), self.created_tasks_of(other));
+        !one.is_empty() && !other.is_empty() && one.union(&other).count() > 1
+    }
+
+    /// The tasks that programs create and that may run `program`, by what tells one from another.
+    fn created_tasks_of(&self, program: &str) -> FxHashSet<(&SmolStr, &Callee)> {
+        let created = self.tasks_of(program).filter(|task| task.created_by.is_some());
+        created.map(|task| (&task.start.beginning, &task.start.program)).collect()
+    }
+
+    /// A task of this project may be called `name`.
+    pub fn may_have_task(&self, name: &str) -> bool {
+        self.created_tasks().any(|start| match &start.name {
+            Some(known) => known == name,
+            None => name.starts_with(start.beginning.as_str()),
+        })
+    }
+
+    /// The tasks that programs create, in the order of the programs' names.
+    pub fn created_tasks(&self) -> impl Iterator<Item = &TaskStart> {
+        self.tasks.iter().filter(|task| task.created_by.is_some()).map(|task| &task.start)
+    }
+
+    /// Goes from the programs that wait to those that call them.
+    fn find_waiting(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        let calls_unknown = |summary: &Summary| {
+            summary.calls.iter().any(|callee| callee.library.is_none() && !summaries.contains_key(&callee.program))
+        };
+        let first = summaries.iter().filter(|(_, summary)| summary.waits || !summary.sound || calls_unknown(summary));
+        let mut open: Vec<SmolStr> = first.map(|(name, _)| (*name).clone()).collect();
+        while let Some(program) = open.pop() {
+            let callers = self.callers.get(&program).into_iter().flatten();
+            let calls = |caller: &&SmolStr| {
+                let summary = summaries.get(caller);
+                summary.is_some_and(|summary| summary.calls.iter().any(|callee| callee.program == program))
+            };
+            open.extend(callers.filter(|caller| !self.waiting.contains(*caller)).filter(calls).cloned());
+            self.waiting.insert(program);
         }
     }
 

@@ -2,6 +2,8 @@
 
 mod constant;
 mod lower;
+mod same;
+mod walk;
 
 pub use constant::Constant;
 
@@ -46,6 +48,13 @@ impl Stmt {
             _ => Vec::new(),
         };
         blocks.into_iter()
+    }
+
+    /// The statement and those in its blocks, outer ones before inner ones, in the order of the text.
+    pub fn with_inner(&self) -> Vec<&Stmt> {
+        let mut found = vec![self];
+        self.blocks().for_each(|block| collect_stmts(block, &mut found));
+        found
     }
 }
 
@@ -164,6 +173,29 @@ pub enum Expr {
     Struct(Box<[Option<ExprId>]>),
 }
 
+impl Expr {
+    /// Hands the expressions that this one is made of to `see`, from left to right.
+    fn each_part(&self, mut see: impl FnMut(ExprId)) {
+        match self {
+            Self::Paren(inner) | Self::Unary(_, inner) | Self::Field { base: inner, .. } => see(*inner),
+            Self::Binary(_, left, right) | Self::Assign(left, right) => [*left, *right].into_iter().for_each(see),
+            Self::Index(base, parts) | Self::Call(base, parts) => {
+                see(*base);
+                parts.iter().copied().for_each(see);
+            }
+            Self::Struct(parts) => parts.iter().flatten().copied().for_each(see),
+            Self::Missing | Self::Number(_) | Self::String(_) | Self::Bool(_) | Self::Name(_) | Self::Path { .. } => {}
+        }
+    }
+}
+
+fn collect_stmts<'b>(block: &'b [Stmt], found: &mut Vec<&'b Stmt>) {
+    for stmt in block {
+        found.push(stmt);
+        stmt.blocks().for_each(|block| collect_stmts(block, found));
+    }
+}
+
 /// The code of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn body(db: &dyn Db, file: File) -> Body {
@@ -194,6 +226,25 @@ impl Body {
     /// There is no expression.
     pub fn is_empty(&self) -> bool {
         self.exprs.is_empty()
+    }
+
+    /// Every statement, outer ones before inner ones, in the order of the text.
+    pub fn stmts(&self) -> Vec<&Stmt> {
+        let mut found = Vec::new();
+        collect_stmts(&self.block, &mut found);
+        found
+    }
+
+    /// `id` and every expression it is made of, inner ones before outer ones, from left to right.
+    pub fn within(&self, id: ExprId) -> Vec<ExprId> {
+        let mut found = Vec::new();
+        self.collect(id, &mut found);
+        found
+    }
+
+    fn collect(&self, id: ExprId, found: &mut Vec<ExprId>) {
+        self.expr(id).each_part(|part| self.collect(part, found));
+        found.push(id);
     }
 
     /// The expression without the parentheses around it.

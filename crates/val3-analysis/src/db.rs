@@ -4,9 +4,11 @@
 
 mod inputs;
 
+use camino::Utf8Path;
+use val3_config::Config;
 use val3_lang::types::Arm;
 
-pub use inputs::{Cell, File, FileStatus, Project, Sources};
+pub use inputs::{Cell, Configuration, File, FileStatus, Project, Sources};
 
 /// The key under which a path is found: files are looked up without regard to letter case.
 pub fn path_key(path: &str) -> String {
@@ -44,6 +46,16 @@ impl std::fmt::Debug for Database {
 }
 
 impl Project {
+    /// What `Disk://` stands for; `None` where nothing tells.
+    pub fn disk(self, db: &dyn Db) -> Option<&Utf8Path> {
+        self.roots(db).disk.as_deref()
+    }
+
+    /// What the `val3.toml` above it says.
+    pub fn config(self, db: &dyn Db) -> Option<&Config> {
+        self.configuration(db).map(|configuration| &configuration.file(db).config)
+    }
+
     /// The arm of the cell, if its configuration tells.
     pub fn cell_arm(self, db: &dyn Db) -> Option<Arm> {
         self.cell(db).and_then(|cell| cell.config(db).arm)

@@ -2,13 +2,14 @@
 
 mod walk;
 
-use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::instruction::{Class, Instruction, Overload, Shape};
+use val3_lang::instructions::LINK;
+use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::flow::{Flow, Point, flow};
+use crate::flow::{Flow, Point, PointId, PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
@@ -50,43 +51,102 @@ pub struct Access {
     pub kind: AccessKind,
 }
 
+/// What each point of a program does to variables.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Accesses {
+    all: Vec<Access>,
+    /// Where in `all` the accesses of each point end.
+    ends: Vec<usize>,
+}
+
+impl Accesses {
+    fn at(&self, point: PointId) -> &[Access] {
+        let end = self.ends.get(point.index()).copied().unwrap_or(0);
+        let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
+        self.all.get(start..end).unwrap_or(&[])
+    }
+}
+
+#[salsa::tracked(lru = 256, no_eq)]
+fn accesses(db: &dyn Db, project: Project, file: File) -> Accesses {
+    let effects = Effects::new(db, project, file);
+    let mut accesses = Accesses::default();
+    for (_, point) in effects.flow.points() {
+        accesses.all.extend(walk::point(&effects, point));
+        accesses.ends.push(accesses.all.len());
+    }
+    accesses
+}
+
 /// Everything that is needed to tell what a program does to its variables.
 pub struct Effects<'db> {
     db: &'db dyn Db,
     project: Project,
+    file: File,
     body: &'db Body,
     flow: &'db Flow,
     inference: &'db Inference,
     header: &'db Header,
     items: &'db Items,
-    instructions: FxHashMap<ExprId, (&'static Instruction, Option<&'static Overload>)>,
 }
 
 impl<'db> Effects<'db> {
     /// Those of the program in `file` as a part of `project`.
     pub fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
-        let inference = infer(db, project, file);
-        let instructions = inference.calls().iter().map(|call| (call.id, (call.instruction, call.form)));
         Self {
             db,
             project,
+            file,
             body: body(db, file),
             flow: flow(db, file),
-            inference,
-            instructions: instructions.collect(),
+            inference: infer(db, project, file),
             header: header(db, file),
             items: items(db, project),
         }
     }
 
+    /// The instruction that the call `id` calls, with the form that suits the arguments.
+    pub fn instruction(&self, id: ExprId) -> Option<(&'static Instruction, Option<&'static Overload>)> {
+        self.inference.call(id).map(|call| (call.instruction, call.form))
+    }
+
+    /// The scheduler may go on to the next task somewhere in the program: an instruction waits, a serial line is read
+    /// or written (5.4), or a program of a library is called, which may do anything.
+    pub fn may_wait(&self) -> bool {
+        let blocks = self.inference.calls().iter().any(|call| call.instruction.blocking);
+        blocks
+            || self.body.exprs().any(|(id, ..)| self.is_serial(id))
+            || self.flow.points().any(|(_, point)| self.is_foreign(point))
+    }
+
+    /// The scheduler may go on to the next task at this point.
+    pub fn may_wait_at(&self, point: &Point) -> bool {
+        let mut parts = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
+        let blocks = |id| self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking);
+        self.is_foreign(point) || parts.any(|id| blocks(id) || self.is_serial(id))
+    }
+
+    fn is_serial(&self, id: ExprId) -> bool {
+        self.inference.ty(id).base.builtin() == Some(BaseType::Sio)
+    }
+
+    /// The call of a program of a library.
+    fn is_foreign(&self, point: &Point) -> bool {
+        let PointKind::Call(call) = point.kind else { return false };
+        match self.body.expr(call) {
+            Expr::Call(callee, _) => !matches!(self.body.expr(*callee), Expr::Name(_)),
+            _ => true,
+        }
+    }
+
     /// What happens at a point, in the order of evaluation.
-    pub fn at(&self, point: &Point) -> Vec<Access> {
-        walk::point(self, point)
+    pub fn at(&self, point: PointId) -> &'db [Access] {
+        accesses(self.db, self.project, self.file).at(point)
     }
 
     /// Every use of a variable in the program.
-    pub fn all(&self) -> Vec<Access> {
-        self.flow.points().flat_map(|(_, point)| self.at(point)).collect()
+    pub fn all(&self) -> &'db [Access] {
+        &accesses(self.db, self.project, self.file).all
     }
 
     /// The variable that `id` is or is a part of; `None` for constants, computed values and names that are built in.
@@ -131,6 +191,9 @@ fn handed_over(
     form: Option<&'static Overload>,
     position: usize,
 ) -> Option<AccessKind> {
+    if instruction.name == LINK && position == 0 {
+        return Some(AccessKind::Reference);
+    }
     let forms = form.map_or_else(|| instruction.overloads.iter().collect(), |form| vec![form]);
     let mut kind = None;
     for form in forms {

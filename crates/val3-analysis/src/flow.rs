@@ -6,7 +6,7 @@
 mod build;
 mod solve;
 
-pub use solve::{Facts, forward};
+pub use solve::{Facts, backward, forward};
 
 use rowan::TextRange;
 
@@ -92,6 +92,24 @@ pub enum PointKind {
     Empty,
     /// A line that could not be read.
     Unknown,
+}
+
+impl PointKind {
+    /// The outermost expressions of the point, in the order in which they are evaluated.
+    pub fn exprs(&self) -> Vec<ExprId> {
+        match self {
+            Self::Test { condition, .. } => condition.iter().copied().collect(),
+            Self::ForStart { counter, start, stop, step } => {
+                [start, stop, step, counter].into_iter().flatten().copied().collect()
+            }
+            Self::ForTest { counter } => counter.iter().copied().collect(),
+            Self::Switch { selector, values } => selector.iter().chain(values).copied().collect(),
+            Self::Call(id) | Self::Print(id) | Self::Expr(id) => vec![*id],
+            Self::TaskCreate(arguments) => arguments.clone(),
+            Self::Assign { target, value } => vec![*value, *target],
+            Self::Start | Self::End | Self::Return | Self::Empty | Self::Unknown => Vec::new(),
+        }
+    }
 }
 
 /// The control-flow graph of the program in `file`.

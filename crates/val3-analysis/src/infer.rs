@@ -31,7 +31,7 @@ use crate::ty::{Base, Ty};
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Inference {
     types: Vec<Ty>,
-    /// Calls of instructions, inner ones before outer ones.
+    /// Calls of instructions, by number: inner ones before outer ones.
     calls: Vec<InstructionCall>,
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
@@ -62,6 +62,12 @@ impl Inference {
         self.types.get(id.index()).copied().unwrap_or(Ty::UNKNOWN)
     }
 
+    /// The call that `id` is, if it calls an instruction.
+    pub fn call(&self, id: ExprId) -> Option<&InstructionCall> {
+        let at = self.calls.binary_search_by_key(&id, |call| call.id).ok()?;
+        self.calls.get(at)
+    }
+
     /// Every call of an instruction, inner ones before outer ones.
     pub fn calls(&self) -> &[InstructionCall] {
         &self.calls
@@ -74,6 +80,7 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     let body = body(db, file);
     let mut infer = Infer::new(db, project, file, body);
     infer.block(&body.block);
+    infer.calls.sort_unstable_by_key(|call| call.id);
     Inference { types: infer.types, calls: infer.calls, problems: infer.problems, overflows: infer.overflows }
 }
 

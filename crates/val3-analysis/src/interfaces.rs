@@ -89,7 +89,7 @@ impl Interfaces<'_> {
                 if let Some(found) = find_project(db, self.project, path) {
                     return vec![found];
                 }
-                let target = paths::project(folder(db, self.project), self.project.disk(db).as_deref(), path);
+                let target = paths::project(folder(db, self.project), self.project.roots(db), path);
                 if target != Target::Elsewhere {
                     let kind = ProblemKind::LibLoadPath { path: path.clone() };
                     self.problems.push(Problem { kind, place, related: Vec::new() });
@@ -110,8 +110,8 @@ impl Interfaces<'_> {
     /// The projects whose folder begins as the code says: `"Disk://parts/part" + sName`.
     fn projects_from(&self, prefix: &str) -> Vec<Project> {
         let db = self.db;
-        let disk = self.project.disk(db).as_deref();
-        let Some((start, partial)) = paths::projects_from(folder(db, self.project), disk, prefix) else {
+        let roots = self.project.roots(db);
+        let Some((start, partial)) = paths::projects_from(folder(db, self.project), roots, prefix) else {
             return Vec::new();
         };
         let start = path_key(start.as_str());

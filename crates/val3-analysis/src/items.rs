@@ -5,10 +5,15 @@
 
 pub mod data;
 pub mod declarations;
+pub mod fathers;
 pub mod faults;
+pub mod initial;
+pub mod layout;
+pub mod limits;
 pub mod manifest;
 pub mod program;
 pub mod project;
+pub mod suppressions;
 
 use val3_syntax::Parse;
 

@@ -1,8 +1,10 @@
 //! From folders to inputs: finds applications, reads their files and those of the libraries and types they use.
 
 mod cells;
+mod configuration;
 mod discover;
 mod disk;
+mod error;
 mod files;
 mod references;
 
@@ -10,11 +12,14 @@ use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::{FxHashMap, FxHashSet};
+use val3_config::ConfigError;
 use val3_syntax::view::View;
 
-use crate::db::{Cell, Database, File, Project, Sources, path_key};
+pub use self::error::LoadError;
+use crate::cell::CellConfig;
+use crate::db::{Cell, Configuration, Database, File, Project, Sources, path_key};
 use crate::items::manifest::{self, Manifest};
-use crate::paths::{self, Target};
+use crate::paths::{self, Roots, Target};
 use crate::system::{Kind, System};
 use references::Loaded;
 
@@ -29,27 +34,10 @@ pub struct Workspace {
     pub unreadable: Vec<(Utf8PathBuf, String)>,
 }
 
-/// A path that was asked for and cannot be used.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct LoadError {
-    /// The path as it was given.
-    pub path: Utf8PathBuf,
-    /// What is wrong with it, and what to do.
-    pub reason: String,
-}
-
-impl std::fmt::Display for LoadError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{}: {}", self.path, self.reason)
-    }
-}
-
-impl std::error::Error for LoadError {}
-
 /// Finds the projects under `paths` and reads them with everything they refer to.
 ///
 /// # Errors
-/// If a path does not exist, holds no project, or is a file that belongs to none.
+/// If a path does not exist, holds no project, is a file that belongs to none, or if a `val3.toml` is at fault.
 pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
     load_into(Database::default(), system, paths)
 }
@@ -62,7 +50,7 @@ pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Re
     let mut loader = Loader::new(db, system);
     let mut manifests = Vec::new();
     for path in paths {
-        manifests.extend(discover::manifests(system, &paths::normalise(path), &mut loader.unreadable)?);
+        manifests.extend(loader.discover(&paths::normalise(path))?);
     }
     manifests.sort_unstable();
     manifests.dedup();
@@ -70,7 +58,7 @@ pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Re
     for path in manifests {
         loader.project(&path);
     }
-    Ok(loader.finish(&asked))
+    loader.finish(&asked)
 }
 
 struct Loader<'s> {
@@ -80,7 +68,10 @@ struct Loader<'s> {
     projects: FxHashMap<String, Project>,
     /// Projects in the order they were found.
     order: Vec<(String, Project)>,
-    cells: FxHashMap<Utf8PathBuf, Option<Cell>>,
+    cells: FxHashMap<(Option<Utf8PathBuf>, Option<Configuration>), Option<Cell>>,
+    /// The `val3.toml` that counts for each folder.
+    configurations: FxHashMap<Utf8PathBuf, Option<Configuration>>,
+    config_errors: Vec<ConfigError>,
     folders: FxHashMap<Utf8PathBuf, FxHashMap<String, String>>,
     queue: Vec<Utf8PathBuf>,
     unreadable: Vec<(Utf8PathBuf, String)>,
@@ -95,22 +86,27 @@ impl<'s> Loader<'s> {
             projects: FxHashMap::default(),
             order: Vec::new(),
             cells: FxHashMap::default(),
+            configurations: FxHashMap::default(),
+            config_errors: Vec::new(),
             folders: FxHashMap::default(),
             queue: Vec::new(),
             unreadable: Vec::new(),
         }
     }
 
-    fn finish(mut self, asked: &FxHashSet<String>) -> Workspace {
+    fn finish(mut self, asked: &FxHashSet<String>) -> Result<Workspace, LoadError> {
         while let Some(path) = self.queue.pop() {
             self.project(&path);
+        }
+        if !self.config_errors.is_empty() {
+            return Err(LoadError::Configuration(self.config_errors));
         }
         let mut projects: Vec<(String, Project)> =
             self.order.into_iter().filter(|(key, _)| asked.contains(key)).collect();
         projects.sort_unstable_by(|a, b| a.0.cmp(&b.0));
         let _sources = Sources::builder(self.files, self.projects).durability(salsa::Durability::MEDIUM).new(&self.db);
         let projects = projects.into_iter().map(|(_, project)| project).collect();
-        Workspace { db: self.db, projects, unreadable: self.unreadable }
+        Ok(Workspace { db: self.db, projects, unreadable: self.unreadable })
     }
 
     /// Reads the project at `path` and its files, and queues the projects it refers to.
@@ -127,18 +123,20 @@ impl<'s> Loader<'s> {
         let loaded = self.files_of(&folder, &manifest);
         let mut named = manifest.projects();
         named.extend(loaded.iter().filter_map(Loaded::whole));
-        let disk = disk::root(self.system, &folder, &named);
-        let cell = self.cell(disk.as_deref());
-        let project = Project::new(&self.db, file, disk.clone(), cell);
+        let configuration = self.configuration(&folder);
+        let roots = self.roots(&folder, configuration, &named);
+        let cell = self.cell(roots.disk.as_deref(), configuration);
+        named.into_iter().for_each(|reference| self.enqueue(&folder, &roots, reference));
+        let prefixes = loaded.iter().filter_map(Loaded::prefix);
+        prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, prefix));
+        let beside = self.names_in(&folder);
+        let project = Project::new(&self.db, file, roots, cell, beside, configuration);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
-        named.into_iter().for_each(|reference| self.enqueue(&folder, disk.as_deref(), reference));
-        let prefixes = loaded.iter().filter_map(Loaded::prefix);
-        prefixes.for_each(|prefix| self.enqueue_prefix(&folder, disk.as_deref(), prefix));
     }
 
-    fn enqueue(&mut self, folder: &Utf8Path, disk: Option<&Utf8Path>, reference: &str) {
-        if let Target::Path(path) = paths::project(folder, disk, reference) {
+    fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reference: &str) {
+        if let Target::Path(path) = paths::project(folder, roots, reference) {
             self.queue.push(path);
         }
     }
@@ -157,8 +155,8 @@ impl<'s> Loader<'s> {
     }
 
     /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.
-    fn enqueue_prefix(&mut self, folder: &Utf8Path, disk: Option<&Utf8Path>, prefix: &str) {
-        let Some((start, partial)) = paths::projects_from(folder, disk, prefix) else { return };
+    fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, prefix: &str) {
+        let Some((start, partial)) = paths::projects_from(folder, roots, prefix) else { return };
         for name in self.system.list(&start).unwrap_or_default() {
             let manifest = start.join(&name).join(format!("{name}.pjx"));
             if name.to_lowercase().starts_with(&partial) && self.system.kind(&manifest) == Some(Kind::File) {
@@ -167,14 +165,34 @@ impl<'s> Loader<'s> {
         }
     }
 
-    fn cell(&mut self, disk: Option<&Utf8Path>) -> Option<Cell> {
-        let usr = disk?.parent()?.to_owned();
-        if let Some(cell) = self.cells.get(&usr) {
+    /// What the roots of paths stand for, seen from a project with these references.
+    fn roots(&self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
+        let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
+        roots.disk = roots.disk.or_else(|| disk::root(self.system, folder, references));
+        roots
+    }
+
+    fn cell(&mut self, disk: Option<&Utf8Path>, configuration: Option<Configuration>) -> Option<Cell> {
+        let usr = disk.and_then(Utf8Path::parent).map(Utf8Path::to_owned);
+        let key = (usr, configuration);
+        if let Some(cell) = self.cells.get(&key) {
             return *cell;
         }
-        let config = cells::read(self.system, &usr);
+        let config = self.cell_config(key.0.as_deref(), configuration);
         let cell = config.map(|config| Cell::builder(config).durability(salsa::Durability::MEDIUM).new(&self.db));
-        self.cells.insert(usr, cell);
+        self.cells.insert(key, cell);
         cell
+    }
+
+    fn cell_config(&mut self, usr: Option<&Utf8Path>, configuration: Option<Configuration>) -> Option<CellConfig> {
+        let arm = configuration.and_then(|configuration| configuration.file(&self.db).config.arm);
+        let own = usr.and_then(|usr| cells::read(self.system, usr, arm));
+        let named = self.named_add_ons(configuration);
+        if named.is_empty() {
+            return own;
+        }
+        let mut config = own.unwrap_or_default();
+        Arc::make_mut(&mut config.add_ons).extend(named);
+        Some(config)
     }
 }

@@ -2,12 +2,32 @@
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 
+/// What the roots of paths stand for.
+#[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
+pub struct Roots {
+    /// `Disk://`; `None` where nothing tells.
+    pub disk: Option<Utf8PathBuf>,
+    /// Other roots by name: `USB0`.
+    pub others: Vec<(String, Utf8PathBuf)>,
+}
+
+impl Roots {
+    /// The folder that a root stands for.
+    fn folder(&self, root: &str) -> Option<&Utf8Path> {
+        if root.eq_ignore_ascii_case("Disk") {
+            return self.disk.as_deref();
+        }
+        let named = self.others.iter().find(|(name, _)| root.eq_ignore_ascii_case(name));
+        named.map(|(_, folder)| folder.as_path())
+    }
+}
+
 /// Where a reference points.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Target {
     /// A path of the disk at hand.
     Path(Utf8PathBuf),
-    /// Another medium (`USB0://`, an FTP connection), or `Disk://` without a known root: nothing to check against.
+    /// A root that stands for no known folder (`USB0://`, an FTP connection): nothing to check against.
     Elsewhere,
 }
 
@@ -18,24 +38,21 @@ pub fn file_in(folder: &Utf8Path, reference: &str) -> Utf8PathBuf {
 
 /// Reads the reference to another project, as `<Library path>`, `<Type path>` and `libLoad` write it (6.6):
 /// the root is `Disk` unless given, the path may be the folder or the `.pjx` in it.
-pub fn project(folder: &Utf8Path, disk: Option<&Utf8Path>, reference: &str) -> Target {
+pub fn project(folder: &Utf8Path, roots: &Roots, reference: &str) -> Target {
     let reference = reference.trim().replace('\\', "/");
     let path = match reference.split_once("://") {
-        Some((root, rest)) if root.eq_ignore_ascii_case("Disk") => {
-            disk.map(|disk| disk.join(rest.trim_start_matches('/')))
-        }
-        Some(_) => None,
+        Some((root, rest)) => roots.folder(root).map(|root| root.join(rest.trim_start_matches('/'))),
         None if reference.starts_with("./") || reference.starts_with("../") => Some(folder.join(&reference)),
-        None => disk.map(|disk| disk.join(reference.trim_start_matches('/'))),
+        None => roots.disk.as_ref().map(|disk| disk.join(reference.trim_start_matches('/'))),
     };
     path.map_or(Target::Elsewhere, |path| Target::Path(with_manifest(normalise(&path))))
 }
 
 /// Reads the start of such a reference (`"Disk://parts/part" + sName`): the folder that holds the projects, and how
 /// the names of their own folders begin, in lower case.
-pub fn projects_from(folder: &Utf8Path, disk: Option<&Utf8Path>, prefix: &str) -> Option<(Utf8PathBuf, String)> {
+pub fn projects_from(folder: &Utf8Path, roots: &Roots, prefix: &str) -> Option<(Utf8PathBuf, String)> {
     let (start, partial) = prefix.rsplit_once('/').unwrap_or(("", prefix));
-    match project(folder, disk, &format!("{start}/x.pjx")) {
+    match project(folder, roots, &format!("{start}/x.pjx")) {
         Target::Path(probe) => Some((probe.parent()?.to_owned(), partial.to_lowercase())),
         Target::Elsewhere => None,
     }
@@ -71,8 +88,12 @@ pub fn normalise(path: &Utf8Path) -> Utf8PathBuf {
 mod tests {
     use super::*;
 
+    fn roots() -> Roots {
+        Roots { disk: Some("/cell/usrapp".into()), others: vec![("USB1".to_owned(), "/media/usb".into())] }
+    }
+
     fn resolve(reference: &str) -> String {
-        match project(Utf8Path::new("/cell/usrapp/app"), Some(Utf8Path::new("/cell/usrapp")), reference) {
+        match project(Utf8Path::new("/cell/usrapp/app"), &roots(), reference) {
             Target::Path(path) => path.into_string(),
             Target::Elsewhere => "elsewhere".to_owned(),
         }
@@ -90,6 +111,7 @@ mod tests {
         assert_eq!(resolve("io"), "/cell/usrapp/io/io.pjx");
         assert_eq!(resolve("/Libraries/x"), "/cell/usrapp/Libraries/x/x.pjx");
         assert_eq!(resolve("USB0://articles/a1"), "elsewhere");
+        assert_eq!(resolve("usb1://articles/a1"), "/media/usb/articles/a1/a1.pjx");
     }
 
     #[test]
@@ -102,8 +124,7 @@ mod tests {
 
     #[test]
     fn starts_of_references() {
-        let disk = Some(Utf8Path::new("/cell/usrapp"));
-        let start = |prefix: &str| projects_from(Utf8Path::new("/cell/usrapp/app"), disk, prefix);
+        let start = |prefix: &str| projects_from(Utf8Path::new("/cell/usrapp/app"), &roots(), prefix);
         let found = |folder: &str, partial: &str| Some((folder.into(), partial.to_owned()));
         assert_eq!(start("Disk://parts/Part"), found("/cell/usrapp/parts", "part"));
         assert_eq!(start("Disk://"), found("/cell/usrapp", ""));

@@ -145,7 +145,7 @@ impl ProjectCheck<'_> {
     fn target(&mut self, path: Attribute<'_>, what: FileRole) {
         let db = self.db;
         let reference = path.text();
-        let target = paths::project(folder(db, self.project), self.project.disk(db).as_deref(), &reference);
+        let target = paths::project(folder(db, self.project), self.project.roots(db), &reference);
         if target != Target::Elsewhere && find_project(db, self.project, &reference).is_none() {
             self.found.report(path.range, ProblemKind::FileMissing { what, path: reference.as_ref().into() });
         }

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_lang::instruction::{Class, Shape};
+use val3_lang::instruction::Shape;
 use val3_lang::instructions;
 
 use crate::body::{Body, Expr, ExprId, body};
@@ -34,17 +34,16 @@ fn resized(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     names
 }
 
-/// The parameter may be a container: that of a program always, that of an instruction where its row says so; one
-/// that only asks for a value changes none.
+/// The parameter may be a container whose size changes: that of a program always, that of an instruction where it may
+/// change sizes.
 fn takes_container(body: &Body, callee: ExprId, position: usize) -> bool {
     let instruction = match body.expr(callee) {
         Expr::Name(name) => instructions::find(name),
         _ => None,
     };
     instruction.is_none_or(|instruction| {
-        let acting = instruction.overloads.iter().filter(|form| form.class == Class::Modifier);
-        let params = acting.filter_map(|form| form.params.get(position));
-        params.into_iter().any(|param| param.shape != Shape::Value)
+        let params = instruction.overloads.iter().filter_map(|form| form.params.get(position));
+        instructions::may_resize(instruction) && params.into_iter().any(|param| param.shape != Shape::Value)
     })
 }
 

@@ -37,7 +37,7 @@ pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
         let entry = entry?;
         copy(entry.path(), &pages.join(entry.file_name()))?;
     }
-    let mut summary = read(&pages.join("SUMMARY.md"))?;
+    let mut summary = read(&pages.join("SUMMARY.md"))? + "\n";
     for section in reference::sections() {
         summary.push_str(&section.summary());
         for page in &section.pages {

@@ -56,9 +56,10 @@ fn summary(topic: &Topic) -> String {
     words.join(" ").replace('|', "\\|")
 }
 
-/// A file name of the topic: add-on instructions lose their `$`, `?` is a word.
+/// A file name of the topic: signs are written as words.
 fn file(topic: &Topic) -> String {
-    let name = title(topic).replace('$', "addon-").replace('?', "print");
+    let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
+    let name = signs.iter().fold(title(topic), |name, (sign, word)| name.replace(sign, word));
     format!("{name}.md")
 }
 

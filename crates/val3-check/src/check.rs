@@ -1,5 +1,7 @@
 //! The check: which pieces of work there are, and what is wrong in each.
 
+use std::iter::Sum;
+
 use val3_analysis::db::{Db, File, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
@@ -9,9 +11,12 @@ use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
 use crate::diagnostic::{Diagnostic, RelatedNote, Span};
 use crate::echoes::without_echoes;
+use crate::fix::Site;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
-use crate::{keywords, lint, related};
+use crate::settings::{Settings, WorkspaceSettings};
+use crate::suppression::{self, Used};
+use crate::{fix, keywords, lint, related};
 
 /// The rule of which one finding an application is enough.
 const MISSING_ADD_ON: &str = "V0104";
@@ -28,6 +33,22 @@ pub enum Unit {
 }
 
 impl Unit {
+    /// The application, library or type it belongs to.
+    pub fn project(self) -> Project {
+        match self {
+            Self::Program(project, _) | Self::Data(project, _) | Self::Project(project) => project,
+        }
+    }
+
+    fn is_excluded(self, db: &dyn Db) -> bool {
+        let configuration = self.project().configuration(db);
+        configuration.is_some_and(|configuration| {
+            let file = configuration.file(db);
+            // A project that is here in spite of its folder being excluded was asked for by its name.
+            file.excludes(self.file(db).path(db)) && !file.excludes(self.project().manifest(db).path(db))
+        })
+    }
+
     /// The file that is looked at.
     pub fn file(self, db: &dyn Db) -> File {
         match self {
@@ -37,13 +58,13 @@ impl Unit {
     }
 }
 
-/// The pieces of work of some projects, in the order of the projects' files.
+/// The pieces of work of some projects, without excluded files, in the order of the projects' files.
 pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     let of_project = |project: &Project| {
         let project = *project;
         let data = project::data_files(db, project).iter().map(move |file| Unit::Data(project, *file));
         let programs = project::program_files(db, project).iter().map(move |file| Unit::Program(project, *file));
-        std::iter::once(Unit::Project(project)).chain(data).chain(programs)
+        std::iter::once(Unit::Project(project)).chain(data.chain(programs).filter(|unit| !unit.is_excluded(db)))
     };
     let mut units: Vec<Unit> = projects.iter().flat_map(of_project).collect();
     // A file that is named twice is checked once.
@@ -52,26 +73,59 @@ pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     units
 }
 
-/// Everything that is wrong in one piece of work, by position.
-pub fn check_unit(db: &dyn Db, unit: Unit) -> Vec<Diagnostic> {
-    let mut check = Check { db, unit, found: Vec::new() };
-    check.run();
-    check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
-    check.found
+/// What the check of one piece of work gives.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Checked {
+    /// Everything that is wrong and wanted, by position.
+    pub findings: Vec<Diagnostic>,
+    /// How many findings comments silence.
+    pub silenced: usize,
+    /// The comments that did.
+    pub(crate) used: Used,
 }
 
-/// What only the whole shows: an add-on that is missing is one finding an application, however often it is used.
-pub fn finish(mut diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+impl Sum for Checked {
+    fn sum<I: Iterator<Item = Self>>(parts: I) -> Self {
+        parts.fold(Self::default(), |mut sum, part| {
+            sum.findings.extend(part.findings);
+            sum.silenced += part.silenced;
+            sum.used.extend(part.used);
+            sum
+        })
+    }
+}
+
+/// Checks one piece of work.
+pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
+    let mut check = Check { db, unit, settings: settings.of(db, unit.project()), sound: true, found: Vec::new() };
+    check.run();
+    check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
+    suppression::apply(db, check.found)
+}
+
+/// What only the whole shows, after every unit was checked: comments that silenced nothing; and an add-on that is
+/// missing is one finding an application, however often it is used.
+pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
+    for unit in units {
+        if let Unit::Program(project, file) = *unit {
+            let settings = settings.of(db, project);
+            let idle = suppression::unused(db, project, file, settings, &checked.used);
+            checked.findings.extend(idle.into_iter().filter_map(|found| settings.judged(found)));
+        }
+    }
     let mut seen = rustc_hash::FxHashSet::default();
-    diagnostics.retain(|diagnostic| {
+    checked.findings.retain(|diagnostic| {
         diagnostic.rule.code != MISSING_ADD_ON || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
-    diagnostics
+    checked
 }
 
 struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
+    settings: &'db Settings,
+    /// No error so far, asked for or not: what a lint would say beside one is most often its echo.
+    sound: bool,
     found: Vec<Diagnostic>,
 }
 
@@ -84,17 +138,18 @@ impl Check<'_> {
                 self.problems(file, header_check::problems(db, project, file));
                 if !broken {
                     self.problems(file, infer::problems(db, project, file));
-                    self.found.extend(keywords::spelling(db, project, file));
+                    self.add_all(keywords::spelling(db, project, file));
+                    self.add_all(suppression::unknown(db, project, file));
                 }
-                if self.is_sound() {
-                    self.found.extend(lint::program(db, project, file));
+                if self.sound {
+                    self.add_all(lint::program(db, project, file, self.settings));
                 }
             }
             Unit::Data(project, file) => {
                 self.text(file);
                 self.problems(file, data_check::problems(db, project, file));
-                if self.is_sound() {
-                    self.found.extend(lint::data(db, project, file));
+                if self.sound {
+                    self.add_all(lint::data(db, project, file, self.settings));
                 }
             }
             Unit::Project(project) => {
@@ -102,16 +157,11 @@ impl Check<'_> {
                 self.text(file);
                 self.problems(file, project_check::problems(db, project));
                 self.problems(file, interfaces::problems(db, project));
-                if self.is_sound() {
-                    self.found.extend(lint::project(db, project));
+                if self.sound {
+                    self.add_all(lint::project(db, project, self.settings));
                 }
             }
         }
-    }
-
-    /// No error so far: what the lints would say beside one is most often its echo.
-    fn is_sound(&self) -> bool {
-        self.found.iter().all(|diagnostic| diagnostic.severity < Severity::Error)
     }
 
     /// The faults of a file's text; true if the rest of it cannot be judged.
@@ -125,10 +175,19 @@ impl Check<'_> {
             // What nests too deep does so in many places; one of them is enough to find it.
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
-                self.found.push(self.of_syntax(file, error));
+                self.add(self.of_syntax(file, error));
             }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
+    }
+
+    fn add_all(&mut self, diagnostics: Vec<Diagnostic>) {
+        diagnostics.into_iter().for_each(|diagnostic| self.add(diagnostic));
+    }
+
+    fn add(&mut self, diagnostic: Diagnostic) {
+        self.sound &= diagnostic.severity < Severity::Error;
+        self.found.extend(self.settings.judged(diagnostic));
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {
@@ -136,7 +195,10 @@ impl Check<'_> {
         let related = error
             .related
             .map(|range| RelatedNote { place: Span { file, range }, message: related::other_side(&error.kind) });
-        self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect())
+        let site = Site::new(self.db, file, error.range, error.related);
+        let diagnostic =
+            self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect());
+        Diagnostic { fix: fix::of_syntax(&error.kind, &site), ..diagnostic }
     }
 
     fn problems(&mut self, file: File, problems: &[Problem]) {
@@ -151,7 +213,8 @@ impl Check<'_> {
             if self.is_uncertain(&problem.kind) {
                 diagnostic.severity = Severity::Warning;
             }
-            self.found.push(diagnostic);
+            diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
+            self.add(diagnostic);
         }
     }
 
@@ -179,7 +242,7 @@ impl Check<'_> {
 
     /// The fault may lie in what is at hand: a controller can have add-ons and libraries that a repository lacks.
     fn is_uncertain(&self, kind: &ProblemKind) -> bool {
-        let project = self.owner_project();
+        let project = self.unit.project();
         match kind {
             ProblemKind::MissingAddOn { .. } => {
                 project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty())
@@ -194,14 +257,9 @@ impl Check<'_> {
     }
 
     fn is_in_usrapp(&self, project: Project) -> bool {
-        let disk = project.disk(self.db).as_ref().and_then(|disk| disk.file_name());
-        disk.is_some_and(|name| name.eq_ignore_ascii_case("usrapp"))
-    }
-
-    fn owner_project(&self) -> Project {
-        match self.unit {
-            Unit::Program(project, _) | Unit::Data(project, _) | Unit::Project(project) => project,
-        }
+        let configured = project.config(self.db).is_some_and(|config| config.disk.is_some());
+        let disk = project.disk(self.db).and_then(|disk| disk.file_name());
+        configured || disk.is_some_and(|name| name.eq_ignore_ascii_case("usrapp"))
     }
 
     fn owner(&self, file: File) -> (Project, Option<String>) {
@@ -211,6 +269,6 @@ impl Check<'_> {
             }
             _ => None,
         };
-        (self.owner_project(), program)
+        (self.unit.project(), program)
     }
 }

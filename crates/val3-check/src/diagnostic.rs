@@ -41,6 +41,18 @@ pub struct Fix {
     pub edits: Vec<Edit>,
 }
 
+impl Fix {
+    /// A fix that is applied without asking.
+    pub(crate) fn safe(title: impl Into<String>, edits: Vec<Edit>) -> Self {
+        Self { title: title.into(), safe: true, edits }
+    }
+
+    /// A fix that may not be what was meant.
+    pub(crate) fn guess(title: impl Into<String>, edits: Vec<Edit>) -> Self {
+        Self { title: title.into(), safe: false, edits }
+    }
+}
+
 /// Replaces a range of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
@@ -51,7 +63,7 @@ pub struct Edit {
 }
 
 /// A range of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Span {
     /// The file.
     pub file: File,

@@ -31,6 +31,15 @@ pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
     }
 }
 
+/// "1, 2 and 3": the parts as they are.
+pub(crate) fn and<T: AsRef<str>>(parts: &[T]) -> String {
+    let parts: Vec<_> = parts.iter().map(AsRef::as_ref).collect();
+    match parts.as_slice() {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => parts.concat(),
+    }
+}
+
 /// "`a`, `b` and `c`"; of many names the first few.
 pub(crate) fn all_of<T: AsRef<str>>(names: &[T]) -> String {
     const SHOWN: usize = 5;
@@ -38,10 +47,7 @@ pub(crate) fn all_of<T: AsRef<str>>(names: &[T]) -> String {
     if names.len() > SHOWN {
         parts.push(format!("{} more", names.len() - SHOWN));
     }
-    match parts.as_slice() {
-        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
-        _ => parts.concat(),
-    }
+    and(&parts)
 }
 
 /// A name in backticks with its article: "a `num`", "an `aio`".

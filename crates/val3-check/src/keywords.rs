@@ -5,6 +5,7 @@ use val3_analysis::items::faults::{OddKeyword, text_faults};
 use val3_analysis::items::program;
 
 use crate::diagnostic::{Diagnostic, Span};
+use crate::fix::Site;
 use crate::rules::keyword_spelling;
 
 /// Keywords that are not written in their usual letter case.
@@ -15,6 +16,7 @@ pub(crate) fn spelling(db: &dyn Db, project: Project, file: File) -> Vec<Diagnos
 fn finding(db: &dyn Db, project: Project, file: File, keyword: OddKeyword) -> Diagnostic {
     let written = file.text(db).get(std::ops::Range::<usize>::from(keyword.range)).unwrap_or("");
     let wording = keyword_spelling::word(written, keyword.canonical);
+    let site = Site::new(db, file, keyword.range, None);
     Diagnostic {
         rule: &keyword_spelling::RULE,
         severity: keyword_spelling::RULE.severity,
@@ -25,6 +27,6 @@ fn finding(db: &dyn Db, project: Project, file: File, keyword: OddKeyword) -> Di
         help: wording.help,
         program: Some(program::header(db, file).name.to_string()),
         application: Some(project.manifest(db)),
-        fix: None,
+        fix: Some(keyword_spelling::fix(&site, keyword.canonical)),
     }
 }

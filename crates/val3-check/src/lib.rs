@@ -1,22 +1,26 @@
 //! Diagnostics: the rules with their pages, and the check that applies them.
 
+pub mod baseline;
 mod built_in;
 mod check;
 mod conversion;
 pub mod diagnostic;
 mod echoes;
 mod english;
+pub mod fix;
 mod keywords;
 mod lint;
 mod phrase;
 mod related;
 pub mod rule;
 pub mod rules;
+pub mod settings;
 mod statistics;
+pub mod suppression;
 #[doc(hidden)]
 #[allow(clippy::panic, reason = "a tool for tests")]
 pub mod testing;
 pub mod topics;
 
-pub use check::{Unit, check_unit, finish, units};
+pub use check::{Checked, Unit, check_unit, finish, units};
 pub use statistics::{Statistics, statistics};

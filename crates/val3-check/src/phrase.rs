@@ -1,6 +1,7 @@
 //! Phrases that several rules share.
 
 use val3_analysis::problem::{FileRole, NameKind};
+use val3_lang::runtime_errors;
 use val3_syntax::error::XmlPart;
 
 /// ``did you mean `near`?``, or nothing.
@@ -11,6 +12,12 @@ pub(crate) fn did_you_mean(near: Option<&str>) -> String {
 /// The near miss, or other advice where nothing is near.
 pub(crate) fn did_you_mean_or(near: Option<&str>, otherwise: &str) -> String {
     near.map_or_else(|| otherwise.to_owned(), |near| did_you_mean(Some(near)))
+}
+
+/// "run-time error 70: invalid parameter".
+pub(crate) fn runtime_error(number: u16) -> String {
+    let short = runtime_errors::find(number).map_or("", |error| error.short);
+    format!("run-time error {number}: {short}")
 }
 
 /// What a name names, as the manual calls it: `program`, `library identifier`.

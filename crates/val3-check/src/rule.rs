@@ -34,8 +34,8 @@ pub struct Rule {
     pub name: &'static str,
     /// The level unless configured otherwise.
     pub severity: Severity,
-    /// The rule is a convention of some shops: it is silent until somebody asks for it.
-    pub off: bool,
+    /// Whether it is reported without being asked for; conventions of a shop are not.
+    pub on: bool,
     /// The page in Markdown, one leading blank a line: what, why, a bad and a good example.
     pub page: &'static str,
     /// How it finds its faults; `None` where the parser or the analysis does.
@@ -71,13 +71,13 @@ macro_rules! rule {
             code: stringify!($code),
             name: $name,
             severity: $crate::rule::Severity::$severity,
-            off: $crate::rule::rule!(@is $($off)?),
+            on: $crate::rule::rule!(@on $($off)?),
             page: concat!($($line, "\n"),*),
             lint: $crate::rule::rule!(@lint $($target $check)?),
         };
     };
-    (@is off) => { true };
-    (@is) => { false };
+    (@on off) => { false };
+    (@on) => { true };
     (@lint $target:ident $check:ident) => { Some($crate::rule::Lint::$target($check)) };
     (@lint) => { None };
 }

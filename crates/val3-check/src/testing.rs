@@ -1,10 +1,16 @@
 //! For tests: the check of files in memory.
 
+use std::ops::Range;
+
 use camino::Utf8PathBuf;
-use val3_analysis::load::load;
+use val3_analysis::db::FileStatus;
+use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
 
+use crate::diagnostic::Diagnostic;
+use crate::fix::mend;
 use crate::rule::Severity;
+use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
 
 /// One finding with its line.
@@ -27,12 +33,16 @@ pub struct CheckedFinding {
 /// # Panics
 /// If there is no project among the files.
 pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
-    let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
-    let system = Memory::new(files.iter().map(rooted));
-    let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
+    check_selected(files, &Selection::default())
+}
+
+/// As [`check_files`], with what a command line says about findings.
+///
+/// # Panics
+/// As [`check_files`].
+pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec<CheckedFinding> {
+    let (workspace, found) = checked(files, selection);
     let db = &workspace.db;
-    let units = units(db, &workspace.projects);
-    let found = finish(units.into_iter().flat_map(|unit| check_unit(db, unit)).collect());
     let mut findings: Vec<CheckedFinding> = found
         .iter()
         .map(|diagnostic| {
@@ -49,6 +59,72 @@ pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
         .collect();
     findings.sort_by(|a, b| (&a.file, a.line, a.code).cmp(&(&b.file, b.line, b.code)));
     findings
+}
+
+/// A fix that is offered for a finding.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OfferedFix {
+    /// The code of the finding.
+    pub code: &'static str,
+    /// What the fix does.
+    pub title: String,
+    /// It is applied without asking.
+    pub safe: bool,
+    /// File, range of its decoded text, and what stands there afterwards.
+    pub edits: Vec<(String, Range<usize>, String)>,
+}
+
+/// The fixes of all findings in `files`, in the order of the findings of each piece of work.
+///
+/// # Panics
+/// If there is no project among the files.
+pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
+    let (workspace, found) = checked(files, &Selection::default());
+    let offered = |diagnostic: &Diagnostic| {
+        let fix = diagnostic.fix.as_ref()?;
+        let edits = fix.edits.iter().map(|edit| {
+            let file = shown(edit.place.file.path(&workspace.db).as_str(), files);
+            (file, edit.place.range.into(), edit.text.clone())
+        });
+        let edits = edits.collect();
+        Some(OfferedFix { code: diagnostic.rule.code, title: fix.title.clone(), safe: fix.safe, edits })
+    };
+    found.iter().filter_map(offered).collect()
+}
+
+/// The files after one round of all fixes, safe or not.
+///
+/// # Panics
+/// If there is no project among the files.
+pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
+    let (workspace, found) = checked(files, &Selection::default());
+    let db = &workspace.db;
+    let mut fixed = files.to_vec();
+    for (file, text) in mend(db, found.iter().filter_map(|diagnostic| diagnostic.fix.as_ref())).texts {
+        let path = shown(file.path(db).as_str(), files);
+        if let FileStatus::Read { encoding, .. } = file.status(db) {
+            let change = |(known, bytes): &mut (String, Vec<u8>)| {
+                if *known == path {
+                    *bytes = encoding.encode(&text);
+                }
+            };
+            fixed.iter_mut().for_each(change);
+        }
+    }
+    fixed
+}
+
+fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Vec<Diagnostic>) {
+    let rooted = |(path, bytes): &(String, Vec<u8>)| (Utf8PathBuf::from("/").join(path), bytes.clone());
+    let system = Memory::new(files.iter().map(rooted));
+    let workspace = load(&system, &[Utf8PathBuf::from("/")]).unwrap_or_else(|error| panic!("{error}"));
+    let db = &workspace.db;
+    let units = units(db, &workspace.projects);
+    let settings =
+        WorkspaceSettings::new(db, &workspace.projects, selection).unwrap_or_else(|errors| panic!("{errors:?}"));
+    let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
+    let found = finish(db, &units, &settings, checked).findings;
+    (workspace, found)
 }
 
 /// The path as the caller gave it.

@@ -62,11 +62,12 @@ pub fn all() -> Vec<Topic> {
 
 fn finding(rule: &Rule) -> Topic {
     let level = rule.severity.word();
+    let off = if rule.on { "" } else { ", off until configured" };
     Topic {
         kind: Kind::Finding,
         names: vec![rule.code.to_owned(), rule.name.to_owned()],
         summary: format!("{:<24} {}", rule.name, page::summary(rule.page)),
-        page: format!("# {} {} ({level})\n\n{}", rule.code, rule.name, page::text(rule.page)),
+        page: format!("# {} {} ({level}{off})\n\n{}", rule.code, rule.name, page::text(rule.page)),
     }
 }
 

@@ -6,6 +6,7 @@ use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
+use crate::baseline::Mode;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
@@ -13,8 +14,14 @@ use crate::report::Severity;
 const EXIT_CODES: &str = "\
 Exit codes:
   0  no finding at or above the fail level
-  1  findings
+  1  findings; with --diff, something to change
   2  wrong usage, or a file that cannot be read or written";
+
+const CONFIGURATION: &str = "\
+Settings:
+  The nearest val3.toml above an application counts for it.
+  The comment //val3: allow(V0203) silences findings in the next line of code,
+  //val3: allow-program(V0203) before the first line those in the program.";
 
 const STYLES: Styles = Styles::styled()
     .header(AnsiColor::Green.on_default().bold())
@@ -38,10 +45,12 @@ pub(crate) struct Args {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Check applications, libraries or whole cells
-    #[command(after_help = EXIT_CODES)]
+    #[command(after_help = EXIT_CODES, after_long_help = format!("{CONFIGURATION}\n\n{EXIT_CODES}"))]
     Check(CheckArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
+    /// Print the JSON schema of val3.toml, for editors that help to write it
+    Schema,
 }
 
 /// Arguments of `val3 check`.
@@ -68,6 +77,33 @@ pub(crate) struct CheckArgs {
     /// All but these findings; wins over --select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
+    /// Mend what can be mended without changing what the programs do, and report the rest
+    #[arg(long, group = "mending")]
+    pub(crate) fix: bool,
+    /// With --fix or --diff: also make the changes that are a guess, such as a near name
+    #[arg(long, requires = "mending")]
+    pub(crate) unsafe_fixes: bool,
+    /// Show what --fix would change, and write nothing; exits with 1 if there is something to change
+    #[arg(long, group = "mending")]
+    pub(crate) diff: bool,
+    /// Count the findings of each rule instead of listing them
+    #[arg(long, conflicts_with = "diff")]
+    pub(crate) statistics: bool,
+    /// Check again whenever a file is changed, until Ctrl-C
+    #[arg(long, conflicts_with_all = ["diff", "write_baseline", "prune_baseline", "explain_config"])]
+    pub(crate) watch: bool,
+    /// A file with known findings, which are not reported; wins over `baseline` in a val3.toml
+    #[arg(long, value_name = "FILE")]
+    pub(crate) baseline: Option<Utf8PathBuf>,
+    /// Make everything that is found known: write it into the baseline, and report nothing
+    #[arg(long, conflicts_with_all = ["prune_baseline", "mending"])]
+    pub(crate) write_baseline: bool,
+    /// Take out of the baseline what is not found any more
+    #[arg(long, conflicts_with = "mending")]
+    pub(crate) prune_baseline: bool,
+    /// Check nothing; print each setting of each application, and who sets it
+    #[arg(long)]
+    pub(crate) explain_config: bool,
     /// Threads to work with [default: one a core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) jobs: Option<u16>,
@@ -75,6 +111,17 @@ pub(crate) struct CheckArgs {
     /// %s section
     #[arg(long, value_name = "TEMPLATE", default_value = DEFAULT_TEMPLATE, hide_default_value = true)]
     pub(crate) val3check_template: Template,
+}
+
+impl CheckArgs {
+    /// What happens to the baselines.
+    pub(crate) fn baseline_mode(&self) -> Mode {
+        match (self.write_baseline, self.prune_baseline) {
+            (true, _) => Mode::Write,
+            (_, true) => Mode::Prune,
+            _ => Mode::Use,
+        }
+    }
 }
 
 /// Arguments of `val3 explain`.

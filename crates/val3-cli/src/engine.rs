@@ -1,57 +1,102 @@
-//! From paths to a report: the one file that knows how the analysis is asked.
+//! From a request to findings: the one file that knows how the analysis is asked.
 
-use std::sync::Arc;
+use std::collections::BTreeSet;
 use std::time::Instant;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use rayon::ThreadPool;
 use rayon::prelude::*;
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use rustc_hash::FxHashMap;
 use salsa::Database as _;
-use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
+use val3_analysis::db::{Database, File, Project, Sources};
 use val3_analysis::items;
-use val3_analysis::load::{self, Workspace};
-use val3_check::diagnostic::{Diagnostic, RelatedNote, Span};
-use val3_check::{Unit, check_unit, finish};
-use val3_syntax::encoding::Encoding;
-use val3_syntax::view::View;
+use val3_analysis::load::Workspace;
+use val3_check::diagnostic::Diagnostic;
+use val3_check::settings::WorkspaceSettings;
+use val3_check::{Checked, Unit, check_unit, finish};
 
-use crate::code_lines::CodeLines;
-use crate::parallel_disk::ParallelDisk;
+use crate::baseline::{KnownFindings, Outcome};
+use crate::opening::{Opened, Request, open};
 use crate::paths::Paths;
 use crate::progress::Progress;
-use crate::report::{Finding, Place, Related, Report, SourceFile, Statistics};
-use crate::selection::Selection;
+use crate::report::{Report, Statistics};
+use crate::translation::Translator;
 use crate::user_error::UserError;
 
-/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
-const STACK_SIZE: usize = 16 << 20;
-
 /// Pieces of work between which trees that are no longer needed are dropped.
-const BATCH: usize = 2048;
+const BATCH: usize = 1024;
 
-/// Checks everything that `asked` leads to, on `jobs` threads.
-pub(crate) fn check(asked: &[Utf8PathBuf], selection: &Selection, jobs: Option<u16>) -> Result<Report, UserError> {
-    let started = Instant::now();
-    let threads = threads(jobs)?;
-    let current = current_folder()?;
-    let paths = Paths::new(&folders(asked), &current);
-    // Only an absolute path shows the `usrapp` above the current folder.
-    let absolute: Vec<_> = asked.iter().map(|path| current.join(path)).collect();
-    let mut workspace =
-        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(&error, &paths))?;
-    let diagnostics = diagnostics(&mut workspace, selection, &threads);
-    let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, &paths)).collect();
-    let mut translator = Translator::new(&workspace.db, paths);
-    let findings = diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
-    let report = Report::new(statistics(&workspace, &threads, started), findings, unreadable);
-    // The process is about to end: taking the database apart piece by piece would only cost time.
-    std::mem::forget(workspace);
-    Ok(report)
+/// Everything that was asked for, read and ready to be checked.
+pub(crate) struct Session<'r> {
+    request: &'r Request,
+    opened: Opened,
+    started: Instant,
 }
 
-fn refused(error: &load::LoadError, paths: &Paths) -> UserError {
-    UserError::new(format!("`{}`: {}", paths.shown(&error.path), error.reason))
+/// What one check of a session gives.
+pub(crate) struct Outcomes {
+    /// The findings in the order of the files, however many threads there are; without those that are known.
+    pub(crate) diagnostics: Vec<Diagnostic>,
+    silenced: usize,
+    baseline: Outcome,
+}
+
+impl<'r> Session<'r> {
+    /// Reads everything that is asked for.
+    pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
+        let started = Instant::now();
+        Ok(Self { request, opened: open(request)?, started })
+    }
+
+    /// Checks everything.
+    pub(crate) fn check(&mut self) -> Result<Outcomes, UserError> {
+        let Self { request, opened: Opened { threads, current, paths, workspace, settings }, .. } = self;
+        let units = val3_check::units(&workspace.db, &workspace.projects);
+        let mut checked = check_units(workspace, &units, settings, threads);
+        let named = request.baseline.as_ref().map(|path| current.join(path));
+        let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
+        let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
+        Ok(Outcomes { diagnostics: checked.findings, silenced: checked.silenced, baseline })
+    }
+
+    /// The report on what was found.
+    pub(crate) fn report(&self, outcomes: Outcomes) -> Report {
+        let Opened { threads, paths, workspace, .. } = &self.opened;
+        let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
+        let mut translator = Translator::new(&workspace.db, paths);
+        let findings = outcomes.diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+        let applications = translator.applications(&workspace.projects);
+        Report {
+            silenced: outcomes.silenced,
+            baseline: outcomes.baseline,
+            ..Report::new(statistics(workspace, threads, self.started), applications, findings, unreadable)
+        }
+    }
+
+    /// What was read.
+    pub(crate) fn db(&self) -> &Database {
+        &self.opened.workspace.db
+    }
+
+    /// As [`db`](Self::db), to be changed.
+    pub(crate) fn db_mut(&mut self) -> &mut Database {
+        &mut self.opened.workspace.db
+    }
+
+    /// The path of a file as people open it.
+    pub(crate) fn shown(&self, file: File) -> String {
+        self.opened.paths.shown(file.path(self.db()))
+    }
+
+    /// The folders of all files that were read, also of libraries elsewhere.
+    pub(crate) fn folders(&self) -> BTreeSet<Utf8PathBuf> {
+        let files = Sources::get(self.db()).files(self.db()).values();
+        files.filter_map(|file| file.path(self.db()).parent()).map(Utf8Path::to_owned).collect()
+    }
+
+    /// Ends the session when the process ends: taking the database apart piece by piece would only cost time.
+    pub(crate) fn abandon(self) {
+        std::mem::forget(self.opened.workspace);
+    }
 }
 
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
@@ -59,26 +104,46 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
         .with_help("what lies in it was not checked")
 }
 
-/// The findings in the order of the files, however many threads there are.
-fn diagnostics(workspace: &mut Workspace, selection: &Selection, threads: &ThreadPool) -> Vec<Diagnostic> {
-    let units = val3_check::units(&workspace.db, &workspace.projects);
+fn check_units(
+    workspace: &mut Workspace,
+    units: &[Unit],
+    settings: &WorkspaceSettings,
+    threads: &ThreadPool,
+) -> Checked {
     let progress = Progress::new(units.len());
     let check = |db: &mut Database, unit: &Unit| {
-        let mut found = check_unit(db, *unit);
-        found.retain(|diagnostic| selection.contains(diagnostic.rule));
+        let found = check_unit(db, *unit, settings);
         progress.advance();
         found
     };
-    let mut found = Vec::new();
-    let mut batches = units.chunks(BATCH).peekable();
+    let mut checked = Vec::with_capacity(units.len());
+    let mut batches = batches(units).into_iter().peekable();
     while let Some(batch) = batches.next() {
         let db = workspace.db.clone();
-        found.extend(threads.install(|| batch.par_iter().map_with(db, check).flatten_iter().collect::<Vec<_>>()));
+        checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
         if batches.peek().is_some() {
             forget_trees(&mut workspace.db, batch, threads);
         }
     }
-    finish(found)
+    finish(&workspace.db, units, settings, checked.into_iter().sum())
+}
+
+/// Pieces of about [`BATCH`] units. The units of a project stay together, since each asks about all of it.
+fn batches(units: &[Unit]) -> Vec<&[Unit]> {
+    let mut batches = Vec::new();
+    let mut rest = units;
+    while !rest.is_empty() {
+        let last = rest.get(BATCH.min(rest.len()) - 1).map(|unit| unit.project());
+        let len = rest
+            .iter()
+            .skip(BATCH)
+            .position(|unit| Some(unit.project()) != last)
+            .map_or(rest.len(), |more| BATCH + more);
+        let (batch, behind) = rest.split_at(len);
+        batches.push(batch);
+        rest = behind;
+    }
+    batches
 }
 
 /// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
@@ -99,111 +164,5 @@ fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> 
         programs: counted.programs,
         code_lines: counted.code_lines,
         seconds: started.elapsed().as_secs_f64(),
-    }
-}
-
-fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
-    let threads = jobs.map_or(0, usize::from);
-    ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
-        UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
-    })
-}
-
-fn current_folder() -> Result<Utf8PathBuf, UserError> {
-    let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
-    Utf8PathBuf::from_path_buf(path)
-        .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
-}
-
-/// The folders that were asked for; of a file, the one around it.
-fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
-    let folder = |path: &Utf8PathBuf| match path.parent() {
-        Some(parent) if path.is_file() => parent.to_owned(),
-        _ => path.clone(),
-    };
-    asked.iter().map(folder).collect()
-}
-
-/// Turns diagnostics into findings; each file is indexed once.
-struct Translator<'a> {
-    db: &'a Database,
-    paths: Paths,
-    files: FxHashMap<File, Indexed>,
-}
-
-#[derive(Clone)]
-struct Indexed {
-    source: Arc<SourceFile>,
-    codes: Arc<CodeLines>,
-}
-
-impl<'a> Translator<'a> {
-    fn new(db: &'a Database, paths: Paths) -> Self {
-        Self { db, paths, files: FxHashMap::default() }
-    }
-
-    fn finding(&mut self, diagnostic: &Diagnostic) -> Finding {
-        let Indexed { source, codes } = self.indexed(diagnostic.place.file, diagnostic.application);
-        let place = Place { file: source, range: diagnostic.place.range.into() };
-        Finding {
-            code: diagnostic.rule.code,
-            name: diagnostic.rule.name,
-            severity: diagnostic.severity.into(),
-            message: diagnostic.message.clone(),
-            label: diagnostic.label.clone(),
-            help: diagnostic.help.clone(),
-            program: diagnostic.program.clone(),
-            code_line: codes.line(place.range.start, &place.file.lines),
-            application: diagnostic.application.map(|file| self.paths.relative(file.path(self.db))),
-            related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
-            fixable: diagnostic.fix.is_some(),
-            place,
-        }
-    }
-
-    fn related(&mut self, note: &RelatedNote, application: Option<File>) -> Related {
-        let Span { file, range } = note.place;
-        let file = self.indexed(file, application).source;
-        Related { place: Place { file, range: range.into() }, message: note.message.clone() }
-    }
-
-    fn indexed(&mut self, file: File, application: Option<File>) -> Indexed {
-        if let Some(indexed) = self.files.get(&file) {
-            return indexed.clone();
-        }
-        let indexed = self.index(file, application);
-        self.files.insert(file, indexed.clone());
-        indexed
-    }
-
-    fn index(&self, file: File, application: Option<File>) -> Indexed {
-        let path = file.path(self.db);
-        let mut source =
-            SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(self.db)), self.encoding(file));
-        source.shown = self.paths.shown(path);
-        source.disk = application.and_then(|application| self.on_controller(path, application));
-        let parse = items::parse(self.db, file);
-        Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(View::root(parse.green()))) }
-    }
-
-    fn encoding(&self, file: File) -> Encoding {
-        match file.status(self.db) {
-            FileStatus::Read { encoding, .. } => *encoding,
-            FileStatus::Unreadable(_) => Encoding::Utf8,
-        }
-    }
-
-    /// `Disk://app/prog.pgx`; where nothing tells what `Disk://` is, the folder around the application.
-    fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
-        let manifest = application.path(self.db);
-        let project = self.project(manifest);
-        let disk = project.and_then(|project| project.disk(self.db).as_deref());
-        let disk = disk.or_else(|| manifest.parent()?.parent())?;
-        let inside = path.strip_prefix(disk).ok()?;
-        Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))
-    }
-
-    fn project(&self, manifest: &Utf8Path) -> Option<Project> {
-        Sources::get(self.db).projects(self.db).get(&path_key(manifest.as_str())).copied()
     }
 }

@@ -1,13 +1,21 @@
 //! The output formats of `val3 check`, one a file.
 
+pub(crate) mod azure;
+pub(crate) mod checkstyle;
 pub(crate) mod concise;
+pub(crate) mod github;
+pub(crate) mod gitlab;
 pub(crate) mod human;
 pub(crate) mod json;
 pub(crate) mod json_lines;
+pub(crate) mod junit;
+pub(crate) mod rdjson;
+pub(crate) mod sarif;
 pub(crate) mod val3check;
 
 mod excerpt;
 mod printable;
+mod xml;
 
 use std::io;
 
@@ -31,6 +39,20 @@ pub(crate) enum Format {
     /// Records like those of the manufacturer's checker; see --val3check-template
     #[value(name = "val3check")]
     Val3Check,
+    /// SARIF 2.1.0, for code scanning services
+    Sarif,
+    /// Commands of GitHub Actions, shown at the lines of a pull request
+    Github,
+    /// The code quality report of GitLab
+    Gitlab,
+    /// Commands of Azure Pipelines
+    Azure,
+    /// JUnit XML: a suite an application, a failed test a finding
+    Junit,
+    /// Checkstyle XML
+    Checkstyle,
+    /// The JSON of reviewdog
+    Rdjson,
 }
 
 impl Format {
@@ -53,6 +75,13 @@ pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &
         Format::Json => json::write(report, out),
         Format::JsonLines => json_lines::write(report, out),
         Format::Val3Check => val3check::write(report, template, out),
+        Format::Sarif => sarif::write(report, out),
+        Format::Github => github::write(report, out),
+        Format::Gitlab => gitlab::write(report, out),
+        Format::Azure => azure::write(report, out),
+        Format::Junit => junit::write(report, out),
+        Format::Checkstyle => checkstyle::write(report, out),
+        Format::Rdjson => rdjson::write(report, out),
     }
 }
 

@@ -3,22 +3,32 @@
 #![allow(clippy::disallowed_methods, reason = "the clock, the threads and the environment come in here")]
 
 mod args;
+mod baseline;
 mod check;
 mod code_lines;
 mod engine;
 mod explain;
+mod explain_config;
+mod fingerprint;
+mod fixing;
 mod format;
 mod line_index;
 mod markdown;
+mod opening;
 mod output;
 mod parallel_disk;
+mod patch;
 mod paths;
 mod progress;
 mod report;
+mod rule_counts;
+mod schema;
 mod selection;
 mod similar;
 mod summary;
+mod translation;
 mod user_error;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -44,5 +54,6 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }
 }

@@ -5,6 +5,7 @@ use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
 
 use camino::Utf8Path;
 use codespan_reporting::term::termcolor::{BufferedStandardStream, ColorChoice, NoColor, WriteColor};
+use tempfile::NamedTempFile;
 
 use crate::args::Color;
 use crate::user_error::UserError;
@@ -44,6 +45,25 @@ pub(crate) fn to_file(
     })
 }
 
+/// Replaces what a file holds, at once and with its permissions. It must hold `before` until then: what somebody else
+/// wrote in the meantime is not lost. The error says why it was not replaced.
+pub(crate) fn replace_file(path: &Utf8Path, before: &[u8], after: &[u8]) -> Result<(), String> {
+    let worded = |error: io::Error| error.to_string();
+    // A link stays one; the file it leads to is replaced.
+    let path = path.canonicalize_utf8().map_err(worded)?;
+    if std::fs::read(&path).map_err(worded)? != before {
+        return Err("it was changed in the meantime".to_owned());
+    }
+    let permissions = std::fs::metadata(&path).map_err(worded)?.permissions();
+    if permissions.readonly() {
+        return Err("it is read-only".to_owned());
+    }
+    let mut new = NamedTempFile::new_in(path.parent().unwrap_or(Utf8Path::new("."))).map_err(worded)?;
+    new.write_all(after).map_err(worded)?;
+    new.as_file().set_permissions(permissions).map_err(worded)?;
+    new.persist(&path).map(drop).map_err(|error| worded(error.error))
+}
+
 fn color_choice(color: Color) -> ColorChoice {
     let wanted = match color {
         Color::Always => true,
@@ -58,4 +78,57 @@ fn environment_allows_colors() -> bool {
     let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");
     !no_color && !dumb
+}
+
+#[cfg(test)]
+mod tests {
+    use camino::Utf8PathBuf;
+
+    use super::*;
+
+    fn file(text: &str) -> (tempfile::TempDir, Utf8PathBuf) {
+        let folder = tempfile::tempdir().unwrap();
+        let path = Utf8PathBuf::from_path_buf(folder.path().join("a.pgx")).unwrap();
+        std::fs::write(&path, text).unwrap();
+        (folder, path)
+    }
+
+    #[test]
+    fn a_file_is_replaced_and_nothing_stays_beside_it() {
+        let (folder, path) = file("old");
+        replace_file(&path, b"old", b"new").unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"new");
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_somebody_else_wrote_stays() {
+        let (folder, path) = file("theirs");
+        assert!(replace_file(&path, b"old", b"new").unwrap_err().contains("meantime"));
+        assert_eq!(std::fs::read(&path).unwrap(), b"theirs");
+        assert_eq!(folder.path().read_dir().unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn permissions_and_links_stay() {
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let (folder, path) = file("old");
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o640)).unwrap();
+        let link = Utf8PathBuf::from_path_buf(folder.path().join("link.pgx")).unwrap();
+        symlink(&path, &link).unwrap();
+        replace_file(&link, b"old", b"new").unwrap();
+        assert_eq!(std::fs::metadata(&path).unwrap().permissions().mode() & 0o777, 0o640);
+        assert!(std::fs::symlink_metadata(&link).unwrap().is_symlink());
+        assert_eq!(std::fs::read(&path).unwrap(), b"new");
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_read_only_file_is_refused() {
+        use std::os::unix::fs::PermissionsExt;
+        let (_folder, path) = file("old");
+        std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o440)).unwrap();
+        assert!(replace_file(&path, b"old", b"new").unwrap_err().contains("read-only"));
+    }
 }

@@ -7,6 +7,7 @@ use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 pub(crate) struct Paths {
     asked: Utf8PathBuf,
     current: Utf8PathBuf,
+    repository: Utf8PathBuf,
 }
 
 impl Paths {
@@ -14,7 +15,22 @@ impl Paths {
     /// deepest one above all of them counts, so that no two files get the same path.
     pub(crate) fn new(asked: &[Utf8PathBuf], current: &Utf8Path) -> Self {
         let absolute = asked.iter().map(|folder| normal(&current.join(folder)));
-        Self { asked: absolute.reduce(|a, b| common(&a, &b)).unwrap_or_default(), current: normal(current) }
+        let asked = absolute.reduce(|a, b| common(&a, &b)).unwrap_or_default();
+        let current = normal(current);
+        Self { repository: current.clone(), asked, current }
+    }
+
+    /// `repository` is the absolute path of the folder under version control, instead of the current one.
+    pub(crate) fn within(mut self, repository: Option<&Utf8Path>) -> Self {
+        if let Some(folder) = repository {
+            self.repository = normal(folder);
+        }
+        self
+    }
+
+    /// The path relative to the folder under version control: services that show findings know files by it.
+    pub(crate) fn in_repository(&self, path: &Utf8Path) -> String {
+        relative(&self.repository, &self.absolute(path))
     }
 
     /// The path relative to the folder asked for.
@@ -56,7 +72,7 @@ fn common(a: &Utf8Path, b: &Utf8Path) -> Utf8PathBuf {
 }
 
 /// `path` seen from `base`; itself where they have nothing in common.
-fn relative(base: &Utf8Path, path: &Utf8Path) -> String {
+pub(crate) fn relative(base: &Utf8Path, path: &Utf8Path) -> String {
     let common = common(base, path);
     if common.as_str().is_empty() {
         return slashes(path);
@@ -92,6 +108,13 @@ mod tests {
     fn of_several_folders_the_one_above_all() {
         let paths = paths(&["usrapp/x", "usrapp/y", "usrapp/x/../z"]);
         assert_eq!(paths.relative("usrapp/x/x.pjx".into()), "x/x.pjx");
+    }
+
+    #[test]
+    fn services_get_the_path_in_the_repository() {
+        let path = Utf8Path::new("/home/me/cell/usrapp/a.pgx");
+        assert_eq!(paths(&["usrapp"]).in_repository(path), "usrapp/a.pgx");
+        assert_eq!(paths(&["usrapp"]).within(Some("/home/me".into())).in_repository(path), "cell/usrapp/a.pgx");
     }
 
     #[test]

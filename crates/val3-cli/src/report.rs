@@ -1,19 +1,19 @@
 //! The result of a check as plain data, ready for every output format.
 
+mod finding;
 #[cfg(test)]
 pub(crate) mod sample;
 
 use std::collections::BTreeSet;
-use std::ops::Range;
-use std::sync::Arc;
 
 use clap::ValueEnum;
 use serde::Serialize;
 use val3_check::rule;
-use val3_syntax::encoding::Encoding;
 
-use crate::line_index::{LineIndex, Position};
+use crate::baseline::Outcome;
 use crate::user_error::UserError;
+
+pub(crate) use finding::{Edit, Finding, Fix, Place, Related, SourceFile};
 
 /// How serious a finding is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, ValueEnum)]
@@ -48,87 +48,6 @@ impl From<rule::Severity> for Severity {
     }
 }
 
-/// A file that findings point at.
-#[derive(Debug)]
-pub(crate) struct SourceFile {
-    /// The path relative to the folder asked for, with `/`.
-    pub(crate) path: String,
-    /// The path as people open it: relative to the current folder where that is shorter.
-    pub(crate) shown: String,
-    /// The path on the controller (`Disk://app/prog.pgx`), where it has one.
-    pub(crate) disk: Option<String>,
-    /// The text, decoded.
-    pub(crate) text: Arc<str>,
-    /// The lines of the text.
-    pub(crate) lines: LineIndex,
-}
-
-impl SourceFile {
-    /// A file under one path, without a place on a controller.
-    pub(crate) fn new(path: &str, text: Arc<str>, encoding: Encoding) -> Self {
-        Self { path: path.to_owned(), shown: path.to_owned(), disk: None, lines: LineIndex::new(&text, encoding), text }
-    }
-}
-
-/// A range of a file.
-#[derive(Debug, Clone)]
-pub(crate) struct Place {
-    /// The file.
-    pub(crate) file: Arc<SourceFile>,
-    /// Bytes of the decoded text.
-    pub(crate) range: Range<usize>,
-}
-
-impl Place {
-    /// Where it starts.
-    pub(crate) fn start(&self) -> Position {
-        self.file.lines.position(self.range.start)
-    }
-
-    /// Where it ends: the first place that is not part of it.
-    pub(crate) fn end(&self) -> Position {
-        self.file.lines.position(self.range.end)
-    }
-}
-
-/// One finding.
-#[derive(Debug, Clone)]
-pub(crate) struct Finding {
-    /// `V0203`
-    pub(crate) code: &'static str,
-    /// `argument-type`
-    pub(crate) name: &'static str,
-    /// Its level.
-    pub(crate) severity: Severity,
-    /// What is wrong, in one sentence.
-    pub(crate) message: String,
-    /// A few words under the place; may be empty.
-    pub(crate) label: String,
-    /// What to write instead; may be empty.
-    pub(crate) help: String,
-    /// Where.
-    pub(crate) place: Place,
-    /// The program it lies in.
-    pub(crate) program: Option<String>,
-    /// The line within the program's code, where the line of `begin` is 1.
-    pub(crate) code_line: Option<usize>,
-    /// The path of the application's `.pjx`, like [`SourceFile::path`].
-    pub(crate) application: Option<String>,
-    /// The other sides of the fault.
-    pub(crate) related: Vec<Related>,
-    /// A fix exists.
-    pub(crate) fixable: bool,
-}
-
-/// Another side of a finding.
-#[derive(Debug, Clone)]
-pub(crate) struct Related {
-    /// Where.
-    pub(crate) place: Place,
-    /// What stands there.
-    pub(crate) message: String,
-}
-
 /// What was checked.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Statistics {
@@ -149,25 +68,45 @@ pub(crate) struct Statistics {
 pub(crate) struct Report {
     /// What was checked.
     pub(crate) statistics: Statistics,
+    /// The paths of the `.pjx` of all applications, like [`SourceFile::path`], sorted.
+    pub(crate) applications: Vec<String>,
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
+    /// How many findings were mended before the report, where that was asked for.
+    pub(crate) mended: Option<usize>,
+    /// How many findings comments in the code silence.
+    pub(crate) silenced: usize,
+    /// What the baselines left out.
+    pub(crate) baseline: Outcome,
     /// Folders that could not be read, so that the findings may not be all.
     pub(crate) unreadable: Vec<UserError>,
 }
 
 impl Report {
     /// Puts the findings in order and drops repetitions.
-    pub(crate) fn new(statistics: Statistics, mut findings: Vec<Finding>, unreadable: Vec<UserError>) -> Self {
+    pub(crate) fn new(
+        statistics: Statistics,
+        applications: Vec<String>,
+        mut findings: Vec<Finding>,
+        unreadable: Vec<UserError>,
+    ) -> Self {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
         // A file that two applications use may be judged twice.
         findings.dedup_by(|a, b| order(a) == order(b));
-        Self { statistics, findings, unreadable }
+        let (silenced, baseline) = (0, Outcome::default());
+        Self { statistics, applications, findings, mended: None, silenced, baseline, unreadable }
     }
 
     /// How many findings have a level.
     pub(crate) fn count(&self, severity: Severity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
         self.findings.iter().filter(same).count()
+    }
+
+    /// How many findings have a fix that is safe, or one that is a guess.
+    pub(crate) fn fixable(&self, safe: bool) -> usize {
+        let fixes = self.findings.iter().filter_map(|finding| finding.fix.as_ref());
+        fixes.filter(|fix| fix.safe == safe).count()
     }
 
     /// How many files have findings.

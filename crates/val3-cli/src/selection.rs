@@ -1,59 +1,40 @@
 //! Which findings are wanted: `--select` and `--ignore`.
 
-use std::collections::BTreeSet;
-
 use val3_check::rule::Rule;
+use val3_check::rules;
+use val3_check::settings::{Exactness, Selection, meant_by};
 
 use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
-/// The rules whose findings are shown.
-#[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Selection {
-    codes: BTreeSet<&'static str>,
-}
-
-impl Selection {
-    /// Chooses from `rules`: those that an entry of `select` means (all if it is empty) without those that an entry of
-    /// `ignore` means. An entry is a code, the beginning of one or a name, in any letter case; one that means no rule
-    /// is an error.
-    pub(crate) fn new(rules: &[&'static Rule], select: &[String], ignore: &[String]) -> Result<Self, UserError> {
-        let mut codes = match select {
-            [] => rules.iter().map(|rule| rule.code).collect(),
-            entries => codes(rules, entries, "--select")?,
-        };
-        for code in self::codes(rules, ignore, "--ignore")? {
-            codes.remove(code);
+/// The findings that an entry of `select` means (all if it is empty) without those that an entry of `ignore` means. An
+/// entry is a code, the beginning of one, a name or `all`, in any letter case; one that means no rule is an error.
+pub(crate) fn read(select: &[String], ignore: &[String]) -> Result<Selection, UserError> {
+    let mut selection = Selection::default();
+    for (rule, exactness) in meant(select, "--select")? {
+        selection.only.get_or_insert_default().insert(rule.code);
+        if exactness == Exactness::Exact {
+            selection.named.insert(rule.code);
         }
-        Ok(Self { codes })
     }
-
-    /// Whether findings of a rule are shown.
-    pub(crate) fn contains(&self, rule: &Rule) -> bool {
-        self.codes.contains(rule.code)
-    }
+    selection.never = meant(ignore, "--ignore")?.into_iter().map(|(rule, _)| rule.code).collect();
+    Ok(selection)
 }
 
-fn codes(rules: &[&'static Rule], entries: &[String], option: &str) -> Result<BTreeSet<&'static str>, UserError> {
-    let mut codes = BTreeSet::new();
+fn meant(entries: &[String], option: &str) -> Result<Vec<(&'static Rule, Exactness)>, UserError> {
+    let mut all = Vec::new();
     for entry in entries.iter().map(|entry| entry.trim()) {
-        let meant: Vec<_> = rules.iter().filter(|rule| means(entry, rule)).collect();
+        let meant = meant_by(entry);
         if meant.is_empty() {
-            return Err(unknown(rules, entry, option));
+            return Err(unknown(entry, option));
         }
-        codes.extend(meant.iter().map(|rule| rule.code));
+        all.extend(meant);
     }
-    Ok(codes)
+    Ok(all)
 }
 
-fn means(entry: &str, rule: &Rule) -> bool {
-    let beginning = rule.code.get(..entry.len()).filter(|beginning| !beginning.is_empty());
-    let is_beginning = beginning.is_some_and(|beginning| beginning.eq_ignore_ascii_case(entry));
-    is_beginning || rule.name.eq_ignore_ascii_case(entry)
-}
-
-fn unknown(rules: &[&'static Rule], entry: &str, option: &str) -> UserError {
-    let words = rules.iter().flat_map(|rule| [rule.code, rule.name]);
+fn unknown(entry: &str, option: &str) -> UserError {
+    let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
     let help =
         question(&similar(entry, words)).unwrap_or_else(|| "`val3 explain` lists all codes and names".to_owned());
     UserError::new(format!("{option}: no finding has the code or name `{entry}`")).with_help(help)
@@ -61,34 +42,28 @@ fn unknown(rules: &[&'static Rule], entry: &str, option: &str) -> UserError {
 
 #[cfg(test)]
 mod tests {
-    use val3_check::rule::Severity;
-
     use super::*;
 
-    const RULES: [&Rule; 3] =
-        [&rule("V0101", "unknown-name"), &rule("V0203", "argument-type"), &rule("V0204", "argument-count")];
-
-    const fn rule(code: &'static str, name: &'static str) -> Rule {
-        Rule { code, name, severity: Severity::Error, page: "" }
-    }
-
-    fn selected(select: &[&str], ignore: &[&str]) -> Result<Vec<&'static str>, UserError> {
+    fn selected(select: &[&str], ignore: &[&str]) -> Result<Selection, UserError> {
         let owned = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
-        let selection = Selection::new(&RULES, &owned(select), &owned(ignore))?;
-        let rules = RULES.iter().filter(|rule| selection.contains(rule));
-        Ok(rules.map(|rule| rule.code).collect())
+        read(&owned(select), &owned(ignore))
     }
 
     #[test]
     fn without_words_everything_is_selected() {
-        assert_eq!(selected(&[], &[]).unwrap(), ["V0101", "V0203", "V0204"]);
+        assert_eq!(selected(&[], &[]).unwrap(), Selection::default());
     }
 
     #[test]
     fn codes_beginnings_and_names() {
-        assert_eq!(selected(&["V02"], &[]).unwrap(), ["V0203", "V0204"]);
-        assert_eq!(selected(&["v0101", " Argument-Count"], &[]).unwrap(), ["V0101", "V0204"]);
-        assert_eq!(selected(&["V"], &["V0203"]).unwrap(), ["V0101", "V0204"]);
+        let selection = selected(&["v0101", " Argument-Count"], &["V0203"]).unwrap();
+        assert_eq!(selection.only, Some(["V0101", "V0204"].into()));
+        assert_eq!((selection.named, selection.never), (["V0101", "V0204"].into(), ["V0203"].into()));
+        let family = selected(&["V02"], &[]).unwrap();
+        let only = family.only.unwrap();
+        assert!(only.contains("V0203") && only.iter().all(|code| code.starts_with("V02")));
+        assert!(family.named.is_empty());
+        assert_eq!(selected(&["all"], &[]).unwrap().only.unwrap().len(), rules::all().len());
     }
 
     #[test]

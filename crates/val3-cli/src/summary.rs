@@ -2,6 +2,7 @@
 
 use std::io::{self, Write};
 
+use crate::baseline::Outcome;
 use crate::report::{Report, Severity};
 
 /// Writes the hint at the pages, where there are findings, and the counts.
@@ -9,7 +10,41 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
     }
-    writeln!(out, "{}", counts(report))
+    writeln!(out, "{}", counts(report))?;
+    left_out(report, out)?;
+    fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
+}
+
+/// What was found and is not reported, and what happened to the baselines.
+fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
+    let Outcome { known, gone, written } = &report.baseline;
+    let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
+    let hidden = hidden.iter().filter(|(count, _)| *count > 0).map(|(count, why)| format!("{} {why}", grouped(*count)));
+    let hidden: Vec<_> = hidden.collect();
+    if !hidden.is_empty() {
+        writeln!(out, "not shown: {}", hidden.join(", "))?;
+    }
+    if *gone > 0 {
+        let findings = number(*gone, "known finding");
+        writeln!(out, "not found any more: {findings}; --prune-baseline takes such out of the baseline")?;
+    }
+    written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
+}
+
+/// What was mended, or can be.
+fn fixes(report: &Report) -> Option<String> {
+    if let Some(mended) = report.mended {
+        return Some(format!("{} of {} mended", grouped(mended), number(mended + report.findings.len(), "finding")));
+    }
+    match (report.fixable(true), report.fixable(false)) {
+        (0, 0) => None,
+        (0, guesses) => Some(format!("{} may be mended by --fix --unsafe-fixes", grouped(guesses))),
+        (safe, 0) => Some(format!("{} can be mended by --fix", grouped(safe))),
+        (safe, guesses) => {
+            let (safe, guesses) = (grouped(safe), grouped(guesses));
+            Some(format!("{safe} can be mended by --fix, {guesses} more may be by --unsafe-fixes"))
+        }
+    }
 }
 
 /// The code of the first finding of the highest level.
@@ -36,7 +71,11 @@ fn findings(report: &Report) -> String {
     let counted = levels.map(|(level, word)| (report.count(level), word));
     let words: Vec<_> =
         counted.iter().filter(|(count, _)| *count > 0).map(|(count, word)| number(*count, word)).collect();
-    if words.is_empty() { "no findings".to_owned() } else { words.join(", ") }
+    match (words.is_empty(), report.baseline.known) {
+        (false, _) => words.join(", "),
+        (true, 0) => "no findings".to_owned(),
+        (true, _) => "no new findings".to_owned(),
+    }
 }
 
 fn files(report: &Report) -> String {
@@ -81,12 +120,33 @@ mod tests {
         insta::assert_snapshot!(summary(&sample::report()), @r"
         More about a finding: val3 explain V0203
         1 error, 1 warning, 1 info in 2 of 3 files (1 application, 1,412 code lines, 0.02 s)
+        1 may be mended by --fix --unsafe-fixes
         ");
+    }
+
+    #[test]
+    fn what_was_mended_is_counted_with_what_is_left() {
+        let report = Report { mended: Some(2), ..sample::report() };
+        assert!(summary(&report).ends_with("\n2 of 5 findings mended\n"));
+        let report = Report { mended: Some(0), ..sample::clean() };
+        assert!(summary(&report).ends_with("\n0 of 0 findings mended\n"));
     }
 
     #[test]
     fn no_findings() {
         insta::assert_snapshot!(summary(&sample::clean()), @"no findings in 3 files (1 application, 1,412 code lines, 0.02 s)");
+    }
+
+    #[test]
+    fn what_is_left_out_is_said() {
+        let written = vec![("val3-baseline.json".to_owned(), 1204)];
+        let baseline = Outcome { known: 1204, gone: 1, written };
+        insta::assert_snapshot!(summary(&Report { silenced: 2, baseline, ..sample::clean() }), @r"
+        no new findings in 3 files (1 application, 1,412 code lines, 0.02 s)
+        not shown: 1,204 known from the baseline, 2 silenced by comments
+        not found any more: 1 known finding; --prune-baseline takes such out of the baseline
+        wrote val3-baseline.json with 1,204 known findings
+        ");
     }
 
     #[test]

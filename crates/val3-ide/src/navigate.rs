@@ -51,7 +51,7 @@ pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
         Symbol::Data(project, name) => declarations::data(db, items(db, *project).data.get(name)?.file, name.clone()),
         Symbol::Program(project, name) => declarations::program(db, *items(db, *project).programs.get(name)?),
         Symbol::Library(project, name) => declarations::library(db, *project, name.clone()),
-        Symbol::Type(project, name) => declarations::type_entry(db, *project, name.clone()),
+        Symbol::Type(project, name) => declarations::user_type(db, *project, name.clone()),
         _ => None,
     }?;
     Some(FileRange { file: place.file, range: place.range })

@@ -4,7 +4,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::db::{Database, Db, File, Sources};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::TextSize;
 use val3_test::{Fixture, ROOT};
 
 use crate::{FilePosition, FileRange};
@@ -66,13 +66,4 @@ pub(crate) fn shown(db: &dyn Db, place: FileRange) -> String {
 /// As [`shown`], one a line.
 pub(crate) fn shown_all(db: &dyn Db, places: impl IntoIterator<Item = FileRange>) -> String {
     places.into_iter().map(|place| shown(db, place) + "\n").collect()
-}
-
-/// The text of a file after some edits.
-pub(crate) fn edited(text: &str, edits: &[(TextRange, &str)]) -> String {
-    let mut text = text.to_owned();
-    for (range, new) in edits.iter().rev() {
-        text.replace_range(std::ops::Range::<usize>::from(*range), new);
-    }
-    text
 }

@@ -6,7 +6,8 @@ use std::sync::LazyLock;
 
 use rustc_hash::FxHashMap;
 
-use crate::{declare::catalogue, instruction::Instruction};
+use crate::declare::catalogue;
+use crate::instruction::{Family, Instruction};
 
 catalogue! {
     variables {
@@ -267,8 +268,90 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 /// Loads a library under an identifier: the analysis compares the library with the identifier's interface (6.7).
 pub const LIB_LOAD: &str = "libLoad";
 
+/// Instructions that name a task of the same application or library (5.10).
+pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", TASK_STATUS];
+
+/// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
+pub const TASK_STATUS: &str = "taskStatus";
+
+/// Instructions that give the code of a key (4.3).
+pub const READ_KEYS: [&str; 2] = ["get", GET_KEY];
+
+/// Takes the code of a key as its last argument (4.3).
+pub const IS_KEY_PRESSED: &str = "isKeyPressed";
+
+/// Reads data by its name, given as a text (2.5.4): what it names is used.
+pub const GET_DATA: &str = "getData";
+
 /// Tells whether a library has an item (6.7): a guard before its use.
 pub const LIB_EXIST: &str = "libExist";
 
+/// Tells the time (5.10): a loop that asks it paces itself.
+pub const CLOCK: &str = "clock";
+
+/// Waits until the arm has made every recorded move (10.6).
+pub const WAIT_END_MOVE: &str = "waitEndMove";
+
+/// Lets other tasks go on until a condition holds (5.10).
+pub const WAIT: &str = "wait";
+
+/// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
+pub const DELAY: &str = "delay";
+
+/// Changes the reference of its first argument, although the manual does not mark it as passed by reference (9.4.4,
+/// 9.5.4, 9.6.3).
+pub const LINK: &str = "link";
+
 /// Tells whether a variable or element exists (2.5.4): a guard before its use.
 pub const IS_DEFINED: &str = "isDefined";
+
+/// The move at hand and how far it has come (10.6): a number that grows in steps of any size.
+pub const GET_MOVE_ID: &str = "getMoveId";
+
+/// The last key that was struck since it was asked before, or -1 (4.3).
+pub const GET_KEY: &str = "getKey";
+
+/// Arms the latch of the arm's position (9.2.3).
+pub const SET_LATCH: &str = "setLatch";
+
+/// Reads the latched position (9.2.3): the one before until the latch is armed.
+pub const GET_LATCH: &str = "getLatch";
+
+/// Waits for a flag that tasks share and takes it, within one line (5.9).
+pub const SET_MUTEX: &str = "setMutex";
+
+/// Writes a number in binary to an array of outputs (3.5.3).
+pub const DIO_SET: &str = "dioSet";
+
+/// Encodes numbers as bytes (3.3.3): values, their number, format, bytes.
+pub const TO_BINARY: &str = "toBinary";
+
+/// Decodes numbers from bytes (3.3.3): bytes, their number, format, values.
+pub const FROM_BINARY: &str = "fromBinary";
+
+/// Changes a parameter of a serial line or socket (3.7.3).
+pub const SIO_CTRL: &str = "sioCtrl";
+
+/// Changes the size of an array (2.5.4, 2.5.5): none of them takes a local array.
+const RESIZING: [&str; 4] = ["insert", "delete", "append", "resize"];
+
+/// The instruction changes the size of the array it is given.
+#[must_use]
+pub fn resizes(name: &str) -> bool {
+    RESIZING.contains(&name)
+}
+
+/// The instruction may change the size of a container that it is given: those above, and those that make a global
+/// array large enough for their result (6.7, 8.1). What add-ons do is not known.
+#[must_use]
+pub fn may_resize(instruction: &Instruction) -> bool {
+    resizes(instruction.name)
+        || matches!(instruction.name, "libList" | "ioBusStatus")
+        || matches!(instruction.family, Family::AddOns | Family::Additions)
+}
+
+/// The instruction changes the size of an array of two or three dimensions as well (2.5.5).
+#[must_use]
+pub fn resizes_every_array(name: &str) -> bool {
+    name == "resize"
+}

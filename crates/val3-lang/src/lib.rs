@@ -7,15 +7,20 @@
 mod declare;
 
 pub mod add_on;
+pub mod arguments;
 pub mod builtins;
 pub mod enumerations;
 pub mod instruction;
 pub mod instructions;
+pub mod keys;
 pub mod keywords;
 pub mod library_errors;
+pub mod motion;
 pub mod operators;
 pub mod page;
+pub mod results;
 pub mod runtime_errors;
 pub mod statements;
+pub mod tasks;
 pub mod types;
 pub mod versions;

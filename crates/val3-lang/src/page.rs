@@ -21,6 +21,15 @@ pub fn summary(page: &str) -> String {
     lines.collect::<Vec<_>>().join(" ")
 }
 
+/// The text below the heading `## heading`, without blank lines around it; empty where there is no such heading.
+#[must_use]
+pub fn section(page: &str, heading: &str) -> String {
+    let text = text(page);
+    let lines = text.lines().skip_while(|line| line.strip_prefix("## ") != Some(heading)).skip(1);
+    let lines: Vec<_> = lines.take_while(|line| !line.starts_with("## ")).collect();
+    lines.join("\n").trim_matches('\n').to_owned()
+}
+
 /// The VAL 3 listings of a page, in order.
 #[must_use]
 pub fn examples(page: &str) -> Vec<String> {
@@ -42,9 +51,17 @@ pub fn examples(page: &str) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{examples, summary, text};
+    use super::{examples, section, summary, text};
 
     const PAGE: &str = " Adds one\n to `n`.\n\n More.\n ```val3\n num n\n   n=n+1\n ```\n End.\n";
+
+    #[test]
+    fn a_section_ends_at_the_next_heading() {
+        let page = " One.\n\n ## Why\n\n Because\n of it.\n\n ## Bad\n x\n";
+        assert_eq!(section(page, "Why"), "Because\nof it.");
+        assert_eq!(section(page, "Bad"), "x");
+        assert_eq!(section(page, "Good"), "");
+    }
 
     #[test]
     fn cuts_a_page() {

@@ -37,9 +37,21 @@ impl TaskState {
     }
 }
 
+/// An input, output or serial line is used without a link (3.5 to 3.7).
+pub const UNLINKED: u16 = 123;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }
+
+/// A division by zero (3.2.2).
+pub const DIVISION_BY_ZERO: u16 = 10;
+
+/// A task cannot have this name (5.10).
+pub const BAD_TASK_NAME: u16 = 29;
+
+/// An argument that the instruction does not take.
+pub const INVALID_PARAMETER: u16 = 70;
 
 /// The error with this number.
 #[must_use]

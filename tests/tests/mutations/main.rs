@@ -7,7 +7,10 @@
     reason = "a slip that does not fit the cell fails the suite"
 )]
 
+mod application;
 mod edit;
+mod flow;
+mod misuse;
 mod mutation;
 mod names;
 mod projects;
@@ -36,6 +39,18 @@ const ALL: &[&[Mutation]] = &[
     projects::VALUES,
     projects::LINKS,
     projects::LIBRARIES,
+    misuse::ARGUMENTS,
+    misuse::VALUES,
+    misuse::DATA,
+    misuse::TASKS,
+    flow::ORDER,
+    flow::WAITING,
+    flow::POSITIONS,
+    flow::MOVES,
+    application::UNUSED,
+    application::HIDDEN,
+    application::TASKS,
+    application::VERSIONS,
 ];
 
 fn all() -> impl Iterator<Item = &'static Mutation> {

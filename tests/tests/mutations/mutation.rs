@@ -15,6 +15,8 @@ pub(crate) struct Mutation {
     pub(crate) code: &'static str,
     /// Where else the finding may stand, as file and text of its line; empty where the edit tells.
     pub(crate) places: &'static [(&'static str, &'static str)],
+    /// The code of a second finding, where the slip shows from two sides that both need to know.
+    pub(crate) also: Option<&'static str>,
 }
 
 /// What happens to the file.
@@ -35,18 +37,24 @@ pub(crate) const fn slip(
     with: &'static str,
     code: &'static str,
 ) -> Mutation {
-    Mutation { name, file, edit: Edit::Replace { find, with }, code, places: &[] }
+    Mutation { name, file, edit: Edit::Replace { find, with }, code, places: &[], also: None }
 }
 
 /// A file that got lost.
 pub(crate) const fn lost(name: &'static str, file: &'static str, code: &'static str) -> Mutation {
-    Mutation { name, file, edit: Edit::Remove, code, places: &[] }
+    Mutation { name, file, edit: Edit::Remove, code, places: &[], also: None }
 }
 
 impl Mutation {
     /// The finding stands on one of these lines instead of the edited one.
     pub(crate) const fn at(mut self, places: &'static [(&'static str, &'static str)]) -> Mutation {
         self.places = places;
+        self
+    }
+
+    /// A second finding, of the rule `code`, shows the slip from another side.
+    pub(crate) const fn also(mut self, code: &'static str) -> Mutation {
+        self.also = Some(code);
         self
     }
 }

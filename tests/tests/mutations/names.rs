@@ -56,7 +56,8 @@ pub(crate) const DECLARATIONS: &[Mutation] = &[
         "      <Local name=\"l_nAverageOfTimes\" type=\"num\" xsi:type=\"array\" size=\"1\" />\n      \
          <Local name=\"l_i\"",
         "V0109",
-    ),
+    )
+    .also("V0115"),
     slip(
         "name with a hyphen",
         "palletiser/average.pgx",

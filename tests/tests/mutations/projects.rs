@@ -222,7 +222,8 @@ pub(crate) const LIBRARIES: &[Mutation] = &[
     ),
     slip("libLoad of nothing", "palletiser/loadPart.pgx", "Disk://partBag", "Disk://partBg", "V0604"),
     slip("implementation lacks a program", "partBag/partBag.pjx", "    <Program file=\"drop.pgx\" />\n", "", "V0605")
-        .at(&[LOAD]),
+        .at(&[LOAD])
+        .also("V0531"),
     slip("a library with another interface", "palletiser/loadPart.pgx", "Disk://partBag", "Disk://io", "V0605")
         .at(&[("palletiser/loadPart.pgx", "Disk://io")]),
     slip("implementation hides a program", "partBag/grip.pgx", " access=\"public\"", "", "V0606")
@@ -244,7 +245,8 @@ pub(crate) const LIBRARIES: &[Mutation] = &[
     )
     .at(&[LOAD, ("partBag/offset.pgx", "name=\"x_trOffset\"")]),
     slip("implementation takes by value", "partBag/init.pgx", " use=\"reference\"", "", "V0607")
-        .at(&[LOAD, ("partBag/init.pgx", "name=\"x_bOk\"")]),
+        .at(&[LOAD, ("partBag/init.pgx", "name=\"x_bOk\"")])
+        .also("V0124"),
     slip(
         "implementation has data of another type",
         "partBag/partBag.dtx",

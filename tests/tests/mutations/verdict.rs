@@ -55,6 +55,10 @@ pub(crate) fn judge(
     if let Some(hit) = hit {
         others.remove(hit);
     }
+    let second = others.iter().position(|finding| Some(finding.code.as_str()) == mutation.also);
+    if let Some(second) = second.filter(|_| hit.is_some()) {
+        others.remove(second);
+    }
     let expected = mutated.expected;
     Ok(Verdict { name: mutation.name, code: mutation.code, found: hit.is_some(), others, expected })
 }

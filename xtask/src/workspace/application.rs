@@ -154,7 +154,7 @@ fn program(signature: Signature, earlier: &[Program], scope: &Scope, random: &mu
     while body.code_lines() < wanted {
         body.statement();
     }
-    let (lines, locals) = body.finish();
+    let (lines, locals) = body.finish(signature.parameters.iter().map(|parameter| &parameter.variable));
     Program { signature, public, locals, lines }
 }
 

@@ -1,11 +1,43 @@
 //! The code of one program while it is written.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
-use super::model::{Signature, Variable, is_code};
+use super::model::{Container, Signature, Type, Variable, is_code};
 use super::random::Random;
 use super::scope::Scope;
 use super::words::COMMENTS;
+
+/// What a local of a position type holds before anything else happens to it: nothing that moves may do without.
+fn first_value(local: &Variable, scope: &Scope, random: &mut Random) -> Option<String> {
+    match local.ty {
+        Type::Trsf => Some("{0,0,0,0,0,0}".to_owned()),
+        Type::Point | Type::Joint | Type::Frame | Type::Tool | Type::Mdesc | Type::Slot => {
+            scope.readable(local.ty, random)
+        }
+        Type::Num | Type::Bool | Type::Text | Type::Dio => None,
+    }
+}
+
+/// A line that reads a variable.
+fn last_use(variable: &Variable) -> Option<String> {
+    let index = match variable.container {
+        Container::One => "",
+        Container::Array(_) => "[0]",
+        Container::Grid(..) => "[0,0]",
+        Container::Collection(_) => return None,
+    };
+    let name = &variable.name;
+    Some(match variable.ty {
+        Type::Num | Type::Text => format!("putln({name}{index})"),
+        Type::Bool | Type::Dio => format!("wait({name}{index}==true)"),
+        Type::Trsf => format!("putln({name}{index}.z)"),
+        Type::Point | Type::Tool => format!("putln({name}{index}.trsf.z)"),
+        Type::Joint => format!("putln({name}{index}.j1)"),
+        Type::Mdesc => format!("putln({name}{index}.vel)"),
+        Type::Slot => format!("putln({name}{index}.sLabel)"),
+        Type::Frame => return None,
+    })
+}
 
 /// A program's code so far.
 pub(super) struct Body<'a> {
@@ -16,6 +48,8 @@ pub(super) struct Body<'a> {
     /// Locals it may use; only those it names are declared.
     locals: &'a [Variable],
     used_locals: BTreeSet<String>,
+    /// The line that gives a local its first value.
+    starts: BTreeMap<String, String>,
     lines: Vec<String>,
     code_lines: usize,
     depth: usize,
@@ -29,6 +63,8 @@ impl<'a> Body<'a> {
         callees: &'a [Signature],
         locals: &'a [Variable],
     ) -> Self {
+        let starts = locals.iter().filter_map(|local| Some((local.name.clone(), first_value(local, &scope, random)?)));
+        let starts = starts.collect();
         locals.iter().for_each(|local| scope.add(local));
         Self {
             random,
@@ -36,6 +72,7 @@ impl<'a> Body<'a> {
             callees,
             locals,
             used_locals: BTreeSet::new(),
+            starts,
             lines: Vec::new(),
             code_lines: 0,
             depth: 0,
@@ -87,10 +124,16 @@ impl<'a> Body<'a> {
         place
     }
 
-    /// The lines from `begin` to `end`, and the locals to declare.
-    pub(super) fn finish(self) -> (Vec<String>, Vec<Variable>) {
+    /// The lines from `begin` to `end`, and the locals to declare. At the end every variable is read once more, so
+    /// that none is there for nothing.
+    pub(super) fn finish<'p>(self, parameters: impl IntoIterator<Item = &'p Variable>) -> (Vec<String>, Vec<Variable>) {
         let mut lines = vec!["begin".to_owned()];
+        let starts = self.starts.iter().filter(|(local, _)| self.used_locals.contains(*local));
+        lines.extend(starts.map(|(local, value)| format!("  {local}={value}")));
         lines.extend(self.lines);
+        let read = self.locals.iter().filter(|local| self.used_locals.contains(&local.name)).filter_map(last_use);
+        let read = read.chain(parameters.into_iter().filter_map(last_use));
+        lines.extend(read.map(|line| format!("  {line}")));
         lines.push("end".to_owned());
         let used = self.locals.iter().filter(|local| self.used_locals.contains(&local.name));
         (lines, used.cloned().collect())

@@ -40,7 +40,7 @@ impl Body<'_> {
             0..=5 => self.number_atom(),
             6 => format!("{}({})", self.random.word(&["abs", "roundDown", "sqrt", "sin"]), self.number(depth + 1)),
             7 => format!("{}*{}", self.number_atom(), self.number_literal()),
-            8 => format!("({}-{})/{}", self.number_atom(), self.number_atom(), self.number_literal()),
+            8 => format!("({}-{})/{}", self.number_atom(), self.number_literal(), self.number_literal()),
             _ => format!("{}+{}", self.number(depth + 1), self.number_atom()),
         }
     }
@@ -79,10 +79,15 @@ impl Body<'_> {
 
     fn comparison(&mut self) -> String {
         if self.random.chance(15) {
-            return format!("{}!={}", self.read(Type::Text), self.text(DEEPEST));
+            return format!("{}!=\"{}\"", self.read(Type::Text), self.random.word(TEXTS));
         }
-        let operator = self.random.word(&["==", "!=", "<", "<=", ">", ">="]);
-        format!("{}{operator}{}", self.read(Type::Num), self.number(1))
+        let left = self.read(Type::Num);
+        if self.random.chance(30) {
+            return format!("{left}{}{}", self.random.word(&["==", "!="]), self.random.between(1, 250));
+        }
+        let operator = self.random.word(&["<", "<=", ">", ">="]);
+        let right = Some(self.number(1)).filter(|right| *right != left).unwrap_or_else(|| self.number_literal());
+        format!("{left}{operator}{right}")
     }
 
     fn text(&mut self, depth: usize) -> String {

@@ -25,7 +25,8 @@ impl Body<'_> {
         }
         let ty = self.random.weighted(ASSIGNED).unwrap_or(Type::Num);
         let target = self.target(ty);
-        let value = self.expression(ty);
+        let value = Some(self.expression(ty)).filter(|value| *value != target);
+        let Some(value) = value else { return self.output() };
         let equals = if self.random.chance(14) { " = " } else { "=" };
         if ty == Type::Num && self.random.chance(1) {
             let second = self.target(ty);
@@ -43,6 +44,7 @@ impl Body<'_> {
     fn output(&mut self) {
         let signal = self.random.below(SIGNALS);
         let value = self.random.word(&["true", "false"]);
+        self.line("waitEndMove()");
         self.line(format!("io:dOut[{signal}]={value}"));
     }
 

@@ -2,8 +2,10 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
+use val3_lang::instructions::{GET_DATA, SET_MUTEX};
+use val3_lang::tasks::period_steps;
 
-use super::Callee;
+use super::{Callee, locks};
 use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use crate::db::{Db, File, Project};
 use crate::effects::{AccessKind, Effects, Root};
@@ -11,6 +13,7 @@ use crate::flow::{PointKind, flow};
 use crate::infer;
 use crate::items::faults::text_faults;
 use crate::items::program::header;
+use crate::problem::ProblemKind;
 
 /// What a program does.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -23,6 +26,17 @@ pub struct Summary {
     pub tasks: Vec<TaskStart>,
     /// Global data that it uses.
     pub data: FxHashMap<SmolStr, Use>,
+    /// How the names begin of data that it reads by name, as a text.
+    pub named_in_texts: FxHashSet<SmolStr>,
+    /// Library identifiers that stand in its code.
+    pub libraries: FxHashSet<SmolStr>,
+    /// Flags that it tests on one line and sets on the next.
+    pub locks: FxHashSet<SmolStr>,
+    /// It takes a flag with `setMutex`.
+    pub takes_mutex: bool,
+    /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
+    /// a program of a library, of which nothing is known.
+    pub waits: bool,
 }
 
 /// A `taskCreate` or `taskCreateSync`.
@@ -30,10 +44,14 @@ pub struct Summary {
 pub struct TaskStart {
     /// The name, where the code tells it.
     pub name: Option<SmolStr>,
+    /// How the name begins, as far as the code tells: all of it where `name` is known.
+    pub beginning: SmolStr,
     /// The program.
     pub program: Callee,
     /// It is `taskCreateSync`.
     pub synchronous: bool,
+    /// The period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), where the code tells it.
+    pub period: Option<u32>,
     /// The statement lies in a loop, so that it may create several tasks.
     pub repeated: bool,
 }
@@ -47,18 +65,23 @@ pub struct Use {
     pub written: bool,
     /// It hands the variable over by reference.
     pub referenced: bool,
+    /// It reads the value as a whole: all fields on one line.
+    pub read_whole: bool,
+    /// It writes fields of the value on several lines.
+    pub written_in_parts: bool,
 }
 
 impl TaskStart {
     /// The task in which the controller runs `program`.
     pub(super) fn of_controller(program: &'static str) -> Self {
         let program = Callee { library: None, program: SmolStr::new_static(program) };
-        Self { name: None, program, synchronous: false, repeated: false }
+        Self { name: None, beginning: SmolStr::default(), program, synchronous: false, period: None, repeated: false }
     }
 }
 
 impl Use {
-    fn add(&mut self, kind: AccessKind) {
+    /// Takes in one more use.
+    pub fn add(&mut self, kind: AccessKind) {
         match kind {
             AccessKind::Read => self.read = true,
             AccessKind::Write | AccessKind::WritePart => self.written = true,
@@ -84,7 +107,11 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     let mut summary = Summary {
         sound: header(db, file).complete
             && text_faults(db, file).errors.is_empty()
-            && infer::problems(db, project, file).is_empty(),
+            && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
+        libraries: libraries(body),
+        takes_mutex: takes_mutex(body),
+        locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
+        named_in_texts: named_in_texts(body),
         ..Summary::default()
     };
     for (_, point) in flow(db, file).points() {
@@ -93,12 +120,46 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         }
     }
     add_tasks(body, &body.block, false, &mut summary.tasks);
-    for access in Effects::new(db, project, file).all() {
-        if let Root::Data(name) = access.root {
-            summary.data.entry(name).or_default().add(access.kind);
+    let effects = Effects::new(db, project, file);
+    // What an instruction of an add-on does is not known.
+    summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
+    for access in effects.all() {
+        if let Root::Data(name) = &access.root {
+            let is_part = matches!(body.expr(access.id), Expr::Field { .. });
+            let uses = summary.data.entry(name.clone()).or_default();
+            uses.read_whole |= access.kind == AccessKind::Read && !is_part;
+            let again = uses.written;
+            uses.written_in_parts |= access.kind == AccessKind::WritePart && is_part && again;
+            uses.add(access.kind);
         }
     }
     summary
+}
+
+/// The fault leaves no name in doubt: what an instruction of an add-on does to variables is taken to be anything.
+fn hides_nothing(problem: &ProblemKind) -> bool {
+    matches!(problem, ProblemKind::MissingAddOn { .. })
+}
+
+fn takes_mutex(body: &Body) -> bool {
+    body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if name == SET_MUTEX))
+}
+
+fn libraries(body: &Body) -> FxHashSet<SmolStr> {
+    let named = body.exprs().filter_map(|(_, expr, _)| match expr {
+        Expr::Path { library, .. } => Some(library.clone()),
+        _ => None,
+    });
+    named.collect()
+}
+
+fn named_in_texts(body: &Body) -> FxHashSet<SmolStr> {
+    let arguments = body.exprs().filter_map(|(_, expr, _)| {
+        let Expr::Call(callee, arguments) = expr else { return None };
+        let is_read = matches!(body.expr(*callee), Expr::Name(name) if name == GET_DATA);
+        is_read.then(|| arguments.first()).flatten()
+    });
+    arguments.map(|text| body.beginning(*text)).collect()
 }
 
 fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskStart>) {
@@ -113,8 +174,10 @@ fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskSt
 
 fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], repeated: bool) -> Option<TaskStart> {
     let program = callee(body, *arguments.last()?)?;
-    let name = arguments.first().and_then(|name| body.string(*name));
-    Some(TaskStart { name, program, synchronous, repeated })
+    let name = arguments.first()?;
+    let (beginning, name) = (body.beginning(*name), body.string(*name));
+    let seconds = arguments.get(1).filter(|_| synchronous).and_then(|pace| body.number(*pace));
+    Some(TaskStart { name, beginning, program, synchronous, period: seconds.and_then(period_steps), repeated })
 }
 
 /// The program that a call names.

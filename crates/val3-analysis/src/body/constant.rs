@@ -45,6 +45,21 @@ impl Body {
             _ => None,
         }
     }
+
+    /// How the string `id` begins, as far as its text tells: `"part"` of `"part"+sName`.
+    pub fn beginning(&self, id: ExprId) -> SmolStr {
+        if let Some(whole) = self.string(id) {
+            return whole;
+        }
+        match self.expr(id) {
+            Expr::Paren(inner) => self.beginning(*inner),
+            Expr::Binary(BinaryOp::Add, left, right) => match self.string(*left) {
+                Some(first) => [first.as_str(), self.beginning(*right).as_str()].concat().into(),
+                None => self.beginning(*left),
+            },
+            _ => SmolStr::default(),
+        }
+    }
 }
 
 fn unary(op: UnaryOp, operand: Constant) -> Option<Constant> {

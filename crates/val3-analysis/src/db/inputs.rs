@@ -6,9 +6,12 @@ use std::sync::Arc;
 
 use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_config::ConfigFile;
 use val3_syntax::encoding::Encoding;
 
 use crate::cell::CellConfig;
+use crate::paths::Roots;
 
 /// One file of the workspace.
 #[salsa::input(debug)]
@@ -44,12 +47,26 @@ pub struct Project {
     /// The `.pjx`.
     #[returns(copy)]
     pub manifest: File,
-    /// What `Disk://` stands for; `None` where nothing tells.
+    /// What `Disk://` and other roots of paths stand for.
     #[returns(ref)]
-    pub disk: Option<Utf8PathBuf>,
+    pub roots: Roots,
     /// The cell around it.
     #[returns(copy)]
     pub cell: Option<Cell>,
+    /// Names of what lies in its folder, sorted.
+    #[returns(ref)]
+    pub beside: Vec<SmolStr>,
+    /// The nearest `val3.toml` above it.
+    #[returns(copy)]
+    pub configuration: Option<Configuration>,
+}
+
+/// A `val3.toml`.
+#[salsa::input(debug)]
+pub struct Configuration {
+    /// What it says.
+    #[returns(ref)]
+    pub file: ConfigFile,
 }
 
 /// A controller folder: `usr` with its `configs` and `app`.

@@ -22,7 +22,10 @@ pub(super) fn point(effects: &Effects<'_>, point: &Point) -> Vec<Access> {
             walk.values(step.as_slice());
             walk.targets(counter.as_slice());
         }
-        PointKind::ForTest { counter } => walk.targets(counter.as_slice()),
+        PointKind::ForTest { counter } => {
+            walk.values(counter.as_slice());
+            walk.targets(counter.as_slice());
+        }
         PointKind::Switch { selector, values } => {
             walk.values(selector.as_slice());
             walk.values(values);
@@ -98,7 +101,7 @@ impl Walk<'_, '_> {
     }
 
     fn instruction(&mut self, id: ExprId, args: &[ExprId]) {
-        let Some((instruction, form)) = self.effects.instructions.get(&id).copied() else {
+        let Some((instruction, form)) = self.effects.instruction(id) else {
             // What an unknown instruction does to its arguments is not known.
             return args.iter().for_each(|arg| self.argument(*arg, Some(AccessKind::Reference)));
         };

@@ -1,8 +1,11 @@
 //! What holds at each point, found by going round until nothing changes.
+//!
+//! Points are numbered in the order of the text, so that a round in this order carries everything from the start to
+//! the end; only what a loop brings back needs another round.
 
 use super::{Flow, Point, PointId};
 
-/// What holds before each point; `None` where no way leads there.
+/// What holds at each point: before it, or behind it where the problem was solved backward.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facts<S>(Vec<Option<S>>);
 
@@ -10,6 +13,11 @@ impl<S> Facts<S> {
     /// What holds when the point is reached; `None` if it never is.
     pub fn before(&self, point: PointId) -> Option<&S> {
         self.0.get(point.index())?.as_ref()
+    }
+
+    /// What holds when the point is left, of a problem that was solved backward; `None` if no way leads to the end.
+    pub fn behind(&self, point: PointId) -> Option<&S> {
+        self.before(point)
     }
 }
 
@@ -20,28 +28,66 @@ impl<S> Facts<S> {
 pub fn forward<S: Clone>(
     flow: &Flow,
     start: S,
-    mut step: impl FnMut(&Point, &S) -> S,
+    step: impl FnMut(PointId, &Point, &S) -> S,
+    join: impl FnMut(&mut S, &S) -> bool,
+) -> Facts<S> {
+    let order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
+    let next: Vec<&[PointId]> = flow.points().map(|(_, point)| point.next.as_slice()).collect();
+    solve(flow, &order, &next, (Flow::START, start), step, join)
+}
+
+/// Solves a backward problem: `end` holds when the program is left, `step` says what holds before a point from what
+/// holds behind it. `join` is that of [`forward`].
+pub fn backward<S: Clone>(
+    flow: &Flow,
+    end: S,
+    step: impl FnMut(PointId, &Point, &S) -> S,
+    join: impl FnMut(&mut S, &S) -> bool,
+) -> Facts<S> {
+    let mut order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
+    // The end is the second point: it comes first, then the text from its last line.
+    order.reverse();
+    order.sort_by_key(|id| *id != Flow::END);
+    let mut previous: Vec<Vec<PointId>> = vec![Vec::new(); flow.len()];
+    for (id, point) in flow.points() {
+        for next in &point.next {
+            previous.get_mut(next.index()).into_iter().for_each(|list| list.push(id));
+        }
+    }
+    let next: Vec<&[PointId]> = previous.iter().map(Vec::as_slice).collect();
+    solve(flow, &order, &next, (Flow::END, end), step, join)
+}
+
+fn solve<S: Clone>(
+    flow: &Flow,
+    order: &[PointId],
+    next: &[&[PointId]],
+    (first, holds): (PointId, S),
+    mut step: impl FnMut(PointId, &Point, &S) -> S,
     mut join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let mut facts: Vec<Option<S>> = vec![None; flow.len()];
-    let mut open = vec![Flow::START];
-    if let Some(slot) = facts.first_mut() {
-        *slot = Some(start);
+    let mut is_open = vec![false; flow.len()];
+    if let (Some(fact), Some(open)) = (facts.get_mut(first.index()), is_open.get_mut(first.index())) {
+        (*fact, *open) = (Some(holds), true);
     }
-    while let Some(id) = open.pop() {
-        let (Some(point), Some(Some(before))) = (flow.point(id), facts.get(id.index())) else { continue };
-        let after = step(point, before);
-        for next in &point.next {
-            let Some(slot) = facts.get_mut(next.index()) else { continue };
-            let news = match slot {
-                Some(known) => join(known, &after),
-                None => {
-                    *slot = Some(after.clone());
-                    true
-                }
-            };
-            if news {
-                open.push(*next);
+    while is_open.contains(&true) {
+        for id in order {
+            let Some(open) = is_open.get_mut(id.index()).filter(|open| **open) else { continue };
+            *open = false;
+            let (Some(point), Some(Some(fact))) = (flow.point(*id), facts.get(id.index())) else { continue };
+            let after = step(*id, point, fact);
+            for to in next.get(id.index()).copied().unwrap_or_default() {
+                let (Some(fact), Some(open)) = (facts.get_mut(to.index()), is_open.get_mut(to.index())) else {
+                    continue;
+                };
+                *open |= match fact {
+                    Some(known) => join(known, &after),
+                    None => {
+                        *fact = Some(after.clone());
+                        true
+                    }
+                };
             }
         }
     }

@@ -1,7 +1,8 @@
 //! What a `.dtx` declares: global data, or the fields of a user type.
 
 use smol_str::SmolStr;
-use val3_lang::types::Container;
+use val3_lang::types::{BaseType, Container};
+use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
 use super::{flag, is_sound, parse, sizes};
@@ -94,6 +95,20 @@ pub(crate) fn container(element: Element<'_>) -> (Container, Vec<u32>) {
     }
     let sizes = element.value("size").and_then(|text| sizes(&text)).unwrap_or_else(|| vec![1]);
     (Container::Array { dims: u8::try_from(sizes.len()).unwrap_or(1) }, sizes)
+}
+
+/// The `num` variables of a `.dtx` that hold one value, with that value and the place of the name.
+pub fn single_numbers(db: &dyn Db, file: File) -> Vec<(SmolStr, f64, TextRange)> {
+    let parse = parse(db, file);
+    elements(View::root(parse.green())).filter_map(single_number).collect()
+}
+
+fn single_number(element: Element<'_>) -> Option<(SmolStr, f64, TextRange)> {
+    let declared = declaration(element)?;
+    let is_number = matches!(BaseType::from_file_name(&declared.type_name), Some((BaseType::Num, _)));
+    let name = element.attribute("name").filter(|_| is_number && declared.sizes == [1])?;
+    let value = element.elements().next().and_then(|value| value.value("value"));
+    Some((declared.name, value.map_or(Some(0.0), |value| value.trim().parse().ok())?, name.range))
 }
 
 /// `<num name public size>` in `<numSection>`: the type is the element's name, the size often the number of values.

@@ -7,7 +7,7 @@ use smol_str::SmolStr;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
-use super::manifest::{entries, spelling};
+use super::manifest::{OLD, entries, spelling};
 use super::{data as data_items, parse, program as program_items};
 use crate::db::{Db, File, Project};
 use crate::problem::Place;
@@ -19,6 +19,37 @@ pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
     let parse = parse(db, file);
     let range = named(data_items::elements(View::root(parse.green())), "name", &name)?;
     Some(Place { file, range })
+}
+
+/// Something that a file declares.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Declared {
+    /// Its name.
+    pub name: SmolStr,
+    /// Where the name stands.
+    pub range: TextRange,
+    /// The whole element.
+    pub element: TextRange,
+}
+
+/// All global variables in a `.dtx`, in order.
+pub fn all_data(db: &dyn Db, file: File) -> Vec<Declared> {
+    let parse = parse(db, file);
+    names(data_items::elements(View::root(parse.green())))
+}
+
+/// All parameters of a `.pgx`, in order.
+pub fn all_params(db: &dyn Db, file: File) -> Vec<Declared> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()));
+    program.map(|program| names(program_items::params(program))).unwrap_or_default()
+}
+
+/// All locals of a `.pgx`, in order.
+pub fn all_locals(db: &dyn Db, file: File) -> Vec<Declared> {
+    let parse = parse(db, file);
+    let program = program_items::element(View::root(parse.green()));
+    program.map(|program| names(program_items::locals(program))).unwrap_or_default()
 }
 
 /// The name of a parameter in a `.pgx`.
@@ -52,22 +83,77 @@ pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<Place> {
     let parse = parse(db, file);
     let root = xml::root(View::root(parse.green()))?;
     let spelling = spelling(root);
-    let mut elements = entries(root, spelling.libraries);
-    let range = elements.find_map(|element| {
-        let found = element.attribute(spelling.library_name)?;
-        (found.text() == alias.as_str()).then_some(found.range)
-    })?;
+    let range = named(entries(root, spelling.libraries), spelling.library_name, &alias)?;
     Some(Place { file, range })
 }
 
 /// The entry of a user type in a `.pjx`.
 #[salsa::tracked(returns(copy))]
-pub fn type_entry(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> {
+pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let root = xml::root(View::root(parse.green()))?;
-    let elements = entries(root, spelling(root).types);
-    Some(Place { file, range: named(elements, "name", &name)? })
+    let range = named(entries(root, spelling(root).types), "name", &name)?;
+    Some(Place { file, range })
+}
+
+/// The version in a `.pjx`.
+pub fn version(db: &dyn Db, project: Project) -> Option<TextRange> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    Some(root.child(&[spelling(root).parameters])?.attribute("version")?.range)
+}
+
+/// The entry of a program file in a `.pjx`.
+pub fn program_file(db: &dyn Db, project: Project, reference: &str) -> Option<TextRange> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    named(entries(root, spelling(root).programs), "file", reference)
+}
+
+/// The innermost element around `place`.
+pub fn element_around(db: &dyn Db, file: File, place: TextRange) -> Option<TextRange> {
+    let parse = parse(db, file);
+    let mut found = xml::root(View::root(parse.green()))?;
+    while let Some(inner) = found.elements().find(|inner| inner.view().range().contains_range(place)) {
+        found = inner;
+    }
+    Some(found.view().range()).filter(|range| range.contains_range(place))
+}
+
+/// A list of files in a `.pjx`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FileList {
+    /// The name of the list; that of the root where there is no such list.
+    pub place: TextRange,
+    /// How an entry is called.
+    pub item: &'static str,
+    /// The last entry.
+    pub last: Option<TextRange>,
+}
+
+/// The list of the program files of a project, or of its data files.
+pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<FileList> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(root);
+    let (list, item) = if of_programs { spelling.programs } else { spelling.data };
+    let last = entries(root, (list, item)).last().map(|entry| entry.view().range());
+    Some(FileList { place: root.child(&[list]).unwrap_or(root).name_range(), item, last })
+}
+
+/// The project file has the form of s5 and s6.
+pub fn is_old(db: &dyn Db, project: Project) -> bool {
+    let parse = parse(db, project.manifest(db));
+    xml::root(View::root(parse.green())).is_some_and(|root| root.name() == OLD.root)
+}
+
+fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<Declared> {
+    let declared = |element: Element<'g>| {
+        let name = element.attribute("name")?;
+        Some(Declared { name: name.text().into(), range: name.range, element: element.view().range() })
+    };
+    elements.filter_map(declared).collect()
 }
 
 fn named<'g>(mut elements: impl Iterator<Item = Element<'g>>, attribute: &str, name: &str) -> Option<TextRange> {

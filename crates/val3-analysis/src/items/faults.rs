@@ -1,9 +1,9 @@
-//! What is wrong with the text of a file, kept when its tree is dropped.
+//! What is kept of the text of a file when its tree is dropped: its faults, and where its code stands.
 
 use rowan::NodeOrToken;
 use val3_syntax::error::SyntaxError;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::parse;
 use crate::db::{Db, File};
@@ -15,6 +15,17 @@ pub struct TextFaults {
     pub errors: Vec<SyntaxError>,
     /// Keywords that are not written in their usual letter case.
     pub odd_keywords: Vec<OddKeyword>,
+    /// Where code stands.
+    pub codes: Vec<CodeRange>,
+}
+
+/// The code of a program: the content of its `<Code>`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CodeRange {
+    /// All of it.
+    pub range: TextRange,
+    /// Where `begin` stands, or the code starts without one.
+    pub begin: TextSize,
 }
 
 /// A keyword in another letter case than usual.
@@ -30,17 +41,21 @@ pub struct OddKeyword {
 #[salsa::tracked]
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
-    let mut odd_keywords = Vec::new();
-    codes(View::root(parse.green()), &mut odd_keywords);
-    TextFaults { errors: parse.errors().to_vec(), odd_keywords }
+    let mut faults = TextFaults { errors: parse.errors().to_vec(), ..TextFaults::default() };
+    codes(View::root(parse.green()), &mut faults);
+    faults
 }
 
 /// Looks into the code below `node`, which is a file or an element.
-fn codes(node: View<'_>, odd: &mut Vec<OddKeyword>) {
+fn codes(node: View<'_>, faults: &mut TextFaults) {
     for child in node.children() {
         match child.kind() {
-            SyntaxKind::CODE => collect(child, odd),
-            SyntaxKind::ELEMENT => codes(child, odd),
+            SyntaxKind::CODE => {
+                collect(child, &mut faults.odd_keywords);
+                let begin = child.token(SyntaxKind::BEGIN_KW).map_or(child.range(), |token| token.range()).start();
+                faults.codes.push(CodeRange { range: child.range(), begin });
+            }
+            SyntaxKind::ELEMENT => codes(child, faults),
             _ => {}
         }
     }

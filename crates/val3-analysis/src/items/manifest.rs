@@ -54,13 +54,21 @@ pub struct TypeEntry {
 
 /// The names of elements and attributes that differ between the dialects.
 pub struct Spelling {
+    /// The root element.
     pub root: &'static str,
+    /// The element with the version.
     pub parameters: &'static str,
+    /// List and entry of program files.
     pub programs: (&'static str, &'static str),
+    /// List and entry of data files.
     pub data: (&'static str, &'static str),
+    /// List and entry of libraries.
     pub libraries: (&'static str, &'static str),
+    /// The attribute with the identifier of a library.
     pub library_name: &'static str,
+    /// The attribute with the path of a library.
     pub library_path: &'static str,
+    /// List and entry of user types.
     pub types: (&'static str, &'static str),
 }
 

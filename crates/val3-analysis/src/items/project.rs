@@ -31,9 +31,9 @@ pub struct Items {
     pub lacking_programs: FxHashSet<SmolStr>,
     /// The project file cannot be read whole, so that any program, library or type may be missing here.
     pub incomplete: bool,
-    /// The version the project declares, or the manual's.
+    /// The version that is configured, else the one the project declares, else the manual's.
     pub version: Version,
-    /// The arm its positions are for, where the data or the cell tell.
+    /// The arm its positions are for, where the configuration, the data or the cell tell.
     pub arm: Option<Arm>,
 }
 
@@ -67,7 +67,7 @@ impl Items {
 
 /// The project that `reference` names, seen from `project`.
 pub fn find_project(db: &dyn Db, project: Project, reference: &str) -> Option<Project> {
-    match paths::project(folder(db, project), project.disk(db).as_deref(), reference) {
+    match paths::project(folder(db, project), project.roots(db), reference) {
         Target::Path(path) => Sources::get(db).projects(db).get(&path_key(path.as_str())).copied(),
         Target::Elsewhere => None,
     }
@@ -102,8 +102,9 @@ pub fn data_files(db: &dyn Db, project: Project) -> Vec<File> {
 #[salsa::tracked]
 pub fn items(db: &dyn Db, project: Project) -> Items {
     let manifest = manifest(db, project.manifest(db));
+    let configured = project.config(db).and_then(|config| config.version);
     let mut items = Items {
-        version: Version::parse(&manifest.version).unwrap_or(Version::DEFAULT),
+        version: configured.or_else(|| Version::parse(&manifest.version)).unwrap_or(Version::DEFAULT),
         arm: arm(db, project),
         incomplete: !manifest.complete,
         ..Items::default()
@@ -161,9 +162,12 @@ pub fn resolve_type(types: &FxHashMap<SmolStr, Option<Project>>, name: &str) -> 
     types.get(name).map(|project| project.map_or(Base::Unknown, Base::User))
 }
 
-/// The arm of a project: the one all its positions are for, else the cell's.
+/// The arm of a project: the one that is configured, else the one all its positions are for, else the cell's.
 #[salsa::tracked(returns(copy))]
 fn arm(db: &dyn Db, project: Project) -> Option<Arm> {
+    if let Some(arm) = project.config(db).and_then(|config| config.arm) {
+        return Some(arm);
+    }
     let mut arms = data_files(db, project).iter().flat_map(|file| data(db, *file)).filter_map(|decl| {
         let (_, arm) = BaseType::from_file_name(&decl.type_name)?;
         arm.filter(|_| !is_old_section(&decl.type_name))

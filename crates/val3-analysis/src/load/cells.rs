@@ -15,7 +15,9 @@ use crate::system::System;
 use crate::xml::{self, Element};
 
 /// Reads what `usr/configs` and `usr/app` say; `None` where neither is there.
-pub(super) fn read(system: &dyn System, usr: &Utf8Path) -> Option<CellConfig> {
+///
+/// `known_arm` is the arm that a `val3.toml` names.
+pub(super) fn read(system: &dyn System, usr: &Utf8Path, known_arm: Option<Arm>) -> Option<CellConfig> {
     let (configs, app) = (usr.join("configs"), usr.join("app"));
     let tables = system.list(&app).unwrap_or_default();
     let tables: Vec<&String> = tables.iter().filter(|name| table_name(name).is_some()).collect();
@@ -24,9 +26,15 @@ pub(super) fn read(system: &dyn System, usr: &Utf8Path) -> Option<CellConfig> {
     if tables.is_empty() && arm_file.is_none() && io.is_empty() {
         return None;
     }
-    let arm = arm_file.as_deref().and_then(arm);
+    let arm = known_arm.or_else(|| arm_file.as_deref().and_then(arm));
     let add_ons = tables.iter().filter_map(|name| table(system, &app, name, arm)).collect();
     Some(CellConfig { arm, add_ons: Arc::new(add_ons), io })
+}
+
+/// The table of an add-on that a `val3.toml` names.
+pub(super) fn named_table(system: &dyn System, path: &Utf8Path) -> Result<AddOnTable, String> {
+    let bytes = system.read(path).map_err(|error| error.to_string())?;
+    parse_table(&decode(bytes).text).map_err(|error| error.to_string())
 }
 
 fn text(system: &dyn System, path: &Utf8Path) -> Option<String> {

@@ -33,7 +33,7 @@ pub(super) fn manifests(
 }
 
 fn error(path: &Utf8Path, reason: &str) -> LoadError {
-    LoadError { path: path.to_owned(), reason: reason.to_owned() }
+    LoadError::Path { path: path.to_owned(), reason: reason.to_owned() }
 }
 
 /// A `.pjx` itself; for a program or data file the project beside it.

@@ -2,10 +2,10 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-use crate::paths::{self, Target};
+use crate::paths::{self, Roots, Target};
 use crate::system::{Kind, System};
 
-/// What `Disk://` stands for: the nearest `usrapp` above, else the nearest folder above from which the
+/// What `Disk://` stands for where no configuration says it: the nearest `usrapp` above, else the nearest folder above from which the
 /// project's own `Disk://` references lead somewhere.
 pub(super) fn root(system: &dyn System, folder: &Utf8Path, references: &[&str]) -> Option<Utf8PathBuf> {
     let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
@@ -14,9 +14,10 @@ pub(super) fn root(system: &dyn System, folder: &Utf8Path, references: &[&str]) 
     }
     let references: Vec<&&str> = references.iter().filter(|reference| !reference.starts_with('.')).collect();
     let resolves = |disk: &Utf8Path| {
+        let roots = Roots { disk: Some(disk.to_owned()), others: Vec::new() };
         references
             .iter()
-            .filter(|reference| match paths::project(folder, Some(disk), reference) {
+            .filter(|reference| match paths::project(folder, &roots, reference) {
                 Target::Path(path) => system.kind(&path) == Some(Kind::File),
                 Target::Elsewhere => false,
             })

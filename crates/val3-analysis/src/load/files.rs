@@ -4,6 +4,8 @@ use std::io;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use val3_syntax::encoding::{decode, is_utf16};
 
 use super::Loader;
@@ -70,10 +72,21 @@ impl Loader<'_> {
         }
         let parent = self.actual(path.parent()?)?;
         let wanted = path.file_name()?.to_lowercase();
-        let names = self.folders.entry(parent.clone()).or_insert_with(|| {
-            let names = self.system.list(&parent).unwrap_or_default();
+        self.folder(&parent).get(&wanted).map(|name| parent.join(name))
+    }
+
+    /// The names in a folder, sorted, as the disk spells them.
+    pub(super) fn names_in(&mut self, folder: &Utf8Path) -> Vec<SmolStr> {
+        let mut names: Vec<SmolStr> = self.folder(folder).values().map(SmolStr::from).collect();
+        names.sort_unstable();
+        names
+    }
+
+    /// The names in a folder, by their spelling in lower case.
+    fn folder(&mut self, path: &Utf8Path) -> &FxHashMap<String, String> {
+        self.folders.entry(path.to_owned()).or_insert_with(|| {
+            let names = self.system.list(path).unwrap_or_default();
             names.into_iter().map(|name| (name.to_lowercase(), name)).collect()
-        });
-        names.get(&wanted).map(|name| parent.join(name))
+        })
     }
 }

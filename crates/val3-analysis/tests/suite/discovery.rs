@@ -36,7 +36,7 @@ fn found(system: &dyn System, path: &str) -> String {
     };
     let db = &workspace.db;
     let projects = workspace.projects.iter().map(|project| {
-        let disk = project.disk(db).as_ref().map_or("?", |disk| disk.as_str());
+        let disk = project.disk(db).map_or("?", |disk| disk.as_str());
         format!("{} on {disk}\n", project.manifest(db).path(db))
     });
     let unreadable = workspace.unreadable.iter().map(|(path, reason)| format!("{path}: {reason}\n"));

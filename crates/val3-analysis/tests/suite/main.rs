@@ -3,8 +3,10 @@
 
 mod show;
 
+mod application;
 mod arguments;
 mod calls;
+mod configuration;
 mod data;
 mod dialect;
 mod discovery;
@@ -12,8 +14,10 @@ mod expressions;
 mod fathers;
 mod fields;
 mod firewall;
+mod flow;
 mod headers;
 mod hostile;
+mod initial;
 mod interfaces;
 mod literals;
 mod names;
@@ -21,3 +25,4 @@ mod operators;
 mod projects;
 mod silence;
 mod variables;
+mod waiting;

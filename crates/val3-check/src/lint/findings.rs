@@ -65,6 +65,14 @@ impl Reported<'_> {
         self
     }
 
+    /// Offers to replace one range of the file, if there is an edit; see [`Reported::fix`].
+    pub(crate) fn fix_by(self, title: impl Into<String>, safe: bool, edit: Option<(TextRange, String)>) -> Self {
+        match edit {
+            Some(edit) => self.fix(title, safe, vec![edit]),
+            None => self,
+        }
+    }
+
     /// Offers to replace ranges of the file. The text is that of the file: escaped where its code is.
     pub(crate) fn fix(mut self, title: impl Into<String>, safe: bool, edits: Vec<(TextRange, String)>) -> Self {
         let file = self.file;

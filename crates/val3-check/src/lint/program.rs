@@ -1,15 +1,22 @@
 //! A program as lints see it.
 
+use std::cell::OnceCell;
+
 use val3_analysis::application::{Application, application};
-use val3_analysis::body::{Body, Expr, ExprId, body};
+use val3_analysis::body::{Body, Expr, ExprId, Stmt, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::Effects;
 use val3_analysis::flow::{Flow, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
+use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
-use val3_lang::instruction::{Instruction, Overload};
+use val3_config::Options;
+use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_syntax::TextRange;
+
+use super::motion::Step;
+use super::{LocalUse, Motion};
 
 /// A program without faults, with all that is known of it.
 pub(crate) struct Program<'db> {
@@ -20,8 +27,16 @@ pub(crate) struct Program<'db> {
     pub(crate) items: &'db Items,
     pub(crate) body: &'db Body,
     pub(crate) inference: &'db Inference,
+    /// What the application asks of rules.
+    pub(crate) options: &'db Options,
     /// What its lines do to variables.
     pub(crate) effects: Effects<'db>,
+    /// What the arm does, once somebody has asked.
+    pub(super) motion: OnceCell<Option<Motion>>,
+    pub(super) motion_steps: OnceCell<Vec<Step<'db>>>,
+    pub(super) calls_by_point: OnceCell<Vec<Vec<Call<'db>>>>,
+    local_use: OnceCell<LocalUse>,
+    stmts: OnceCell<Vec<&'db Stmt>>,
 }
 
 /// A call of an instruction.
@@ -37,8 +52,16 @@ pub(crate) struct Call<'db> {
     pub(crate) args: &'db [ExprId],
 }
 
+impl<'db> Call<'db> {
+    /// The arguments with their parameters, where the form is known.
+    pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static Param, ExprId)> {
+        let params = self.form.map_or(&[][..], |form| form.params);
+        params.iter().zip(self.args.iter().copied())
+    }
+}
+
 impl<'db> Program<'db> {
-    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, options: &'db Options) -> Self {
         Self {
             db,
             project,
@@ -47,7 +70,13 @@ impl<'db> Program<'db> {
             items: items(db, project),
             body: body(db, file),
             inference: infer(db, project, file),
+            options,
             effects: Effects::new(db, project, file),
+            motion: OnceCell::new(),
+            motion_steps: OnceCell::new(),
+            calls_by_point: OnceCell::new(),
+            local_use: OnceCell::new(),
+            stmts: OnceCell::new(),
         }
     }
 
@@ -59,6 +88,16 @@ impl<'db> Program<'db> {
     /// Its control-flow graph.
     pub(crate) fn flow(&self) -> &'db Flow {
         flow(self.db, self.file)
+    }
+
+    /// What each of its points does to local variables.
+    pub(crate) fn local_use(&self) -> &LocalUse {
+        self.local_use.get_or_init(|| LocalUse::new(self))
+    }
+
+    /// Every statement, outer ones before inner ones.
+    pub(crate) fn stmts(&self) -> &[&'db Stmt] {
+        self.stmts.get_or_init(|| self.body.stmts())
     }
 
     /// What its application does as a whole.
@@ -76,9 +115,20 @@ impl<'db> Program<'db> {
         self.calls().filter(move |call| call.instruction.name == name)
     }
 
+    /// The call of an instruction that `id` is.
+    pub(crate) fn call_of(&self, id: ExprId) -> Option<Call<'db>> {
+        let (instruction, form) = self.effects.instruction(id)?;
+        self.call(&InstructionCall { id, instruction, form })
+    }
+
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
         Some(Call { id: call.id, instruction: call.instruction, form: call.form, callee: *callee, args })
+    }
+
+    /// Where the name of the program stands.
+    pub(crate) fn head(&self) -> TextRange {
+        declarations::program(self.db, self.file).map_or_else(TextRange::default, |place| place.range)
     }
 
     /// Where an expression stands.
@@ -88,6 +138,11 @@ impl<'db> Program<'db> {
 
     /// The text of an expression as it stands in the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
-        self.file.text(self.db).get(std::ops::Range::<usize>::from(self.range(id))).unwrap_or("")
+        self.slice(self.range(id))
+    }
+
+    /// A part of the file as it stands there.
+    pub(crate) fn slice(&self, range: TextRange) -> &'db str {
+        self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
     }
 }

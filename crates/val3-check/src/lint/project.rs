@@ -3,19 +3,22 @@
 use val3_analysis::application::{Application, application};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{Items, items};
+use val3_config::Options;
 
 /// A project: an application, a library or a user type.
 pub(crate) struct ProjectView<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) items: &'db Items,
+    /// What the application asks of rules.
+    pub(crate) options: &'db Options,
     /// What its programs do together.
     pub(crate) application: &'db Application,
 }
 
 impl<'db> ProjectView<'db> {
-    pub(crate) fn new(db: &'db dyn Db, project: Project) -> Self {
-        Self { db, project, items: items(db, project), application: application(db, project) }
+    pub(crate) fn new(db: &'db dyn Db, project: Project, options: &'db Options) -> Self {
+        Self { db, project, items: items(db, project), options, application: application(db, project) }
     }
 }
 
@@ -27,7 +30,7 @@ pub(crate) struct DataFile<'db> {
 }
 
 impl<'db> DataFile<'db> {
-    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
-        Self { file, view: ProjectView::new(db, project) }
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File, options: &'db Options) -> Self {
+        Self { file, view: ProjectView::new(db, project, options) }
     }
 }

@@ -1,11 +1,15 @@
 //! For the tests of lints: what one rule says about a listing.
 
+use std::collections::BTreeSet;
+
 use camino::Utf8PathBuf;
+use val3_analysis::db::{Db, Project};
 use val3_analysis::load::load;
 use val3_analysis::system::Memory;
 use val3_test::{Fixture, ROOT};
 
 use crate::rule::Rule;
+use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, units};
 
 /// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
@@ -18,7 +22,8 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
         .map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.clone().into_bytes()));
     let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
     let db = &workspace.db;
-    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit));
+    let settings = settings_for(db, &workspace.projects, rule);
+    let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit, &settings).findings);
     let mut shown = String::new();
     for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
         let at = |place: crate::diagnostic::Span| {
@@ -38,4 +43,11 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
         );
     }
     shown
+}
+
+/// Settings that ask for one rule, also where it is off by default.
+pub(crate) fn settings_for(db: &dyn Db, projects: &[Project], rule: &Rule) -> WorkspaceSettings {
+    let only = BTreeSet::from([rule.code]);
+    let selection = Selection { only: Some(only.clone()), named: only, ..Selection::default() };
+    WorkspaceSettings::new(db, projects, &selection).unwrap()
 }

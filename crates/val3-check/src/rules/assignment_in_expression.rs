@@ -1,6 +1,12 @@
 //! V0023: `=` inside an expression.
 
-use crate::{diagnostic::Wording, rule::rule};
+use val3_syntax::SyntaxKind;
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// `=` stands inside an expression, where only `==` can compare.
@@ -37,6 +43,13 @@ pub(crate) fn word() -> Wording {
         "did you mean `==`?",
         "write `==` to compare; to assign, use a line of its own",
     )
+}
+
+/// Compares instead. Outside a condition a second assignment may be what was meant.
+pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
+    let first = site.before().split(|letter: char| !letter.is_ascii_alphanumeric()).find(|word| !word.is_empty());
+    let safe = first.is_some_and(|word| SyntaxKind::from_keyword(word).is_some());
+    Some(Fix { title: "write `==`".to_owned(), safe, edits: vec![site.replace(site.range, "==")] })
 }
 
 #[cfg(test)]

@@ -1,6 +1,12 @@
 //! V0024: a comment behind code.
 
-use crate::{diagnostic::Wording, rule::rule};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A comment stands behind code on the same line.
@@ -33,6 +39,18 @@ pub(crate) fn word() -> Wording {
         "`//` must be first on its line",
         "move the comment to a line of its own",
     )
+}
+
+/// Moves the comment to a line of its own above the code.
+pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
+    let comment = site.text();
+    let comment = comment.strip_suffix("&#13;").unwrap_or(comment);
+    let moved = site.insert_line(&format!("{}{comment}", site.indentation(site.range)))?;
+    let code = site.before().trim_end();
+    let end = site.range.start() + TextSize::of(comment);
+    let start = site.range.start() - (TextSize::of(site.before()) - TextSize::of(code));
+    let removed = site.replace(TextRange::new(start, end), "");
+    Some(Fix::safe("move the comment above the line", vec![moved, removed]))
 }
 
 #[cfg(test)]

@@ -39,15 +39,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for (_, point) in program.flow().points() {
         let PointKind::Test { condition: Some(condition), is_loop } = point.kind else { continue };
         let Some(Constant::Bool(value)) = program.body.constant(condition) else { continue };
-        if !(is_loop && is_endless_loop(program.text(condition))) {
+        if !(is_loop && program.is_endless(condition)) {
             found.report(&RULE, point.range, word(value));
         }
     }
-}
-
-/// `while true`, `until false`: written on purpose.
-fn is_endless_loop(condition: &str) -> bool {
-    matches!(condition.trim_matches(['(', ')', ' ']), "true" | "false")
 }
 
 fn word(value: bool) -> Wording {

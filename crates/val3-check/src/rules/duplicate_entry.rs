@@ -2,7 +2,12 @@
 
 use val3_analysis::problem::FileRole;
 
-use crate::{diagnostic::Wording, phrase::file_role, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    phrase::file_role,
+    rule::rule,
+};
 
 rule! {
     /// A project lists a file twice, or declares a library identifier or a user type twice.
@@ -59,6 +64,14 @@ fn declared_twice(what: &str, name: &str) -> Wording {
         "the second declaration",
         "remove one of the two, or give it another name",
     )
+}
+
+/// Removes the second entry, if it is the only thing on its line. Which of two declarations is meant nobody can tell.
+pub(crate) fn fix(site: &Site<'_>, what: FileRole) -> Option<Fix> {
+    let is_list = matches!(what, FileRole::Program | FileRole::Data);
+    let opens = site.before().trim_start().strip_prefix('<').is_some_and(|rest| !rest.contains('<'));
+    let closes = site.behind().trim_end().strip_suffix("/>").is_some_and(|rest| !rest.contains('>'));
+    (is_list && opens && closes).then(|| Fix::safe("remove the second entry", vec![site.remove_line()]))
 }
 
 #[cfg(test)]

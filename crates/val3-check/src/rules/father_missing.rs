@@ -1,6 +1,11 @@
 //! V0520: a father that does not exist.
 
-use crate::{diagnostic::Wording, phrase::did_you_mean_or, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::{Site, rename},
+    phrase::did_you_mean_or,
+    rule::rule,
+};
 
 rule! {
     /// A frame, point or tool hangs on a frame or tool that the application does not have.
@@ -55,6 +60,14 @@ pub(crate) fn word(father: &str, near: Option<&str>) -> Wording {
         "no such frame or tool in this application",
         did_you_mean_or(near, "frames and points may hang on `world[0]`, tools on `flange[0]`"),
     )
+}
+
+/// Writes the near name and leaves the index.
+pub(crate) fn fix(site: &Site<'_>, father: &str, near: Option<&str>) -> Option<Fix> {
+    let name = father.split_once('[').map_or(father, |(name, _)| name);
+    // The near name belongs to one step of a longer reference, and the fault does not say to which.
+    let is_one_step = !father.contains('.');
+    is_one_step.then(|| rename(site, name, near)).flatten()
 }
 
 #[cfg(test)]

@@ -1,6 +1,12 @@
 //! V0026: a word of another language.
 
-use crate::{diagnostic::Wording, rule::rule};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// An operator or keyword of another programming language.
@@ -36,6 +42,18 @@ pub(crate) fn word(found: &str, instead: &str) -> Wording {
         return Wording::new(format!("VAL 3 has no `{found}`"), "remove it", "");
     }
     Wording::new(format!("VAL 3 writes `{instead}` instead of `{found}`"), format!("write `{instead}`"), "")
+}
+
+/// Writes what VAL 3 has instead. A word too many goes with the blanks before it, if it ends its line.
+pub(crate) fn fix(site: &Site<'_>, instead: &str) -> Option<Fix> {
+    if !instead.is_empty() {
+        return Some(Fix::safe(format!("write `{instead}`"), vec![site.replace(site.range, instead)]));
+    }
+    let before = site.before();
+    let blanks = TextSize::of(before) - TextSize::of(before.trim_end());
+    let range = TextRange::new(site.range.start() - blanks, site.range.end());
+    let ends_line = site.behind().trim().is_empty();
+    ends_line.then(|| Fix::safe(format!("remove `{}`", site.text()), vec![site.replace(range, "")]))
 }
 
 #[cfg(test)]

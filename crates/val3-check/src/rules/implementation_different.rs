@@ -15,8 +15,9 @@ rule! {
     /// ## Bad
     /// ```val3
     /// library part "Disk://partBox/partBox.pjx"
-    /// part:libLoad("Disk://partBag")
-    /// call part:pick(3)
+    /// if part:libLoad("Disk://partBag")==0
+    ///   call part:pick(3)
+    /// endIf
     ///
     /// --- partBox
     /// public program pick(num x_nCount)
@@ -34,8 +35,9 @@ rule! {
     /// ## Good
     /// ```val3
     /// library part "Disk://partBox/partBox.pjx"
-    /// part:libLoad("Disk://partBag")
-    /// call part:pick(3)
+    /// if part:libLoad("Disk://partBag")==0
+    ///   call part:pick(3)
+    /// endIf
     ///
     /// --- partBox
     /// public program pick(num x_nCount)

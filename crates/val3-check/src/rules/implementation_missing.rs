@@ -17,8 +17,9 @@ rule! {
     /// ## Bad
     /// ```val3
     /// library part "Disk://partBox/partBox.pjx"
-    /// part:libLoad("Disk://partBag")
-    /// call part:pick(3)
+    /// if part:libLoad("Disk://partBag")==0
+    ///   call part:pick(3)
+    /// endIf
     ///
     /// --- partBox
     /// public program pick(num x_nCount)
@@ -33,8 +34,9 @@ rule! {
     /// ## Good
     /// ```val3
     /// library part "Disk://partBox/partBox.pjx"
-    /// part:libLoad("Disk://partBag")
-    /// call part:pick(3)
+    /// if part:libLoad("Disk://partBag")==0
+    ///   call part:pick(3)
+    /// endIf
     ///
     /// --- partBox
     /// public program pick(num x_nCount)

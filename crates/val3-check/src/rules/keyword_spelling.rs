@@ -1,6 +1,10 @@
 //! V0701: a keyword in an unusual letter case.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A keyword is not written in its usual letter case.
@@ -33,6 +37,11 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(found: &str, canonical: &str) -> Wording {
     Wording::new(format!("the keyword `{found}` is usually written `{canonical}`"), format!("write `{canonical}`"), "")
+}
+
+/// Writes the keyword in its usual letter case.
+pub(crate) fn fix(site: &Site<'_>, canonical: &str) -> Fix {
+    Fix::safe(format!("write `{canonical}`"), vec![site.replace(site.range, canonical)])
 }
 
 #[cfg(test)]

@@ -13,8 +13,9 @@ rule! {
     /// ## Bad
     /// ```val3
     /// library part "Disk://part/part.pjx"
-    /// part:libLoad("Disk://patr")
-    /// call part:init()
+    /// if part:libLoad("Disk://patr")==0
+    ///   call part:init()
+    /// endIf
     ///
     /// --- part
     /// public program init()
@@ -26,8 +27,9 @@ rule! {
     /// ## Good
     /// ```val3
     /// library part "Disk://part/part.pjx"
-    /// part:libLoad("Disk://part")
-    /// call part:init()
+    /// if part:libLoad("Disk://part")==0
+    ///   call part:init()
+    /// endIf
     ///
     /// --- part
     /// public program init()

@@ -25,8 +25,9 @@ rule! {
     /// ## Good
     /// ```val3
     /// library part "Disk://part/part.pjx" autoload=false
-    /// part:libLoad("Disk://part")
-    /// call part:init()
+    /// if part:libLoad("Disk://part")==0
+    ///   call part:init()
+    /// endIf
     ///
     /// --- part
     /// public program init()

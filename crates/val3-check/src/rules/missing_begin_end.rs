@@ -1,6 +1,10 @@
 //! V0028: code without `begin` or `end`.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// The code of a program does not start with `begin` or does not finish with `end`.
@@ -52,6 +56,12 @@ pub(crate) fn no_code() -> Wording {
         "no `begin` and no `end`",
         "a program that does nothing is written `begin` and `end` on two lines",
     )
+}
+
+/// Writes the missing keyword on a line of its own. Whether lines are missing as well nobody can tell.
+pub(crate) fn fix(site: &Site<'_>, keyword: &str) -> Option<Fix> {
+    let edit = site.insert_line(keyword)?;
+    Some(Fix::guess(format!("write `{keyword}`"), vec![edit]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,10 @@
 //! V0016: a branch of `switch` without `break`.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A `case` or `default` is not closed with `break`.
@@ -48,6 +52,13 @@ pub(crate) fn word() -> Wording {
         "`break` belongs here",
         "each `case` and `default` ends with its own `break`; values that share a branch stand in one list: `case 1, 2`",
     )
+}
+
+/// Closes the branch: VAL 3 has no branch that falls through, so nothing else can be meant.
+pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
+    let indentation = site.indentation(site.related?);
+    let edit = site.insert_line(&format!("{indentation}break"))?;
+    Some(Fix::safe("close the branch with `break`", vec![edit]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,12 @@
 //! V0220: a line that does nothing.
 
-use crate::{diagnostic::Wording, rule::rule};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A line computes a value and does nothing with it.
@@ -33,6 +39,16 @@ pub(crate) fn word() -> Wording {
         "the value is lost",
         "assign the value to a variable; an assignment is written with one `=`",
     )
+}
+
+/// Assigns where a variable is compared.
+pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
+    const SIGN: &str = "==";
+    let (target, value) = site.text().split_once(SIGN)?;
+    let is_part = |letter: char| letter.is_ascii_alphanumeric() || "_.:[],\" ".contains(letter);
+    let is_variable = target.chars().all(is_part) && !value.contains(SIGN);
+    let range = TextRange::at(site.range.start() + TextSize::of(target), TextSize::of(SIGN));
+    is_variable.then(|| Fix::guess("write `=`", vec![site.replace(range, "=")]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,10 @@
 //! V0508: a program with another name than its file.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::{Site, rename},
+    rule::rule,
+};
 
 rule! {
     /// The program in a `.pgx` file has another name than the file.
@@ -49,6 +53,11 @@ pub(crate) fn word(program: &str, file: &str) -> Wording {
         format!("the file is `{file}.pgx`"),
         format!("call the program `{file}`, or the file `{program}.pgx`"),
     )
+}
+
+/// Gives the program the name of its file.
+pub(crate) fn fix(site: &Site<'_>, program: &str, file: &str) -> Option<Fix> {
+    rename(site, program, Some(file))
 }
 
 #[cfg(test)]

@@ -1,6 +1,12 @@
 //! V0014: a block without its end.
 
-use crate::{diagnostic::Wording, rule::rule};
+use val3_syntax::SyntaxKind;
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A block (`if`, `while`, `do`, `for`, `switch`) is not closed.
@@ -36,6 +42,25 @@ pub(crate) fn word(block: &str, missing: &str) -> Wording {
         _ => format!("`{missing}` belongs here"),
     };
     Wording::new(format!("`{block}` has no `{missing}`"), label, "")
+}
+
+/// Closes the block where its indentation ends, or writes the end that was mistaken. What `until` waits for nobody
+/// can guess.
+pub(crate) fn fix(site: &Site<'_>, missing: &str) -> Option<Fix> {
+    let opener = site.related.filter(|_| missing != "until")?;
+    let indentation = site.indentation(opener);
+    let title = format!("write `{missing}`");
+    if is_end(site.text()) && site.indentation(site.range) == indentation {
+        return Some(Fix::guess(title, vec![site.replace(site.range, missing)]));
+    }
+    let edit = site.insert_line(&format!("{indentation}{missing}"))?;
+    Some(Fix::guess(title, vec![edit]))
+}
+
+/// The keyword ends a block.
+fn is_end(word: &str) -> bool {
+    use SyntaxKind::{END_FOR_KW, END_IF_KW, END_SWITCH_KW, END_WHILE_KW};
+    matches!(SyntaxKind::from_keyword(word), Some(END_FOR_KW | END_IF_KW | END_SWITCH_KW | END_WHILE_KW))
 }
 
 #[cfg(test)]

@@ -1,6 +1,13 @@
 //! V0011: a bracket that is not closed.
 
-use crate::{diagnostic::Wording, phrase::opening_bracket, rule::rule};
+use val3_syntax::TextRange;
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    phrase::opening_bracket,
+    rule::rule,
+};
 
 rule! {
     /// A bracket is not closed on its line.
@@ -35,6 +42,12 @@ pub(crate) fn word(missing: char) -> Wording {
         format!("`{missing}` is missing"),
         "",
     )
+}
+
+/// Closes the bracket where it is missed.
+pub(crate) fn fix(site: &Site<'_>, missing: char) -> Option<Fix> {
+    let edit = site.replace(TextRange::empty(site.range.start()), &missing.to_string());
+    Some(Fix::guess(format!("write `{missing}`"), vec![edit]))
 }
 
 #[cfg(test)]

@@ -2,9 +2,12 @@
 
 use val3_analysis::problem::NameKind;
 
+use val3_syntax::TextRange;
+
 use crate::{
-    diagnostic::Wording,
+    diagnostic::{Fix, Wording},
     english::{a_name_kind, meant},
+    fix::{Site, rename},
     rule::rule,
 };
 
@@ -60,6 +63,16 @@ fn instead(name: &str, is: NameKind) -> String {
         NameKind::Type => "a value of a type is written between braces: `{…}`".into(),
         NameKind::Instruction | NameKind::Field => String::new(),
     }
+}
+
+/// Writes the near name, or `call` in front of a program; what a library has can be nothing else.
+pub(crate) fn fix(site: &Site<'_>, name: &str, near: Option<&str>, is: Option<NameKind>) -> Option<Fix> {
+    if is != Some(NameKind::Program) && !name.contains(':') {
+        return rename(site, name, near);
+    }
+    let starts_line = site.before().trim().is_empty();
+    let edit = site.replace(TextRange::empty(site.range.start()), "call ");
+    starts_line.then(|| Fix::safe("write `call`", vec![edit]))
 }
 
 #[cfg(test)]

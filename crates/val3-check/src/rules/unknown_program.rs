@@ -2,9 +2,12 @@
 
 use val3_analysis::problem::NameKind;
 
+use val3_syntax::{TextRange, TextSize};
+
 use crate::{
-    diagnostic::Wording,
+    diagnostic::{Fix, Wording},
     english::{a_name_kind, meant},
+    fix::{Site, rename},
     rule::rule,
 };
 
@@ -58,6 +61,18 @@ fn instead(name: &str, is: NameKind) -> String {
         NameKind::Library => format!("name the program of the library: `call {name}:…()`"),
         _ => String::new(),
     }
+}
+
+/// Writes the near name; an instruction needs no `call`.
+pub(crate) fn fix(site: &Site<'_>, name: &str, near: Option<&str>, is: Option<NameKind>) -> Option<Fix> {
+    if is != Some(NameKind::Instruction) {
+        return rename(site, name, near);
+    }
+    let before = site.before().trim_end();
+    let keyword = before.len().checked_sub("call".len()).and_then(|at| before.get(at..))?;
+    let len = TextSize::of(site.before()) - TextSize::of(before) + TextSize::of(keyword);
+    let call = TextRange::new(site.range.start() - len, site.range.start());
+    keyword.eq_ignore_ascii_case("call").then(|| Fix::safe("remove `call`", vec![site.replace(call, "")]))
 }
 
 #[cfg(test)]

@@ -1,6 +1,11 @@
 //! V0012: a bracket that closes nothing.
 
-use crate::{diagnostic::Wording, phrase::opening_bracket, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    phrase::opening_bracket,
+    rule::rule,
+};
 
 rule! {
     /// A closing bracket has no opening bracket on its line.
@@ -36,6 +41,12 @@ pub(crate) fn word(bracket: char) -> Wording {
         format!("no `{opening}` is open here"),
         format!("remove it, or add the missing `{opening}`"),
     )
+}
+
+/// Removes the bracket.
+pub(crate) fn fix(site: &Site<'_>, bracket: char) -> Option<Fix> {
+    let is_alone = site.text().chars().eq([bracket]);
+    is_alone.then(|| Fix::guess(format!("remove `{bracket}`"), vec![site.replace(site.range, "")]))
 }
 
 #[cfg(test)]

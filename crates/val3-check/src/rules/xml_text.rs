@@ -1,6 +1,12 @@
 //! V0002: text that XML does not allow.
 
-use crate::{diagnostic::Wording, rule::rule};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    rule::rule,
+};
 
 rule! {
     /// A file holds text that XML does not allow: a bare `&` or `<`, an unknown entity, or words between the elements.
@@ -72,6 +78,13 @@ pub(crate) fn doctype() -> Wording {
         "not allowed",
         "remove it, and write out the entities that it declares: they are never expanded",
     )
+}
+
+/// Escapes a bare `&`.
+pub(crate) fn fix(site: &Site<'_>, text: &str) -> Option<Fix> {
+    let ampersand = TextRange::at(site.range.start(), TextSize::of('&'));
+    let is_bare = !text.ends_with(';');
+    is_bare.then(|| Fix::safe("write `&amp;`", vec![site.write(ampersand, "&amp;")]))
 }
 
 #[cfg(test)]

@@ -10,13 +10,16 @@
 //!    "range": {"start": {"line": 6, "column": 21, "offset": 200}, "end": {"line": 6, "column": 27, "offset": 206}},
 //!    "program": "pick", "code_line": 3, "application": "pal/pal.pjx",
 //!    "related": [{"file": "pal/pal.dtx", "range": {}, "message": "…"}],
-//!    "fixable": false}]}
+//!    "fixable": true,
+//!    "fix": {"title": "…", "safe": true, "edits": [{"file": "pal/pick.pgx", "range": {}, "text": "…"}]}}]}
 //! ```
 //! - `severity` is `error`, `warning` or `info`.
 //! - `file` and `application` are relative to the folder asked for, with `/`.
 //! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
 //!   `end` is the first place behind the range.
 //! - `program` is `null` outside programs; `code_line`, which counts the line of `begin` as 1, outside their code.
+//! - `fix` is `null` where there is none; a `safe` one changes nothing but what was plainly meant. `text` replaces the
+//!   range, as it is written in the file: escaped where the code is.
 //! - `code_lines` leaves out blank lines and comments.
 
 use std::io;
@@ -25,7 +28,7 @@ use codespan_reporting::term::termcolor::WriteColor;
 use serde::Serialize;
 
 use crate::line_index::Position;
-use crate::report::{Finding, Place, Related, Report, Severity, Statistics};
+use crate::report::{Edit, Finding, Fix, Place, Related, Report, Severity, Statistics};
 
 /// Writes the document and a line end.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
@@ -87,6 +90,7 @@ pub(super) struct Diagnostic<'a> {
     application: Option<&'a str>,
     related: Vec<JsonRelated<'a>>,
     fixable: bool,
+    fix: Option<JsonFix<'a>>,
 }
 
 impl<'a> Diagnostic<'a> {
@@ -101,7 +105,8 @@ impl<'a> Diagnostic<'a> {
             code_line: finding.code_line,
             application: finding.application.as_deref(),
             related: finding.related.iter().map(JsonRelated::of).collect(),
-            fixable: finding.fixable,
+            fixable: finding.fix.is_some(),
+            fix: finding.fix.as_ref().map(JsonFix::of),
         }
     }
 }
@@ -116,6 +121,32 @@ struct JsonRelated<'a> {
 impl<'a> JsonRelated<'a> {
     fn of(related: &'a Related) -> Self {
         Self { place: JsonPlace::of(&related.place), message: &related.message }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonFix<'a> {
+    title: &'a str,
+    safe: bool,
+    edits: Vec<JsonEdit<'a>>,
+}
+
+impl<'a> JsonFix<'a> {
+    fn of(fix: &'a Fix) -> Self {
+        Self { title: &fix.title, safe: fix.safe, edits: fix.edits.iter().map(JsonEdit::of).collect() }
+    }
+}
+
+#[derive(Serialize)]
+struct JsonEdit<'a> {
+    #[serde(flatten)]
+    place: JsonPlace<'a>,
+    text: &'a str,
+}
+
+impl<'a> JsonEdit<'a> {
+    fn of(edit: &'a Edit) -> Self {
+        Self { place: JsonPlace::of(&edit.place), text: &edit.text }
     }
 }
 

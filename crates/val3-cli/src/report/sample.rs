@@ -2,8 +2,13 @@
 
 #![allow(clippy::expect_used, reason = "a sample that is broken may stop the tests")]
 
+use std::sync::Arc;
+
+use val3_syntax::encoding::Encoding;
+
 use super::*;
 
+const APPLICATION: &str = "cell/usr/usrapp/pal/pal.pjx";
 const PROGRAM: &str = r#"<?xml version="1.0" encoding="iso-8859-1" ?>
 <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
   <Program name="pick">
@@ -24,18 +29,36 @@ pub(crate) fn report() -> Report {
     let program = file("cell/usr/usrapp/pal/pick.pgx", PROGRAM, Encoding::Latin1);
     let data = file("cell/usr/usrapp/pal/pal.dtx", DATA, Encoding::Utf8);
     let findings = vec![unknown_name(&program, &data), argument_type(&program, &data), unused_data(&data)];
-    Report::new(statistics, findings, Vec::new())
+    Report::new(statistics, vec![APPLICATION.to_owned()], findings, Vec::new())
 }
 
 /// A report of a check that found nothing.
 pub(crate) fn clean() -> Report {
-    Report::new(report().statistics, Vec::new(), Vec::new())
+    Report::new(report().statistics, vec![APPLICATION.to_owned()], Vec::new(), Vec::new())
+}
+
+/// A report whose texts are full of signs that mean something in some format.
+pub(crate) fn hostile() -> Report {
+    let file = file("cell/a&b \u{1}/<x>,\"y\":%.pgx", "nCout\u{0}=1\n", Encoding::Utf8);
+    let finding = Finding {
+        message: "`]]>\u{1b}[2J&amp;\" %\r\n::error::` is </error>".to_owned(),
+        fix: Some(write(&file, "nCout", "a<b&&c")),
+        related: Vec::new(),
+        place: place(&file, "nCout"),
+        ..unused_data(&report().findings[0].place.file)
+    };
+    Report::new(report().statistics, vec![APPLICATION.to_owned()], vec![finding], Vec::new())
 }
 
 /// A place that covers `part` in `file`.
 pub(crate) fn place(file: &Arc<SourceFile>, part: &str) -> Place {
     let start = file.text.find(part).expect("the sample holds the part");
     Place { file: Arc::clone(file), range: start..start + part.len() }
+}
+
+fn write(file: &Arc<SourceFile>, part: &str, instead: &str) -> Fix {
+    let edit = Edit { place: place(file, part), text: instead.to_owned() };
+    Fix { title: format!("write `{instead}`"), safe: false, edits: vec![edit] }
 }
 
 fn file(path: &str, text: &str, encoding: Encoding) -> Arc<SourceFile> {
@@ -55,9 +78,9 @@ fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
         place: place(program, "\"fast\""),
         program: Some("pick".to_owned()),
         code_line: Some(3),
-        application: Some("cell/usr/usrapp/pal/pal.pjx".to_owned()),
+        application: Some(APPLICATION.to_owned()),
         related: vec![Related { place: place(data, "mFast"), message: "an mdesc is declared here".to_owned() }],
-        fixable: false,
+        fix: None,
     }
 }
 
@@ -72,7 +95,7 @@ fn unknown_name(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
         place: place(program, "nCout"),
         code_line: Some(4),
         related: vec![Related { place: place(data, "nCount"), message: "a similar name".to_owned() }],
-        fixable: true,
+        fix: Some(write(program, "nCout", "nCount")),
         ..argument_type(program, data)
     }
 }
@@ -88,8 +111,8 @@ fn unused_data(data: &Arc<SourceFile>) -> Finding {
         place: place(data, "nCount"),
         program: None,
         code_line: None,
-        application: Some("cell/usr/usrapp/pal/pal.pjx".to_owned()),
+        application: Some(APPLICATION.to_owned()),
         related: Vec::new(),
-        fixable: false,
+        fix: None,
     }
 }

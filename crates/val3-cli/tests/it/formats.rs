@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{CLEAN, FAULTY, Folder};
+use crate::support::{CLEAN, FAULTY, Folder, run};
 
 fn json(text: &str) -> Value {
     serde_json::from_str(text).unwrap()
@@ -71,6 +71,44 @@ fn val3check_names_files_as_the_controller_does() {
     let template = "--val3check-template=%l|%f|%e";
     let run = folder.val3(&["check", "--format", "val3check", template]);
     assert_eq!(run.stdout, "2|Disk://main/start.pgx|Error\n");
+}
+
+#[test]
+fn services_get_paths_relative_to_the_repository() {
+    let folder = Folder::with(FAULTY);
+    folder.write(".git/HEAD", "ref: refs/heads/main\n");
+    let below = |format: &str| {
+        let mut command = folder.command(&["check", "main", "--format", format]);
+        command.current_dir(folder.path().join("usrapp"));
+        run(command).stdout
+    };
+    assert!(below("github").starts_with("::error file=usrapp/main/start.pgx,line="));
+    assert!(below("azure").contains(";sourcepath=usrapp/main/start.pgx;"));
+    assert!(below("checkstyle").contains("<file name=\"usrapp/main/start.pgx\">"));
+    assert_eq!(json(&below("gitlab"))[0]["location"]["path"], "usrapp/main/start.pgx");
+    let log = json(&below("sarif"));
+    let location = &log["runs"][0]["results"][0]["locations"][0]["physicalLocation"];
+    assert_eq!(location["artifactLocation"]["uri"], "usrapp/main/start.pgx");
+}
+
+#[test]
+fn fingerprints_stay_when_lines_move() {
+    let folder = Folder::with(FAULTY);
+    let fingerprint = || {
+        let run = folder.val3(&["check", "--format", "sarif"]);
+        json(&run.stdout)["runs"][0]["results"][0]["partialFingerprints"].clone()
+    };
+    let before = fingerprint();
+    let program = folder.read("usrapp/main/start.pgx");
+    folder.write("usrapp/main/start.pgx", &program.replace("nCuont", "// new\n\n  nCuont"));
+    assert_eq!(fingerprint(), before);
+}
+
+#[test]
+fn a_suite_for_each_application() {
+    let run = Folder::with(&format!("{FAULTY}\n--- part\n{CLEAN}")).val3(&["check", "--format", "junit"]);
+    assert!(run.stdout.contains("<testsuite name=\"usrapp/main/main.pjx\" tests=\"1\" failures=\"1\">"), "{run:?}");
+    assert!(run.stdout.contains("<testsuite name=\"usrapp/part/part.pjx\" tests=\"1\" failures=\"0\">"), "{run:?}");
 }
 
 #[test]

@@ -1,9 +1,16 @@
 //! The `val3` command as it is used: arguments in, output and exit code out.
 
-#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a fault of a test may stop it")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::panic, reason = "a fault of a test may stop it")]
+#![allow(clippy::disallowed_methods, reason = "a thread reads what a command writes")]
 
+mod baseline;
 mod check;
+mod configuration;
 mod explain;
+mod faulty_cell;
+mod fixes;
 mod formats;
+mod statistics;
 mod support;
 mod usage;
+mod watch;

@@ -8,7 +8,7 @@ use tempfile::TempDir;
 use val3_test::Fixture;
 
 /// A program without a fault.
-pub(crate) const CLEAN: &str = "num nCount\nnCount=1\n";
+pub(crate) const CLEAN: &str = "num nCount\nnCount=nCount+1\n";
 /// A program with an unknown name in line 2 of its code.
 pub(crate) const FAULTY: &str = "num nCount\nnCuont=1\n";
 /// A program with nothing but a keyword in an unusual spelling.
@@ -64,7 +64,8 @@ impl Folder {
         command
     }
 
-    fn path(&self) -> &Path {
+    /// The path of the folder.
+    pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
 }

@@ -8,8 +8,8 @@ instruction! {
     ///
     /// ## Example
     /// ```val3
-    ///   if libDelete("USB0://backup")==0
-    ///     libSave("USB0://backup")
+    ///   if libDelete("USB0://backup")==0 and libSave("USB0://backup")==0
+    ///     popUpMsg("saved")
     ///   endIf
     /// ```
     "libDelete": Libraries "6.7", blocking;

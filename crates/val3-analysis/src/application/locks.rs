@@ -1,0 +1,81 @@
+//! Flags that a program tests on one line and sets on the next, as if that were a lock.
+//!
+//! Tasks take turns between lines (5.4), so two of them may both find the flag free. `setMutex` tests and sets within
+//! one line (5.9).
+
+use smol_str::SmolStr;
+use val3_lang::instructions::WAIT;
+use val3_lang::operators::{BinaryOp, UnaryOp};
+use val3_syntax::TextRange;
+
+use crate::body::{Body, Constant, Expr, ExprId, Stmt, StmtKind};
+
+/// One such flag.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Lock {
+    /// The variable.
+    pub flag: SmolStr,
+    /// Where it is tested.
+    pub test: TextRange,
+    /// The line that sets it.
+    pub set: TextRange,
+}
+
+/// Every such flag of a program, by the position of the test.
+pub fn locks(body: &Body) -> Vec<Lock> {
+    let mut found = Vec::new();
+    in_block(body, &body.block, &mut found);
+    found
+}
+
+fn in_block(body: &Body, block: &[Stmt], found: &mut Vec<Lock>) {
+    let mut rest = block;
+    while let Some((stmt, after)) = rest.split_first() {
+        found.extend(tested(body, stmt).and_then(|(condition, held)| lock(body, condition, held, after.first()?)));
+        if let StmtKind::If { arms, .. } = &stmt.kind {
+            let taken = arms.iter().filter_map(|(condition, block)| Some(((*condition)?, block.first()?)));
+            found.extend(taken.filter_map(|(condition, first)| lock(body, condition, false, first)));
+        }
+        stmt.blocks().for_each(|inner| in_block(body, inner, found));
+        rest = after;
+    }
+}
+
+/// The condition of a statement that waits, and the value of the flag for which it goes on waiting if it is asked as
+/// it stands: `wait(bBusy==false)` wants false, `while bBusy==true` goes on as long as it is true.
+fn tested(body: &Body, stmt: &Stmt) -> Option<(ExprId, bool)> {
+    match &stmt.kind {
+        StmtKind::While { condition, .. } => Some(((*condition)?, true)),
+        StmtKind::Expr(call) => {
+            let Expr::Call(callee, arguments) = body.expr(*call) else { return None };
+            let waits = matches!(body.expr(*callee), Expr::Name(name) if name == WAIT);
+            Some((*arguments.first().filter(|_| waits)?, false))
+        }
+        _ => None,
+    }
+}
+
+/// `next` sets the flag for which `condition` asks whether it is `held`.
+fn lock(body: &Body, condition: ExprId, held: bool, next: &Stmt) -> Option<Lock> {
+    let StmtKind::Assign { target, value } = &next.kind else { return None };
+    let Expr::Name(flag) = body.expr(*target) else { return None };
+    let sets = body.constant(*value) == Some(Constant::Bool(true));
+    let found = sets && asks(body, condition, flag, held);
+    found.then(|| Lock { flag: flag.clone(), test: body.range(condition), set: next.range })
+}
+
+/// `condition` holds only if the flag is `value`.
+fn asks(body: &Body, condition: ExprId, flag: &str, value: bool) -> bool {
+    let is_flag = |id: ExprId| matches!(body.expr(body.peel(id)), Expr::Name(name) if name == flag);
+    match body.expr(body.peel(condition)) {
+        Expr::Name(name) => name == flag && value,
+        Expr::Unary(UnaryOp::Not, inner) => asks(body, *inner, flag, !value),
+        Expr::Binary(BinaryOp::And, left, right) if !value => {
+            asks(body, *left, flag, value) || asks(body, *right, flag, value)
+        }
+        Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) if is_flag(*left) => {
+            body.constant(*right) == Some(Constant::Bool((*op == BinaryOp::Equal) == value))
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,71 @@
+//! Whether two expressions of a body say the same.
+
+use super::{Body, Constant, Expr, ExprId};
+
+impl Body {
+    /// Both expressions are written alike, parentheses and ways to write a constant aside. Whether they yield the
+    /// same value depends on what happens between them.
+    pub fn is_same(&self, left: ExprId, right: ExprId) -> bool {
+        self.normal_form(left) == self.normal_form(right)
+    }
+
+    /// The expression as text that tells it from every other one: alike for expressions that are the same.
+    pub fn normal_form(&self, id: ExprId) -> String {
+        let mut text = String::new();
+        self.write_normal_form(id, &mut text);
+        text
+    }
+
+    fn write_normal_form(&self, id: ExprId, text: &mut String) {
+        match self.constant(id) {
+            Some(Constant::Number(number)) => return text.push_str(&number.to_string()),
+            Some(Constant::String(string)) => return text.push_str(&format!("{string:?}")),
+            Some(Constant::Bool(value)) => return text.push_str(&value.to_string()),
+            None => {}
+        }
+        match self.expr(id) {
+            Expr::Name(name) => text.push_str(name),
+            Expr::Path { library, item } => [library, ":", item].into_iter().for_each(|part| text.push_str(part)),
+            Expr::Paren(inner) => self.write_normal_form(*inner, text),
+            Expr::Unary(op, operand) => {
+                text.push_str(&format!("({op:?} "));
+                self.write_normal_form(*operand, text);
+                text.push(')');
+            }
+            Expr::Binary(op, left, right) => self.write_list(&format!("({op:?} "), &[*left, *right], text),
+            Expr::Assign(target, value) => self.write_list("(= ", &[*target, *value], text),
+            Expr::Index(base, keys) => {
+                self.write_normal_form(*base, text);
+                self.write_list("[", keys, text);
+            }
+            Expr::Field { base, field, .. } => {
+                self.write_normal_form(*base, text);
+                text.push('.');
+                text.push_str(field);
+            }
+            Expr::Call(callee, args) => {
+                self.write_normal_form(*callee, text);
+                self.write_list("(", args, text);
+            }
+            Expr::Struct(values) => {
+                text.push('{');
+                for value in values {
+                    value.iter().for_each(|value| self.write_normal_form(*value, text));
+                    text.push(',');
+                }
+                text.push('}');
+            }
+            // What could not be read is like nothing else.
+            Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => text.push_str(&format!("?{}", id.0)),
+        }
+    }
+
+    fn write_list(&self, open: &str, parts: &[ExprId], text: &mut String) {
+        text.push_str(open);
+        for part in parts {
+            self.write_normal_form(*part, text);
+            text.push(',');
+        }
+        text.push(')');
+    }
+}

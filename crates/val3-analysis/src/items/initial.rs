@@ -1,0 +1,84 @@
+//! What a `.dtx` says of its positions and motion descriptors: references and choices, not numbers.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_lang::enumerations::{Enumerator, find_in_file};
+use val3_lang::types::{Arm, AttributeValue, BaseType, attributes};
+use val3_syntax::view::View;
+
+use super::{data, parse};
+use crate::db::{Db, File};
+use crate::xml::Element;
+
+/// Values of global data before the application runs, by name and key (`0`, `1,2`, `home`).
+pub type InitialValues = FxHashMap<SmolStr, FxHashMap<SmolStr, Initial>>;
+
+/// One value of a frame, tool, point, configuration or motion descriptor.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Initial {
+    /// It is relative to a frame or tool.
+    pub has_father: bool,
+    /// Its enumerated fields, as code writes them behind the variable (`config.shoulder`, `blend`).
+    pub choices: Vec<(&'static str, &'static Enumerator)>,
+}
+
+/// The values that a file writes. An array of which no value is written has an entry without keys.
+#[salsa::tracked]
+pub fn initial(db: &dyn Db, file: File) -> InitialValues {
+    let parse = parse(db, file);
+    data::elements(View::root(parse.green())).filter_map(values).collect()
+}
+
+fn values(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Initial>)> {
+    let is_new = element.name() == "Data";
+    let written = if is_new { element.value("type")? } else { element.name().into() };
+    let (ty, arm) = BaseType::from_file_name(&written).filter(|(ty, _)| has_values(*ty))?;
+    let values: FxHashMap<SmolStr, Initial> = if is_new {
+        let value = |value: Element<'_>| Some((value.value("key")?.as_ref().into(), new_value(value, ty, arm)));
+        element.elements().filter_map(value).collect()
+    } else {
+        let has_father = element.elements().any(is_father);
+        let value =
+            |value: Element<'_>| Some((value.value("index")?.as_ref().into(), old_value(value, ty, arm, has_father)));
+        element.elements().filter(|value| value.name().starts_with("value")).filter_map(value).collect()
+    };
+    Some((element.value("name")?.as_ref().into(), values))
+}
+
+fn has_values(ty: BaseType) -> bool {
+    ty.has_father() || matches!(ty, BaseType::Config | BaseType::Mdesc)
+}
+
+/// `<Value key x … shoulder … fatherId>`
+fn new_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
+    let has_father = value.value("fatherId").is_some_and(|father| !father.trim().is_empty());
+    Initial { has_father, choices: choices(|name| value.value(name).map(SmolStr::from), ty, arm) }
+}
+
+/// `<valuePoint index>` with `<cpValue shoulder …>` and others in it.
+fn old_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
+    let written = |name: &str| value.elements().find_map(|part| part.value(name)).map(SmolStr::from);
+    Initial { has_father, choices: choices(written, ty, arm) }
+}
+
+/// `<pFather alias name fatherIndex>`, which has no name where there is none.
+fn is_father(element: Element<'_>) -> bool {
+    element.name().ends_with("Father") && element.value("name").is_some_and(|name| !name.is_empty())
+}
+
+fn choices(
+    written: impl Fn(&str) -> Option<SmolStr>,
+    ty: BaseType,
+    arm: Option<Arm>,
+) -> Vec<(&'static str, &'static Enumerator)> {
+    let choice = |attribute: &'static val3_lang::types::Attribute| {
+        let AttributeValue::Choice(choice) = attribute.value else { return None };
+        let text = written(attribute.name);
+        let found = match &text {
+            Some(text) => find_in_file(choice, text.trim())?,
+            None => val3_lang::enumerations::values(choice).next()?,
+        };
+        Some((attribute.field, found))
+    };
+    attributes(ty, arm).iter().filter_map(choice).collect()
+}

@@ -1,0 +1,37 @@
+//! How the code of a program is laid out: its place and its comments. Read from the tree whenever a rule asks.
+
+use rowan::NodeOrToken;
+use val3_syntax::view::{TokenView, View};
+use val3_syntax::{SyntaxKind, TextRange};
+
+use super::{parse, program};
+use crate::db::{Db, File};
+
+/// Where the code of the program in `file` stands, from `begin` to `end`.
+pub fn code(db: &dyn Db, file: File) -> Option<TextRange> {
+    let parse = parse(db, file);
+    let code = program::code(View::root(parse.green()))?;
+    let start = code.token(SyntaxKind::BEGIN_KW)?.range().start();
+    let end = code.token(SyntaxKind::END_KW).map_or(code.range(), TokenView::range).end();
+    Some(TextRange::new(start, end.max(start)))
+}
+
+/// The comments in the code of the program in `file`, in order, without line ends.
+pub fn comments(db: &dyn Db, file: File) -> Vec<TextRange> {
+    let parse = parse(db, file);
+    let mut found = Vec::new();
+    if let Some(code) = program::code(View::root(parse.green())) {
+        collect(code, &mut found);
+    }
+    found
+}
+
+fn collect(node: View<'_>, found: &mut Vec<TextRange>) {
+    for child in node.children_with_tokens() {
+        match child {
+            NodeOrToken::Node(node) => collect(node, found),
+            NodeOrToken::Token(token) if token.kind() == SyntaxKind::COMMENT => found.push(token.range()),
+            NodeOrToken::Token(_) => {}
+        }
+    }
+}

@@ -1,0 +1,48 @@
+//! Numbers in motion descriptors that a `.dtx` writes.
+
+use val3_lang::types::{AttributeValue, BaseType, attribute};
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use super::{data, parse};
+use crate::db::{Db, File};
+use crate::xml::{Attribute, Element};
+
+/// A number in a motion descriptor.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Limit {
+    /// The attribute: `tmax` for the field `tvel`.
+    pub attribute: &'static str,
+    /// The number.
+    pub value: f64,
+    /// Where it stands, without quotes.
+    pub range: TextRange,
+}
+
+/// The numbers of every motion descriptor of a data file of either dialect, those in user types included.
+pub fn limits(db: &dyn Db, file: File) -> Vec<Limit> {
+    let parse = parse(db, file);
+    let mut found = Vec::new();
+    for element in data::elements(View::root(parse.green())) {
+        declared(element, &mut found);
+    }
+    found
+}
+
+/// `<Data type>` and `<Field type>` with `<Value>`; `<mdesc>` with `<valueMdesc>` and `<mdescValue>` in it.
+fn declared(element: Element<'_>, found: &mut Vec<Limit>) {
+    let written = element.value("type").unwrap_or_else(|| element.name().into());
+    let is_descriptor = matches!(BaseType::from_file_name(&written), Some((BaseType::Mdesc, _)));
+    for value in element.elements() {
+        let parts = std::iter::once(value).chain(value.elements());
+        found.extend(parts.filter(|_| is_descriptor).flat_map(Element::attributes).filter_map(limit));
+        for field in value.elements().filter(|part| part.name() == "Field") {
+            declared(field, found);
+        }
+    }
+}
+
+fn limit(written: Attribute<'_>) -> Option<Limit> {
+    let known = attribute(BaseType::Mdesc, None, written.name).filter(|known| known.value == AttributeValue::Number)?;
+    Some(Limit { attribute: known.name, value: written.text().trim().parse().ok()?, range: written.range })
+}

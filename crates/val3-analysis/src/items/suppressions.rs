@@ -1,0 +1,248 @@
+//! Comments that silence findings: `//val3: allow(V0302, no-effect) reason`.
+
+use memchr::memmem;
+use rowan::NodeOrToken;
+use smol_str::SmolStr;
+use val3_syntax::view::{TokenView, View};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
+
+use super::parse;
+use crate::db::{Db, File};
+
+/// What such a comment starts with, behind its `//`.
+const MARK: &str = "val3:";
+
+/// A comment that starts with `val3:`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Suppression {
+    /// The comment.
+    pub comment: TextRange,
+    /// What it is for.
+    pub scope: Scope,
+    /// The codes and names of rules in it.
+    pub rules: Vec<Named>,
+}
+
+/// What a suppression silences.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// `allow(…)`: what starts in the next line that is neither blank nor a comment.
+    Line(TextRange),
+    /// `allow-program(…)` before the first line of code: everything in the file.
+    Program,
+    /// `allow-program(…)` further down: nothing.
+    Misplaced,
+    /// The comment has none of the two forms.
+    Unreadable,
+}
+
+/// A code or name of a rule as it stands in a comment.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Named {
+    /// The word.
+    pub name: SmolStr,
+    /// Where it stands.
+    pub range: TextRange,
+}
+
+impl Suppression {
+    /// Whether something that starts at `at` lies where the comment counts.
+    pub fn covers(&self, at: TextSize) -> bool {
+        match self.scope {
+            Scope::Line(line) => line.contains_inclusive(at),
+            Scope::Program => true,
+            Scope::Misplaced | Scope::Unreadable => false,
+        }
+    }
+}
+
+/// The comments in the code of `file` that silence findings, in order.
+#[salsa::tracked]
+pub fn suppressions(db: &dyn Db, file: File) -> Vec<Suppression> {
+    let text = file.text(db);
+    if memmem::find(text.as_bytes(), MARK.as_bytes()).is_none() {
+        return Vec::new();
+    }
+    let mut reader = Reader { text, in_head: true, found: Vec::new() };
+    reader.elements(View::root(parse(db, file).green()));
+    reader.found
+}
+
+struct Reader<'t> {
+    text: &'t str,
+    /// No line of code was passed yet.
+    in_head: bool,
+    found: Vec<Suppression>,
+}
+
+impl Reader<'_> {
+    fn elements(&mut self, node: View<'_>) {
+        for child in node.children() {
+            match child.kind() {
+                SyntaxKind::CODE => {
+                    self.in_head = true;
+                    self.code(child);
+                }
+                SyntaxKind::ELEMENT => self.elements(child),
+                _ => {}
+            }
+        }
+    }
+
+    fn code(&mut self, node: View<'_>) {
+        for child in node.children_with_tokens() {
+            match child {
+                NodeOrToken::Node(node) => self.code(node),
+                NodeOrToken::Token(token) if token.kind() == SyntaxKind::COMMENT => self.comment(token),
+                NodeOrToken::Token(token) => {
+                    self.in_head &= token.kind().is_trivia() || token.kind() == SyntaxKind::BEGIN_KW;
+                }
+            }
+        }
+    }
+
+    fn comment(&mut self, token: TokenView<'_>) {
+        let Some(order) = token.text().trim_start_matches('/').trim_start().strip_prefix(MARK) else { return };
+        let range = token.range();
+        let suppression = match read(order) {
+            None => Suppression { comment: range, scope: Scope::Unreadable, rules: Vec::new() },
+            Some((reach, words)) => {
+                let rules = words.into_iter().map(|(from_end, word)| named(word, range.end() - from_end)).collect();
+                Suppression { comment: range, scope: self.scope(reach, range), rules }
+            }
+        };
+        self.found.push(suppression);
+    }
+
+    fn scope(&self, reach: Reach, comment: TextRange) -> Scope {
+        match reach {
+            Reach::Line => Scope::Line(next_line(self.text, comment.end())),
+            Reach::Program if self.in_head => Scope::Program,
+            Reach::Program => Scope::Misplaced,
+        }
+    }
+}
+
+fn named(word: &str, start: TextSize) -> Named {
+    Named { name: word.into(), range: TextRange::at(start, TextSize::of(word)) }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Reach {
+    Line,
+    Program,
+}
+
+/// Reads what stands behind `val3:`: each word with its distance from the end of the comment.
+fn read(order: &str) -> Option<(Reach, Vec<(TextSize, &str)>)> {
+    let (word, rest) = order.split_once('(')?;
+    let (list, _reason) = rest.split_once(')')?;
+    let reach = match word.trim() {
+        "allow" => Reach::Line,
+        "allow-program" => Reach::Program,
+        _ => return None,
+    };
+    let mut from_end = TextSize::of(rest);
+    let words = list.split(',').map(|part| {
+        let word = (from_end - TextSize::of(part) + TextSize::of(part.trim_start()), part.trim());
+        from_end -= TextSize::of(part) + TextSize::of(',');
+        word
+    });
+    let words: Vec<_> = words.collect();
+    words.iter().all(|(_, word)| !word.is_empty()).then_some((reach, words))
+}
+
+/// The first line behind `from` that is neither blank nor a comment; empty where there is none.
+fn next_line(text: &str, from: TextSize) -> TextRange {
+    let mut start = usize::from(from);
+    let rest = text.get(start..).unwrap_or("");
+    for line in rest.split_inclusive('\n') {
+        let content = line.trim();
+        if start > usize::from(from) && !content.is_empty() && !content.starts_with("//") {
+            return range(start, start + line.trim_end_matches(['\n', '\r']).len());
+        }
+        start += line.len();
+    }
+    range(text.len(), text.len())
+}
+
+fn range(start: usize, end: usize) -> TextRange {
+    let size = |at: usize| TextSize::try_from(at).unwrap_or_default();
+    TextRange::new(size(start), size(end))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use camino::Utf8PathBuf;
+    use expect_test::{Expect, expect};
+    use val3_syntax::encoding::Encoding;
+
+    use super::*;
+    use crate::db::{Database, FileStatus};
+
+    #[track_caller]
+    fn check(code: &str, expected: Expect) {
+        let text = format!("<Program name=\"p\"><Code><![CDATA[\n{code}\n]]></Code></Program>");
+        let db = Database::default();
+        let status = FileStatus::Read { encoding: Encoding::Utf8, undeclared: false };
+        let file = File::new(&db, Utf8PathBuf::from("p.pgx"), Arc::from(text.as_str()), status);
+        let shown = suppressions(&db, file).iter().map(|found| {
+            let rules: Vec<_> = found.rules.iter().map(|rule| (&text[rule.range], rule.name.as_str())).collect();
+            assert!(rules.iter().all(|(there, name)| there == name));
+            let scope = match found.scope {
+                Scope::Line(line) => format!("line `{}`", &text[line]),
+                other => format!("{other:?}"),
+            };
+            let names: Vec<_> = rules.iter().map(|(_, name)| *name).collect();
+            format!("{scope}: {}", names.join(", ")).trim_end().to_owned() + "\n"
+        });
+        expected.assert_eq(&shown.collect::<String>());
+    }
+
+    #[test]
+    fn a_line_and_a_program() {
+        check(
+            "begin\n  // val3: allow-program(V0701) old code\n  //val3: allow(V0302, no-effect) tested\n\n  // why\n  n=1\nend",
+            expect![[r#"
+                Program: V0701
+                line `  n=1`: V0302, no-effect
+            "#]],
+        );
+    }
+
+    #[test]
+    fn a_program_is_silenced_at_its_head() {
+        check(
+            "//val3: allow-program(a)\nbegin\n  n=1\n  //val3: allow-program(b)\nend",
+            expect![[r#"
+            Program: a
+            Misplaced: b
+        "#]],
+        );
+    }
+
+    #[test]
+    fn other_forms() {
+        check(
+            "begin\n//val3: allow\n//val3: allow()\n//val3: alow(a)\n//val3: allow(a\n//val3 allow(a)\n// see val3: allow(a)\nend",
+            expect![[r#"
+                Unreadable:
+                Unreadable:
+                Unreadable:
+                Unreadable:
+            "#]],
+        );
+    }
+
+    #[test]
+    fn inside_of_blocks() {
+        check(
+            "begin\n  if b\n    //val3: allow(a)\n    n=1\n  endIf\nend",
+            expect![[r#"
+            line `    n=1`: a
+        "#]],
+        );
+    }
+}

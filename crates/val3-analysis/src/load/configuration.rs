@@ -1,0 +1,137 @@
+//! The `val3.toml` above a project, and what it means for loading.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_config::{ConfigError, ConfigFile, FILE_NAME};
+use val3_lang::add_on::AddOnTable;
+
+use super::{LoadError, Loader, cells, discover};
+use crate::db::Configuration;
+use crate::paths::{Roots, normalise};
+use crate::system::{Kind, System};
+
+/// The roots of paths that a configuration names.
+pub(super) fn roots(file: &ConfigFile) -> Roots {
+    let others = file.config.roots.iter().map(|(root, folder)| (root.clone(), inside(file, folder)));
+    Roots { disk: file.config.disk.as_ref().map(|disk| inside(file, disk)), others: others.collect() }
+}
+
+/// A path of the configuration, which counts from the folder of its file.
+fn inside(file: &ConfigFile, path: &Utf8Path) -> Utf8PathBuf {
+    normalise(&file.folder().join(path))
+}
+
+impl Loader<'_> {
+    /// The nearest `val3.toml` from `folder` upwards.
+    pub(super) fn configuration(&mut self, folder: &Utf8Path) -> Option<Configuration> {
+        if let Some(known) = self.configurations.get(folder) {
+            return *known;
+        }
+        let found = match self.read_configuration(&folder.join(FILE_NAME)) {
+            Some(file) => {
+                let builder = Configuration::builder(file).durability(salsa::Durability::MEDIUM);
+                Some(builder.new(&self.db))
+            }
+            None => folder.parent().and_then(|parent| self.configuration(parent)),
+        };
+        self.configurations.insert(folder.to_owned(), found);
+        found
+    }
+
+    /// Reads a configuration; a faulty one counts as one that says nothing, and keeps the workspace from loading.
+    fn read_configuration(&mut self, path: &Utf8Path) -> Option<ConfigFile> {
+        if self.system.kind(path) != Some(Kind::File) {
+            return None;
+        }
+        let bytes = match self.system.read(path) {
+            Ok(bytes) => bytes,
+            Err(error) => return Some(self.faulty(unreadable(path, &format!("cannot be read: {error}")))),
+        };
+        let Ok(text) = String::from_utf8(bytes) else {
+            return Some(self.faulty(unreadable(path, "is not UTF-8")));
+        };
+        let file = match ConfigFile::parse(path, &text) {
+            Ok(file) => file,
+            Err(error) => return Some(self.faulty(error)),
+        };
+        let missing = missing_folders(self.system, &file);
+        self.config_errors.extend(missing);
+        Some(file)
+    }
+
+    fn faulty(&mut self, error: ConfigError) -> ConfigFile {
+        self.config_errors.push(error);
+        ConfigFile::default()
+    }
+
+    /// The tables of add-ons that a configuration names.
+    pub(super) fn named_add_ons(&mut self, configuration: Option<Configuration>) -> Vec<AddOnTable> {
+        let Some(configuration) = configuration else { return Vec::new() };
+        let file = configuration.file(&self.db);
+        let mut tables = Vec::new();
+        let mut errors = Vec::new();
+        for path in &file.config.add_ons {
+            match cells::named_table(self.system, &inside(file, path)) {
+                Ok(table) => tables.push(table),
+                Err(reason) => {
+                    let message = format!("the table of add-on instructions `{path}` cannot be read: {reason}");
+                    errors.push(file.fault("add-ons", message, String::new()));
+                }
+            }
+        }
+        self.config_errors.extend(errors);
+        tables
+    }
+
+    /// The `.pjx` files under `path`, without those that a `val3.toml` excludes from a search.
+    pub(super) fn discover(&mut self, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
+        let mut found = discover::manifests(self.system, path, &mut self.unreadable)?;
+        if self.system.kind(path) == Some(Kind::File) {
+            return Ok(found);
+        }
+        let mut excluding = None;
+        found.retain(|manifest| {
+            let excluded = self.exclusion(path, manifest);
+            excluding = excluding.take().or(excluded.clone());
+            excluded.is_none()
+        });
+        match (found.is_empty(), excluding) {
+            (true, Some(config)) => Err(LoadError::Path {
+                path: path.to_owned(),
+                reason: format!("every application here is excluded by `exclude` in {config}; name one to check it"),
+            }),
+            _ => Ok(found),
+        }
+    }
+
+    /// The configuration that excludes `manifest` from a search in `asked`. Who names an excluded folder wants it.
+    fn exclusion(&mut self, asked: &Utf8Path, manifest: &Utf8Path) -> Option<Utf8PathBuf> {
+        let folder = manifest.parent()?;
+        let file = self.configuration(folder)?.file(&self.db);
+        let named = folder == asked || file.excludes(asked);
+        (file.excludes(manifest) && !named).then(|| file.path.clone())
+    }
+}
+
+fn unreadable(path: &Utf8Path, reason: &str) -> ConfigError {
+    ConfigError {
+        path: path.to_owned(),
+        text: String::new(),
+        range: 0..0,
+        message: format!("the configuration `{path}` {reason}"),
+        help: String::new(),
+    }
+}
+
+/// Faults of roots that lead to no folder.
+fn missing_folders(system: &dyn System, file: &ConfigFile) -> Vec<ConfigError> {
+    let config = &file.config;
+    let disk = config.disk.iter().map(|disk| ("disk".to_owned(), disk));
+    let others = config.roots.iter().map(|(root, folder)| (format!("roots.{root}"), folder));
+    disk.chain(others)
+        .filter(|(_, folder)| system.kind(&inside(file, folder)) != Some(Kind::Folder))
+        .map(|(key, folder)| {
+            let help = format!("paths count from the folder of this file, `{}`", file.folder());
+            file.fault(&key, format!("there is no folder `{folder}`"), help)
+        })
+        .collect()
+}

@@ -1,0 +1,14 @@
+//! Fixes: what rules need to word them, and how they are applied.
+//!
+//! A fix says which ranges of which files to replace, in the characters of the file. It is *safe* when the program
+//! does the same afterwards or what was plainly meant; otherwise it is a guess that a person looks at.
+
+mod apply;
+mod site;
+mod table;
+#[cfg(test)]
+mod tests;
+
+pub use apply::{Mended, mend};
+pub(crate) use site::{Site, rename};
+pub(crate) use table::{of_problem, of_syntax};

@@ -1,0 +1,143 @@
+//! The place of a fault as the fix of its rule sees it.
+
+use std::borrow::Cow;
+use std::ops::Range;
+
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::parse;
+use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
+
+use crate::diagnostic::{Edit, Fix, Span};
+
+/// A fault in a file.
+#[derive(Clone, Copy)]
+pub(crate) struct Site<'a> {
+    db: &'a dyn Db,
+    file: File,
+    /// What is marked.
+    pub(crate) range: TextRange,
+    /// The other side, in the same file.
+    pub(crate) related: Option<TextRange>,
+}
+
+impl<'a> Site<'a> {
+    /// The fault at `range` of `file`.
+    pub(crate) fn new(db: &'a dyn Db, file: File, range: TextRange, related: Option<TextRange>) -> Self {
+        Self { db, file, range, related }
+    }
+
+    /// What is marked, as it stands in the file.
+    pub(crate) fn text(&self) -> &'a str {
+        self.slice(self.range.start(), self.range.end())
+    }
+
+    /// What stands on the line before the marked text.
+    pub(crate) fn before(&self) -> &'a str {
+        self.slice(self.line_start(self.range.start()), self.range.start())
+    }
+
+    /// What stands on the line behind the marked text.
+    pub(crate) fn behind(&self) -> &'a str {
+        let rest = self.slice(self.range.end(), TextSize::of(self.whole()));
+        rest.split(['\r', '\n']).next().unwrap_or(rest)
+    }
+
+    /// The blanks that the line of `range` starts with.
+    pub(crate) fn indentation(&self, range: TextRange) -> &'a str {
+        let line = self.slice(self.line_start(range.start()), range.end());
+        line.get(..line.len() - line.trim_start().len()).unwrap_or("")
+    }
+
+    /// The marked text, or the part of it on one side of `:` or before `[`, if it is `name`.
+    fn part(&self, name: &str) -> Option<TextRange> {
+        let text = self.text();
+        if decode_entities(text) == name {
+            return Some(self.range);
+        }
+        let len = TextSize::of(name);
+        if text.strip_prefix(name).is_some_and(|rest| rest.starts_with([':', '['])) {
+            return Some(TextRange::at(self.range.start(), len));
+        }
+        let is_last = text.strip_suffix(name).is_some_and(|rest| rest.ends_with(':'));
+        is_last.then(|| TextRange::new(self.range.end() - len, self.range.end()))
+    }
+
+    /// Replaces `range` with `text`, which is escaped where the file asks for it.
+    pub(crate) fn replace(&self, range: TextRange, text: &str) -> Edit {
+        self.write(range, &self.escaped(range.start(), text))
+    }
+
+    /// Replaces `range` with characters of the file, as they are.
+    pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
+        Edit { place: Span { file: self.file, range }, text: text.to_owned() }
+    }
+
+    /// Puts a line of its own before the line of the marked text, or behind the marked place if that is the end of the
+    /// code. `None` where the line does not start in the code.
+    pub(crate) fn insert_line(&self, line: &str) -> Option<Edit> {
+        let start = self.line_start(self.range.start());
+        let line_end = self.line_end_before(start);
+        let (at, text) = if self.range.is_empty() {
+            (self.range.start(), format!("{line_end}{line}"))
+        } else {
+            (start, format!("{line}{line_end}"))
+        };
+        let in_code = self.code().is_some_and(|code| code.contains_inclusive(start));
+        in_code.then(|| self.write(TextRange::empty(at), &text))
+    }
+
+    /// Removes the line of the marked text with its line end.
+    pub(crate) fn remove_line(&self) -> Edit {
+        let end = self.range.end() + TextSize::of(self.behind());
+        let rest = self.slice(end, TextSize::of(self.whole()));
+        let line_end = ["\r\n", "\n", "\r"].into_iter().find(|line_end| rest.starts_with(line_end)).unwrap_or("");
+        self.write(TextRange::new(self.line_start(self.range.start()), end + TextSize::of(line_end)), "")
+    }
+
+    /// The code around the place.
+    fn code(&self) -> Option<TextRange> {
+        let root = parse(self.db, self.file).root();
+        let around = root.covering_element(self.range);
+        let code = around.ancestors().find(|node| node.kind() == SyntaxKind::CODE)?;
+        Some(code.text_range())
+    }
+
+    /// In a CDATA section characters stand for themselves; everywhere else in a file some are escaped.
+    fn escaped<'t>(&self, at: TextSize, text: &'t str) -> Cow<'t, str> {
+        let is_plain = !text.contains(['&', '<', '>', '"']);
+        let before = self.slice(TextSize::new(0), at);
+        if is_plain || before.rfind("<![CDATA[") > before.rfind("]]>") {
+            return Cow::Borrowed(text);
+        }
+        let escaped = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
+        Cow::Owned(escaped.replace('"', "&quot;"))
+    }
+
+    fn line_start(&self, at: TextSize) -> TextSize {
+        let before = self.slice(TextSize::new(0), at);
+        let start = before.rfind(['\r', '\n']).map_or(0, |end| end + 1);
+        at - (TextSize::of(before) - TextSize::of(before.get(..start).unwrap_or("")))
+    }
+
+    /// How the line that ends at `start` ends; a line feed where there is none.
+    fn line_end_before(&self, start: TextSize) -> &'a str {
+        let before = self.slice(TextSize::new(0), start);
+        let ends = ["&#13;\r\n", "&#13;\n", "\r\n", "\r", "\n"];
+        ends.into_iter().find(|end| before.ends_with(end)).unwrap_or("\n")
+    }
+
+    fn slice(&self, start: TextSize, end: TextSize) -> &'a str {
+        self.whole().get(Range::from(TextRange::new(start.min(end), end))).unwrap_or("")
+    }
+
+    fn whole(&self) -> &'a str {
+        self.file.text(self.db)
+    }
+}
+
+/// Writes `near` instead of `name`: a guess.
+pub(crate) fn rename(site: &Site<'_>, name: &str, near: Option<&str>) -> Option<Fix> {
+    let near = near?;
+    let part = site.part(name)?;
+    Some(Fix::guess(format!("write `{near}`"), vec![site.replace(part, near)]))
+}

@@ -1,0 +1,52 @@
+//! Which rule mends which fault; a fault without a line here has no fix.
+
+use val3_analysis::problem::ProblemKind;
+use val3_syntax::error::SyntaxErrorKind;
+
+use super::{Site, rename};
+use crate::diagnostic::Fix;
+use crate::rules::{
+    assignment_in_expression, comment_after_code, duplicate_entry, father_missing, foreign_spelling, missing_begin_end,
+    missing_break, no_effect, program_name_mismatch, unclosed_block, unclosed_bracket, unknown_instruction,
+    unknown_program, unmatched_bracket, xml_text,
+};
+
+/// The fix of a fault of the text.
+pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> {
+    use SyntaxErrorKind as Kind;
+    match kind {
+        Kind::UnknownEntity { text } => xml_text::fix(site, text),
+        Kind::UnclosedBracket { missing } => unclosed_bracket::fix(site, *missing),
+        Kind::UnmatchedBracket { bracket } => unmatched_bracket::fix(site, *bracket),
+        Kind::UnclosedBlock { missing, .. } => unclosed_block::fix(site, missing),
+        Kind::MissingBegin => missing_begin_end::fix(site, "begin"),
+        Kind::MissingEnd => missing_begin_end::fix(site, "end"),
+        Kind::MissingBreak => missing_break::fix(site),
+        Kind::AssignmentInExpression => assignment_in_expression::fix(site),
+        Kind::CommentAfterCode => comment_after_code::fix(site),
+        Kind::ForeignSpelling { instead, .. } => foreign_spelling::fix(site, instead),
+        _ => None,
+    }
+}
+
+/// The fix of a fault that the analysis found.
+pub(crate) fn of_problem(kind: &ProblemKind, site: &Site<'_>) -> Option<Fix> {
+    use ProblemKind as Kind;
+    match kind {
+        Kind::UnknownName { name, near } => rename(site, name, near.as_deref()),
+        Kind::UnknownProgram { name, near, is } => unknown_program::fix(site, name, near.as_deref(), *is),
+        Kind::UnknownInstruction { name, near, is } => unknown_instruction::fix(site, name, near.as_deref(), *is),
+        Kind::UnknownLibrary { alias, near } => rename(site, alias, near.as_deref()),
+        Kind::UnknownType { name, near } => rename(site, name, near.as_deref()),
+        Kind::UnknownField { field, near, .. } => rename(site, field, near.as_deref()),
+        Kind::NoEffect => no_effect::fix(site),
+        Kind::DuplicateEntry { what, .. } => duplicate_entry::fix(site, *what),
+        Kind::ProgramNameMismatch { program, file } => program_name_mismatch::fix(site, program, file),
+        Kind::UnknownValueAttribute { attribute, near, .. } => rename(site, attribute, near.as_deref()),
+        Kind::UnknownUserField { field, near, .. } => rename(site, field, near.as_deref()),
+        Kind::FatherMissing { father, near } => father_missing::fix(site, father, near.as_deref()),
+        Kind::IoLinkUnknown { link, near } => rename(site, link, near.as_deref()),
+        Kind::LibraryItemUnknown { item, near, .. } => rename(site, item, near.as_deref()),
+        _ => None,
+    }
+}

@@ -1,0 +1,167 @@
+//! Which enumerators the fields of positions and motion descriptors hold: `mFast.blend`, `pPick.config.elbow`.
+
+use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
+use smol_str::{SmolStr, format_smolstr};
+use val3_analysis::body::{Constant, Expr, ExprId};
+use val3_analysis::effects::{AccessKind, Root};
+use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
+use val3_analysis::items::initial::{Initial, initial};
+use val3_lang::enumerations::{self, Enumerator};
+use val3_lang::motion::keeps_configuration;
+use val3_lang::types::{AttributeValue, BaseType, attributes};
+
+use super::Program;
+
+/// Fields whose value is certain, written as in code and without indexes: `l_mFast.blend`.
+pub(crate) type Choices = FxHashMap<SmolStr, &'static Enumerator>;
+
+impl Program<'_> {
+    /// What is certain before each point about fields that the program itself sets.
+    pub(crate) fn choices(&self) -> Facts<Rc<Choices>> {
+        let start = self.header.locals.iter().flat_map(|local| {
+            let ty = BaseType::from_file_name(&local.type_name).filter(|_| local.sizes == [1]);
+            let fields = ty.into_iter().flat_map(|(ty, _)| enumerated(ty));
+            fields.filter_map(|(field, ty)| Some((join(&local.name, field), enumerations::values(ty).next()?)))
+        });
+        let step = |id: PointId, point: &Point, before: &Rc<Choices>| self.choices_after(id, point, before);
+        forward(self.flow(), Rc::new(start.collect()), step, |known, other| {
+            let differs = |(field, value): (&SmolStr, &&'static Enumerator)| other.get(field) != Some(value);
+            let news = !Rc::ptr_eq(known, other) && known.iter().any(differs);
+            if news {
+                Rc::make_mut(known).retain(|field, value| other.get(field) == Some(value));
+            }
+            news
+        })
+    }
+
+    /// The value of `field` of the variable `id`, if it is certain: set by this program, or as the data file has it
+    /// where no program ever changes the variable.
+    pub(crate) fn choice(&self, known: &Choices, id: ExprId, field: &str) -> Option<&'static Enumerator> {
+        let id = self.moved_from(id);
+        let set = self.path(id).and_then(|path| known.get(&join(&path, field)).copied());
+        set.or_else(|| {
+            let initial = self.initial(id)?;
+            initial.choices.iter().find(|(name, _)| *name == field).map(|(_, value)| *value)
+        })
+    }
+
+    /// The point that a computed point has its configuration from.
+    fn moved_from(&self, id: ExprId) -> ExprId {
+        let id = self.body.peel(id);
+        let call = self.call_of(id).filter(|call| keeps_configuration(call.instruction));
+        call.and_then(|call| call.args.first().copied()).map_or(id, |point| self.moved_from(point))
+    }
+
+    /// The value that a global variable has as long as the application runs: the one of its data file, if no program
+    /// changes it.
+    pub(crate) fn initial(&self, id: ExprId) -> Option<&Initial> {
+        let id = self.body.peel(id);
+        let (name, key) = match self.body.expr(id) {
+            Expr::Index(base, keys) => (*base, self.key(keys)?),
+            _ => (id, SmolStr::new_static("0")),
+        };
+        let (Expr::Name(name), Root::Data(_)) = (self.body.expr(name), self.effects.root(id)?) else { return None };
+        let item = self.items.data.get(name).filter(|_| self.is_constant(name))?;
+        initial(self.db, item.file).get(name)?.get(&key)
+    }
+
+    /// No program of a sound application changes the data, and it is not offered to others as that of a library is.
+    pub(crate) fn is_constant(&self, name: &str) -> bool {
+        let application = self.application();
+        let users = application.users.get(name).into_iter().flatten();
+        let is_private = self.items.data.get(name).is_some_and(|item| !item.decl.public);
+        application.sound
+            && (is_private || !application.tasks.is_empty())
+            && !users.into_iter().any(|(_, uses)| uses.may_write())
+    }
+
+    fn key(&self, keys: &[ExprId]) -> Option<SmolStr> {
+        let keys: Option<Vec<String>> = keys
+            .iter()
+            .map(|key| match self.body.constant(*key)? {
+                Constant::Number(number) => Some(number.to_string()),
+                Constant::String(text) => Some(text.to_string()),
+                Constant::Bool(_) => None,
+            })
+            .collect();
+        Some(keys?.join(",").into())
+    }
+
+    fn choices_after(&self, id: PointId, point: &Point, before: &Rc<Choices>) -> Rc<Choices> {
+        let writes = self.effects.at(id).iter().any(|access| access.kind != AccessKind::Read);
+        if !writes && !matches!(point.kind, PointKind::Call(_)) {
+            return before.clone();
+        }
+        let mut known = Choices::clone(before);
+        if let PointKind::Call(_) = point.kind {
+            known.retain(|field, _| self.is_own(field));
+        }
+        for access in self.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read) {
+            let written = self.loose_path(access.id);
+            known.retain(|field, _| !is_part(field, &written) && !is_part(&written, field));
+        }
+        if let PointKind::Assign { target, value } = point.kind
+            && let Some(target) = self.path(target)
+        {
+            known.extend(self.assigned(before, &target, value));
+        }
+        Rc::new(known)
+    }
+
+    /// What `target=value` makes certain.
+    fn assigned(&self, before: &Choices, target: &SmolStr, value: ExprId) -> Vec<(SmolStr, &'static Enumerator)> {
+        let Some(ty) = self.inference.ty(value).base.builtin() else { return Vec::new() };
+        if ty.is_enumeration() {
+            let value = match self.body.expr(self.body.peel(value)) {
+                Expr::Name(name) => enumerations::find(name).filter(|found| found.ty == ty),
+                Expr::Field { base, field, .. } => self.choice(before, *base, field),
+                _ => None,
+            };
+            return value.map(|value| (target.clone(), value)).into_iter().collect();
+        }
+        let copied = |(field, _): (&str, BaseType)| Some((join(target, field), self.choice(before, value, field)?));
+        enumerated(ty).filter_map(copied).collect()
+    }
+
+    /// The variable or field as it is written, where no index stands in it.
+    fn path(&self, id: ExprId) -> Option<SmolStr> {
+        let has_index = self.body.within(id).iter().any(|part| matches!(self.body.expr(*part), Expr::Index(..)));
+        (!has_index && self.effects.root(id).is_some()).then(|| self.loose_path(id))
+    }
+
+    /// The variable or field without its indexes.
+    pub(crate) fn loose_path(&self, id: ExprId) -> SmolStr {
+        match self.body.expr(id) {
+            Expr::Name(name) => name.clone(),
+            Expr::Path { library, item } => format_smolstr!("{library}:{item}"),
+            Expr::Field { base, field, .. } => join(&self.loose_path(*base), field),
+            Expr::Index(base, _) | Expr::Paren(base) => self.loose_path(*base),
+            _ => SmolStr::default(),
+        }
+    }
+
+    /// A field of a local variable, which no other program can change.
+    fn is_own(&self, field: &str) -> bool {
+        let name = field.split('.').next().unwrap_or(field);
+        self.header.locals.iter().any(|local| local.name == name)
+    }
+}
+
+/// The enumerated fields of a type, as code writes them behind the variable.
+pub(super) fn enumerated(ty: BaseType) -> impl Iterator<Item = (&'static str, BaseType)> {
+    attributes(ty, None).iter().filter_map(|attribute| match attribute.value {
+        AttributeValue::Choice(choice) => Some((attribute.field, choice)),
+        _ => None,
+    })
+}
+
+fn join(base: &str, field: &str) -> SmolStr {
+    format_smolstr!("{base}.{field}")
+}
+
+/// `part` is `whole` or a field of it.
+fn is_part(part: &str, whole: &str) -> bool {
+    part.strip_prefix(whole).is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+}

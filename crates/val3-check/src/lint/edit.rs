@@ -1,0 +1,105 @@
+//! What fixes need: where the parts of code stand, and how text is spelt in its file.
+
+use std::borrow::Cow;
+
+use val3_analysis::body::ExprId;
+use val3_syntax::{TextRange, TextSize};
+
+use super::Program;
+
+impl Program<'_> {
+    /// Where the operator `op` stands between two operands; `None` if it is spelt with entity references.
+    pub(crate) fn operator(&self, left: ExprId, right: ExprId, op: &str) -> Option<TextRange> {
+        let (start, end) = (self.range(left).end(), self.range(right).start());
+        let between = self.file.text(self.db).get(usize::from(start)..usize::from(end))?;
+        let at = TextSize::try_from(between.find(op)?).ok()?;
+        Some(TextRange::at(start + at, TextSize::try_from(op.len()).ok()?))
+    }
+
+    /// Puts a line of its own before the line on which `range` starts, indented alike.
+    pub(crate) fn line_before(&self, range: TextRange, code: &str) -> (TextRange, String) {
+        let start = self.line_start(range.start());
+        (TextRange::empty(start), format!("{}{}{}", self.indentation(start), self.spelt(code), self.line_end()))
+    }
+
+    /// Puts a line of its own behind a statement that ends with `range`, indented like the line it starts on.
+    pub(crate) fn line_after(&self, range: TextRange, code: &str) -> (TextRange, String) {
+        let start = self.line_start(range.start());
+        (TextRange::empty(range.end()), format!("{}{}{}", self.line_end(), self.indentation(start), self.spelt(code)))
+    }
+
+    fn line_start(&self, at: TextSize) -> TextSize {
+        let before = self.file.text(self.db).get(..usize::from(at)).unwrap_or("");
+        TextSize::try_from(before.rfind('\n').map_or(0, |end| end + 1)).unwrap_or_default()
+    }
+
+    fn indentation(&self, line: TextSize) -> &str {
+        let rest = self.file.text(self.db).get(usize::from(line)..).unwrap_or("");
+        rest.get(..rest.find(|character| !matches!(character, ' ' | '\t')).unwrap_or(0)).unwrap_or("")
+    }
+
+    fn line_end(&self) -> &'static str {
+        if self.file.text(self.db).contains("\r\n") { "\r\n" } else { "\n" }
+    }
+
+    /// Code as the file spells it: with entity references where it is not in a CDATA section.
+    pub(crate) fn spelt<'c>(&self, code: &'c str) -> Cow<'c, str> {
+        if self.file.text(self.db).contains("<![CDATA[") || !code.contains(['<', '>', '&']) {
+            return code.into();
+        }
+        code.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use camino::Utf8PathBuf;
+    use val3_analysis::load::load;
+    use val3_analysis::system::Memory;
+    use val3_test::{Fixture, ROOT};
+
+    use crate::settings::{Selection, WorkspaceSettings};
+    use crate::{check_unit, units};
+
+    /// The code of `start` after the first fix of `rule`.
+    fn fixed(rule: &str, listing: &str, change: impl Fn(String) -> String) -> String {
+        let fixture = Fixture::parse(listing);
+        let files = fixture.files.iter().map(|(path, text)| {
+            let text = if path.ends_with(".pgx") { change(text.clone()) } else { text.clone() };
+            (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.into_bytes())
+        });
+        let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
+        let db = &workspace.db;
+        let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default()).unwrap();
+        let units = units(db, &workspace.projects);
+        let found = units.into_iter().flat_map(|unit| check_unit(db, unit, &settings).findings);
+        let fix =
+            found.filter(|diagnostic| diagnostic.rule.code == rule).find_map(|diagnostic| diagnostic.fix).unwrap();
+        let edit = &fix.edits[0];
+        let mut text = edit.place.file.text(db).to_string();
+        text.replace_range(std::ops::Range::<usize>::from(edit.place.range), &edit.text);
+        let start = text.find("begin").unwrap();
+        text[start..].split("end]]>").next().unwrap().split("\nend").next().unwrap().to_owned()
+    }
+
+    #[test]
+    fn lines_keep_indentation_and_line_ends() {
+        let latch = "dio d\njoint j\nif d==true\n  setLatch(d)\n  wait(getLatch(j))\nendIf";
+        let code = fixed("V0326", latch, |text| text.replace('\n', "\r\n"));
+        let lines: Vec<&str> = code.split("\r\n").collect();
+        let armed = lines.iter().position(|line| line.contains("setLatch")).unwrap();
+        assert_eq!(lines[armed + 1], lines[armed].replace("setLatch(d)", "delay(0)"));
+        let key = "if 1<get()\n  wait(getKey()!=-1)\nendIf";
+        let code = fixed("V0328", key, |text| text);
+        assert!(code.contains("  getKey()\n"), "{code:?}");
+    }
+
+    #[test]
+    fn operators_are_spelt_as_the_file_spells_them() {
+        let plain = fixed("V0232", "wait(getMoveId()==2)", |text| text);
+        assert!(plain.contains("wait(getMoveId()>=2)"), "{plain:?}");
+        let escape = |text: String| text.replace("<![CDATA[", "").replace("]]>", "");
+        let escaped = fixed("V0232", "wait(getMoveId()==2)", escape);
+        assert!(escaped.contains("wait(getMoveId()&gt;=2)"), "{escaped:?}");
+    }
+}

@@ -1,0 +1,80 @@
+//! The way of values through local variables.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_analysis::body::ExprId;
+use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::flow::{Facts, Flow, Point, PointId, backward, forward};
+use val3_lang::instruction::Shape;
+
+use super::Program;
+
+/// A set of local variables, a bit each. Those behind the 128th are not followed: they count as written and read.
+pub(crate) type Locals = u128;
+
+/// What each point does to local variables.
+pub(crate) struct LocalUse {
+    points: Vec<Vec<(Locals, Access)>>,
+}
+
+impl LocalUse {
+    pub(super) fn new(program: &Program<'_>) -> Self {
+        let names = program.header.locals.iter().map(|local| local.name.as_str());
+        let bits: FxHashMap<&str, Locals> = names.zip((0u32..128).map(|bit| 1 << bit)).collect();
+        let bit = |access: &Access| match &access.root {
+            Root::Local(name) => bits.get(name.as_str()).copied(),
+            _ => None,
+        };
+        let mut points = Vec::with_capacity(program.flow().len());
+        if bits.is_empty() {
+            return Self { points };
+        }
+        let measured = measured(program);
+        for (id, _) in program.flow().points() {
+            let accesses = program.effects.at(id).iter().filter(|access| !measured.contains(&access.id));
+            points.push(accesses.filter_map(|access| Some((bit(access)?, access.clone()))).collect());
+        }
+        Self { points }
+    }
+
+    /// What a point does, in the order of evaluation.
+    pub(crate) fn at(&self, point: PointId) -> &[(Locals, Access)] {
+        self.points.get(point.index()).map_or(&[], Vec::as_slice)
+    }
+
+    /// The variables that may have been written before each point.
+    pub(crate) fn written(&self, flow: &Flow) -> Facts<Locals> {
+        let step = |id: PointId, _: &Point, before: &Locals| {
+            let written = self.at(id).iter().filter(|(_, access)| access.kind != AccessKind::Read);
+            written.fold(*before, |all, (bit, _)| all | bit)
+        };
+        forward(flow, 0, step, join)
+    }
+
+    /// The variables whose value may still be used behind each point.
+    pub(crate) fn needed(&self, flow: &Flow) -> Facts<Locals> {
+        let step = |id: PointId, _: &Point, behind: &Locals| {
+            self.at(id).iter().rev().fold(*behind, |needed, (bit, access)| match access.kind {
+                AccessKind::Write => needed & !bit,
+                AccessKind::WritePart => needed,
+                AccessKind::Read | AccessKind::Reference => needed | bit,
+            })
+        };
+        backward(flow, 0, step, join)
+    }
+}
+
+fn join(known: &mut Locals, more: &Locals) -> bool {
+    let before = *known;
+    *known |= more;
+    *known != before
+}
+
+/// Variables whose size or existence is asked for, not their value.
+fn measured(program: &Program<'_>) -> FxHashSet<ExprId> {
+    let is_whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
+    let arguments = program.calls().flat_map(|call| {
+        let params = call.form.into_iter().flat_map(|form| form.params);
+        params.zip(call.args).filter(move |(param, _)| is_whole(param.shape)).map(|(_, arg)| *arg)
+    });
+    arguments.collect()
+}

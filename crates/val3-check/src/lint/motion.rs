@@ -1,0 +1,169 @@
+//! What the arm is doing while the program runs ahead of it.
+
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+use rustc_hash::FxHashMap;
+use val3_analysis::body::ExprId;
+use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
+use val3_lang::enumerations::Enumerator;
+use val3_lang::instruction::Overload;
+use val3_lang::motion::{self, MotionRole};
+
+use super::choices::enumerated;
+use super::{Call, Choices, Program};
+
+/// What is certain about the arm and its moves before each point of a program.
+pub(crate) struct Motion {
+    arm: Facts<ArmState>,
+    /// Found out when somebody asks.
+    choices: OnceCell<Facts<Rc<Choices>>>,
+    /// Where the calls that record moves stand.
+    moves: FxHashMap<ExprId, PointId>,
+}
+
+/// What is certain about the arm, on whatever way the program got here.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct ArmState {
+    /// The call that recorded the last move.
+    pub(crate) last: Option<ExprId>,
+    /// What the arm is doing.
+    pub(crate) phase: Phase,
+}
+
+/// What the arm is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) enum Phase {
+    /// Nothing is certain.
+    #[default]
+    Unknown,
+    /// A move was recorded, and since then the program has waited for nothing.
+    Moving,
+    /// It was stopped by this call, and nothing has let it go on.
+    Stopped(ExprId),
+}
+
+/// A call that has to do with the arm, and what is certain before it.
+pub(crate) struct Step<'db> {
+    pub(crate) call: Call<'db>,
+    pub(crate) role: MotionRole,
+    pub(crate) arm: ArmState,
+}
+
+impl Motion {
+    fn new(program: &Program<'_>) -> Self {
+        let step = |id: PointId, point: &Point, before: &ArmState| program.arm_after(id, point, *before);
+        let arm = forward(program.flow(), ArmState::default(), step, ArmState::join);
+        let mut moves = FxHashMap::default();
+        for (id, _) in program.flow().points() {
+            let calls = program.calls_at(id).iter().filter(|call| is_move(call));
+            moves.extend(calls.map(|call| (call.id, id)));
+        }
+        Self { arm, choices: OnceCell::new(), moves }
+    }
+
+    /// What is certain about the arm before a point.
+    pub(crate) fn arm(&self, point: PointId) -> ArmState {
+        self.arm.before(point).copied().unwrap_or_default()
+    }
+}
+
+impl ArmState {
+    /// Keeps what holds on both ways.
+    fn join(&mut self, other: &Self) -> bool {
+        let before = *self;
+        if self.last != other.last {
+            self.last = None;
+        }
+        if self.phase != other.phase {
+            self.phase = Phase::Unknown;
+        }
+        *self != before
+    }
+
+    fn after(self, call: &Call<'_>) -> Self {
+        let Some(role) = motion::role(call.instruction) else {
+            return if call.instruction.blocking { Self { phase: Phase::Unknown, ..self } } else { self };
+        };
+        let is_stopped = matches!(self.phase, Phase::Stopped(_));
+        match role {
+            MotionRole::Move(_) if is_stopped => Self { last: Some(call.id), ..self },
+            MotionRole::Move(_) => Self { last: Some(call.id), phase: Phase::Moving },
+            MotionRole::Stop => Self { phase: Phase::Stopped(call.id), ..self },
+            MotionRole::Reset => Self::default(),
+            MotionRole::Arrive | MotionRole::Restart => Self { phase: Phase::Unknown, ..self },
+            MotionRole::Progress | MotionRole::Position if is_stopped => self,
+            MotionRole::Progress => Self { phase: Phase::Unknown, ..self },
+            MotionRole::Position => self,
+        }
+    }
+}
+
+fn is_move(call: &Call<'_>) -> bool {
+    matches!(motion::role(call.instruction), Some(MotionRole::Move(_)))
+}
+
+impl<'db> Program<'db> {
+    /// Where the move that `call` records leads.
+    pub(crate) fn target(&self, call: ExprId) -> Option<ExprId> {
+        self.move_argument(call, motion::target)
+    }
+
+    /// The motion descriptor of the move that `call` records.
+    pub(crate) fn descriptor(&self, call: ExprId) -> Option<ExprId> {
+        self.move_argument(call, motion::descriptor)
+    }
+
+    fn move_argument(&self, call: ExprId, position: fn(&Overload) -> Option<usize>) -> Option<ExprId> {
+        let call = self.call_of(call)?;
+        call.args.get(position(call.form?)?).copied()
+    }
+
+    /// The move that `call` records certainly rounds its target.
+    pub(crate) fn is_blended(&self, call: ExprId) -> bool {
+        let descriptor = self.descriptor(call);
+        let choices = descriptor.map(|id| self.choices_of(call, id)).unwrap_or_default();
+        choices.iter().any(|choice| motion::is_blend(choice))
+    }
+
+    /// The certain values of the enumerated fields of `argument`, a variable, at the move that `call` records.
+    pub(crate) fn choices_of(&self, call: ExprId, argument: ExprId) -> Vec<&'static Enumerator> {
+        let known = self.motion().and_then(|motion| {
+            let choices = motion.choices.get_or_init(|| self.choices());
+            choices.before(*motion.moves.get(&call)?)
+        });
+        let ty = self.inference.ty(argument).base.builtin();
+        let (Some(known), Some(ty)) = (known, ty) else { return Vec::new() };
+        enumerated(ty).filter_map(|(field, _)| self.choice(known, argument, field)).collect()
+    }
+
+    /// What is certain about the arm; `None` for a program that has nothing to do with it.
+    pub(crate) fn motion(&self) -> Option<&Motion> {
+        let new = || self.calls().any(|call| motion::role(call.instruction).is_some()).then(|| Motion::new(self));
+        self.motion.get_or_init(new).as_ref()
+    }
+
+    /// Every call that has to do with the arm, with what is certain before it; points that no way reaches left out.
+    pub(crate) fn motion_steps(&self) -> &[Step<'db>] {
+        self.motion_steps.get_or_init(|| self.find_motion_steps())
+    }
+
+    fn find_motion_steps(&self) -> Vec<Step<'db>> {
+        let Some(motion) = self.motion() else { return Vec::new() };
+        let mut steps = Vec::new();
+        for (id, _) in self.flow().points() {
+            let Some(mut arm) = motion.arm.before(id).copied() else { continue };
+            for call in self.calls_at(id) {
+                steps.extend(motion::role(call.instruction).map(|role| Step { call: *call, role, arm }));
+                arm = arm.after(call);
+            }
+        }
+        steps
+    }
+
+    fn arm_after(&self, id: PointId, point: &Point, before: ArmState) -> ArmState {
+        let after = self.calls_at(id).iter().fold(before, |arm, call| arm.after(call));
+        // Whatever the program does with the arm, it is not known here.
+        if matches!(point.kind, PointKind::Call(_)) { ArmState::default() } else { after }
+    }
+}

@@ -1,0 +1,75 @@
+//! How names begin: what the rules on prefixes share.
+
+use smol_str::SmolStr;
+use val3_analysis::db::Db;
+use val3_analysis::ty::Base;
+use val3_config::Options;
+
+use crate::diagnostic::Wording;
+use crate::english::a;
+
+/// The type as code writes it, of no particular arm.
+pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
+    match base {
+        Base::Builtin(base, _) => base.name().into(),
+        other => other.display(db),
+    }
+}
+
+/// What a name of this type should begin with and does not, `scope` before the letters of the type.
+pub(crate) fn lacking(options: &Options, ty: &str, scope: &str, name: &str) -> Option<String> {
+    let letters = options.prefixes.get(ty)?;
+    let prefix = format!("{scope}{letters}");
+    (!begins(name, &prefix)).then_some(prefix)
+}
+
+/// The name begins with the prefix, and the rest is a word of its own: `nCount` and `n2` with `n`, `number` not. The
+/// names `n` and `l_n` are short for one.
+fn begins(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix).is_some_and(|rest| !rest.starts_with(|first: char| first.is_ascii_lowercase()))
+        // What inputs and outputs do is often told with further letters: `diDoor`, `doLamp`, `aiWeight`.
+        || name.strip_prefix(prefix).is_some_and(|rest| {
+            let mut letters = rest.chars();
+            matches!(letters.next(), Some('i' | 'o')) && letters.next().is_some_and(|next| next.is_ascii_uppercase())
+        })
+}
+
+/// Words the finding; `what` says what has the name.
+pub(crate) fn word(options: &Options, ty: &str, name: &str, prefix: &str, what: &str) -> Wording {
+    Wording::new(
+        format!("the name of the {what} `{name}` does not begin with `{prefix}`"),
+        format!("this is {}", a(ty)),
+        format!("call it `{prefix}{}`", capitalised(bare(options, name))),
+    )
+}
+
+/// The name without the letters of any scope and type.
+fn bare<'n>(options: &Options, name: &'n str) -> &'n str {
+    let scopes = [&options.local_prefix, &options.parameter_prefix];
+    let scope = scopes.into_iter().filter(|scope| !scope.is_empty());
+    let name = scope.filter_map(|scope| name.strip_prefix(scope.as_str())).next().unwrap_or(name);
+    let is_word = |rest: &&str| rest.starts_with(|first: char| first.is_ascii_uppercase());
+    let rest = options.prefixes.values().filter_map(|letters| name.strip_prefix(letters.as_str()));
+    rest.filter(is_word).min_by_key(|rest| rest.len()).unwrap_or(name)
+}
+
+fn capitalised(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map(|first| first.to_ascii_uppercase().to_string() + letters.as_str()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::begins;
+
+    #[test]
+    fn a_prefix_ends_before_a_word() {
+        for name in ["nCount", "n", "n2", "n_a"] {
+            assert!(begins(name, "n"), "{name}");
+        }
+        for name in ["number", "N", "xCount", "niece"] {
+            assert!(!begins(name, "n"), "{name}");
+        }
+        assert!(begins("l_nA", "l_n") && begins("doLamp", "d") && !begins("door", "d"));
+    }
+}

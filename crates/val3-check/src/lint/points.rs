@@ -1,0 +1,55 @@
+//! What lints ask about the points of the control-flow graph.
+
+use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
+use val3_analysis::flow::{Point, PointId, PointKind};
+use val3_lang::instruction::Class;
+
+use super::{Call, Program};
+
+impl<'db> Program<'db> {
+    /// The calls of instructions at a point, in the order of evaluation.
+    pub(crate) fn calls_at(&self, id: PointId) -> &[Call<'db>] {
+        let calls =
+            self.calls_by_point.get_or_init(|| self.flow().points().map(|(_, point)| self.calls_in(point)).collect());
+        calls.get(id.index()).map_or(&[], Vec::as_slice)
+    }
+
+    fn calls_in(&self, point: &Point) -> Vec<Call<'db>> {
+        let exprs = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
+        exprs.filter_map(|id| self.call_of(id)).collect()
+    }
+
+    /// A loop that is left by `return` alone: `while true`, `until false`.
+    pub(crate) fn is_endless(&self, condition: ExprId) -> bool {
+        matches!(self.text(condition).trim_matches(['(', ')', ' ']), "true" | "false")
+    }
+
+    /// The condition of a loop that goes round for ever.
+    pub(crate) fn endless_condition(&self, stmt: &Stmt) -> Option<ExprId> {
+        let (condition, round) = match &stmt.kind {
+            StmtKind::While { condition: Some(condition), .. } => (*condition, true),
+            StmtKind::Do { condition: Some(condition), .. } => (*condition, false),
+            _ => return None,
+        };
+        (self.body.constant(condition) == Some(Constant::Bool(round))).then_some(condition)
+    }
+
+    /// Whether the way `branch` of a point can be taken, as far as constant conditions tell.
+    pub(crate) fn is_taken(&self, point: &Point, branch: usize) -> bool {
+        let PointKind::Test { condition: Some(condition), .. } = point.kind else { return true };
+        match self.body.constant(condition) {
+            Some(Constant::Bool(value)) => branch == usize::from(!value),
+            _ => true,
+        }
+    }
+
+    /// An expression that only looks: it waits for nothing and changes nothing, so that asking it twice is the same
+    /// as asking it once.
+    pub(crate) fn is_pure(&self, id: ExprId) -> bool {
+        self.body
+            .within(id)
+            .into_iter()
+            .filter_map(|id| self.call_of(id))
+            .all(|call| !call.instruction.blocking && call.form.is_some_and(|form| form.class == Class::Function))
+    }
+}

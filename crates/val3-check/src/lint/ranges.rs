@@ -1,0 +1,77 @@
+//! Constant arguments beyond what their instruction takes.
+
+use std::fmt::{self, Display};
+use std::ops::Bound;
+
+use val3_analysis::body::ExprId;
+use val3_lang::arguments::{Range, range};
+
+use super::Program;
+
+/// A constant number that its instruction does not take.
+pub(crate) struct OutOfRange {
+    pub(crate) argument: ExprId,
+    pub(crate) callee: &'static str,
+    pub(crate) parameter: &'static str,
+    pub(crate) value: f64,
+    pub(crate) range: &'static Range,
+}
+
+impl OutOfRange {
+    /// What is wrong, in one sentence.
+    pub(crate) fn message(&self) -> String {
+        let Self { callee, parameter, value, range, .. } = self;
+        format!("`{callee}` takes {} for `{parameter}`, not {value}", Spoken(range))
+    }
+}
+
+/// Every constant argument out of its range.
+pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
+    let mut found = Vec::new();
+    for call in program.calls() {
+        let callee = call.instruction.name;
+        for (param, argument) in call.arguments() {
+            let Some(range) = range(callee, param.name) else { continue };
+            let Some(value) = program.body.number(argument).filter(|value| !range.takes(*value)) else { continue };
+            found.push(OutOfRange { argument, callee, parameter: param.name, value, range });
+        }
+    }
+    found
+}
+
+/// A range in words: "1 to 100", "more than 0", "at least 0".
+pub(crate) struct Spoken<'r>(pub(crate) &'r Range);
+
+impl Display for Spoken<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let low = match self.0.low {
+            Bound::Included(low) => Some(format!("at least {low}")),
+            Bound::Excluded(low) => Some(format!("more than {low}")),
+            Bound::Unbounded => None,
+        };
+        let high = match self.0.high {
+            Bound::Included(high) => Some(format!("at most {high}")),
+            Bound::Excluded(high) => Some(format!("less than {high}")),
+            Bound::Unbounded => None,
+        };
+        match (self.0.low, self.0.high) {
+            (Bound::Included(low), Bound::Included(high)) => write!(f, "{low} to {high}"),
+            _ => f.write_str(&low.into_iter().chain(high).collect::<Vec<_>>().join(" and ")),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ranges_are_spoken() {
+        let spoken = |name, parameter| Spoken(range(name, parameter).unwrap()).to_string();
+        assert_eq!(spoken("setTextMode", "nMode"), "0 to 3");
+        assert_eq!(spoken("ln", "nValue"), "more than 0");
+        assert_eq!(spoken("sqrt", "nValue"), "at least 0");
+        assert_eq!(spoken("exp", "nValue"), "less than 709.8");
+        assert_eq!(spoken("interpolateL", "nPosition"), "more than -1 and less than 2");
+    }
+}

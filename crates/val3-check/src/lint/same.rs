@@ -1,0 +1,26 @@
+//! Expressions that yield the same.
+
+use val3_analysis::body::{Expr, ExprId};
+
+use super::Program;
+
+impl Program<'_> {
+    /// Both expressions have the same value if one is asked right after the other: they are written alike and call
+    /// nothing.
+    pub(crate) fn is_same(&self, left: ExprId, right: ExprId) -> bool {
+        self.may_be_same(left, right) && self.body.is_same(left, right) && !self.calls_within(right)
+    }
+
+    /// Decided by the outermost parts alone, so that a long chain of operators is not walked for each of its links.
+    fn may_be_same(&self, left: ExprId, right: ExprId) -> bool {
+        let (left, right) = (self.body.expr(self.body.peel(left)), self.body.expr(self.body.peel(right)));
+        match (left, right) {
+            (Expr::Binary(op, ..), Expr::Binary(other, ..)) => op == other,
+            _ => std::mem::discriminant(left) == std::mem::discriminant(right),
+        }
+    }
+
+    fn calls_within(&self, id: ExprId) -> bool {
+        self.body.within(id).into_iter().any(|part| matches!(self.body.expr(part), Expr::Call(..)))
+    }
+}

@@ -1,0 +1,40 @@
+//! Sizes of arrays that nothing changes.
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::effects::Root;
+use val3_analysis::resizing::is_resized;
+
+use super::Program;
+
+impl Program<'_> {
+    /// The number of values of a one-dimensional array, from a constant index on, where it is certain: that of a local,
+    /// or of private data whose size the application never changes.
+    pub(crate) fn certain_size(&self, id: ExprId) -> Option<u32> {
+        let (array, start) = match self.body.expr(id) {
+            Expr::Index(array, index) => match **index {
+                [index] => (*array, self.body.number(index)?),
+                _ => return None,
+            },
+            _ => (id, 0.0),
+        };
+        let size = self.declared_size(array)?;
+        Some(size.saturating_sub(start.round() as u32))
+    }
+
+    fn declared_size(&self, array: ExprId) -> Option<u32> {
+        let Expr::Name(name) = self.body.expr(array) else { return None };
+        let sizes = match self.effects.root(array)? {
+            Root::Local(_) => &self.header.locals.iter().find(|local| local.name == *name)?.sizes,
+            Root::Data(_) => {
+                let data = &self.items.data.get(name)?.decl;
+                let changes = data.public || is_resized(self.db, self.project, name);
+                Some(&data.sizes).filter(|_| !changes)?
+            }
+            Root::Param(_) | Root::Item(..) => return None,
+        };
+        match **sizes {
+            [size] => Some(size),
+            _ => None,
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Calls of programs, and the statements that create tasks.
+
+use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::items::project::{Param, Signature};
+
+use super::Program;
+
+/// A `taskCreate` or `taskCreateSync`.
+pub(crate) struct TaskCreation<'db> {
+    /// The name of the task.
+    pub(crate) name: ExprId,
+    /// The priority, or the period of a synchronous task.
+    pub(crate) pace: ExprId,
+    /// The variable that tells an overrun of a synchronous task.
+    pub(crate) overrun: Option<ExprId>,
+    /// The program of the task and what it is handed.
+    pub(crate) call: ProgramCall<'db>,
+}
+
+/// A call of a program.
+pub(crate) struct ProgramCall<'db> {
+    /// What the program is handed.
+    args: &'db [ExprId],
+    /// Its parameters, where they are known.
+    signature: Option<&'db Signature>,
+}
+
+impl<'db> ProgramCall<'db> {
+    /// The arguments with their parameters, where those are known.
+    pub(crate) fn arguments(&self) -> impl Iterator<Item = (&'db Param, ExprId)> {
+        let params = self.signature.map_or(&[][..], |signature| &signature.params);
+        params.iter().zip(self.args.iter().copied())
+    }
+}
+
+impl TaskCreation<'_> {
+    pub(crate) fn is_synchronous(&self) -> bool {
+        self.overrun.is_some()
+    }
+}
+
+impl<'db> Program<'db> {
+    /// Every statement that creates a task, in the order of the text.
+    pub(crate) fn task_creations(&self) -> impl Iterator<Item = TaskCreation<'db>> {
+        let statements = self.stmts().iter().copied().filter_map(|stmt| match &stmt.kind {
+            StmtKind::TaskCreate { arguments, .. } => Some(arguments.as_slice()),
+            _ => None,
+        });
+        statements.filter_map(|arguments| self.task_creation(arguments))
+    }
+
+    fn task_creation(&self, arguments: &[ExprId]) -> Option<TaskCreation<'db>> {
+        let (name, pace, overrun, call) = match *arguments {
+            [name, priority, call] => (name, priority, None, call),
+            [name, period, overrun, call] => (name, period, Some(overrun), call),
+            _ => return None,
+        };
+        Some(TaskCreation { name, pace, overrun, call: self.program_call(call)? })
+    }
+
+    /// The call of a program, as `call` and the task statements hold it.
+    pub(crate) fn program_call(&self, call: ExprId) -> Option<ProgramCall<'db>> {
+        let Expr::Call(callee, args) = self.body.expr(call) else { return None };
+        Some(ProgramCall { args, signature: self.effects.program(*callee) })
+    }
+}

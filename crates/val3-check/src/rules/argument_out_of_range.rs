@@ -1,0 +1,112 @@
+//! V0225: a constant argument that stops the task.
+
+use val3_lang::arguments::Beyond;
+
+use crate::diagnostic::Wording;
+use crate::lint::ranges::out_of_range;
+use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
+use crate::rule::rule;
+
+rule! {
+    /// An argument is a constant number that the instruction refuses with a run-time error.
+    ///
+    /// ## Why
+    /// The line stops its task whenever it runs: error 11 for a number that the function is not defined for (3.2.3),
+    /// error 70 for a parameter out of its range. Note that `power` takes no base of 0 or below, whatever the
+    /// exponent.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nRoot
+    ///
+    /// nRoot=sqrt(-2)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nRoot
+    ///
+    /// nRoot=-sqrt(2)
+    /// ```
+    V0225 "argument-out-of-range" Error, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for fault in out_of_range(program) {
+        if let Beyond::Fails(number) = fault.range.beyond {
+            let wording = Wording::new(fault.message(), runtime_error(number), "");
+            found.report(&RULE, program.range(fault.argument), wording);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn functions_that_are_not_defined() {
+        expect![[r#"
+            start.pgx:5 `-1` `sqrt` takes at least 0 for `nValue`, not -1
+              | run-time error 11: invalid numeric value
+            start.pgx:6 `1.5` `asin` takes -1 to 1 for `nValue`, not 1.5
+              | run-time error 11: invalid numeric value
+            start.pgx:7 `-2` `acos` takes -1 to 1 for `nValue`, not -2
+              | run-time error 11: invalid numeric value
+            start.pgx:8 `0` `ln` takes more than 0 for `nValue`, not 0
+              | run-time error 11: invalid numeric value
+            start.pgx:9 `-1` `log` takes more than 0 for `nValue`, not -1
+              | run-time error 11: invalid numeric value
+            start.pgx:10 `-2` `power` takes more than 0 for `nX`, not -2
+              | run-time error 11: invalid numeric value
+            start.pgx:11 `1000` `exp` takes less than 709.8 for `nValue`, not 1000
+              | run-time error 11: invalid numeric value
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num n\nn=sqrt(-1)\nn=asin(1.5)\nn=acos(-2)\nn=ln(0)\nn=log(-1)\nn=power(-2,3)\nn=exp(1000)",
+        ));
+        assert_eq!(check(&RULE, "num n\nn=sqrt(0)\nn=asin(1)\nn=acos(-1)\nn=ln(0.1)\nn=power(2,-3)\nn=exp(700)"), "");
+    }
+
+    #[test]
+    fn parameters_out_of_range() {
+        expect![[r#"
+            start.pgx:5 `-1` `left` takes at least 0 for `nSize`, not -1
+              | run-time error 70: invalid parameter
+            start.pgx:6 `-1` `mid` takes at least 0 for `nPosition`, not -1
+              | run-time error 70: invalid parameter
+            start.pgx:7 `-1` `insert` takes at least 0 for `nPosition`, not -1
+              | run-time error 70: invalid parameter
+            start.pgx:8 `4` `setTextMode` takes 0 to 3 for `nMode`, not 4
+              | run-time error 70: invalid parameter
+            start.pgx:9 `2` `interpolateL` takes more than -1 and less than 2 for `nPosition`, not 2
+              | run-time error 70: invalid parameter
+            start.pgx:10 `1001` `movejf` takes -1000 to 1000 for `nForce`, not 1001
+              | run-time error 70: invalid parameter
+            start.pgx:11 `4` `resize` takes 1 to 3 for `nDimension`, not 4
+              | run-time error 70: invalid parameter
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "string s\ntrsf t\nnum n\njoint j\ntool tT\nmdesc m\ns=left(s,-1)\ns=mid(s,2,-1)\ns=insert(s,\"a\",-1)\n\
+             setTextMode(4)\nt=interpolateL(t,t,2)\nmovejf(j,tT,m,1001)\nresize(n,4,1)",
+        ));
+        assert_eq!(
+            check(
+                &RULE,
+                "string s\ntrsf t\ns=left(s,0)\nsetTextMode(3)\nt=interpolateL(t,t,1.9)\nt=interpolateC(t,t,t,-0.9)"
+            ),
+            ""
+        );
+    }
+
+    #[test]
+    fn only_constants_are_known() {
+        assert_eq!(check(&RULE, "num n\nn=sqrt(n-1)"), "");
+    }
+}

@@ -1,0 +1,123 @@
+//! V0234: a whole array where one value is taken.
+
+use val3_analysis::body::{ExprId, StmtKind};
+use val3_analysis::effects::Root;
+use val3_lang::types::Container;
+use val3_syntax::TextRange;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A program is called with an array of several values where it takes a single one.
+    ///
+    /// ## Why
+    /// A container is never passed by value (2.6). Where one value is wanted, the name of a one-dimensional array stands
+    /// for its value with index 0, and the others are silently left out. Write `[0]` if the first one is meant.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nTimes[10]
+    ///
+    /// call show(nTimes)
+    ///
+    /// program show(num x_nTime)
+    /// begin
+    ///   put(x_nTime)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nTimes[10]
+    ///
+    /// call show(nTimes[0])
+    ///
+    /// program show(num x_nTime)
+    /// begin
+    ///   put(x_nTime)
+    /// end
+    /// ```
+    V0234 "array-without-index" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let calls = program.stmts().iter().copied().filter_map(|stmt| match stmt.kind {
+        StmtKind::Call(call) => program.program_call(call),
+        _ => None,
+    });
+    let tasks = program.task_creations().map(|task| task.call);
+    for call in calls.chain(tasks) {
+        for (param, argument) in call.arguments() {
+            if param.container == Container::Element && !param.loose && is_array(program, argument) {
+                let name = program.text(argument);
+                let edit = (TextRange::empty(program.range(program.body.peel(argument)).end()), "[0]".to_owned());
+                found.report(&RULE, program.range(argument), word(name, &param.name)).fix(
+                    format!("write `{name}[0]`"),
+                    true,
+                    vec![edit],
+                );
+            }
+        }
+    }
+}
+
+/// A variable that was declared with several values. Parameters are not reported: many programs hand an element over
+/// as an array.
+fn is_array(program: &Program<'_>, id: ExprId) -> bool {
+    let ty = program.inference.ty(id);
+    let is_param = matches!(program.effects.root(id), Some(Root::Param(_)));
+    matches!(ty.container, Container::Array { .. }) && !ty.is_unknown() && !is_param
+}
+
+fn word(name: &str, parameter: &str) -> Wording {
+    Wording::new(
+        format!("`{name}` is an array, but the parameter `{parameter}` takes its first value only"),
+        format!("means `{name}[0]`"),
+        "write the index that is meant",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn arrays_as_values() {
+        expect![[r#"
+            start.pgx:5 `nA` `nA` is an array, but the parameter `x` takes its first value only
+              | means `nA[0]`
+              ? write the index that is meant
+              ! write `nA[0]`
+            start.pgx:6 `nA` `nA` is an array, but the parameter `x` takes its first value only
+              | means `nA[0]`
+              ? write the index that is meant
+              ! write `nA[0]`
+            start.pgx:7 `nA` `nA` is an array, but the parameter `x` takes its first value only
+              | means `nA[0]`
+              ? write the index that is meant
+              ! write `nA[0]`
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num nA[3]\ncall p(nA)\ncall q(nA)\ntaskCreate \"t\",1,p(nA)\n\
+             program p(num x)\nbegin\nput(x)\nend\nprogram q(num& x)\nbegin\nx=1\nend",
+        ));
+    }
+
+    #[test]
+    fn arrays_as_a_whole_and_single_values() {
+        assert_eq!(
+            check(
+                &RULE,
+                "num nA[3]\nnum n\nn=size(nA)\nn=nA[1]\nput(n)\ncall p(nA)\nresize(nA,1,4)\n\
+                 program p(num& x[])\nnum l\nbegin\nl=x[0]\nput(l)\nend"
+            ),
+            ""
+        );
+    }
+}

@@ -1,0 +1,89 @@
+//! V0720: a run-time error as a number.
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_lang::instructions::TASK_STATUS;
+use val3_lang::operators::BinaryOp;
+use val3_lang::runtime_errors::{RUNTIME_ERRORS, RuntimeError};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The number of a run-time error stands in the code.
+    ///
+    /// ## Why
+    /// Nobody knows that 20 is an index that is too large. Data with a name says it wherever it is used. Only
+    /// comparisons with the status of a task are looked at; -1, 0 and 1 are no errors. This is a convention of a shop,
+    /// and off unless it is asked for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// if taskStatus("robot")==20
+    ///   putln("index")
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nErrIndex = 20
+    ///
+    /// if taskStatus("robot")==nErrIndex
+    ///   putln("index")
+    /// endIf
+    /// ```
+    V0720 "bare-error-number" Info off, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for (_, expr, _) in program.body.exprs() {
+        let Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) = expr else { continue };
+        if let Some(error) = error(program, *right).filter(|_| is_status(program, *left)) {
+            found.report(&RULE, program.range(*right), word(error));
+        }
+    }
+}
+
+fn is_status(program: &Program<'_>, id: ExprId) -> bool {
+    let Expr::Call(callee, _) = program.body.expr(program.body.peel(id)) else { return false };
+    matches!(program.body.expr(*callee), Expr::Name(name) if name == TASK_STATUS)
+}
+
+fn error(program: &Program<'_>, id: ExprId) -> Option<&'static RuntimeError> {
+    let number = program.body.number(id)?;
+    RUNTIME_ERRORS.iter().find(|row| f64::from(row.number) == number)
+}
+
+fn word(error: &RuntimeError) -> Wording {
+    Wording::new(
+        format!("{} is a run-time error: {}", error.number, error.short),
+        error.short,
+        "give the number a name: data of its own",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn compared_with_a_status() {
+        expect![[r#"
+            start.pgx:5 `20` 20 is a run-time error: index too large
+              | index too large
+              ? give the number a name: data of its own
+            start.pgx:6 `30` 30 is a run-time error: no such task
+              | no such task
+              ? give the number a name: data of its own
+        "#]]
+        .assert_eq(&check(&RULE, "if taskStatus(\"a\")==20\nelseIf (taskStatus(\"a\"))!=30\nendIf"));
+    }
+
+    #[test]
+    fn states_and_other_numbers() {
+        assert_eq!(check(&RULE, "num nA\nif taskStatus(\"a\")==-1 or taskStatus(\"a\")==1 or nA==20\nendIf"), "");
+    }
+}

@@ -1,0 +1,112 @@
+//! V0241: more numbers or bytes than an array holds.
+
+use val3_analysis::body::ExprId;
+use val3_lang::arguments::bytes;
+use val3_lang::instructions::{FROM_BINARY, TO_BINARY};
+use val3_lang::runtime_errors::INVALID_PARAMETER;
+
+use crate::diagnostic::Wording;
+use crate::english::count;
+use crate::lint::{Findings, Program};
+use crate::phrase::runtime_error;
+use crate::rule::rule;
+
+rule! {
+    /// `toBinary` or `fromBinary` needs more room than an array has.
+    ///
+    /// ## Why
+    /// Both check before they begin: more values asked for than the first array has, or too small an array for the
+    /// result, is run-time error 70 (3.3.3). Each number takes as many bytes as its format says: `8.0b` takes eight.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nPose[6]
+    /// num nBytes[24]
+    ///
+    /// toBinary(nPose,6,"8.0b",nBytes)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nPose[6]
+    /// num nBytes[48]
+    ///
+    /// toBinary(nPose,6,"8.0b",nBytes)
+    /// ```
+    V0241 "binary-size" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for (instruction, encodes) in [(TO_BINARY, true), (FROM_BINARY, false)] {
+        for call in program.calls_of(instruction) {
+            let [source, number, format, target] = *call.args else { continue };
+            let Some(number) = program.body.number(number).filter(|number| *number > 0.0) else { continue };
+            let Some(bytes) = program.body.string(format).and_then(|format| bytes(&format)).map(f64::from) else {
+                continue;
+            };
+            let results = if encodes { number * bytes } else { (number / bytes).floor() };
+            check_array(program, source, number, encodes.then_some(bytes), found);
+            check_array(program, target, results, None, found);
+        }
+    }
+}
+
+/// `bytes`: those of each value, where the number counts values but is often thought to count bytes.
+fn check_array(program: &Program<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
+    let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) else { return };
+    let counts_bytes = bytes.is_some_and(|bytes| needed == bytes * f64::from(size));
+    found.report(&RULE, program.range(array), word(program.text(array), size, needed, counts_bytes));
+}
+
+fn word(array: &str, size: u32, needed: f64, counts_bytes: bool) -> Wording {
+    let help = if counts_bytes { "the number counts values, not bytes" } else { "" };
+    Wording::new(
+        format!("`{array}` has {}, but {needed} are needed", count(size as usize, "value")),
+        runtime_error(INVALID_PARAMETER),
+        help,
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn too_small() {
+        expect![[r#"
+            start.pgx:5 `nB` `nB` has 8 values, but 16 are needed
+              | run-time error 70: invalid parameter
+            start.pgx:6 `nB[7]` `nB[7]` has 1 value, but 2 are needed
+              | run-time error 70: invalid parameter
+              ? the number counts values, not bytes
+            start.pgx:7 `nA` `nA` has 6 values, but 7 are needed
+              | run-time error 70: invalid parameter
+            start.pgx:8 `nB[2]` `nB[2]` has 6 values, but 7 are needed
+              | run-time error 70: invalid parameter
+            start.pgx:8 `nA` `nA` has 6 values, but 7 are needed
+              | run-time error 70: invalid parameter
+            start.pgx:9 `nA[5]` `nA[5]` has 1 value, but 2 are needed
+              | run-time error 70: invalid parameter
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\ntoBinary(nB[7],2,\"2l\",nB)\ntoBinary(nA,7,\"1\",nB)\n\
+             fromBinary(nB[2],7,\"1\",nA)\nfromBinary(nB,8,\"4l\",nA[5])",
+        ));
+    }
+
+    #[test]
+    fn large_enough_or_not_known() {
+        assert_eq!(
+            check(
+                &RULE,
+                "num nA[6]\nnum nB[8]\nnum nC[1]\nnum n\npublic num nD[1]\ntoBinary(nA,1,\"8.0b\",nB)\ntoBinary(nA,n,\"1\",nB)\n\
+                 fromBinary(nB,8,\"4l\",nA[4])\nresize(nC,1,n)\nfromBinary(nC,8,\"1\",nB)\ntoBinary(nA,6,\"1\",nD)"
+            ),
+            ""
+        );
+    }
+}

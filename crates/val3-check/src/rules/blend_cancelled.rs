@@ -1,0 +1,117 @@
+//! V0403: a tool is opened or closed where the move before it was to be rounded.
+
+use val3_lang::motion::MotionRole;
+use val3_lang::types::BaseType;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Phase, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A tool is opened or closed behind a move whose descriptor asks for a rounded corner.
+    ///
+    /// ## Why
+    /// `open` and `close` wait until the arm has arrived, so the arm stops at the target and the corner is not
+    /// rounded (9.5.4, 10.1.2.2). A descriptor with `blend=off` says what really happens, and keeps it so when the
+    /// tool is one day switched elsewhere.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// point pPick
+    /// tool tGripper
+    ///
+    /// program start()
+    ///   mdesc l_mFast
+    /// begin
+    ///   l_mFast.blend=joint
+    ///   movel(pPick,tGripper,l_mFast)
+    ///   close(tGripper)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pPick
+    /// tool tGripper
+    ///
+    /// program start()
+    ///   mdesc l_mSlow
+    /// begin
+    ///   l_mSlow.blend=off
+    ///   movel(pPick,tGripper,l_mSlow)
+    ///   close(tGripper)
+    /// end
+    /// ```
+    V0403 "blend-cancelled" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for step in program.motion_steps() {
+        let is_tool = |id| program.inference.ty(id).base.builtin() == Some(BaseType::Tool);
+        let (MotionRole::Arrive, Phase::Moving, Some(last)) = (step.role, step.arm.phase, step.arm.last) else {
+            continue;
+        };
+        if step.call.args.iter().copied().any(is_tool) && program.is_blended(last) {
+            let descriptor = program.descriptor(last).unwrap_or(last);
+            found
+                .report(&RULE, program.range(step.call.id), word(step.call.instruction.name))
+                .related(program.range(descriptor), "this descriptor asks for a rounded corner");
+        }
+    }
+}
+
+fn word(instruction: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` waits for the arm, so the corner of the move before is not rounded"),
+        "the arm stops here",
+        "pass that move a descriptor with `blend` off",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        format!(
+            "point pA\ntool tA\nmdesc mA\nbool bA\n\nprogram start()\n  mdesc l_m\nbegin\n{code}\nend\n\n\
+             program other()\nbegin\nend"
+        )
+    }
+
+    #[test]
+    fn a_rounded_corner_at_the_tool() {
+        expect![[r#"
+            start.pgx:10 `open(tA)` `open` waits for the arm, so the corner of the move before is not rounded
+              | the arm stops here
+              ? pass that move a descriptor with `blend` off
+              > start.pgx:9 `mA` this descriptor asks for a rounded corner
+        "#]]
+        .assert_eq(&check(&RULE, &program("mA.blend=Cartesian\nmovel(pA,tA,mA)\nopen(tA)")));
+        expect![[r#"
+            start.pgx:11 `close(tA)` `close` waits for the arm, so the corner of the move before is not rounded
+              | the arm stops here
+              ? pass that move a descriptor with `blend` off
+              > start.pgx:10 `l_m` this descriptor asks for a rounded corner
+        "#]]
+        .assert_eq(&check(&RULE, &program("l_m=mA\nl_m.blend=joint\nmovel(pA,tA,l_m)\nclose(tA)")));
+    }
+
+    #[test]
+    fn no_corner_to_round() {
+        let lines = [
+            "mA.blend=off\nmovel(pA,tA,mA)\nopen(tA)",
+            "mA.blend=joint\nmovel(pA,tA,mA)\nwaitEndMove()",
+            "mA.blend=joint\nmovel(pA,tA,mA)\nwaitEndMove()\nopen(tA)",
+            "mA.blend=joint\ncall other()\nmovel(pA,tA,mA)\nopen(tA)",
+            "mA.blend=joint\nif bA\nmA.blend=off\nendIf\nmovel(pA,tA,mA)\nopen(tA)",
+            "mA.blend=joint\nmovel(pA,tA,mA)\ncall other()\nopen(tA)",
+        ];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(line)), "", "{line}");
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! V0309: an empty loop that waits for something.
+
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_lang::instructions::WAIT;
+use val3_lang::operators::{BinaryOp, UnaryOp};
+use val3_syntax::TextRange;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A loop without a line in it asks its condition over and over until something else changes it.
+    ///
+    /// ## Why
+    /// The loop takes all the time it can get from the other tasks, among them the one it waits for. The instruction
+    /// `wait` asks once a turn and lets the others run.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// dio diPart
+    ///
+    /// while diPart==false
+    /// endWhile
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// dio diPart
+    ///
+    /// wait(diPart==true)
+    /// ```
+    V0309 "busy-wait" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let (condition, is_while) = match &stmt.kind {
+            StmtKind::While { condition: Some(condition), block } if block.is_empty() => (*condition, true),
+            StmtKind::Do { block, condition: Some(condition) } if block.is_empty() => (*condition, false),
+            _ => continue,
+        };
+        if program.body.constant(condition).is_some() || !program.is_pure(condition) {
+            continue;
+        }
+        let edits = edits(program, stmt, condition, is_while);
+        let reported = found.report(&RULE, program.range(condition), word());
+        if let Some(edits) = edits {
+            reported.fix("wait for it", true, edits);
+        }
+    }
+}
+
+/// What makes the loop a `wait`; nothing where a comment would be lost.
+fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Option<Vec<(TextRange, String)>> {
+    let condition = program.body.peel(condition);
+    let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
+    let (kept, open, close) = match negation {
+        Negation::Of(operand) => (program.body.peel(operand), "", ""),
+        Negation::Flipped(_) => (condition, "", ""),
+        Negation::Around => (condition, "!(", ")"),
+    };
+    let kept = program.range(kept);
+    let before = TextRange::new(stmt.range.start(), kept.start());
+    let behind = TextRange::new(kept.end(), stmt.range.end());
+    let has_comment = [before, behind].into_iter().any(|range| program.slice(range).contains("//"));
+    let flip = if let Negation::Flipped(edit) = negation { Some(edit) } else { None };
+    let edits = [Some((before, format!("{WAIT}({open}"))), flip, Some((behind, format!("{close})")))];
+    (!has_comment).then(|| edits.into_iter().flatten().collect())
+}
+
+/// How a condition is turned round.
+enum Negation {
+    /// It is the opposite of this one.
+    Of(ExprId),
+    /// Its operator becomes the other one.
+    Flipped((TextRange, String)),
+    /// With `!` before brackets around it.
+    Around,
+}
+
+fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
+    let flipped = |left, right, from, to: &str| {
+        let operator = program.operator(left, right, from);
+        operator.map_or(Negation::Around, |range| Negation::Flipped((range, to.to_owned())))
+    };
+    match program.body.expr(condition) {
+        Expr::Unary(UnaryOp::Not, operand) => Negation::Of(*operand),
+        Expr::Binary(BinaryOp::Equal, left, right) => flipped(*left, *right, "==", "!="),
+        Expr::Binary(BinaryOp::NotEqual, left, right) => flipped(*left, *right, "!=", "=="),
+        _ => Negation::Around,
+    }
+}
+
+fn word() -> Wording {
+    Wording::new(
+        "this empty loop waits, and takes time from what it waits for",
+        "asked over and over",
+        "use `wait(…)`, or `watch(…)` with a time limit",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::fixed::fixed;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn empty_loops() {
+        expect![[r#"
+            start.pgx:5 `d==false` this empty loop waits, and takes time from what it waits for
+              | asked over and over
+              ? use `wait(…)`, or `watch(…)` with a time limit
+              ! wait for it
+            start.pgx:9 `(d)` this empty loop waits, and takes time from what it waits for
+              | asked over and over
+              ? use `wait(…)`, or `watch(…)` with a time limit
+              ! wait for it
+            start.pgx:10 `!(d)` this empty loop waits, and takes time from what it waits for
+              | asked over and over
+              ? use `wait(…)`, or `watch(…)` with a time limit
+              ! wait for it
+        "#]]
+        .assert_eq(&check(&RULE, "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile"));
+    }
+
+    #[test]
+    fn the_fix_waits() {
+        expect![[r#"
+            wait(d!=false)
+            wait(d)
+            wait(d)
+            wait(!(d and d))
+            put(1)
+            end"#]]
+        .assert_eq(&fixed(
+            &RULE,
+            "dio d\nwhile d==false\n\nendWhile\ndo\nuntil (d)\nwhile !(d)\nendWhile\nwhile d and d\nendWhile\nput(1)",
+        ));
+    }
+
+    #[test]
+    fn a_comment_is_kept() {
+        expect![[r#"
+            start.pgx:5 `d` this empty loop waits, and takes time from what it waits for
+              | asked over and over
+              ? use `wait(…)`, or `watch(…)` with a time limit
+        "#]]
+        .assert_eq(&check(&RULE, "dio d\nwhile d\n// until it closes\nendWhile"));
+    }
+
+    #[test]
+    fn loops_that_do_something() {
+        assert_eq!(check(&RULE, "dio d\nwhile d\ndelay(0)\nendWhile"), "");
+        assert_eq!(
+            check(&RULE, "while getKey()!=-1\nendWhile\nwhile watch(false,1)\nendWhile\ndo\nuntil get()==270"),
+            ""
+        );
+    }
+}

@@ -1,0 +1,103 @@
+//! V0404: a compliant move behind a move that was to be rounded.
+
+use val3_lang::motion::{MotionRole, Path, role};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Phase, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A compliant move follows a move whose descriptor asks for a rounded corner.
+    ///
+    /// ## Why
+    /// The arm stops at both ends of a compliant move (11.1.4), so the corner is not rounded. The move before should
+    /// say so with `blend=off`.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// point pAbove
+    /// point pInside
+    /// tool tGripper
+    ///
+    /// program start()
+    ///   mdesc l_mSlow
+    /// begin
+    ///   l_mSlow.blend=Cartesian
+    ///   movel(pAbove,tGripper,l_mSlow)
+    ///   movelf(pInside,tGripper,l_mSlow,20)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pAbove
+    /// point pInside
+    /// tool tGripper
+    ///
+    /// program start()
+    ///   mdesc l_mSlow
+    /// begin
+    ///   l_mSlow.blend=off
+    ///   movel(pAbove,tGripper,l_mSlow)
+    ///   movelf(pInside,tGripper,l_mSlow,20)
+    /// end
+    /// ```
+    V0404 "compliant-after-blend" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let role_of = |call| program.call_of(call).and_then(|call| role(call.instruction));
+    for step in program.motion_steps() {
+        let compliant = MotionRole::Move(Path::Compliant);
+        let is_compliant = step.role == compliant && step.arm.phase == Phase::Moving;
+        let Some(last) =
+            step.arm.last.filter(|last| is_compliant && role_of(*last) != Some(compliant) && program.is_blended(*last))
+        else {
+            continue;
+        };
+        let descriptor = program.descriptor(last).unwrap_or(last);
+        found
+            .report(&RULE, program.range(step.call.callee), word(step.call.instruction.name))
+            .related(program.range(descriptor), "this descriptor asks for a rounded corner");
+    }
+}
+
+fn word(instruction: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` starts from a standstill, so the corner of the move before is not rounded"),
+        "the arm stops before this move",
+        "pass the move before a descriptor with `blend` off",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        format!("point pA\njoint jA\ntool tA\nmdesc mA\n\n{code}")
+    }
+
+    #[test]
+    fn behind_a_rounded_corner() {
+        expect![[r#"
+            start.pgx:8 `movejf` `movejf` starts from a standstill, so the corner of the move before is not rounded
+              | the arm stops before this move
+              ? pass the move before a descriptor with `blend` off
+              > start.pgx:7 `mA` this descriptor asks for a rounded corner
+        "#]]
+        .assert_eq(&check(&RULE, &program("mA.blend=joint\nmovej(pA,tA,mA)\nmovejf(jA,tA,mA,0)\nmovelf(pA,tA,mA,0)")));
+    }
+
+    #[test]
+    fn behind_a_stop() {
+        for between in
+            ["mA.blend=off\nmovej(pA,tA,mA)", "movej(pA,tA,mA)", "mA.blend=joint\nmovej(pA,tA,mA)\nwaitEndMove()"]
+        {
+            assert_eq!(check(&RULE, &program(&format!("{between}\nmovelf(pA,tA,mA,0)"))), "", "{between}");
+        }
+    }
+}

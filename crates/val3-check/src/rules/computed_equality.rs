@@ -1,0 +1,115 @@
+//! V0233: a computed number tested for equality.
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_lang::operators::{BinaryOp, UnaryOp};
+use val3_lang::results::is_rounded;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A number that was computed with fractions is compared with `==` or `!=`.
+    ///
+    /// ## Why
+    /// Numbers have about 14 digits (3.2.1). What comes out of a division, a root, an angle or a clock is rounded
+    /// somewhere behind, so that two ways to the same number rarely meet exactly: compare within a tolerance. Counters
+    /// and other whole numbers are exact and not reported.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nAngle
+    ///
+    /// if cos(nAngle)==0
+    ///   putln("upright")
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nAngle
+    ///
+    /// if abs(cos(nAngle))<1e-10
+    ///   putln("upright")
+    /// endIf
+    /// ```
+    V0233 "computed-equality" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for (_, expr, range) in program.body.exprs() {
+        let Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) = expr else { continue };
+        if let Some(side) = [*left, *right].into_iter().find(|side| is_inexact(program, *side)) {
+            found.report(&RULE, range, word(op.symbol(), program.text(side)));
+        }
+    }
+}
+
+/// The number is rounded; one that the code states as it stands is exact.
+fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
+    let is_inexact = |id: &ExprId| is_inexact(program, *id);
+    match program.body.expr(id) {
+        _ if program.body.number(id).is_some() => false,
+        Expr::Paren(inner) | Expr::Unary(UnaryOp::Negate, inner) => is_inexact(inner),
+        Expr::Binary(BinaryOp::Divide, _, divisor) => !halves(program, *divisor),
+        Expr::Binary(BinaryOp::Add | BinaryOp::Subtract | BinaryOp::Multiply, left, right) => {
+            [left, right].into_iter().any(|side| is_inexact(side) || is_fraction(program, *side))
+        }
+        Expr::Call(callee, _) => matches!(program.body.expr(*callee), Expr::Name(name) if is_rounded(name)),
+        _ => false,
+    }
+}
+
+/// A division by 2, 4, 8 … loses nothing.
+fn halves(program: &Program<'_>, divisor: ExprId) -> bool {
+    program.body.number(divisor).is_some_and(|number| number.abs() >= 1.0 && number.abs().log2().fract() == 0.0)
+}
+
+/// A constant such as 0.1, which has no end in binary.
+fn is_fraction(program: &Program<'_>, id: ExprId) -> bool {
+    const BINARY_PLACES: f64 = 1024.0;
+    program.body.number(id).is_some_and(|number| (number * BINARY_PLACES).fract() != 0.0)
+}
+
+fn word(op: &str, side: &str) -> Wording {
+    Wording::new(
+        format!("`{op}` compares `{side}`, which is rounded"),
+        "two such numbers rarely meet exactly",
+        "compare the difference: `abs(…-…)<1e-6`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn rounded_numbers() {
+        expect![[r#"
+            start.pgx:5 `n/3==1` `==` compares `n/3`, which is rounded
+              | two such numbers rarely meet exactly
+              ? compare the difference: `abs(…-…)<1e-6`
+            start.pgx:6 `sqrt(n)!=2` `!=` compares `sqrt(n)`, which is rounded
+              | two such numbers rarely meet exactly
+              ? compare the difference: `abs(…-…)<1e-6`
+            start.pgx:7 `1==(n*0.1)` `==` compares `(n*0.1)`, which is rounded
+              | two such numbers rarely meet exactly
+              ? compare the difference: `abs(…-…)<1e-6`
+            start.pgx:8 `clock()-n==2` `==` compares `clock()-n`, which is rounded
+              | two such numbers rarely meet exactly
+              ? compare the difference: `abs(…-…)<1e-6`
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nbool b\nb=n/3==1\nb=sqrt(n)!=2\nb=1==(n*0.1)\nb=clock()-n==2"));
+    }
+
+    #[test]
+    fn exact_numbers() {
+        assert_eq!(
+            check(&RULE, "num n\nbool b\nb=n==0.1\nb=n%2==1\nb=n/2==4\nb=n+1!=3\nb=round(n/3)==1\nb=n*0.5==1\nb=n/3>1"),
+            ""
+        );
+    }
+}

@@ -1,0 +1,169 @@
+//! V0405: a straight move that would have to change the configuration of the arm.
+
+use val3_analysis::body::ExprId;
+use val3_lang::enumerations::Enumerator;
+use val3_lang::motion::{MotionRole, Path, is_definite};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A line or circle leads to a point that asks for another configuration than the point before.
+    ///
+    /// ## Why
+    /// On its way from one configuration to another the arm passes through positions that lie on no line or circle
+    /// of the tool, so the move cannot be done (10.1.4.2): the task stops with a run-time error, at this move or at
+    /// a later one. Only a joint move changes the configuration.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// point pLeft
+    /// point pRight
+    /// tool tGripper
+    /// mdesc mFast
+    ///
+    /// pLeft.config.shoulder=lefty
+    /// pRight.config.shoulder=righty
+    /// movej(pLeft,tGripper,mFast)
+    /// movel(pRight,tGripper,mFast)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pLeft
+    /// point pRight
+    /// tool tGripper
+    /// mdesc mFast
+    ///
+    /// pLeft.config.shoulder=lefty
+    /// pRight.config.shoulder=righty
+    /// movej(pLeft,tGripper,mFast)
+    /// movej(pRight,tGripper,mFast)
+    /// ```
+    V0405 "configuration-change" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for step in program.motion_steps() {
+        if step.role != MotionRole::Move(Path::Cartesian) {
+            continue;
+        }
+        let (Some(last), Some(target)) = (step.arm.last, program.target(step.call.id)) else { continue };
+        let wanted = definite(program, step.call.id);
+        let change = definite(program, last).into_iter().find_map(|from| Some((from, other(&wanted, from)?)));
+        if let Some((from, to)) = change {
+            let before = program.target(last).unwrap_or(last);
+            found
+                .report(&RULE, program.range(target), word(step.call.instruction.name, from, to))
+                .related(program.range(before), format!("the arm comes from here with `{}`", from.name));
+        }
+    }
+}
+
+/// What the target of a move certainly asks of the configuration.
+fn definite(program: &Program<'_>, call: ExprId) -> Vec<&'static Enumerator> {
+    let target = program.target(call);
+    let choices = target.map(|target| program.choices_of(call, target)).unwrap_or_default();
+    choices.into_iter().filter(|choice| is_definite(choice)).collect()
+}
+
+fn other(wanted: &[&'static Enumerator], from: &Enumerator) -> Option<&'static Enumerator> {
+    wanted.iter().copied().find(|to| to.ty == from.ty && *to != from)
+}
+
+fn word(instruction: &str, from: &Enumerator, to: &Enumerator) -> Wording {
+    Wording::new(
+        format!("`{instruction}` cannot change the configuration from `{}` to `{}`", from.name, to.name),
+        format!("asks for `{}`", to.name),
+        "reach the point with a joint move, or teach both points in one configuration",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        format!("point pA\npoint pB\ntool tA\nmdesc mA\nbool bA\n\n{code}")
+    }
+
+    const SET: &str = "pA.config.elbow=epositive\npB.config.elbow=enegative\n";
+
+    #[test]
+    fn set_by_the_program() {
+        expect![[r#"
+            start.pgx:10 `pB` `movec` cannot change the configuration from `epositive` to `enegative`
+              | asks for `enegative`
+              ? reach the point with a joint move, or teach both points in one configuration
+              > start.pgx:8 `pA` the arm comes from here with `epositive`
+        "#]]
+        .assert_eq(&check(&RULE, &program(&format!("{SET}movel(pA,tA,mA)\nwaitEndMove()\nmovec(pA,pB,tA,mA)"))));
+    }
+
+    #[test]
+    fn a_point_near_another_one() {
+        expect![[r#"
+            start.pgx:9 `pB` `movel` cannot change the configuration from `epositive` to `enegative`
+              | asks for `enegative`
+              ? reach the point with a joint move, or teach both points in one configuration
+              > start.pgx:8 `appro(pA,{0,0,1,0,0,0})` the arm comes from here with `epositive`
+        "#]]
+        .assert_eq(&check(&RULE, &program(&format!("{SET}movej(appro(pA,{{0,0,1,0,0,0}}),tA,mA)\nmovel(pB,tA,mA)"))));
+    }
+
+    #[test]
+    fn set_in_the_data() {
+        let data = |elbow: &str| {
+            format!(
+                "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
+                 xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+                 xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
+                 <Data name=\"pX\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"2\">\n      \
+                 <Value key=\"0\" elbow=\"epositive\" wrist=\"wpositive\" fatherId=\"world[0]\" />\n      \
+                 <Value key=\"1\" elbow=\"{elbow}\" wrist=\"wpositive\" fatherId=\"world[0]\" />\n    </Data>\n    \
+                 <Data name=\"tX\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n    \
+                 <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\" />\n  \
+                 </Datas>\n</Database>\n"
+            )
+        };
+        let code = "movej(pX[0],tX,mX)\nmovel(pX[1],tX,mX)\n";
+        expect![[r#"
+            start.pgx:6 `pX[1]` `movel` cannot change the configuration from `epositive` to `enegative`
+              | asks for `enegative`
+              ? reach the point with a joint move, or teach both points in one configuration
+              > start.pgx:5 `pX[0]` the arm comes from here with `epositive`
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{code}\n{}", data("enegative"))));
+        assert_eq!(check(&RULE, &format!("{code}\n{}", data("epositive"))), "");
+        assert_eq!(check(&RULE, &format!("pX[1]=pX[0]\n{code}\n{}", data("enegative"))), "");
+    }
+
+    #[test]
+    fn nothing_is_forced() {
+        let lines = [
+            "pA.config.elbow=epositive\nmovej(pA,tA,mA)\nmovel(pB,tA,mA)",
+            "pA.config.elbow=epositive\npB.config.elbow=efree\nmovej(pA,tA,mA)\nmovel(pB,tA,mA)",
+            "pA.config.elbow=epositive\npB.config.wrist=wnegative\nmovej(pA,tA,mA)\nmovel(pB,tA,mA)",
+        ];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(line)), "", "{line}");
+        }
+    }
+
+    #[test]
+    fn ways_that_are_not_known() {
+        let lines = [
+            "movej(pB,tA,mA)",
+            "movej(pA,tA,mA)\nmovej(pB,tA,mA)\nmovel(pB,tA,mA)",
+            "if bA\nmovej(pA,tA,mA)\nendIf\nmovel(pB,tA,mA)",
+            "movej(pA,tA,mA)\nresetMotion()\nmovel(pB,tA,mA)",
+        ];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(&format!("{SET}{line}"))), "", "{line}");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! V0116: private data that programs write and never read.
+
+use val3_analysis::items::declarations::{Declared, all_data};
+
+use crate::diagnostic::Wording;
+use crate::lint::{DataFile, Findings, unused_data};
+use crate::rule::rule;
+
+rule! {
+    /// Programs write private data, and none ever reads it.
+    ///
+    /// ## Why
+    /// What is never read is not needed, or the program that should read it reads something else: often one of two
+    /// similar names. A value that people watch on the pendant is a good reason to keep it. Inputs and outputs are not
+    /// reported, since writing them is their use.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nDone
+    ///
+    /// program start()
+    /// begin
+    ///   nDone=1
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nDone
+    ///
+    /// program start()
+    /// begin
+    ///   nDone=1
+    ///   putln(nDone)
+    /// end
+    /// ```
+    V0116 "data-never-read" Info, Data: check
+}
+
+fn check(data: &DataFile<'_>, found: &mut Findings) {
+    let view = &data.view;
+    if !unused_data::is_judged(view) {
+        return;
+    }
+    for Declared { name, range, .. } in all_data(view.db, data.file) {
+        let Some(uses) = unused_data::uses(view, &name) else { continue };
+        let base = view.items.data.get(&name).and_then(|item| item.base.builtin());
+        if uses.written && !uses.may_read() && !base.is_some_and(|base| base.is_linkable()) {
+            found.report(&RULE, range, word(&name));
+        }
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(format!("programs write `{name}`, and none reads it"), "never read", "remove it, or read it")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn only_written() {
+        expect![[r#"
+            main.dtx:4 `nA` programs write `nA`, and none reads it
+              | never read
+              ? remove it, or read it
+            main.dtx:5 `trB` programs write `trB`, and none reads it
+              | never read
+              ? remove it, or read it
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\ntrsf trB\nprogram start()\nbegin\n  nA=1\n  trB.x=2\nend"));
+    }
+
+    #[test]
+    fn reading_counts_wherever_it_stands() {
+        let listing = "num nA[3]\nnum nB\nnum nC\nnum nD\nprogram start()\nbegin\n  nB=1\n  nA[nB]=2\n  nA[0]=nA[1]\n  \
+                       nC=nC+1\n  for nD=0 to 3\n  endFor\nend";
+        assert_eq!(check(&RULE, listing), "");
+    }
+
+    #[test]
+    fn a_reference_may_be_read() {
+        let listing = "bool bA\nnum nB\nprogram start()\nbegin\n  setMutex(bA)\n  bA=false\n  nB=1\n  call p(nB)\nend\n\
+                       program p(num& x_n)\nbegin\nend";
+        assert_eq!(check(&RULE, listing), "");
+    }
+
+    #[test]
+    fn outputs_are_there_to_be_written() {
+        assert_eq!(check(&RULE, "dio doA\naio aoB\nprogram start()\nbegin\n  doA=true\n  aoB=1\nend"), "");
+    }
+}

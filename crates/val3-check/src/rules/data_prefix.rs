@@ -1,0 +1,77 @@
+//! V0710: global data whose name does not begin as the shop asks.
+
+use val3_analysis::items::declarations::{Declared, all_data};
+
+use crate::lint::{DataFile, Findings, naming};
+use crate::rule::rule;
+
+rule! {
+    /// The name of global data does not begin with the letters that stand for its type.
+    ///
+    /// ## Why
+    /// Where names tell the type (`nCount`, `pPick`, `bReady`), a line of code can be read without its declarations.
+    /// The letters for each type are the option `prefixes`; a type without an entry may be called anything. A user
+    /// type is asked by its own name. This is a convention of a shop, and off unless it is asked
+    /// for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num count
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    /// ```
+    V0710 "data-prefix" Info off, Data: check
+}
+
+fn check(data: &DataFile<'_>, found: &mut Findings) {
+    let view = &data.view;
+    for Declared { name, range, .. } in all_data(view.db, data.file) {
+        let item = view.items.data.get(&name).filter(|_| val3_lang::builtins::find(&name).is_none());
+        let Some(ty) = item.map(|item| naming::type_name(view.db, item.base)) else { continue };
+        if let Some(prefix) = naming::lacking(view.options, &ty, "", &name) {
+            found.report(&RULE, range, naming::word(view.options, &ty, &name, &prefix, "data"));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn each_type_has_its_letters() {
+        expect![[r#"
+            main.dtx:4 `count` the name of the data `count` does not begin with `n`
+              | this is a `num`
+              ? call it `nCount`
+            main.dtx:5 `nReady` the name of the data `nReady` does not begin with `b`
+              | this is a `bool`
+              ? call it `bReady`
+            main.dtx:6 `tOffset` the name of the data `tOffset` does not begin with `tr`
+              | this is a `trsf`
+              ? call it `trOffset`
+        "#]]
+        .assert_eq(&check(&RULE, "num count\nbool nReady\ntrsf tOffset\njoint j"));
+        assert_eq!(check(&RULE, "num nCount\nbool bReady\ntrsf trOffset\njoint jHome\nnum n2"), "");
+    }
+
+    #[test]
+    fn letters_within_a_word_are_no_prefix() {
+        assert!(!check(&RULE, "num number").is_empty());
+        assert!(!check(&RULE, "dio door").is_empty());
+    }
+
+    #[test]
+    fn the_letters_can_be_set() {
+        let settings = "=== val3.toml\n[lint]\nprefixes = { num = \"r\", Slot = \"sl\" }";
+        assert_eq!(check(&RULE, &format!("num rCount\nbool ready\n{settings}")), "");
+        let slot = "type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slot first\n--- Slot\npublic num rA";
+        assert!(!check(&RULE, &format!("{slot}\n{settings}")).is_empty());
+    }
+}

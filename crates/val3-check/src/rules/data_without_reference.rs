@@ -1,0 +1,147 @@
+//! V0402: global data without a reference that is used as if it had one.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::items::declarations;
+use val3_lang::motion::missing_reference;
+use val3_lang::types::BaseType;
+
+use super::no_reference::needed;
+use crate::diagnostic::{Span, Wording};
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A global point, frame or tool has no father in its data file, nothing gives it one, and a program uses it.
+    ///
+    /// ## Why
+    /// Whatever computes or moves with it stops the task with run-time error 162, 163 or 164. Files that a tool wrote
+    /// or a person merged lose the father easily.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// movej(pPark,flange,mFast)
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="mFast" access="private" xsi:type="array" type="mdesc" size="1" />
+    ///     <Data name="pPark" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" z="700" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// movej(pPark,flange,mFast)
+    ///
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas>
+    ///     <Data name="mFast" access="private" xsi:type="array" type="mdesc" size="1" />
+    ///     <Data name="pPark" access="private" xsi:type="array" type="pointRx" size="1">
+    ///       <Value key="0" z="700" fatherId="world[0]" />
+    ///     </Data>
+    ///   </Datas>
+    /// </Database>
+    /// ```
+    V0402 "data-without-reference" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let mut told = FxHashSet::default();
+    for call in program.calls() {
+        for (arg, ty) in needed(&call) {
+            let lacks = program.initial(arg).is_some_and(|initial| !initial.has_father);
+            if !lacks || !told.insert(program.text(arg)) {
+                continue;
+            }
+            let name = program.text(arg);
+            let reported = found.report(&RULE, program.range(arg), word(name, ty, call.instruction.name));
+            let data = name.split('[').next().unwrap_or(name);
+            let item = program.items.data.get(data);
+            if let Some(place) = item.and_then(|item| declarations::data(program.db, item.file, data.into())) {
+                reported.related_in(Span { file: place.file, range: place.range }, "its data names no father");
+            }
+        }
+    }
+}
+
+fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {
+    let error = missing_reference(ty).map(|number| format!(" (run-time error {number})")).unwrap_or_default();
+    Wording::new(
+        format!("the {} `{name}` that `{instruction}` uses has no father in its data file{error}", ty.name()),
+        "no reference",
+        "name its father in the data file (`fatherId`), or `link` it before it is used",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn listing(code: &str) -> String {
+        format!(
+            "{code}\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database \
+             xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+             xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
+             <Data name=\"pX\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"3\">\n      \
+             <Value key=\"0\" x=\"1\" fatherId=\"world[0]\" />\n      <Value key=\"1\" x=\"1\" fatherId=\"\" />\n    \
+             </Data>\n    <Data name=\"tX\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\">\n      \
+             <Value key=\"0\" z=\"9\" />\n    </Data>\n    \
+             <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\" />\n  \
+             </Datas>\n</Database>\n"
+        )
+    }
+
+    #[test]
+    fn no_father() {
+        expect![[r#"
+            start.pgx:5 `pX[1]` the point `pX[1]` that `movel` uses has no father in its data file (run-time error 162)
+              | no reference
+              ? name its father in the data file (`fatherId`), or `link` it before it is used
+              > main.dtx:4 `pX` its data names no father
+            start.pgx:5 `tX` the tool `tX` that `movel` uses has no father in its data file (run-time error 164)
+              | no reference
+              ? name its father in the data file (`fatherId`), or `link` it before it is used
+              > main.dtx:8 `tX` its data names no father
+        "#]]
+        .assert_eq(&check(&RULE, &listing("movel(pX[1],tX,mX)\nmovel(pX[0],tX,mX)")));
+    }
+
+    #[test]
+    fn given_one_or_not_needed() {
+        let lines = ["link(pX[1],world)\nmovel(pX[1],flange,mX)", "pX[1]=pX[0]\nmovel(pX[1],flange,mX)"];
+        for line in lines.into_iter().chain(["movel(pX[0],flange,mX)", "movel(pX[2],flange,mX)", "put(pX[1].trsf.x)"]) {
+            assert_eq!(check(&RULE, &listing(line)), "", "{line}");
+        }
+    }
+
+    #[test]
+    fn the_old_dialect() {
+        let data = |father: &str| {
+            format!(
+                "movel(pX,flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
+                 xmlns=\"ProjectSchema\">\n  <mdescSection>\n    <mdesc name=\"mX\" public=\"false\" />\n  \
+                 </mdescSection>\n  <pointSection>\n    <point name=\"pX\" public=\"false\">\n      \
+                 <pFather alias=\"\" name=\"{father}\" fatherIndex=\"0\" />\n      <valuePoint index=\"0\">\n        \
+                 <tpValue x=\"1\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      </valuePoint>\n    \
+                 </point>\n  </pointSection>\n</dataList>\n"
+            )
+        };
+        expect![[r#"
+            start.pgx:5 `pX` the point `pX` that `movel` uses has no father in its data file (run-time error 162)
+              | no reference
+              ? name its father in the data file (`fatherId`), or `link` it before it is used
+              > main.dtx:7 `pX` its data names no father
+        "#]]
+        .assert_eq(&check(&RULE, &data("")));
+        assert_eq!(check(&RULE, &data("world")), "");
+    }
+}

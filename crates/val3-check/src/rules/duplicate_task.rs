@@ -1,0 +1,186 @@
+//! V0342: a task that is created again while it runs.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::flow::PointKind;
+use val3_lang::instructions;
+use val3_syntax::TextRange;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A program creates two tasks of one name, one right after the other.
+    ///
+    /// ## Why
+    /// The first one still runs when the second is created, and no two tasks of an application may have one name:
+    /// run-time error 31. Only lines are looked at between which nothing waits, ends a task or calls a program.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   taskCreate "axis",10,watchAxis(1)
+    ///   taskCreate "axis",10,watchAxis(2)
+    /// end
+    ///
+    /// program watchAxis(num x_nAxis)
+    /// begin
+    ///   delay(x_nAxis)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   taskCreate "axis1",10,watchAxis(1)
+    ///   taskCreate "axis2",10,watchAxis(2)
+    /// end
+    ///
+    /// program watchAxis(num x_nAxis)
+    /// begin
+    ///   delay(x_nAxis)
+    /// end
+    /// ```
+    V0342 "duplicate-task" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    if program.flow().points().all(|(_, point)| !matches!(point.kind, PointKind::TaskCreate(_))) {
+        return;
+    }
+    let mut pairs = Vec::new();
+    in_block(program.body, &program.body.block, &mut pairs);
+    for Pair { name, first, second } in pairs {
+        let reported = found.report(&RULE, second, word(&name, first == second));
+        if first != second {
+            reported.related(first, "the first one");
+        }
+    }
+}
+
+/// Two tasks of one name; one that a loop creates again is its own second.
+struct Pair {
+    name: SmolStr,
+    first: TextRange,
+    second: TextRange,
+}
+
+fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<Pair>) {
+    let mut running: FxHashMap<SmolStr, TextRange> = FxHashMap::default();
+    for stmt in block {
+        if let Some((name, range)) = created(body, stmt) {
+            if let Some(first) = running.insert(name.clone(), range) {
+                pairs.push(Pair { name, first, second: range });
+            }
+        } else if !running.is_empty() && may_wait(body, stmt) {
+            running.clear();
+        }
+        match &stmt.kind {
+            StmtKind::For { block, .. } if creates(body, block) && !may_wait(body, stmt) => {
+                let again = block.iter().filter_map(|stmt| created(body, stmt));
+                pairs.extend(again.map(|(name, range)| Pair { name, first: range, second: range }));
+            }
+            _ => stmt.blocks().for_each(|inner| in_block(body, inner, pairs)),
+        }
+    }
+}
+
+/// The task that the statement creates, if its name is known.
+fn created(body: &Body, stmt: &Stmt) -> Option<(SmolStr, TextRange)> {
+    let StmtKind::TaskCreate { arguments, .. } = &stmt.kind else { return None };
+    let name = arguments.first()?;
+    Some((body.string(*name)?, body.range(*name)))
+}
+
+fn creates(body: &Body, block: &[Stmt]) -> bool {
+    block.iter().any(|stmt| created(body, stmt).is_some())
+}
+
+/// Something in the statement lets other tasks have their turn, ends one, or is not known.
+fn may_wait(body: &Body, stmt: &Stmt) -> bool {
+    let inside = body.exprs().filter(|(_, _, range)| stmt.range.contains_range(*range));
+    let waits = |callee: ExprId| match body.expr(callee) {
+        Expr::Name(name) => instructions::find(name).is_none_or(|instruction| instruction.blocking),
+        _ => true,
+    };
+    let calls = inside.filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None });
+    !is_creation_only(body, stmt) && calls.into_iter().any(waits)
+}
+
+/// The calls that creations of tasks contain do not run on this line.
+fn is_creation_only(body: &Body, stmt: &Stmt) -> bool {
+    match &stmt.kind {
+        StmtKind::TaskCreate { .. } => true,
+        StmtKind::For { block, .. } => {
+            block.iter().all(|stmt| created(body, stmt).is_some() || !may_wait(body, stmt)) && !block.is_empty()
+        }
+        _ => false,
+    }
+}
+
+fn word(name: &str, again: bool) -> Wording {
+    let message = if again {
+        format!("the second round creates the task `{name}` while the first one runs")
+    } else {
+        format!("the task `{name}` was created just before and still runs")
+    };
+    Wording::new(message, "run-time error 31", "give each task a name of its own")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        check(&RULE, &format!("string sA\nnum nA\nprogram p()\nbegin\nend\nprogram start()\nbegin\n{code}\nend"))
+    }
+
+    #[test]
+    fn one_after_the_other() {
+        expect![[r#"
+            start.pgx:7 `"a"` the task `a` was created just before and still runs
+              | run-time error 31
+              ? give each task a name of its own
+              > start.pgx:5 `"a"` the first one
+        "#]]
+        .assert_eq(&program("taskCreate \"a\",10,p()\nnA=abs(1)\ntaskCreate \"a\",10,p()"));
+    }
+
+    #[test]
+    fn in_a_loop() {
+        expect![[r#"
+            start.pgx:6 `"a"` the second round creates the task `a` while the first one runs
+              | run-time error 31
+              ? give each task a name of its own
+        "#]]
+        .assert_eq(&program("for nA=0 to 2\ntaskCreate \"a\",10,p()\nendFor"));
+    }
+
+    #[test]
+    fn the_first_may_have_ended() {
+        let between = |line: &str| program(&format!("taskCreate \"a\",10,p()\n{line}\ntaskCreate \"a\",10,p()"));
+        for line in
+            ["taskKill(\"a\")", "delay(1)", "call p()", "wait(taskStatus(\"a\")==-1)", "if nA==0\ndelay(0)\nendIf"]
+        {
+            assert_eq!(between(line), "", "{line}");
+        }
+        assert_eq!(program("for nA=0 to 2\ntaskCreate \"a\",10,p()\ndelay(1)\nendFor"), "");
+    }
+
+    #[test]
+    fn other_names() {
+        assert_eq!(
+            program("taskCreate \"a\",10,p()\ntaskCreate \"b\",10,p()\ntaskCreate sA,10,p()\ntaskCreate sA,10,p()"),
+            ""
+        );
+        assert_eq!(program("for nA=0 to 2\ntaskCreate \"a\"+toString(\"\",nA),10,p()\nendFor"), "");
+        assert_eq!(program("if nA==0\ntaskCreate \"a\",10,p()\nelse\ntaskCreate \"a\",20,p()\nendIf"), "");
+    }
+}

@@ -1,0 +1,92 @@
+//! V0330: a condition with nothing to do.
+
+use val3_analysis::body::{Stmt, StmtKind};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// An `if` or `elseIf` has neither statement nor comment behind its condition.
+    ///
+    /// ## Why
+    /// Nothing happens there. Either something was forgotten, or the test can go; a comment says that it is meant.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// bool bReady
+    ///
+    /// if bReady==true
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// bool bReady
+    ///
+    /// if bReady==true
+    ///   // nothing to wait for
+    /// else
+    ///   delay(1)
+    /// endIf
+    /// ```
+    V0330 "empty-block" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let StmtKind::If { arms, .. } = &stmt.kind else { continue };
+        for (condition, block) in arms {
+            let Some(condition) = condition.map(|id| program.range(id)).filter(|_| block.is_empty()) else { continue };
+            if !has_comment(program, condition.end(), stmt) {
+                found.report(&RULE, condition, word());
+            }
+        }
+    }
+}
+
+/// A comment stands between `start` and whatever comes next of the statement.
+fn has_comment(program: &Program<'_>, start: TextSize, stmt: &Stmt) -> bool {
+    let range = TextRange::new(start, stmt.range.end());
+    let text = program.file.text(program.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+    let inner = text.lines().map(str::trim_start).take_while(|line| {
+        let word = line.split(|character: char| !character.is_ascii_alphabetic()).next().unwrap_or("");
+        !["else", "elseif", "endif"].contains(&word.to_ascii_lowercase().as_str())
+    });
+    inner.into_iter().any(|line| line.contains("//"))
+}
+
+fn word() -> Wording {
+    Wording::new("nothing happens where this condition holds", "no statement and no comment follows", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn conditions_with_nothing_to_do() {
+        expect![[r#"
+            start.pgx:5 `n==1` nothing happens where this condition holds
+              | no statement and no comment follows
+            start.pgx:9 `(n==3)` nothing happens where this condition holds
+              | no statement and no comment follows
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num n\nif n==1\n\nelseIf n==2\nput(2)\nelseIf (n==3)\nelse\n// the rest\nput(n)\nendIf",
+        ));
+    }
+
+    #[test]
+    fn conditions_with_a_comment_or_a_statement() {
+        assert_eq!(
+            check(&RULE, "num n\nif n==1\n// meant\nelseIf n==2\nput(2)\nelse\nendIf\nwhile n==1\nendWhile"),
+            ""
+        );
+    }
+}

@@ -1,0 +1,80 @@
+//! V0715: a program without a line of code.
+
+use val3_analysis::application::ENTRY_POINTS;
+use val3_analysis::items::declarations;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A program has no line of code.
+    ///
+    /// ## Why
+    /// Its call does nothing. Either its code was never written, or it was commented out. `start` and `stop` may be
+    /// empty, and so may public programs that an interface asks for. This is a convention of a shop, and off unless it
+    /// is asked for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// call greet()
+    ///
+    /// program greet()
+    /// begin
+    ///   // putln("ready")
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// call greet()
+    ///
+    /// program greet()
+    /// begin
+    ///   putln("ready")
+    /// end
+    /// ```
+    V0715 "empty-program" Info off, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let may_be_empty = program.header.public || ENTRY_POINTS.contains(&program.name());
+    if program.body.block.is_empty()
+        && !may_be_empty
+        && let Some(place) = declarations::program(program.db, program.file)
+    {
+        found.report(&RULE, place.range, word(program.name()));
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(
+        format!("the program `{name}` has no line of code"),
+        "does nothing",
+        "write it, or remove it and its calls",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn nothing_but_comments() {
+        expect![[r#"
+            p.pgx:3 `p` the program `p` has no line of code
+              | does nothing
+              ? write it, or remove it and its calls
+        "#]]
+        .assert_eq(&check(&RULE, "program p()\nbegin\n  // later\nend"));
+    }
+
+    #[test]
+    fn code_entry_points_and_interfaces() {
+        assert_eq!(check(&RULE, "program p()\nbegin\n  return\nend\nprogram stop()\nbegin\nend"), "");
+        assert_eq!(check(&RULE, "public program p()\nbegin\nend"), "");
+    }
+}

@@ -1,0 +1,75 @@
+//! V0329: `start` or `stop` with parameters.
+
+use val3_analysis::application::ENTRY_POINTS;
+
+use crate::diagnostic::Wording;
+use crate::english::count;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The program `start` or `stop` of an application has parameters.
+    ///
+    /// ## Why
+    /// The controller calls them itself, when the application begins and ends, and hands nothing over (5.2).
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start(num x_nSpeed)
+    /// begin
+    ///   put(x_nSpeed)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nSpeed = 50
+    ///
+    /// program start()
+    /// begin
+    ///   put(nSpeed)
+    /// end
+    /// ```
+    V0329 "entry-parameters" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let (name, params) = (program.name(), program.header.params.len());
+    if ENTRY_POINTS.contains(&name) && params > 0 {
+        found.report(&RULE, program.head(), word(name, params));
+    }
+}
+
+fn word(name: &str, params: usize) -> Wording {
+    Wording::new(
+        format!("`{name}` has {}, but the controller calls it without any", count(params, "parameter")),
+        "called by the controller",
+        "use global variables",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn entries_with_parameters() {
+        expect![[r#"
+            stop.pgx:3 `stop` `stop` has 2 parameters, but the controller calls it without any
+              | called by the controller
+              ? use global variables
+        "#]]
+        .assert_eq(&check(&RULE, "program stop(num x_n, bool& x_b)\nbegin\nx_b=x_n==1\nend"));
+    }
+
+    #[test]
+    fn entries_without_and_other_programs() {
+        assert_eq!(
+            check(&RULE, "program start()\nbegin\ncall begins(1)\nend\nprogram begins(num x_n)\nbegin\nput(x_n)\nend"),
+            ""
+        );
+    }
+}

@@ -1,0 +1,127 @@
+//! V0235: an array that cannot change its size.
+
+use val3_analysis::body::Expr;
+use val3_analysis::effects::Root;
+use val3_lang::instruction::Class;
+use val3_lang::instructions::{resizes, resizes_every_array};
+use val3_lang::types::Container;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Call, Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// An instruction that changes the size of an array is given one that it does not support.
+    ///
+    /// ## Why
+    /// `insert`, `delete`, `append` and `resize` do not support local arrays, and the first three no arrays of two or
+    /// three dimensions (2.5.4, 2.5.5): use a global array, and `resize` for one of several dimensions.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program fill()
+    ///   num l_nTimes[4]
+    /// begin
+    ///   append(l_nTimes)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nTimes[4]
+    ///
+    /// append(nTimes)
+    /// nTimes[4]=1
+    /// ```
+    V0235 "fixed-size" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for call in program.calls() {
+        let name = call.instruction.name;
+        let acts = call.form.is_some_and(|form| form.class == Class::Modifier);
+        if let Some(wording) = acts.then(|| fault(program, name, call)).flatten() {
+            found.report(&RULE, program.range(call.id), wording);
+        }
+    }
+}
+
+fn fault(program: &Program<'_>, instruction: &str, call: Call<'_>) -> Option<Wording> {
+    let argument = *call.args.first().filter(|_| resizes(instruction))?;
+    let array = match program.body.expr(argument) {
+        Expr::Index(base, _) => *base,
+        _ => argument,
+    };
+    let is_whole = matches!(program.body.expr(array), Expr::Name(_));
+    let text = program.text(array);
+    if is_whole && matches!(program.effects.root(array), Some(Root::Local(_))) {
+        return Some(local(instruction, text));
+    }
+    match program.inference.ty(array).container {
+        Container::Array { dims: dims @ 2.. } if !resizes_every_array(instruction) => {
+            Some(several_dimensions(instruction, text, dims))
+        }
+        _ => None,
+    }
+}
+
+fn local(instruction: &str, array: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` does not support the local array `{array}`"),
+        "the size of a local array is fixed",
+        "use a global array, or declare the local one large enough",
+    )
+}
+
+fn several_dimensions(instruction: &str, array: &str, dims: u8) -> Wording {
+    Wording::new(
+        format!("`{instruction}` does not support `{array}`, an array of {dims} dimensions"),
+        "one dimension only",
+        "use `resize`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn arrays_of_a_fixed_size() {
+        expect![[r#"
+            p.pgx:8 `append(l_n)` `append` does not support the local array `l_n`
+              | the size of a local array is fixed
+              ? use a global array, or declare the local one large enough
+            p.pgx:9 `resize(l_n,1,4)` `resize` does not support the local array `l_n`
+              | the size of a local array is fixed
+              ? use a global array, or declare the local one large enough
+            p.pgx:10 `insert(l_n[0])` `insert` does not support the local array `l_n`
+              | the size of a local array is fixed
+              ? use a global array, or declare the local one large enough
+            p.pgx:11 `delete(l_n[0])` `delete` does not support the local array `l_n`
+              | the size of a local array is fixed
+              ? use a global array, or declare the local one large enough
+            p.pgx:12 `append(nGrid)` `append` does not support `nGrid`, an array of 2 dimensions
+              | one dimension only
+              ? use `resize`
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nresize(l_n,1,4)\ninsert(l_n[0])\n\
+             delete(l_n[0])\nappend(nGrid)\nend",
+        ));
+    }
+
+    #[test]
+    fn arrays_that_can_grow() {
+        assert_eq!(
+            check(
+                &RULE,
+                "num nGrid[2,3]\nnum nA[2]\nnum nC[\"\"]\nstring s\nappend(nA)\nresize(nGrid,2,4)\ninsert(nC[s])\ns=delete(s,1,1)"
+            ),
+            ""
+        );
+    }
+}

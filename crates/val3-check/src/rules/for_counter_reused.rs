@@ -1,0 +1,87 @@
+//! V0315: a `for` in a `for` with the same counter.
+
+use val3_analysis::body::{Stmt, StmtKind};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A `for` inside another `for` counts with the same variable.
+    ///
+    /// ## Why
+    /// When the inner loop is through, the counter stands behind its end, and the outer loop goes on from there: it
+    /// ends early or starts again for ever.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nI
+    /// num nGrid[3,3]
+    ///
+    /// for nI=0 to 2
+    ///   for nI=0 to 2
+    ///     nGrid[nI,nI]=0
+    ///   endFor
+    /// endFor
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nI
+    /// num nJ
+    /// num nGrid[3,3]
+    ///
+    /// for nI=0 to 2
+    ///   for nJ=0 to 2
+    ///     nGrid[nI,nJ]=0
+    ///   endFor
+    /// endFor
+    /// ```
+    V0315 "for-counter-reused" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let StmtKind::For { counter: Some(outer), block, .. } = &stmt.kind else { continue };
+        for inside in block.iter().flat_map(Stmt::with_inner) {
+            let StmtKind::For { counter: Some(inner), .. } = inside.kind else { continue };
+            if program.body.is_same(*outer, inner) {
+                found
+                    .report(&RULE, program.range(inner), word(program.text(inner)))
+                    .related(program.range(*outer), "the outer `for` counts with it");
+            }
+        }
+    }
+}
+
+fn word(counter: &str) -> Wording {
+    Wording::new(
+        format!("`{counter}` already counts the `for` around this one"),
+        "counted twice",
+        "give each loop a counter of its own",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn one_counter_for_two_loops() {
+        expect![[r#"
+            start.pgx:7 `n` `n` already counts the `for` around this one
+              | counted twice
+              ? give each loop a counter of its own
+              > start.pgx:5 `n` the outer `for` counts with it
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nfor n=0 to 2\nif n==1\nfor n=0 to 3\nput(n)\nendFor\nendIf\nendFor"));
+    }
+
+    #[test]
+    fn one_after_the_other() {
+        assert_eq!(check(&RULE, "num n\nfor n=0 to 2\nput(n)\nendFor\nfor n=0 to 3\nput(n)\nendFor"), "");
+    }
+}

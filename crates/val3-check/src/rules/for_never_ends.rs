@@ -1,0 +1,72 @@
+//! V0304: a `for` that counts by nothing.
+
+use val3_analysis::body::StmtKind;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The step of a `for` is 0, so the counter never gets to its end.
+    ///
+    /// ## Why
+    /// The loop ends when the counter has passed the end. With `step 0` it stays where it starts, and the loop goes
+    /// round for ever.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nI
+    ///
+    /// for nI=0 to 9 step 0
+    ///   putln(nI)
+    /// endFor
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nI
+    ///
+    /// for nI=0 to 9 step 1
+    ///   putln(nI)
+    /// endFor
+    /// ```
+    V0304 "for-never-ends" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let StmtKind::For { step: Some(step), .. } = stmt.kind else { continue };
+        if program.body.number(step) == Some(0.0) {
+            found.report(&RULE, program.range(step), word());
+        }
+    }
+}
+
+fn word() -> Wording {
+    Wording::new(
+        "this `for` never ends: it counts by 0",
+        "the counter stays where it starts",
+        "count by a number other than 0; for a loop without end write `while true`",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn steps() {
+        expect![[r#"
+            start.pgx:5 `1-1` this `for` never ends: it counts by 0
+              | the counter stays where it starts
+              ? count by a number other than 0; for a loop without end write `while true`
+        "#]]
+        .assert_eq(&check(&RULE, "num n\nfor n=0 to 3 step 1-1\ndelay(1)\nendFor"));
+        for step in ["", "step 1", "step -1", "step 0.1", "step n"] {
+            assert_eq!(check(&RULE, &format!("num n\nnum m\nfor m=0 to 3 {step}\nput(m)\nendFor")), "", "{step}");
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! V0121: a local variable or parameter that hides global data.
+
+use smol_str::SmolStr;
+use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
+
+use crate::diagnostic::{Span, Wording};
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A local variable or a parameter has the name of global data.
+    ///
+    /// ## Why
+    /// Within the program the name means the local one, so the program cannot reach the global data, and who reads the
+    /// code takes one for the other. Names with a prefix of their own (`l_` for locals, `x_` for parameters) cannot
+    /// hide anything.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// program start()
+    ///   num nCount
+    /// begin
+    ///   nCount=len("ready")
+    ///   putln(nCount)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// program start()
+    ///   num l_nCount
+    /// begin
+    ///   l_nCount=len("ready")
+    ///   nCount=l_nCount
+    /// end
+    /// ```
+    V0121 "hidden-data" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let data = &program.items.data;
+    let hides = |name: &SmolStr| data.contains_key(name);
+    if program.header.locals.iter().any(|local| hides(&local.name)) {
+        report(program, found, "local variable", all_locals(program.db, program.file));
+    }
+    if program.header.params.iter().any(|param| hides(&param.name)) {
+        report(program, found, "parameter", all_params(program.db, program.file));
+    }
+}
+
+fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
+    for Declared { name, range, .. } in names {
+        let Some(item) = program.items.data.get(&name) else { continue };
+        let reported = found.report(&RULE, range, word(what, &name));
+        if let Some(place) = declarations::data(program.db, item.file, name) {
+            reported.related_in(Span { file: place.file, range: place.range }, "the global data");
+        }
+    }
+}
+
+fn word(what: &str, name: &str) -> Wording {
+    Wording::new(
+        format!("the {what} `{name}` hides the global data of the same name"),
+        "hides global data",
+        "give it another name",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn a_local_and_a_parameter() {
+        expect![[r#"
+            p.pgx:5 `bB` the parameter `bB` hides the global data of the same name
+              | hides global data
+              ? give it another name
+              > main.dtx:5 `bB` the global data
+            p.pgx:8 `nA` the local variable `nA` hides the global data of the same name
+              | hides global data
+              ? give it another name
+              > main.dtx:4 `nA` the global data
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\nbool bB\nprogram p(bool bB)\n  string nA\nbegin\nend"));
+    }
+
+    #[test]
+    fn names_that_differ() {
+        assert_eq!(check(&RULE, "num nA\nprogram p(num na)\n  string l_nA\nbegin\nend"), "");
+    }
+}

@@ -1,0 +1,111 @@
+//! V0532: an instruction that the declared version does not have.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::items::declarations;
+use val3_lang::instruction::{Availability, Instruction};
+use val3_lang::versions::Version;
+
+use crate::diagnostic::{Span, Wording};
+use crate::lint::{Call, Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// An instruction, or a form of one, does not exist in the version that the project declares.
+    ///
+    /// ## Why
+    /// Controllers of that version do not load the program. Some instructions came with the CS9 controller (s8), some
+    /// were dropped there. If the application only runs on newer controllers, declare their version in the `.pjx`. An
+    /// instruction is reported once a program.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// version s7.11
+    /// num nDone
+    /// opcuaExport(nDone,false)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// version s8.12
+    /// num nDone
+    /// opcuaExport(nDone,false)
+    /// ```
+    V0532 "instruction-version" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let version = program.items.version;
+    let Some(declared) = declarations::version(program.db, program.project) else { return };
+    let mut told = FxHashSet::default();
+    for call in program.calls() {
+        if let Some(lack) = lack(call, version).filter(|_| told.insert(call.instruction)) {
+            let manifest = Span { file: program.project.manifest(program.db), range: declared };
+            found
+                .report(&RULE, program.range(call.callee), word(call.instruction, &lack, version))
+                .related_in(manifest, "declared here");
+        }
+    }
+}
+
+/// What the version lacks, and when that exists.
+struct Lack {
+    is_form: bool,
+    since: Option<u8>,
+    until: Option<u8>,
+}
+
+fn lack(call: Call<'_>, version: Version) -> Option<Lack> {
+    match call.instruction.availability {
+        Availability::Version { since, until } if !call.instruction.exists_in(version) => {
+            Some(Lack { is_form: false, since: Some(since).filter(|since| *since > 0), until })
+        }
+        _ => {
+            let form = call.form.filter(|form| !form.exists_in(version))?;
+            Some(Lack { is_form: true, since: form.since, until: None })
+        }
+    }
+}
+
+fn word(instruction: &Instruction, lack: &Lack, version: Version) -> Wording {
+    let name = instruction.name;
+    let what = if lack.is_form { format!("this form of `{name}`") } else { format!("`{name}`") };
+    let when = match (lack.since, lack.until) {
+        (Some(since), _) if version.major < since => format!("from s{since} on"),
+        (_, Some(until)) => format!("up to s{until}"),
+        _ => "in other versions".to_owned(),
+    };
+    Wording::new(
+        format!("{what} exists {when}, and the project declares {version}"),
+        format!("not in {version}"),
+        "use what this version has, or declare the version of the controllers that run it",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn export(version: &str) -> String {
+        check(&RULE, &format!("version {version}\nnum nDone\nopcuaExport(nDone,false)\nopcuaExport(nDone,true)"))
+    }
+
+    #[test]
+    fn newer_than_declared() {
+        expect![[r#"
+            start.pgx:5 `opcuaExport` `opcuaExport` exists from s8 on, and the project declares s7.11.3
+              | not in s7.11.3
+              ? use what this version has, or declare the version of the controllers that run it
+              > main.pjx:3 `s7.11.3` declared here
+        "#]]
+        .assert_eq(&export("s7.11.3"));
+    }
+
+    #[test]
+    fn as_declared() {
+        assert_eq!(export("s8.3Cs9_BS845"), "");
+        assert_eq!(check(&RULE, "version s6.8\ncls()"), "");
+    }
+}

@@ -1,0 +1,121 @@
+//! V0328: a wait for a key that may end with one struck long before.
+
+use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_lang::instruction::Family;
+use val3_lang::instructions::{self, GET_KEY};
+use val3_lang::operators::BinaryOp;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A program waits for a key with `getKey` and has not read away the one that was struck before.
+    ///
+    /// ## Why
+    /// `getKey` gives the last key since it was asked before, however long ago that was (4.3). A key that was struck
+    /// minutes ago ends the wait at once. A `getKey()` alone on a line clears it.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// putln("press a key")
+    /// wait(getKey()!=-1)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// putln("press a key")
+    /// getKey()
+    /// wait(getKey()!=-1)
+    /// ```
+    V0328 "key-not-cleared" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    // What was read anywhere before counts as cleared.
+    let Some(first) = program.calls_of(GET_KEY).map(|call| call.id).min() else { return };
+    for stmt in program.stmts() {
+        let (condition, ends_when) = match &stmt.kind {
+            StmtKind::While { condition: Some(condition), .. } => (*condition, false),
+            StmtKind::Do { condition: Some(condition), .. } => (*condition, true),
+            StmtKind::Expr(call) => match waited(program, *call) {
+                Some(condition) => (condition, true),
+                None => continue,
+            },
+            _ => continue,
+        };
+        if awaited(program, condition, ends_when) == Some(first) {
+            let edit = program.line_before(stmt.range, &format!("{GET_KEY}()"));
+            let title = format!("write `{GET_KEY}()` before");
+            found.report(&RULE, program.range(condition), word()).fix(title, false, vec![edit]);
+        }
+    }
+}
+
+/// The condition of `wait(…)` or `watch(…)`.
+fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
+    let Expr::Call(callee, args) = program.body.expr(call) else { return None };
+    let Expr::Name(name) = program.body.expr(*callee) else { return None };
+    let instruction = instructions::find(name)?;
+    let waits = instruction.family == Family::Tasks && instruction.blocking;
+    args.first().copied().filter(|_| waits)
+}
+
+/// The `getKey()` that `condition` compares so that a key ends the wait; `ends_when` is the value that ends it.
+fn awaited(program: &Program<'_>, condition: ExprId, ends_when: bool) -> Option<ExprId> {
+    let Expr::Binary(op, left, right) = program.body.expr(program.body.peel(condition)) else { return None };
+    let equal = match op {
+        BinaryOp::Equal => true,
+        BinaryOp::NotEqual => false,
+        _ => return None,
+    };
+    let is_no_key = program.body.number(*right)? < 0.0;
+    let key = program.body.peel(*left);
+    // Waiting for "no key" clears the key.
+    ((equal == ends_when) != is_no_key).then_some(key)
+}
+
+fn word() -> Wording {
+    Wording::new(
+        "a key that was struck before ends this wait at once",
+        "the key is not cleared before",
+        format!("write `{GET_KEY}()` on a line of its own before"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn waits_for_any_or_a_certain_key() {
+        let waits = ["wait(getKey()!=-1)", "while (getKey()==-1)\ndelay(0)\nendWhile", "wait((getKey())==277)"];
+        for wait in waits {
+            assert!(check(&RULE, wait).contains("a key that was struck before"), "{wait}");
+        }
+        expect![[r#"
+            start.pgx:7 `getKey()==270` a key that was struck before ends this wait at once
+              | the key is not cleared before
+              ? write `getKey()` on a line of its own before
+              ! write `getKey()` before (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, "do\ndelay(0)\nuntil getKey()==270"));
+    }
+
+    #[test]
+    fn waits_behind_a_reading_and_for_no_key() {
+        let waits = [
+            "getKey()\nwait(getKey()!=-1)",
+            "wait(getKey()==-1)\nwait(getKey()==277)",
+            "num n\nn=getKey()\nwhile getKey()!=270\ndelay(0)\nendWhile",
+            "num n\ndo\nn=getKey()\nuntil n!=-1",
+            "while get()!=270\nendWhile",
+        ];
+        for wait in waits {
+            assert_eq!(check(&RULE, wait), "", "{wait}");
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! V0326: a latch that is read before it can be armed.
+
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_lang::instructions::{self, DELAY, GET_LATCH, SET_LATCH};
+use val3_syntax::TextRange;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// `getLatch` follows `setLatch` with nothing between them that gives the latch its time.
+    ///
+    /// ## Why
+    /// The latch is armed up to 0.2 ms after `setLatch` (9.2.3). Until then `getLatch` returns the position latched
+    /// before, and the program takes it for the new one. `delay(0)` between the two is enough.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// dio diEdge
+    /// joint jEdge
+    ///
+    /// setLatch(diEdge)
+    /// wait(getLatch(jEdge))
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// dio diEdge
+    /// joint jEdge
+    ///
+    /// setLatch(diEdge)
+    /// delay(0)
+    /// wait(getLatch(jEdge))
+    /// ```
+    V0326 "latch-without-delay" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    if program.calls_of(SET_LATCH).next().is_none() {
+        return;
+    }
+    for block in program.body.blocks() {
+        let mut armed: Option<TextRange> = None;
+        for stmt in block {
+            let calls = calls(program, stmt);
+            let call = |name| calls.iter().find(|(called, _)| *called == name).map(|(_, id)| *id);
+            if let (Some(armed), Some(read)) = (armed, call(GET_LATCH)) {
+                let edit = program.line_after(armed, &format!("{DELAY}(0)"));
+                let reported = found.report(&RULE, program.range(read), word()).related(armed, "armed here");
+                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), false, vec![edit]);
+            }
+            // Whatever waits, or might wait in another block or program, ends the search.
+            let waits = calls.iter().any(|(name, _)| is_blocking(name));
+            let is_plain = stmt.blocks().next().is_none() && !matches!(stmt.kind, StmtKind::Call(_));
+            armed = call(SET_LATCH).map(|_| stmt.range).or(armed.filter(|_| is_plain && !waits));
+        }
+    }
+}
+
+/// The instructions that a statement calls, in the order of evaluation as far as the search needs it.
+fn calls<'p>(program: &'p Program<'_>, stmt: &Stmt) -> Vec<(&'p str, ExprId)> {
+    let parts = stmt.kind.exprs().into_iter().flat_map(|id| program.body.within(id));
+    let called = |id: ExprId| match program.body.expr(id) {
+        Expr::Call(callee, _) => match program.body.expr(*callee) {
+            Expr::Name(name) => Some((name.as_str(), id)),
+            _ => None,
+        },
+        _ => None,
+    };
+    parts.filter_map(called).collect()
+}
+
+fn is_blocking(name: &str) -> bool {
+    instructions::find(name).is_some_and(|instruction| instruction.blocking)
+}
+
+fn word() -> Wording {
+    Wording::new(
+        "the latch is read before it can be armed",
+        "may still give the position latched before",
+        format!("write `{DELAY}(0)` behind `{SET_LATCH}`"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn read_at_once() {
+        expect![[r#"
+            start.pgx:6 `getLatch(j)` the latch is read before it can be armed
+              | may still give the position latched before
+              ? write `delay(0)` behind `setLatch`
+              > start.pgx:5 `setLatch(d)` armed here
+              ! write `delay(0)` behind `setLatch` (unsafe)
+            start.pgx:9 `getLatch(j)` the latch is read before it can be armed
+              | may still give the position latched before
+              ? write `delay(0)` behind `setLatch`
+              > start.pgx:7 `setLatch(d)` armed here
+              ! write `delay(0)` behind `setLatch` (unsafe)
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "dio d\njoint j\nbool b\nsetLatch(d)\nb=watch(getLatch(j)==true,5)\nsetLatch(d)\nputln(\"armed\")\n\
+             while !getLatch(j)\ndelay(0)\nendWhile",
+        ));
+    }
+
+    #[test]
+    fn read_later() {
+        assert_eq!(
+            check(
+                &RULE,
+                "dio d\njoint j\nbool b\nb=getLatch(j)\nsetLatch(d)\ndelay(0)\nb=getLatch(j)\nsetLatch(d)\ncall p()\n\
+                 b=getLatch(j)\nprogram p()\nbegin\nend"
+            ),
+            ""
+        );
+    }
+}

@@ -1,0 +1,84 @@
+//! V0120: a local variable that is written and never read.
+
+use val3_analysis::items::declarations::{Declared, all_locals};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program, variable_use};
+use crate::rule::rule;
+
+rule! {
+    /// A program writes a local variable and never reads it.
+    ///
+    /// ## Why
+    /// The value is lost when the program ends. Often the program reads another variable in its place. A result that
+    /// is not needed may stand alone: `getKey()` instead of `l_nKey=getKey()`, where the instruction allows it.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start()
+    ///   num l_nCount
+    /// begin
+    ///   l_nCount=1
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    ///   num l_nCount
+    /// begin
+    ///   l_nCount=1
+    ///   putln(l_nCount)
+    /// end
+    /// ```
+    V0120 "local-never-read" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let used = variable_use::of_locals(program);
+    if used.values().all(|uses| uses.may_read()) {
+        return;
+    }
+    for Declared { name, range, .. } in all_locals(program.db, program.file) {
+        let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
+        if is_lost && !variable_use::is_linkable(program, &name) {
+            found.report(&RULE, range, word(&name));
+        }
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(
+        format!("the program writes its local variable `{name}` and never reads it"),
+        "never read",
+        "remove it, or use its value",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn only_written() {
+        expect![[r#"
+            start.pgx:5 `l_nA` the program writes its local variable `l_nA` and never reads it
+              | never read
+              ? remove it, or use its value
+            start.pgx:6 `l_trB` the program writes its local variable `l_trB` and never reads it
+              | never read
+              ? remove it, or use its value
+        "#]]
+        .assert_eq(&check(&RULE, "program start()\n  num l_nA\n  trsf l_trB\nbegin\n  l_nA=1\n  l_trB.x=2\nend"));
+    }
+
+    #[test]
+    fn reading_references_counters_and_outputs() {
+        let listing = "program start()\n  num l_nA\n  num l_i\n  dio l_diC\n  bool l_bD\nbegin\n  l_nA=1\n  ?l_nA\n  \
+                       for l_i=0 to 2\n  endFor\n  l_diC=true\n  l_bD=false\n  setMutex(l_bD)\nend";
+        assert_eq!(check(&RULE, listing), "");
+    }
+}

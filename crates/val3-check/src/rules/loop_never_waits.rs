@@ -1,0 +1,154 @@
+//! V0308: a loop without end in which nothing waits.
+
+use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::flow::{Point, PointId, PointKind};
+use val3_lang::instructions::{CLOCK, DELAY};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A loop without end contains no line at which other tasks may go on before its turn is over.
+    ///
+    /// ## Why
+    /// Such a loop uses up every turn the scheduler gives it: other tasks, the pendant and the network become slow,
+    /// and a synchronous task overruns its period. A `delay(0)` ends the turn; a longer delay or a `wait` for what
+    /// the loop looks out for is better.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// dio diDoor
+    /// dio doLamp
+    ///
+    /// while true
+    ///   doLamp=(diDoor==true)
+    /// endWhile
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// dio diDoor
+    /// dio doLamp
+    ///
+    /// while true
+    ///   doLamp=(diDoor==true)
+    ///   delay(0.02)
+    /// endWhile
+    /// ```
+    V0308 "loop-never-waits" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let Some(condition) = program.endless_condition(stmt) else { continue };
+        let leaves = stmt.with_inner().iter().any(|inner| inner.kind == StmtKind::Return);
+        let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
+        if !leaves && !inside().any(|(id, point)| waits(program, id, point)) {
+            let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
+            if let Some(last) = stmt.blocks().next().and_then(<[_]>::last) {
+                let edit = program.line_after(last.range, &format!("{DELAY}(0)"));
+                reported.fix("give way to the other tasks", false, vec![edit]);
+            }
+        }
+    }
+}
+
+/// Other tasks may go on at this point, or the loop paces itself by the clock.
+fn waits(program: &Program<'_>, id: PointId, point: &Point) -> bool {
+    program.effects.may_wait_at(point)
+        || program.calls_at(id).iter().any(|call| call.instruction.name == CLOCK)
+        || matches!(point.kind, PointKind::Call(call) if may_wait(program, call))
+}
+
+fn may_wait(program: &Program<'_>, call: ExprId) -> bool {
+    let Expr::Call(callee, _) = program.body.expr(call) else { return true };
+    match program.body.expr(*callee) {
+        Expr::Name(name) => program.application().waiting.contains(name),
+        _ => true,
+    }
+}
+
+fn is_synchronous(program: &Program<'_>) -> bool {
+    program.application().tasks_of(program.name()).any(|task| task.start.synchronous)
+}
+
+fn word(is_synchronous: bool) -> Wording {
+    let message = if is_synchronous {
+        "nothing in this endless loop waits: the synchronous task overruns every period"
+    } else {
+        "nothing in this endless loop waits, so it takes all the time it can get from the other tasks"
+    };
+    Wording::new(message, "goes round without a pause", "end each round with `delay(…)`, or `wait(…)` for an event")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::fixed::fixed;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn no_pause() {
+        expect![[r#"
+            start.pgx:6 `true` nothing in this endless loop waits, so it takes all the time it can get from the other tasks
+              | goes round without a pause
+              ? end each round with `delay(…)`, or `wait(…)` for an event
+              ! give way to the other tasks (unsafe)
+        "#]].assert_eq(&check(
+            &RULE,
+            "num n\n\nwhile true\nn=n+1\ncall add()\nendWhile\n\nprogram add()\nbegin\n  n=n+2\nend",
+        ));
+        expect![[r#"
+            start.pgx:7 `false` nothing in this endless loop waits, so it takes all the time it can get from the other tasks
+              | goes round without a pause
+              ? end each round with `delay(…)`, or `wait(…)` for an event
+              ! give way to the other tasks (unsafe)
+        "#]].assert_eq(&check(&RULE, "num n\ndo\nn=n+1\nuntil false"));
+    }
+
+    #[test]
+    fn the_fix_gives_way() {
+        expect![[r#"
+            while true
+              if n>1
+                n=0
+              endIf
+              delay(0)
+            endWhile
+            end"#]]
+        .assert_eq(&fixed(&RULE, "num n\nwhile true\n  if n>1\n    n=0\n  endIf\nendWhile"));
+    }
+
+    #[test]
+    fn synchronous() {
+        let main = "num n\nbool b\n\ntaskCreateSync \"t\",0.02,b,turn()\n\nprogram turn()\nbegin\n  while true\n    ";
+        expect![[r#"
+            turn.pgx:5 `true` nothing in this endless loop waits: the synchronous task overruns every period
+              | goes round without a pause
+              ? end each round with `delay(…)`, or `wait(…)` for an event
+              ! give way to the other tasks (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{main}n=n+1\n  endWhile\nend")));
+        assert_eq!(check(&RULE, &format!("{main}delay(0)\n  endWhile\nend")), "");
+    }
+
+    #[test]
+    fn a_pause_of_any_kind() {
+        let lines =
+            ["delay(0)", "b=watch(d,1)", "s=line", "line=s", "n=clock()", "n=get()", "setMutex(b)", "call rest()"];
+        for line in lines {
+            let data = "num n\nbool b\ndio d\nstring s\nsio line\n";
+            let rest = "program rest()\nbegin\n  call more()\nend\n\nprogram more()\nbegin\n  delay(1)\nend";
+            assert_eq!(check(&RULE, &format!("{data}\nwhile true\nn=n+1\n{line}\nendWhile\n\n{rest}")), "", "{line}");
+        }
+    }
+
+    #[test]
+    fn a_loop_that_is_left() {
+        assert_eq!(check(&RULE, "num n\nwhile true\nn=n+1\nif n>9\nreturn\nendIf\nendWhile"), "");
+        assert_eq!(check(&RULE, "num n\nwhile n<9\nn=n+1\nendWhile"), "");
+    }
+}

@@ -1,0 +1,89 @@
+//! V0124: a parameter by value that is written and never read.
+
+use val3_analysis::items::declarations::{Declared, all_params};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program, variable_use};
+use crate::rule::rule;
+
+rule! {
+    /// A program writes a parameter that it takes by value, and never reads it.
+    ///
+    /// ## Why
+    /// By value the program has a copy of its own: what it writes there is lost when it ends, and the caller sees
+    /// nothing of it. A result is given back through a parameter by reference.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nMean
+    /// call mean(2,3,nMean)
+    /// putln(nMean)
+    ///
+    /// program mean(num x_nA, num x_nB, num x_nMean)
+    /// begin
+    ///   x_nMean=(x_nA+x_nB)/2
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nMean
+    /// call mean(2,3,nMean)
+    /// putln(nMean)
+    ///
+    /// program mean(num x_nA, num x_nB, num& x_nMean)
+    /// begin
+    ///   x_nMean=(x_nA+x_nB)/2
+    /// end
+    /// ```
+    V0124 "lost-parameter" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    if program.header.params.iter().all(|param| param.by_reference) {
+        return;
+    }
+    let used = variable_use::of_params(program);
+    let by_value = |name: &str| program.header.params.iter().any(|param| param.name == name && !param.by_reference);
+    for Declared { name, range, .. } in all_params(program.db, program.file) {
+        let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
+        if is_lost && by_value(&name) && !variable_use::is_linkable(program, &name) {
+            found.report(&RULE, range, word(&name));
+        }
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(
+        format!("the value that the program writes to `{name}` never reaches the caller"),
+        "taken by value",
+        "take the parameter by reference",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn a_result_by_value() {
+        expect![[r#"
+            p.pgx:5 `x_nA` the value that the program writes to `x_nA` never reaches the caller
+              | taken by value
+              ? take the parameter by reference
+            p.pgx:6 `x_trB` the value that the program writes to `x_trB` never reaches the caller
+              | taken by value
+              ? take the parameter by reference
+        "#]]
+        .assert_eq(&check(&RULE, "program p(num x_nA, trsf x_trB)\nbegin\n  x_nA=1\n  x_trB.x=1\nend"));
+    }
+
+    #[test]
+    fn a_copy_that_is_used_and_a_reference() {
+        assert_eq!(check(&RULE, "program p(num x_nA)\nbegin\n  x_nA=x_nA+1\n  ?x_nA\nend"), "");
+        assert_eq!(check(&RULE, "program p(num& x_nA, dio x_doB)\nbegin\n  x_nA=1\n  x_doB=true\nend"), "");
+    }
+}

@@ -1,0 +1,79 @@
+//! V0713: a program that does not say what it does.
+
+use val3_analysis::items::declarations;
+use val3_analysis::items::layout::comments;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A program does not begin with a comment that says what it does.
+    ///
+    /// ## Why
+    /// Who looks at a cell after years reads these comments first. The comment stands before the first line of code.
+    /// This is a convention of a shop, and off unless it is asked for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   putln("ready")
+    ///   // greets the operator
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   // Greets the operator
+    ///   putln("ready")
+    /// end
+    /// ```
+    V0713 "missing-description" Info off, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let first = program.body.block.first().map(|stmt| stmt.range.start());
+    let says = |text: &str| text.chars().any(char::is_alphanumeric);
+    let comments = comments(program.db, program.file);
+    let mut at_head = comments.iter().filter(|range| first.is_none_or(|first| range.end() <= first));
+    if !at_head.any(|range| says(program.slice(*range)))
+        && let Some(place) = declarations::program(program.db, program.file)
+    {
+        found.report(&RULE, place.range, word(program.name()));
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(
+        format!("the program `{name}` does not begin with a comment"),
+        "not described",
+        "say before the first line what it does",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn no_comment_or_an_empty_one() {
+        expect![[r#"
+            p.pgx:3 `p` the program `p` does not begin with a comment
+              | not described
+              ? say before the first line what it does
+        "#]]
+        .assert_eq(&check(&RULE, "program p()\nbegin\n  // ------\n  cls()\n  // why\nend"));
+    }
+
+    #[test]
+    fn a_comment_before_the_first_line() {
+        assert_eq!(check(&RULE, "program p()\nbegin\n\n  // Clears\n  cls()\nend"), "");
+        assert_eq!(check(&RULE, "program p()\nbegin\n  // nothing to do\nend"), "");
+    }
+}

@@ -1,0 +1,111 @@
+//! V0232: a move id compared with `==` or `!=`.
+
+use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_lang::instructions::GET_MOVE_ID;
+use val3_lang::operators::BinaryOp;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The result of `getMoveId()` is tested for equality.
+    ///
+    /// ## Why
+    /// The move id grows with the movement and has a fraction (10.6): it may step from 11.998 to 12.013 and is never
+    /// exactly 12. A `wait(getMoveId()==12)` may wait for ever.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// wait(getMoveId()==12)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// wait(getMoveId()>=12)
+    /// ```
+    V0232 "move-id-equality" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for (_, expr, range) in program.body.exprs() {
+        let Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) = expr else { continue };
+        if !is_move_id(program, *left) && !is_move_id(program, *right) {
+            continue;
+        }
+        let instead = instead(*op, is_move_id(program, *left));
+        let reported = found.report(&RULE, range, word(op.symbol(), instead));
+        if let Some(edit) = program.operator(*left, *right, op.symbol()) {
+            reported.fix(format!("write `{instead}`"), false, vec![(edit, program.spelt(instead).into_owned())]);
+        }
+    }
+    for stmt in program.stmts() {
+        if let StmtKind::Switch { selector: Some(selector), .. } = stmt.kind
+            && is_move_id(program, selector)
+        {
+            found.report(&RULE, program.range(selector), word("case", ">="));
+        }
+    }
+}
+
+fn is_move_id(program: &Program<'_>, id: ExprId) -> bool {
+    match program.body.expr(program.body.peel(id)) {
+        Expr::Call(callee, _) => matches!(program.body.expr(*callee), Expr::Name(name) if name == GET_MOVE_ID),
+        _ => false,
+    }
+}
+
+/// Reached means greater or equal; a move id on the right side turns the comparison round.
+fn instead(op: BinaryOp, left: bool) -> &'static str {
+    match (op, left) {
+        (BinaryOp::Equal, true) => ">=",
+        (BinaryOp::Equal, false) => "<=",
+        (_, true) => "<",
+        (_, false) => ">",
+    }
+}
+
+fn word(op: &str, instead: &str) -> Wording {
+    let holds = if op == BinaryOp::NotEqual.symbol() { "until" } else { "from the moment" };
+    Wording::new(
+        format!("`{op}` compares a move id, which may never be exactly this number"),
+        "the id steps over whole numbers",
+        format!("write `{instead}`, which holds {holds} the arm is there"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn tests_for_equality() {
+        expect![[r#"
+            start.pgx:5 `getMoveId()==12` `==` compares a move id, which may never be exactly this number
+              | the id steps over whole numbers
+              ? write `>=`, which holds from the moment the arm is there
+              ! write `>=` (unsafe)
+            start.pgx:6 `n!=(getMoveId())` `!=` compares a move id, which may never be exactly this number
+              | the id steps over whole numbers
+              ? write `>`, which holds until the arm is there
+              ! write `>` (unsafe)
+            start.pgx:9 `getMoveId()` `case` compares a move id, which may never be exactly this number
+              | the id steps over whole numbers
+              ? write `>=`, which holds from the moment the arm is there
+        "#]].assert_eq(&check(
+            &RULE,
+            "num n\nwait(getMoveId()==12)\nwhile n!=(getMoveId())\ndelay(0)\nendWhile\nswitch getMoveId()\ncase 1\nbreak\nendSwitch",
+        ));
+    }
+
+    #[test]
+    fn other_tests() {
+        assert_eq!(
+            check(&RULE, "num n\nwait(getMoveId()>=12)\nn=getMoveId()\nif roundDown(getMoveId())==3\nput(n)\nendIf"),
+            ""
+        );
+    }
+}

@@ -1,0 +1,99 @@
+//! V0331: a mutex that is taken and never given back.
+
+use val3_analysis::body::ExprId;
+use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_lang::instructions::SET_MUTEX;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// `setMutex` takes a mutex that no program ever gives back.
+    ///
+    /// ## Why
+    /// `setMutex` waits until the variable is `false` and sets it to `true`. Whoever has it must set it back to `false`
+    /// (5.9): otherwise the next `setMutex` waits for ever, in the same task as in any other.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// bool bScreen
+    ///
+    /// setMutex(bScreen)
+    /// putln("ready")
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// bool bScreen
+    ///
+    /// setMutex(bScreen)
+    /// putln("ready")
+    /// bScreen=false
+    /// ```
+    V0331 "mutex-never-released" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let taken: Vec<ExprId> = program.calls_of(SET_MUTEX).filter_map(|call| call.args.first().copied()).collect();
+    if taken.is_empty() || !program.application().sound {
+        return;
+    }
+    let accesses = program.effects.all();
+    for &mutex in &taken {
+        let Some(Root::Data(name)) = program.effects.root(mutex) else { continue };
+        let is_private = program.items.data.get(&name).is_some_and(|item| !item.decl.public);
+        let is_it = |access: &&Access| matches!(&access.root, Root::Data(data) if *data == name);
+        let released_here = accesses.iter().filter(is_it).any(|access| match access.kind {
+            AccessKind::Read => false,
+            AccessKind::Write | AccessKind::WritePart => true,
+            AccessKind::Reference => !taken.contains(&access.id),
+        });
+        if is_private && !released_here && !is_released_elsewhere(program, &name) {
+            found.report(&RULE, program.range(mutex), word(program.text(mutex)));
+        }
+    }
+}
+
+/// Another program writes the variable, or hands it to something that may.
+fn is_released_elsewhere(program: &Program<'_>, name: &str) -> bool {
+    let users = program.application().users.get(name).into_iter().flatten();
+    users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())
+}
+
+fn word(mutex: &str) -> Wording {
+    Wording::new(
+        format!("no program gives `{mutex}` back"),
+        "the next one waits here for ever",
+        format!("write `{mutex}=false` where the protected part ends"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn taken_and_kept() {
+        expect![[r#"
+            start.pgx:5 `b[1]` no program gives `b[1]` back
+              | the next one waits here for ever
+              ? write `b[1]=false` where the protected part ends
+        "#]]
+        .assert_eq(&check(&RULE, "bool b[2]\nsetMutex(b[1])\nif b[1]==true\nput(1)\nendIf"));
+    }
+
+    #[test]
+    fn taken_and_given_back() {
+        assert_eq!(check(&RULE, "bool b\nsetMutex(b)\nb=false"), "");
+        assert_eq!(check(&RULE, "bool b\nsetMutex(b)\ncall done()\nprogram done()\nbegin\nb=false\nend"), "");
+        assert_eq!(
+            check(&RULE, "bool b\nsetMutex(b)\ncall done(b)\nprogram done(bool& x_b)\nbegin\nx_b=false\nend"),
+            ""
+        );
+        assert_eq!(check(&RULE, "public bool b\nsetMutex(b)"), "");
+    }
+}

@@ -1,0 +1,147 @@
+//! V0406: an output is set while the arm is still on its way.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::body::ExprId;
+use val3_analysis::flow::{Point, PointId, PointKind};
+use val3_lang::instruction::{Class, Family};
+use val3_lang::instructions::WAIT_END_MOVE;
+use val3_lang::types::BaseType;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Phase, Program};
+use crate::rule::rule;
+
+rule! {
+    /// An output is set right behind a move, without a `waitEndMove` between them.
+    ///
+    /// ## Why
+    /// A move is only recorded: the program goes on at once, far ahead of the arm (10.2). The output is set when the
+    /// arm starts, not when it arrives. Where this is meant, nothing is wrong.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// point pPick
+    /// tool tGripper
+    /// mdesc mSlow
+    /// dio doVacuum
+    ///
+    /// movel(pPick,tGripper,mSlow)
+    /// doVacuum=true
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pPick
+    /// tool tGripper
+    /// mdesc mSlow
+    /// dio doVacuum
+    ///
+    /// movel(pPick,tGripper,mSlow)
+    /// waitEndMove()
+    /// doVacuum=true
+    /// ```
+    V0406 "output-before-arrival" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let Some(motion) = program.motion() else { return };
+    let wait = format!("{WAIT_END_MOVE}()");
+    let mut told = FxHashSet::default();
+    for (id, point) in program.flow().points() {
+        let arm = motion.arm(id);
+        let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
+        // The first output behind a move is enough.
+        if let Some(output) = output(program, id, point).filter(|_| told.insert(last)) {
+            let target = program.target(last).unwrap_or(last);
+            found
+                .report(&RULE, point.range, word(program.text(output), program.text(target)))
+                .related(program.range(last), "the arm only starts here")
+                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
+        }
+    }
+}
+
+/// The output that is set at a point.
+fn output(program: &Program<'_>, id: PointId, point: &Point) -> Option<ExprId> {
+    let is_output = |id: ExprId| {
+        let ty = program.inference.ty(id).base.builtin();
+        matches!(ty, Some(BaseType::Dio | BaseType::Aio)).then_some(id)
+    };
+    match point.kind {
+        PointKind::Assign { target, .. } => is_output(target),
+        _ => program.calls_at(id).iter().find_map(|call| {
+            let form = call.form.filter(|form| form.class == Class::Modifier)?;
+            let sets_number = form.params.get(1).is_some_and(|param| param.ty == Some(BaseType::Num));
+            let is_setter = call.instruction.family == Family::Io && sets_number;
+            call.args.first().copied().filter(|_| is_setter).and_then(is_output)
+        }),
+    }
+}
+
+fn word(output: &str, target: &str) -> Wording {
+    Wording::new(
+        format!("`{output}` is set before the arm has got to `{target}`"),
+        "set while the arm is on its way",
+        "if the arm has to be there, call `waitEndMove()` before",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::fixed::fixed;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        format!("point pA\ntool tA\nmdesc mA\nbool bA\nnum nA\ndio dA\naio aA\n\n{code}")
+    }
+
+    #[test]
+    fn on_the_way() {
+        expect![[r#"
+            start.pgx:8 `dA=true` `dA` is set before the arm has got to `pA`
+              | set while the arm is on its way
+              ? if the arm has to be there, call `waitEndMove()` before
+              > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
+            start.pgx:11 `aioSet(aA,3)` `aA` is set before the arm has got to `pA`
+              | set while the arm is on its way
+              ? if the arm has to be there, call `waitEndMove()` before
+              > start.pgx:10 `movej(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
+            start.pgx:13 `tA.gripper=true` `tA.gripper` is set before the arm has got to `pA`
+              | set while the arm is on its way
+              ? if the arm has to be there, call `waitEndMove()` before
+              > start.pgx:12 `movej(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
+        "#]].assert_eq(&check(
+            &RULE,
+            &program("movel(pA,tA,mA)\nnA=1\ndA=true\ndA=false\nmovej(pA,tA,mA)\naioSet(aA,3)\nmovej(pA,tA,mA)\ntA.gripper=true"),
+        ));
+    }
+
+    #[test]
+    fn the_fix_waits() {
+        expect![[r#"
+            if bA
+              movel(pA,tA,mA)
+              waitEndMove()
+              dA=true
+            endIf
+            end"#]]
+        .assert_eq(&fixed(&RULE, &program("if bA\n  movel(pA,tA,mA)\n  dA=true\nendIf")));
+    }
+
+    #[test]
+    fn there() {
+        let lines =
+            ["waitEndMove()", "open(tA)", "wait(getMoveId()>3)", "delay(1)", "wait(isSettled())", "resetMotion()"];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(&format!("movel(pA,tA,mA)\n{line}\ndA=true"))), "", "{line}");
+        }
+        assert_eq!(check(&RULE, &program("if bA\nmovel(pA,tA,mA)\nendIf\ndA=true")), "");
+        assert_eq!(check(&RULE, &program("movel(pA,tA,mA)\nbA=dA\nnA=aioGet(aA)")), "");
+    }
+}

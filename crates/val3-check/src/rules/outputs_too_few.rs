@@ -1,0 +1,79 @@
+//! V0239: more bits than outputs.
+
+use val3_lang::arguments::bits;
+use val3_lang::instructions::DIO_SET;
+
+use crate::diagnostic::Wording;
+use crate::english::count;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A number is written to fewer outputs than its bits need.
+    ///
+    /// ## Why
+    /// `dioSet` writes one bit to each output of the array; what is left of the number is dropped without an error
+    /// (3.5.3): 26 on four outputs is 10.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// dio doLamps[4]
+    ///
+    /// dioSet(doLamps,26)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// dio doLamps[5]
+    ///
+    /// dioSet(doLamps,26)
+    /// ```
+    V0239 "outputs-too-few" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for call in program.calls_of(DIO_SET) {
+        let [outputs, number] = *call.args else { continue };
+        let (Some(size), Some(value)) = (program.certain_size(outputs), program.body.number(number)) else { continue };
+        if value >= bits(size) {
+            found.report(&RULE, program.range(number), word(program.text(outputs), size, value));
+        }
+    }
+}
+
+fn word(outputs: &str, size: u32, value: f64) -> Wording {
+    Wording::new(
+        format!("`{outputs}` has {}, too few to show {value}", count(size as usize, "output")),
+        format!("there is room for 0 to {}", bits(size) - 1.0),
+        "",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn bits_that_are_dropped() {
+        expect![[r#"
+            start.pgx:5 `16` `d` has 4 outputs, too few to show 16
+              | there is room for 0 to 15
+            start.pgx:6 `2` `e` has 1 output, too few to show 2
+              | there is room for 0 to 1
+            start.pgx:7 `9` `d[1]` has 3 outputs, too few to show 9
+              | there is room for 0 to 7
+        "#]]
+        .assert_eq(&check(&RULE, "dio d[4]\ndio e\ndioSet(d,16)\ndioSet(e,2)\ndioSet(d[1],9)"));
+    }
+
+    #[test]
+    fn bits_that_fit() {
+        assert_eq!(
+            check(&RULE, "dio d[4]\npublic dio e[2]\nnum n\ndioSet(d,15)\ndioSet(d,n)\ndioSet(d[1],7)\ndioSet(e,9)"),
+            ""
+        );
+    }
+}

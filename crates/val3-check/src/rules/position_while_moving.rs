@@ -1,0 +1,108 @@
+//! V0408: the position of the arm is stored while it is on its way.
+
+use val3_analysis::flow::PointKind;
+use val3_lang::instructions::WAIT_END_MOVE;
+use val3_lang::motion::{MotionRole, role};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Phase, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The position of the arm is stored right behind a move, without a `waitEndMove` between them.
+    ///
+    /// ## Why
+    /// A move is only recorded: the program goes on at once (10.2). What is read is some position at the start of the
+    /// move, another one each time. To follow the arm in a condition is usual and not reported.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// point pPart
+    /// point pFound
+    /// tool tProbe
+    /// mdesc mSlow
+    ///
+    /// movel(pPart,tProbe,mSlow)
+    /// pFound=here(tProbe,world)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// point pPart
+    /// point pFound
+    /// tool tProbe
+    /// mdesc mSlow
+    ///
+    /// movel(pPart,tProbe,mSlow)
+    /// waitEndMove()
+    /// pFound=here(tProbe,world)
+    /// ```
+    V0408 "position-while-moving" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let Some(motion) = program.motion() else { return };
+    let wait = format!("{WAIT_END_MOVE}()");
+    for (id, point) in program.flow().points() {
+        let arm = motion.arm(id);
+        let PointKind::Assign { .. } = point.kind else { continue };
+        let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
+        let read = program.calls_at(id).iter().find(|call| role(call.instruction) == Some(MotionRole::Position));
+        if let Some(read) = read {
+            found
+                .report(&RULE, program.range(read.id), word(read.instruction.name))
+                .related(program.range(last), "the arm only starts here")
+                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
+        }
+    }
+}
+
+fn word(instruction: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` is asked while the arm is on its way"),
+        "some position on the way",
+        "if the end of the move is meant, call `waitEndMove()` before",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        format!("point pA\njoint jA\ntool tA\nmdesc mA\nnum nA\n\nmovel(pA,tA,mA)\n{code}")
+    }
+
+    #[test]
+    fn on_the_way() {
+        expect![[r#"
+            start.pgx:7 `herej()` `herej` is asked while the arm is on its way
+              | some position on the way
+              ? if the end of the move is meant, call `waitEndMove()` before
+              > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
+            start.pgx:8 `here(tA,world)` `here` is asked while the arm is on its way
+              | some position on the way
+              ? if the end of the move is meant, call `waitEndMove()` before
+              > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
+              ! wait for the arm (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, &program("jA=herej()\nnA=distance(here(tA,world),pA)")));
+    }
+
+    #[test]
+    fn meant_or_there() {
+        let lines = [
+            "waitEndMove()\njA=herej()",
+            "wait(distance(here(tA,world),pA)<10)",
+            "while distance(here(tA,world),pA)>10\ndelay(0)\njA=herej()\nendWhile",
+            "nA=getMoveId()\njA=herej()",
+        ];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(line)), "", "{line}");
+        }
+    }
+}

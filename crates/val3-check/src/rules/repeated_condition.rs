@@ -1,0 +1,203 @@
+//! V0307: an `elseIf` that an earlier condition leaves nothing to.
+
+use rustc_hash::FxHashMap;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
+use val3_lang::operators::BinaryOp;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// An `elseIf` can only hold where an earlier condition of the same `if` holds too, so its block never runs.
+    ///
+    /// ## Why
+    /// The first condition that holds is the one that counts. The condition was copied and not changed, or a wider
+    /// range is asked for before a narrower one.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nForce
+    ///
+    /// if nForce>10
+    ///   putln("contact")
+    /// elseIf nForce>50
+    ///   putln("collision")
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nForce
+    ///
+    /// if nForce>50
+    ///   putln("collision")
+    /// elseIf nForce>10
+    ///   putln("contact")
+    /// endIf
+    /// ```
+    V0307 "repeated-condition" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let StmtKind::If { arms, .. } = &stmt.kind else { continue };
+        if arms.len() < 2 {
+            continue;
+        }
+        let mut asked = Asked::default();
+        // Constants are told as such; what acts may well yield another value the next time.
+        let is_followed = |id: &ExprId| program.body.constant(*id).is_none() && program.is_pure(*id);
+        for condition in arms.iter().filter_map(|(condition, _)| *condition).filter(is_followed) {
+            if let Some(earlier) = asked.covering(program.body, condition) {
+                let word = word(program.body.is_same(condition, earlier));
+                found.report(&RULE, program.range(condition), word).related(program.range(earlier), "asked first");
+            }
+            asked.add(program.body, condition);
+        }
+    }
+}
+
+/// The conditions of an `if` so far.
+#[derive(Default)]
+struct Asked {
+    /// Each condition as it is written.
+    conditions: FxHashMap<String, ExprId>,
+    /// The widest ranges that were asked for, by the value compared: above a bound, below one.
+    ranges: FxHashMap<String, [Option<(Range, ExprId)>; 2]>,
+}
+
+impl Asked {
+    /// An earlier condition that holds wherever `condition` does.
+    fn covering(&self, body: &Body, condition: ExprId) -> Option<ExprId> {
+        let same = self.conditions.get(&body.normal_form(condition)).copied();
+        same.or_else(|| {
+            let (value, range) = range(body, condition)?;
+            let widest = self.ranges.get(&value)?.iter().flatten();
+            widest.into_iter().find(|(outer, _)| range.is_within(outer)).map(|(_, earlier)| *earlier)
+        })
+    }
+
+    fn add(&mut self, body: &Body, condition: ExprId) {
+        self.conditions.entry(body.normal_form(condition)).or_insert(condition);
+        let Some((value, range)) = range(body, condition) else { return };
+        let [above, below] = self.ranges.entry(value).or_default();
+        let side = match (range.low.at.is_finite(), range.high.at.is_finite()) {
+            (true, false) => above,
+            (false, true) => below,
+            _ => return,
+        };
+        if side.as_ref().is_none_or(|(widest, _)| widest.is_within(&range)) {
+            *side = Some((range, condition));
+        }
+    }
+}
+
+/// The numbers between two bounds.
+struct Range {
+    low: Bound,
+    high: Bound,
+}
+
+/// A bound; it is open where the number itself is left out.
+#[derive(Clone, Copy)]
+struct Bound {
+    at: f64,
+    is_open: bool,
+}
+
+impl Range {
+    fn is_within(&self, outer: &Self) -> bool {
+        let low = self.low.at > outer.low.at || self.low.at >= outer.low.at && (self.low.is_open || !outer.low.is_open);
+        let high =
+            self.high.at < outer.high.at || self.high.at <= outer.high.at && (self.high.is_open || !outer.high.is_open);
+        low && high
+    }
+}
+
+/// `value > constant` and its like, the constant on either side: the value as it is written, and its range.
+fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
+    let Expr::Binary(op, left, right) = body.expr(body.peel(id)) else { return None };
+    if let Some(at) = body.number(*right) {
+        return Some((body.normal_form(*left), compared(*op, at)?));
+    }
+    let mirrored = match op {
+        BinaryOp::Less => BinaryOp::Greater,
+        BinaryOp::LessOrEqual => BinaryOp::GreaterOrEqual,
+        BinaryOp::Greater => BinaryOp::Less,
+        BinaryOp::GreaterOrEqual => BinaryOp::LessOrEqual,
+        other => *other,
+    };
+    Some((body.normal_form(*right), compared(mirrored, body.number(*left)?)?))
+}
+
+fn compared(op: BinaryOp, at: f64) -> Option<Range> {
+    let (closed, open) = (Bound { at, is_open: false }, Bound { at, is_open: true });
+    let lowest = Bound { at: f64::NEG_INFINITY, is_open: false };
+    let highest = Bound { at: f64::INFINITY, is_open: false };
+    let (low, high) = match op {
+        BinaryOp::Equal => (closed, closed),
+        BinaryOp::Less => (lowest, open),
+        BinaryOp::LessOrEqual => (lowest, closed),
+        BinaryOp::Greater => (open, highest),
+        BinaryOp::GreaterOrEqual => (closed, highest),
+        _ => return None,
+    };
+    Some(Range { low, high })
+}
+
+fn word(is_same: bool) -> Wording {
+    let message = if is_same {
+        "the same condition was asked before, so this block never runs"
+    } else {
+        "an earlier condition holds whenever this one does, so this block never runs"
+    };
+    let help = if is_same { "write the condition that was meant" } else { "ask for the narrower range first" };
+    Wording::new(message, "never decides", help)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn chain(conditions: [&str; 2]) -> String {
+        format!("num n\nnum m\nbool b\nif {}\nput(1)\nelseIf {}\nput(2)\nendIf", conditions[0], conditions[1])
+    }
+
+    #[test]
+    fn the_same_twice() {
+        expect![[r#"
+            start.pgx:7 `(b==true)` the same condition was asked before, so this block never runs
+              | never decides
+              ? write the condition that was meant
+              > start.pgx:5 `b==true` asked first
+        "#]]
+        .assert_eq(&check(&RULE, &chain(["b==true", "(b==true)"])));
+    }
+
+    #[test]
+    fn a_narrower_range() {
+        expect![[r#"
+            start.pgx:7 `2<n` an earlier condition holds whenever this one does, so this block never runs
+              | never decides
+              ? ask for the narrower range first
+              > start.pgx:5 `n>1` asked first
+        "#]]
+        .assert_eq(&check(&RULE, &chain(["n>1", "2<n"])));
+        for pair in [["n>=1", "n==1"], ["n<3", "n<=2.9"], ["n<=3", "n<3"], ["n>1", "n>1.0"]] {
+            assert_ne!(check(&RULE, &chain(pair)), "", "{pair:?}");
+        }
+    }
+
+    #[test]
+    fn other_conditions() {
+        let pairs =
+            [["n>2", "n>1"], ["n>1", "n>=1"], ["n==1", "n==2"], ["n>1", "m>2"], ["n>1", "n<2"], ["n!=1", "n!=2"]];
+        for pair in pairs.into_iter().chain([["getKey()==1", "getKey()==1"], ["b", "!b"], ["n==1", "n>0"]]) {
+            assert_eq!(check(&RULE, &chain(pair)), "", "{pair:?}");
+        }
+    }
+}

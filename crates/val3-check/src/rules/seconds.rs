@@ -1,0 +1,83 @@
+//! V0240: a time that looks like milliseconds.
+
+use val3_lang::arguments::counts_seconds;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A constant time is so long that it was probably meant in milliseconds.
+    ///
+    /// ## Why
+    /// `delay` and `watch` count seconds (5.10): `delay(500)` waits for more than eight minutes.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// delay(500)
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// delay(0.5)
+    /// ```
+    V0240 "seconds" Info, Program: check
+}
+
+/// Whole numbers of seconds from here on are doubted, unless they are whole minutes.
+const LONG: f64 = 200.0;
+const MINUTE: f64 = 60.0;
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for call in program.calls() {
+        for (_, argument) in call.arguments().filter(|(param, _)| counts_seconds(param.name)) {
+            let Some(value) = program.body.number(argument).filter(|value| is_doubtful(*value)) else { continue };
+            let instead = value / 1000.0;
+            found.report(&RULE, program.range(argument), word(call.instruction.name, value)).fix(
+                format!("write `{instead}`, which is {value} ms"),
+                false,
+                vec![(program.range(argument), instead.to_string())],
+            );
+        }
+    }
+}
+
+fn is_doubtful(seconds: f64) -> bool {
+    seconds >= LONG && seconds % MINUTE != 0.0
+}
+
+fn word(callee: &str, seconds: f64) -> Wording {
+    Wording::new(
+        format!("`{callee}` counts seconds, and {seconds} of them are {:.1} minutes", seconds / MINUTE),
+        "a very long time",
+        format!("for {seconds} ms write `{}`", seconds / 1000.0),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn times_like_milliseconds() {
+        expect![[r#"
+            start.pgx:5 `500` `delay` counts seconds, and 500 of them are 8.3 minutes
+              | a very long time
+              ? for 500 ms write `0.5`
+              ! write `0.5`, which is 500 ms (unsafe)
+            start.pgx:6 `2500` `watch` counts seconds, and 2500 of them are 41.7 minutes
+              | a very long time
+              ? for 2500 ms write `2.5`
+              ! write `2.5`, which is 2500 ms (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, "bool b\ndelay(500)\nb=watch(b,2500)"));
+    }
+
+    #[test]
+    fn times_like_seconds() {
+        assert_eq!(check(&RULE, "bool b\nnum n\ndelay(0.5)\nb=watch(b,199)\ndelay(600)\ndelay(n)"), "");
+    }
+}

@@ -1,0 +1,76 @@
+//! V0237: a variable assigned to itself.
+
+use val3_analysis::body::StmtKind;
+use val3_lang::types::BaseType;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A variable is assigned to itself.
+    ///
+    /// ## Why
+    /// The line changes nothing. Most often one of the two names was meant to be another: a parameter and the global
+    /// it belongs to, a field, an index.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    /// num nTotal
+    ///
+    /// nCount=nCount
+    /// nTotal=nTotal+nCount
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    /// num nTotal
+    ///
+    /// nCount=nTotal
+    /// nTotal=nTotal+nCount
+    /// ```
+    V0237 "self-assignment" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for stmt in program.stmts() {
+        let StmtKind::Assign { target, value } = stmt.kind else { continue };
+        // A serial line is read and written.
+        let is_line = program.inference.ty(target).base.builtin() == Some(BaseType::Sio);
+        if !is_line && program.is_same(target, value) {
+            found.report(&RULE, stmt.range, word(program.text(target)));
+        }
+    }
+}
+
+fn word(variable: &str) -> Wording {
+    Wording::new(format!("`{variable}` is assigned to itself"), "changes nothing", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn to_itself() {
+        expect![[r#"
+            start.pgx:5 `n[i] = n[ i ]` `n[i]` is assigned to itself
+              | changes nothing
+            start.pgx:6 `t.x=(t.x)` `t.x` is assigned to itself
+              | changes nothing
+            start.pgx:7 `i=i` `i` is assigned to itself
+              | changes nothing
+        "#]]
+        .assert_eq(&check(&RULE, "num n[3]\nnum i\ntrsf t\nn[i] = n[ i ]\nt.x=(t.x)\ni=i"));
+    }
+
+    #[test]
+    fn to_another() {
+        assert_eq!(check(&RULE, "num n[3]\nnum i\ntrsf t\nn[i]=n[i+1]\nt.x=t.y\ni=-i\nn[i]=n[round(clock())]"), "");
+    }
+}

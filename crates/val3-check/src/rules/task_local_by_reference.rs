@@ -1,0 +1,111 @@
+//! V0320: a local variable by reference for the program of a task.
+
+use val3_analysis::effects::Root;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The program of a task gets a local variable by reference.
+    ///
+    /// ## Why
+    /// The variable ends with the program that creates the task, while the task goes on and would read and write
+    /// something that is no longer there. `taskCreate` and `taskCreateSync` take no local variable by reference, and
+    /// no parameter that was passed by value, which is one (5.10).
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program begins()
+    ///   num l_nCount
+    /// begin
+    ///   taskCreate "count",10,count(l_nCount)
+    /// end
+    ///
+    /// program count(num& x_nCount)
+    /// begin
+    ///   x_nCount=x_nCount+1
+    /// end
+    ///
+    /// call begins()
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// taskCreate "count",10,count(nCount)
+    ///
+    /// program count(num& x_nCount)
+    /// begin
+    ///   x_nCount=x_nCount+1
+    /// end
+    /// ```
+    V0320 "task-local-by-reference" Error, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for task in program.task_creations() {
+        for (param, argument) in task.call.arguments() {
+            if !param.by_reference || param.loose {
+                continue;
+            }
+            if let Some(what) = mortal(program, program.effects.root(argument)) {
+                let text = program.text(argument);
+                found.report(&RULE, program.range(argument), word(what, text, &param.name));
+            }
+        }
+    }
+}
+
+/// What a variable is that ends with its program; `None` for any other.
+pub(crate) fn mortal(program: &Program<'_>, root: Option<Root>) -> Option<&'static str> {
+    match root? {
+        Root::Local(_) => Some("the local variable"),
+        Root::Param(name) => {
+            let param = program.header.params.iter().find(|param| param.name == name)?;
+            (!param.by_reference && !param.loose).then_some("the value parameter")
+        }
+        Root::Data(_) | Root::Item(..) => None,
+    }
+}
+
+fn word(what: &str, variable: &str, parameter: &str) -> Wording {
+    Wording::new(
+        format!("a task cannot get {what} `{variable}` by reference"),
+        "ends with this program, before the task does",
+        format!("use a global variable, or take `{parameter}` by value"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    const COUNT: &str = "program count(num& x_n)\nbegin\nx_n=1\nend\nprogram show(num x_n)\nbegin\nput(x_n)\nend\n";
+
+    #[test]
+    fn variables_that_end() {
+        let code = "bool b\nprogram p(num x_n)\nnum l_n[2]\nbegin\ntaskCreate \"a\",10,count(l_n[1])\n\
+                    taskCreateSync \"b\",0.02,b,count(x_n)\nend\n";
+        expect![[r#"
+            p.pgx:11 `l_n[1]` a task cannot get the local variable `l_n[1]` by reference
+              | ends with this program, before the task does
+              ? use a global variable, or take `x_n` by value
+            p.pgx:12 `x_n` a task cannot get the value parameter `x_n` by reference
+              | ends with this program, before the task does
+              ? use a global variable, or take `x_n` by value
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{COUNT}{code}")));
+    }
+
+    #[test]
+    fn variables_that_stay_and_values() {
+        let code = "num n\nprogram p(num& x_n)\nnum l_n\nbegin\nl_n=1\ntaskCreate \"a\",10,count(n)\n\
+                    taskCreate \"b\",10,count(x_n)\ntaskCreate \"c\",10,show(l_n)\ncall count(l_n)\nend\n";
+        assert_eq!(check(&RULE, &format!("{COUNT}{code}")), "");
+    }
+}

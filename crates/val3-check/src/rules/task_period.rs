@@ -1,0 +1,121 @@
+//! V0323: a period that is rounded, or counted in another unit.
+
+use val3_lang::tasks::{PERIOD_STEP, is_exact_period};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A synchronous task has a constant period that is no multiple of 4 ms, or one of whole seconds.
+    ///
+    /// ## Why
+    /// The controller rounds a period down to a multiple of 0.004 s (5.10): 0.01 s becomes 8 ms, and what the task
+    /// counts in its periods is wrong by a quarter. Periods are seconds: 16 is a period of 16 s, most often meant to be
+    /// 16 ms.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// bool bLate
+    ///
+    /// taskCreateSync "watch",0.01,bLate,watching()
+    ///
+    /// program watching()
+    /// begin
+    ///   putln("watching")
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// bool bLate
+    ///
+    /// taskCreateSync "watch",0.012,bLate,watching()
+    ///
+    /// program watching()
+    /// begin
+    ///   putln("watching")
+    /// end
+    /// ```
+    V0323 "task-period" Warning, Program: check
+}
+
+/// A synchronous task of a slower pace than this many seconds was meant in milliseconds.
+const SLOWEST: f64 = 2.0;
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for task in program.task_creations().filter(|task| task.is_synchronous()) {
+        let Some(period) = program.body.number(task.pace).filter(|period| *period > 0.0) else { continue };
+        let range = program.range(task.pace);
+        if period > SLOWEST {
+            let instead = (period / 1000.0).to_string();
+            let title = format!("write `{instead}`, which is {period} ms");
+            found.report(&RULE, range, seconds(period)).fix(title, false, vec![(range, instead)]);
+        } else if !is_exact_period(period) {
+            found.report(&RULE, range, rounded(period));
+        }
+    }
+}
+
+fn seconds(period: f64) -> Wording {
+    Wording::new(
+        format!("the task runs once in {period} seconds"),
+        "a period counts seconds",
+        format!("for {period} ms write `{}`", period / 1000.0),
+    )
+}
+
+fn rounded(period: f64) -> Wording {
+    let step = PERIOD_STEP * 1000.0;
+    let below = (period / PERIOD_STEP).floor() * step;
+    Wording::new(
+        format!("the period {} ms is no multiple of {step} ms", milliseconds(period)),
+        format!("rounded down to {below} ms"),
+        format!("write {} or {}", below / 1000.0, (below + step) / 1000.0),
+    )
+}
+
+/// Seconds in milliseconds, without the last digits of a binary fraction.
+fn milliseconds(seconds: f64) -> f64 {
+    (seconds * 1e6).round() / 1e3
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn periods_that_are_rounded_or_long() {
+        expect![[r#"
+            start.pgx:5 `0.01` the period 10 ms is no multiple of 4 ms
+              | rounded down to 8 ms
+              ? write 0.008 or 0.012
+            start.pgx:6 `16` the task runs once in 16 seconds
+              | a period counts seconds
+              ? for 16 ms write `0.016`
+              ! write `0.016`, which is 16 ms (unsafe)
+            start.pgx:7 `0.0139` the period 13.9 ms is no multiple of 4 ms
+              | rounded down to 12 ms
+              ? write 0.012 or 0.016
+        "#]].assert_eq(&check(
+            &RULE,
+            "bool b\ntaskCreateSync \"a\",0.01,b,q()\ntaskCreateSync \"b\",16,b,q()\ntaskCreateSync \"c\",0.0139,b,q()\n\
+             program q()\nbegin\nend",
+        ));
+    }
+
+    #[test]
+    fn periods_of_a_multiple() {
+        assert_eq!(
+            check(
+                &RULE,
+                "num n\nbool b\ntaskCreateSync \"a\",0.004,b,q()\ntaskCreateSync \"b\",0.02,b,q()\n\
+                 taskCreateSync \"c\",n,b,q()\ntaskCreateSync \"d\",1,b,q()\ntaskCreate \"e\",10,q()\nprogram q()\nbegin\nend"
+            ),
+            ""
+        );
+    }
+}

@@ -1,0 +1,116 @@
+//! V0324: more different periods than the controller supports.
+
+use val3_lang::tasks::{MAX_PERIODS, PERIOD_STEP, period_steps};
+
+use crate::diagnostic::Wording;
+use crate::english::and;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The synchronous tasks of an application have more than two different periods.
+    ///
+    /// ## Why
+    /// All synchronous tasks that exist at a time can have two different periods; creating one of a third period is
+    /// run-time error 32 (5.10). A task that needs a longer period can count the turns of a shorter one.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// bool bLate
+    ///
+    /// taskCreateSync "fast",0.004,bLate,watching()
+    /// taskCreateSync "medium",0.02,bLate,watching()
+    /// taskCreateSync "slow",0.1,bLate,watching()
+    ///
+    /// program watching()
+    /// begin
+    ///   putln("watching")
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// bool bLate
+    ///
+    /// taskCreateSync "fast",0.004,bLate,watching()
+    /// taskCreateSync "medium",0.02,bLate,watching()
+    /// taskCreateSync "slow",0.02,bLate,watching()
+    ///
+    /// program watching()
+    /// begin
+    ///   putln("watching")
+    /// end
+    /// ```
+    V0324 "too-many-periods" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let mut creations = program.task_creations().filter(|task| task.is_synchronous()).peekable();
+    if creations.peek().is_none() {
+        return;
+    }
+    let periods = periods(program);
+    let Some(surplus) = periods.get(MAX_PERIODS..).filter(|surplus| !surplus.is_empty()) else { return };
+    for task in creations {
+        let steps = program.body.number(task.pace).and_then(period_steps);
+        if steps.is_some_and(|steps| surplus.contains(&steps)) {
+            found.report(&RULE, program.range(task.pace), word(&periods));
+        }
+    }
+}
+
+/// The different periods of the tasks that the application may create, in steps.
+fn periods(program: &Program<'_>) -> Vec<u32> {
+    let application = program.application();
+    let is_run = |name: &smol_str::SmolStr| application.run_by.contains_key(name);
+    let created = application.tasks.iter().filter(|task| task.created_by.as_ref().is_some_and(is_run));
+    let mut periods: Vec<u32> = Vec::new();
+    for period in created.filter_map(|task| task.start.period) {
+        if !periods.contains(&period) {
+            periods.push(period);
+        }
+    }
+    periods
+}
+
+fn word(periods: &[u32]) -> Wording {
+    let mut sorted = periods.to_vec();
+    sorted.sort_unstable();
+    let shown: Vec<String> =
+        sorted.iter().map(|steps| (f64::from(*steps) * PERIOD_STEP * 1000.0).to_string()).collect();
+    Wording::new(
+        format!("the synchronous tasks of this application have {} different periods", periods.len()),
+        format!("{MAX_PERIODS} are supported at a time"),
+        format!("the periods are {} ms: choose {MAX_PERIODS} of them", and(&shown)),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    const WATCHING: &str = "bool b\nprogram watching()\nbegin\nend\n";
+
+    #[test]
+    fn three_periods_in_two_programs() {
+        let code = "call more()\ntaskCreateSync \"a\",0.004,b,watching()\ntaskCreateSync \"c\",0.016,b,watching()\n\
+                    program more()\nbegin\ntaskCreateSync \"b\",0.02,b,watching()\nend\n";
+        expect![[r#"
+            start.pgx:7 `0.016` the synchronous tasks of this application have 3 different periods
+              | 2 are supported at a time
+              ? the periods are 4, 16 and 20 ms: choose 2 of them
+        "#]]
+        .assert_eq(&check(&RULE, &format!("{WATCHING}{code}")));
+    }
+
+    #[test]
+    fn two_periods_and_those_that_are_not_known() {
+        let code = "num n\ntaskCreateSync \"a\",0.004,b,watching()\ntaskCreateSync \"b\",0.02,b,watching()\n\
+                    taskCreateSync \"c\",0.021,b,watching()\ntaskCreateSync \"d\",n,b,watching()\n\
+                    program idle()\nbegin\ntaskCreateSync \"e\",0.1,b,watching()\nend\n";
+        assert_eq!(check(&RULE, &format!("{WATCHING}{code}")), "");
+    }
+}

@@ -1,0 +1,153 @@
+//! V0344: data that one task writes field by field while another reads it as a whole.
+
+use smol_str::SmolStr;
+use val3_analysis::application::summary;
+use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_lang::instructions::SET_MUTEX;
+use val3_syntax::TextRange;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// One task writes the fields of data line by line, and another reads the data as a whole.
+    ///
+    /// ## Why
+    /// Tasks take turns between lines: the reader may get a position with the new x and the old y. One line that
+    /// assigns the whole value cannot be torn; or both take a flag with `setMutex` around what belongs together, and
+    /// then nothing is reported. Only tasks are looked at that programs create.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// trsf trGoal
+    ///
+    /// program start()
+    /// begin
+    ///   taskCreate "camera",10,locate()
+    ///   taskCreate "screen",10,show()
+    /// end
+    ///
+    /// program locate()
+    /// begin
+    ///   trGoal.x=1
+    ///   trGoal.y=2
+    /// end
+    ///
+    /// program show()
+    ///   trsf l_trGoal
+    /// begin
+    ///   l_trGoal=trGoal
+    ///   putln(l_trGoal.x)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// trsf trGoal
+    ///
+    /// program start()
+    /// begin
+    ///   taskCreate "camera",10,locate()
+    ///   taskCreate "screen",10,show()
+    /// end
+    ///
+    /// program locate()
+    /// begin
+    ///   trGoal={1,2,0,0,0,0}
+    /// end
+    ///
+    /// program show()
+    ///   trsf l_trGoal
+    /// begin
+    ///   l_trGoal=trGoal
+    ///   putln(l_trGoal.x)
+    /// end
+    /// ```
+    V0344 "torn-data" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let application = program.application();
+    let name = SmolStr::from(program.name());
+    if application.takers_of_mutexes.contains(&name) {
+        return;
+    }
+    for (data, range) in parts(program) {
+        let users = application.users.get(&data).into_iter().flatten();
+        let mut readers: Vec<&SmolStr> = users
+            .filter(|(user, uses)| uses.read_whole && *user != name && !application.takers_of_mutexes.contains(user))
+            .filter(|(user, _)| application.run_side_by_side(&name, user))
+            .map(|(user, _)| user)
+            .collect();
+        readers.sort_unstable();
+        if let Some(reader) = readers.first() {
+            found.report(&RULE, range, word(&data, reader));
+        }
+    }
+}
+
+/// Data of which the program writes several fields, with the place of the second such line.
+fn parts(program: &Program<'_>) -> Vec<(SmolStr, TextRange)> {
+    let in_parts =
+        summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
+    let mut found: Vec<(SmolStr, TextRange)> = in_parts
+        .filter_map(|(name, _)| {
+            let is_part =
+                |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
+            let second = program.effects.all().iter().filter(is_part).nth(1)?;
+            Some((name.clone(), program.range(second.id)))
+        })
+        .collect();
+    found.sort_by_key(|(_, range)| range.start());
+    found
+}
+
+fn word(data: &str, reader: &str) -> Wording {
+    Wording::new(
+        format!("a task that runs `{reader}` may read `{data}` when only some of its fields are new"),
+        "another line, another turn",
+        format!("assign the whole value on one line, or take a flag with `{SET_MUTEX}` on both sides"),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    const TASKS: &str = "trsf trA\ntrsf trB\nbool bA\ntaskCreate \"a\",10,p()\ntaskCreate \"b\",10,q()\n";
+
+    fn tasks(writer: &str, reader: &str) -> String {
+        let programs = format!("program p()\nbegin\n{writer}\nend\nprogram q()\nbegin\n{reader}\nend");
+        check(&RULE, &format!("{TASKS}{programs}"))
+    }
+
+    #[test]
+    fn fields_on_several_lines() {
+        expect![[r#"
+            p.pgx:6 `trA.y` a task that runs `q` may read `trA` when only some of its fields are new
+              | another line, another turn
+              ? assign the whole value on one line, or take a flag with `setMutex` on both sides
+        "#]]
+        .assert_eq(&tasks("trA.x=1\ntrA.y=2\ntrA.z=3", "trB=trA"));
+    }
+
+    #[test]
+    fn one_line_one_field_or_a_lock() {
+        assert_eq!(tasks("trA.x=1", "trB=trA"), "");
+        assert_eq!(tasks("trA={1,2,3,0,0,0}", "trB=trA"), "");
+        assert_eq!(tasks("trA.x=1\ntrA.y=2", "?trA.x"), "");
+        assert_eq!(tasks("setMutex(bA)\ntrA.x=1\ntrA.y=2\nbA=false", "trB=trA"), "");
+    }
+
+    #[test]
+    fn one_task_or_before_the_tasks() {
+        let one = "taskCreate \"a\",10,p()\nprogram p()\nbegin\ntrA.x=1\ntrA.y=2\ncall q()\nend\n";
+        assert_eq!(check(&RULE, &format!("trsf trA\ntrsf trB\n{one}program q()\nbegin\ntrB=trA\nend")), "");
+        let start = "trA.x=1\ntrA.y=2\ntaskCreate \"a\",10,q()\n";
+        assert_eq!(check(&RULE, &format!("trsf trA\ntrsf trB\n{start}program q()\nbegin\ntrB=trA\nend")), "");
+    }
+}

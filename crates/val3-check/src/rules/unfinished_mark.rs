@@ -1,0 +1,84 @@
+//! V0714: a mark that something is still to be done.
+
+use val3_analysis::items::layout::comments;
+use val3_syntax::{TextRange, TextSize};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A comment holds a word such as `todo` or `fixme`.
+    ///
+    /// ## Why
+    /// What was to be done later should not be forgotten when the cell is handed over. The option `task-words` lists the
+    /// words; they count in any letter case where they stand alone. This is a convention of a shop, and off unless it
+    /// is asked for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// // todo: check the pressure
+    /// putln("ready")
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// // The pressure is checked by the safety controller
+    /// putln("ready")
+    /// ```
+    V0714 "unfinished-mark" Info off, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for comment in comments(program.db, program.file) {
+        let text = program.slice(comment);
+        let marks = program.options.task_words.iter().filter_map(|mark| Some((find_word(text, mark)?, mark)));
+        if let Some((at, mark)) = marks.min_by_key(|(at, _)| *at) {
+            let start = comment.start() + TextSize::new(u32::try_from(at).unwrap_or(0));
+            let range = TextRange::at(start, TextSize::of(mark.as_str()));
+            found.report(&RULE, range, word(program.slice(range)));
+        }
+    }
+}
+
+/// Where `wanted` stands as a word of its own, in any letter case.
+fn find_word(text: &str, wanted: &str) -> Option<usize> {
+    let is_part = |c: char| c.is_alphanumeric() || c == '_';
+    let mut from = 0;
+    loop {
+        let rest = text.get(from..)?;
+        let start = from + rest.find(is_part)?;
+        let word = text.get(start..)?;
+        let end = start + word.find(|c| !is_part(c)).unwrap_or(word.len());
+        if text.get(start..end).is_some_and(|word| word.eq_ignore_ascii_case(wanted)) {
+            return Some(start);
+        }
+        from = end;
+    }
+}
+
+fn word(mark: &str) -> Wording {
+    Wording::new(format!("`{mark}`: something is still to be done here"), "still to be done", "")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn words_of_their_own() {
+        expect![[r#"
+            start.pgx:6 `Todo` `Todo`: something is still to be done here
+              | still to be done
+        "#]]
+        .assert_eq(&check(&RULE, "// first\n//!Todo: speed, fixme\ncls()"));
+    }
+
+    #[test]
+    fn parts_of_words_and_texts() {
+        assert_eq!(check(&RULE, "// todos, nTodo\nputln(\"todo\")"), "");
+    }
+}

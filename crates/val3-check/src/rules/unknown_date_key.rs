@@ -1,0 +1,76 @@
+//! V0228: a key that `getDate` does not know.
+
+use val3_lang::arguments::{DATE_KEYS, TextForm, text_form};
+
+use crate::diagnostic::Wording;
+use crate::english::one_of;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// The format of a date holds a `%` that begins no known key, or no key at all.
+    ///
+    /// ## Why
+    /// Only nine keys are replaced: `%y %Y %m %d %H %I %p %M %S`, and their letter case makes a difference (4.3). All
+    /// else stays as it stands in the text.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// putln(getDate("%d/%m/%Y %h:%M"))
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// putln(getDate("%d/%m/%Y %H:%M"))
+    /// ```
+    V0228 "unknown-date-key" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    for call in program.calls() {
+        for (param, argument) in call.arguments() {
+            let Some(form @ TextForm::Date) = text_form(call.instruction.name, param.name) else { continue };
+            let Some(text) = program.body.string(argument) else { continue };
+            if let Some(key) = form.fault(&text) {
+                found.report(&RULE, program.range(argument), word(call.instruction.name, key));
+            }
+        }
+    }
+}
+
+fn word(callee: &str, key: &str) -> Wording {
+    let (message, label) = match key.starts_with('%') {
+        true => (format!("`{callee}` knows no key `{key}`"), format!("`{key}` stays as it is")),
+        false => (format!("`{callee}` gets a format without any key"), "comes back as it is".to_owned()),
+    };
+    Wording::new(message, label, format!("the keys are {}", one_of(&DATE_KEYS)))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn keys_that_stay() {
+        expect![[r#"
+            start.pgx:5 `"%D"` `getDate` knows no key `%D`
+              | `%D` stays as it is
+              ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
+            start.pgx:6 `"hh:mm"` `getDate` gets a format without any key
+              | comes back as it is
+              ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
+            start.pgx:7 `"100%"` `getDate` knows no key `%`
+              | `%` stays as it is
+              ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
+        "#]]
+        .assert_eq(&check(&RULE, "putln(getDate(\"%D\"))\nputln(getDate(\"hh:mm\"))\nputln(getDate(\"100%\"))"));
+    }
+
+    #[test]
+    fn keys_that_are_replaced() {
+        assert_eq!(check(&RULE, "string s\nputln(getDate(\"%y-%m-%d %I:%M:%S %p\"))\nputln(getDate(s+\" %d\"))"), "");
+    }
+}

@@ -1,0 +1,109 @@
+//! V0703: a comment that cannot silence anything.
+
+use crate::{diagnostic::Wording, rule::rule};
+
+rule! {
+    /// A comment that starts with `val3:` cannot silence anything: its form, its place or a code in it is wrong.
+    ///
+    /// ## Why
+    /// The comment was written to silence a finding and does not. There are two forms. `//val3: allow(V0701)` counts
+    /// for the next line of code, `//val3: allow-program(V0701)` for the whole program; this one stands before the
+    /// first line of code. In the brackets stand codes or names of findings, separated by commas. Faults of the syntax
+    /// (`V00…`) cannot be silenced, because the controller refuses the program whatever a comment says.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// //val3: allow(keyword-speling)
+    /// nCount=0
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// //val3: allow(keyword-spelling)
+    /// IF nCount>9
+    ///   nCount=0
+    /// endIf
+    /// ```
+    V0703 "unknown-suppression" Warning
+}
+
+/// Neither of the two forms.
+pub(crate) fn form() -> Wording {
+    Wording::new(
+        "a comment with `val3:` needs `allow(…)` or `allow-program(…)`",
+        "this silences nothing",
+        "write `//val3: allow(V0701)` for the next line of code, `//val3: allow-program(V0701)` for the program",
+    )
+}
+
+/// `allow-program` behind code.
+pub(crate) fn misplaced() -> Wording {
+    Wording::new(
+        "`allow-program` stands behind the first line of code",
+        "this silences nothing",
+        "move it before the first line of code, or write `allow` for the next line",
+    )
+}
+
+/// No such rule; `near` is the one that was probably meant.
+pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
+    let help = match near {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "`val3 explain` lists all codes and names".to_owned(),
+    };
+    Wording::new(format!("no finding has the code or name `{word}`"), "this silences nothing", help)
+}
+
+/// A rule that comments do not reach.
+pub(crate) fn never_silenced(word: &str) -> Wording {
+    Wording::new(format!("`{word}` cannot be silenced by a comment"), "this silences nothing", "mend what it is about")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn forms_and_places() {
+        expect![[r#"
+            a comment with `val3:` needs `allow(…)` or `allow-program(…)`
+            | this silences nothing
+            ? write `//val3: allow(V0701)` for the next line of code, `//val3: allow-program(V0701)` for the program
+        "#]]
+        .assert_eq(&form().to_string());
+        expect![[r#"
+            `allow-program` stands behind the first line of code
+            | this silences nothing
+            ? move it before the first line of code, or write `allow` for the next line
+        "#]]
+        .assert_eq(&misplaced().to_string());
+    }
+
+    #[test]
+    fn codes() {
+        expect![[r#"
+            no finding has the code or name `V071`
+            | this silences nothing
+            ? did you mean `V0701`?
+        "#]]
+        .assert_eq(&rule("V071", Some("V0701")).to_string());
+        expect![[r#"
+            no finding has the code or name `sql`
+            | this silences nothing
+            ? `val3 explain` lists all codes and names
+        "#]]
+        .assert_eq(&rule("sql", None).to_string());
+        expect![[r#"
+            `V0010` cannot be silenced by a comment
+            | this silences nothing
+            ? mend what it is about
+        "#]]
+        .assert_eq(&never_silenced("V0010").to_string());
+    }
+}

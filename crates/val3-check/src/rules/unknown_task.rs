@@ -1,0 +1,123 @@
+//! V0341: a task that nobody creates.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_analysis::near::nearest;
+use val3_lang::instructions::ON_TASKS;
+
+use crate::diagnostic::Wording;
+use crate::english::all_of;
+use crate::lint::{Findings, Program};
+use crate::phrase::did_you_mean_or;
+use crate::rule::rule;
+
+rule! {
+    /// An instruction names a task that the application does not create.
+    ///
+    /// ## Why
+    /// A task is found by its name, and only by the application or library that created it. To halt or resume another
+    /// one is run-time error 30; to end it does nothing, and its status is always -1. Most often the name is
+    /// misspelt: upper and lower case make a difference. Tasks whose names are computed are taken into account. A name
+    /// is reported once a program.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   taskCreate "robot",10,cycle()
+    ///   taskKill("robto")
+    /// end
+    ///
+    /// program cycle()
+    /// begin
+    ///   waitEndMove()
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   taskCreate "robot",10,cycle()
+    ///   taskKill("robot")
+    /// end
+    ///
+    /// program cycle()
+    /// begin
+    ///   waitEndMove()
+    /// end
+    /// ```
+    V0341 "unknown-task" Warning, Program: check
+}
+
+/// Stands in the names of the tasks that the controller creates (5.2).
+const OF_CONTROLLER: char = '~';
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let mut told: FxHashSet<SmolStr> = FxHashSet::default();
+    for call in program.calls().filter(|call| ON_TASKS.contains(&call.instruction.name)) {
+        let Some(argument) = call.args.first() else { continue };
+        let Some(name) = program.body.string(*argument).filter(|name| !name.contains(OF_CONTROLLER)) else { continue };
+        let application = program.application();
+        if !application.sound || application.may_have_task(&name) || !told.insert(name.clone()) {
+            continue;
+        }
+        let mut known: Vec<&str> = application.created_tasks().filter_map(|start| start.name.as_deref()).collect();
+        known.sort_unstable();
+        known.dedup();
+        found.report(&RULE, program.range(*argument), word(&name, &known));
+    }
+}
+
+fn word(name: &str, known: &[&str]) -> Wording {
+    let near = nearest(name, known.iter().copied());
+    let help = match known {
+        [] => "the application creates no task at all".to_owned(),
+        known => did_you_mean_or(near.as_deref(), &format!("it creates {}", all_of(known))),
+    };
+    Wording::new(format!("the application creates no task called `{name}`"), "no such task", help)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        check(&RULE, &format!("string sA\nnum nA\nprogram p()\nbegin\nend\nprogram start()\nbegin\n{code}\nend"))
+    }
+
+    #[test]
+    fn near_misses_and_others() {
+        expect![[r#"
+            start.pgx:7 `"Robot"` the application creates no task called `Robot`
+              | no such task
+              ? did you mean `robot`?
+            start.pgx:9 `"io"` the application creates no task called `io`
+              | no such task
+              ? it creates `robot` and `screen`
+        "#]].assert_eq(&program(
+            "taskCreate \"robot\",10,p()\ntaskCreate \"screen\",10,p()\ntaskSuspend(\"Robot\")\ntaskKill(\"Robot\")\nnA=taskStatus(\"io\")",
+        ));
+    }
+
+    #[test]
+    fn no_task_at_all() {
+        expect![[r#"
+            start.pgx:5 `"robot"` the application creates no task called `robot`
+              | no such task
+              ? the application creates no task at all
+        "#]]
+        .assert_eq(&program("taskKill(\"robot\")"));
+    }
+
+    #[test]
+    fn names_that_may_be_right() {
+        assert_eq!(program("taskCreate \"robot\",10,p()\ntaskKill(\"robot\")\ntaskKill(sA)\ntaskKill(\"main~\")"), "");
+        assert_eq!(program("taskCreate \"r\"+sA,10,p()\ntaskResume(\"robot\",0)"), "");
+        assert!(!program("taskCreate \"r\"+sA,10,p()\ntaskResume(\"axis\",0)").is_empty());
+        assert_eq!(program("taskCreate sA,10,p()\ntaskResume(\"axis\",0)"), "");
+    }
+}

@@ -1,0 +1,157 @@
+//! V0316: a local input, output or serial line that is used before it is linked.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::flow::{Point, PointId, forward};
+use val3_lang::runtime_errors::UNLINKED;
+use val3_lang::types::BaseType;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Locals, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A local `dio`, `aio` or `sio` is read or written before it is linked.
+    ///
+    /// ## Why
+    /// A local variable starts without a link to a physical input or output. To read or write it stops the task with
+    /// run-time error 123; to assign a value to it writes the output and links nothing.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program lamp()
+    ///   dio l_doLamp
+    /// begin
+    ///   l_doLamp=true
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// dio doGreen
+    ///
+    /// program lamp()
+    ///   dio l_doLamp
+    /// begin
+    ///   dioLink(l_doLamp,doGreen)
+    ///   l_doLamp=true
+    /// end
+    /// ```
+    V0316 "unlinked-io" Error, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let is_linkable = |ty: &str| BaseType::from_file_name(ty).is_some_and(|(ty, _)| ty.is_linkable());
+    if !program.header.locals.iter().any(|local| is_linkable(&local.type_name)) {
+        return;
+    }
+    let arguments = Arguments::of(program);
+    let local_use = program.local_use();
+    let step = |id: PointId, _: &Point, before: &Locals| {
+        let links = |(bit, access): &(Locals, Access)| if arguments.may_link(access) { *bit } else { 0 };
+        local_use.at(id).iter().map(links).fold(*before, |linked, bit| linked | bit)
+    };
+    let facts = forward(program.flow(), 0, step, |known: &mut Locals, more| {
+        let before = *known;
+        *known |= more;
+        *known != before
+    });
+    let mut told = 0;
+    for (id, _) in program.flow().points() {
+        let Some(mut linked) = facts.before(id).copied() else { continue };
+        for (bit, access) in local_use.at(id) {
+            let ty = program.inference.ty(access.id).base.builtin().filter(|ty| ty.is_linkable());
+            if let (Root::Local(name), Some(ty)) = (&access.root, ty)
+                && arguments.uses(access)
+                && (linked | told) & bit == 0
+            {
+                told |= bit;
+                found.report(&RULE, program.range(access.id), word(name, ty));
+            }
+            linked |= if arguments.may_link(access) { *bit } else { 0 };
+        }
+    }
+}
+
+/// The arguments of calls: of what needs a link, and of anything else.
+struct Arguments {
+    needed: FxHashSet<ExprId>,
+    others: FxHashSet<ExprId>,
+}
+
+impl Arguments {
+    fn of(program: &Program<'_>) -> Self {
+        let mut arguments = Self { needed: FxHashSet::default(), others: FxHashSet::default() };
+        for (id, expr, _) in program.body.exprs() {
+            let Expr::Call(_, args) = expr else { continue };
+            let needs_link = program.call_of(id).is_some_and(|call| call.instruction.errors.contains(&UNLINKED));
+            let kind = if needs_link { &mut arguments.needed } else { &mut arguments.others };
+            kind.extend(args.iter().copied());
+        }
+        arguments
+    }
+
+    /// The variable is handed to something that may link it.
+    fn may_link(&self, access: &Access) -> bool {
+        access.kind == AccessKind::Reference && !self.needed.contains(&access.id)
+    }
+
+    /// The input or output itself is read or written.
+    fn uses(&self, access: &Access) -> bool {
+        self.needed.contains(&access.id) || access.kind != AccessKind::Reference && !self.others.contains(&access.id)
+    }
+}
+
+fn word(name: &str, ty: BaseType) -> Wording {
+    Wording::new(
+        format!("the {} `{name}` is not linked when it is used (run-time error {UNLINKED})", ty.name()),
+        "no link yet",
+        "link it to an input or output of the application before",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn program(code: &str) -> String {
+        format!(
+            "dio dA\naio aA\nnum nA\nbool bA\nstring sA\n\nprogram start()\n  dio l_d\n  dio l_dAll[8]\n  aio l_a\n  \
+             sio l_s\nbegin\n{code}\nend\n\nprogram show(dio x_d)\nbegin\nend"
+        )
+    }
+
+    #[test]
+    fn not_linked() {
+        expect![[r#"
+            start.pgx:11 `l_d` the dio `l_d` is not linked when it is used (run-time error 123)
+              | no link yet
+              ? link it to an input or output of the application before
+            start.pgx:12 `l_dAll` the dio `l_dAll` is not linked when it is used (run-time error 123)
+              | no link yet
+              ? link it to an input or output of the application before
+            start.pgx:14 `l_a` the aio `l_a` is not linked when it is used (run-time error 123)
+              | no link yet
+              ? link it to an input or output of the application before
+            start.pgx:15 `l_s` the sio `l_s` is not linked when it is used (run-time error 123)
+              | no link yet
+              ? link it to an input or output of the application before
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            &program("if l_d\nnA=dioGet(l_dAll)\nendIf\nnA=aioSet(l_a,1)\nsA=l_s\nl_d=true\ndioLink(l_d,dA)"),
+        ));
+    }
+
+    #[test]
+    fn linked_or_only_asked() {
+        let lines = ["dioLink(l_d,dA)\nl_d=true", "if bA\ndioLink(l_d,dA)\nendIf\nbA=l_d", "nA=ioStatus(l_d)"];
+        for line in lines.into_iter().chain(["dioLink(l_dAll[0],dA)\nnA=dioGet(l_dAll)", "call show(l_d)"]) {
+            assert_eq!(check(&RULE, &program(line)), "", "{line}");
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! V0531: a program or data file in the application's folder that the project does not list.
+
+use smol_str::SmolStr;
+use val3_analysis::items::declarations::{FileList, file_list};
+use val3_analysis::items::manifest::manifest;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, ProjectView};
+use crate::rule::rule;
+
+rule! {
+    /// A program or data file lies in the folder of a project, which does not list it.
+    ///
+    /// ## Why
+    /// Only what the `.pjx` lists belongs to the project: the file is not loaded, and what people change in it has no
+    /// effect. Either it is left over, or its entry got lost, often when branches were merged.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// === main/main.pjx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">
+    ///   <Parameters version="s7.11" stackSize="5000" millimeterUnit="true" />
+    ///   <Programs>
+    ///     <Program file="start.pgx" />
+    ///   </Programs>
+    ///   <Database>
+    ///     <Data file="main.dtx" />
+    ///   </Database>
+    /// </Project>
+    /// === main/main.dtx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Database xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+    ///   <Datas />
+    /// </Database>
+    /// === main/start.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="start">
+    ///     <Code><![CDATA[begin
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// === main/stop.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="stop">
+    ///     <Code><![CDATA[begin
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    /// begin
+    /// end
+    ///
+    /// program stop()
+    /// begin
+    /// end
+    /// ```
+    V0531 "unlisted-file" Info, Project: check
+}
+
+fn check(view: &ProjectView<'_>, found: &mut Findings) {
+    let beside = view.project.beside(view.db);
+    let several = beside.iter().filter(|name| has_extension(name, "pjx")).count() > 1;
+    if several || view.items.incomplete {
+        return;
+    }
+    let manifest = manifest(view.db, view.project.manifest(view.db));
+    report(view, found, true, beside, &manifest.programs);
+    report(view, found, false, beside, &manifest.data);
+}
+
+fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, beside: &[SmolStr], listed: &[SmolStr]) {
+    let (extension, what) = if of_programs { ("pgx", "program") } else { ("dtx", "data") };
+    let is_listed = |name: &str| listed.iter().any(|entry| file_name(entry).eq_ignore_ascii_case(name));
+    let unlisted = beside.iter().filter(|name| has_extension(name, extension) && !is_listed(name));
+    for name in unlisted {
+        let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
+        found.report(&RULE, list.place, word(name, what)).fix_by(format!("list `{name}`"), false, entry(list, name));
+    }
+}
+
+/// The entry behind the last one, in the form and on a line of its own.
+fn entry(list: FileList, name: &str) -> Option<(val3_syntax::TextRange, String)> {
+    let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
+    let behind = val3_syntax::TextRange::empty(list.last.filter(|_| is_plain)?.end());
+    Some((behind, format!("\n    <{} file=\"{name}\" />", list.item)))
+}
+
+/// The name of a listed file, without the folder that s8 allows before it.
+fn file_name(entry: &str) -> &str {
+    entry.trim().rsplit(['/', '\\']).next().unwrap_or(entry)
+}
+
+fn has_extension(name: &str, wanted: &str) -> bool {
+    name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(wanted))
+}
+
+fn word(name: &str, what: &str) -> Wording {
+    Wording::new(
+        format!("the {what} file `{name}` lies in the folder and is not listed"),
+        "not in this list",
+        "add it to the project, or move it out of the folder",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn project(programs: &str, files: &[&str]) -> String {
+        let parts = [
+            "<Project xmlns=\"x\"><Parameters version=\"s8.20\"/>",
+            programs,
+            "<Database><Data file=\"a.dtx\"/></Database></Project>",
+        ];
+        let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
+        let files: String = files.iter().map(|name| format!("=== a/{name}\n{program}\n")).collect();
+        let listing =
+            format!("=== a/a.pjx\n{}\n=== a/a.dtx\n<Database xmlns=\"y\"><Datas/></Database>\n{files}", parts.concat());
+        check(&RULE, &listing)
+    }
+
+    #[test]
+    fn programs_and_data() {
+        let listed = "<Programs><Program file=\"p.pgx\"/></Programs>";
+        expect![[r#"
+            a.pjx:1 `Programs` the program file `q.PGX` lies in the folder and is not listed
+              | not in this list
+              ? add it to the project, or move it out of the folder
+              ! list `q.PGX` (unsafe)
+            a.pjx:1 `Database` the data file `b.dtx` lies in the folder and is not listed
+              | not in this list
+              ? add it to the project, or move it out of the folder
+              ! list `b.dtx` (unsafe)
+        "#]]
+        .assert_eq(&project(listed, &["p.pgx", "q.PGX", "b.dtx"]));
+    }
+
+    #[test]
+    fn listed_in_another_spelling_or_no_file_of_a_project() {
+        let listed = "<Programs><Program file=\"P.PGX\"/><Program file=\"./q.pgx\"/></Programs>";
+        assert_eq!(project(listed, &["p.pgx", "q.pgx", "a.ltx", "p.pgx.bak", "sub/r.pgx"]), "");
+    }
+
+    #[test]
+    fn two_projects_in_one_folder() {
+        assert_eq!(project("<Programs/>", &["p.pgx", "b.pjx"]), "");
+    }
+}

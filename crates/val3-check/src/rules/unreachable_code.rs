@@ -1,0 +1,125 @@
+//! V0302: code that no way leads to.
+
+use rustc_hash::FxHashSet;
+use val3_analysis::body::ExprId;
+use val3_analysis::flow::{Point, PointKind};
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A line can never run: it stands behind `return` or behind a loop without end.
+    ///
+    /// ## Why
+    /// What is written there was meant to happen. Most often the `return` stands one line too early or outside its
+    /// `if`, or an endless loop was put before the lines that clean up. Only the first line of such a stretch is
+    /// marked.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount>3
+    ///   return
+    ///   nCount=0
+    /// endIf
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    ///
+    /// if nCount>3
+    ///   nCount=0
+    ///   return
+    /// endIf
+    /// ```
+    V0302 "unreachable-code" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let flow = program.flow();
+    let endless: FxHashSet<ExprId> =
+        program.stmts().iter().copied().filter_map(|stmt| program.endless_condition(stmt)).collect();
+    // A block behind another constant condition is told where the condition stands.
+    let is_endless = |point: &Point| match point.kind {
+        PointKind::Test { condition: Some(condition), .. } => endless.contains(&condition),
+        _ => false,
+    };
+    let reached = flow.reachable(|point, branch| !is_endless(point) || program.is_taken(point, branch));
+    let mut is_stretch = false;
+    for (id, point) in flow.points().skip(2).filter(|(_, point)| point.kind != PointKind::Empty) {
+        let is_dead = !reached.get(id.index()).copied().unwrap_or(true);
+        if is_dead && !is_stretch {
+            found.report(&RULE, point.range, word());
+        }
+        is_stretch = is_dead;
+    }
+}
+
+fn word() -> Wording {
+    Wording::new(
+        "this line is never reached",
+        "no way leads here",
+        "remove it, or move it before the `return` or the loop that keeps the program from it",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn behind_return() {
+        expect![[r#"
+            start.pgx:7 `n=2` this line is never reached
+              | no way leads here
+              ? remove it, or move it before the `return` or the loop that keeps the program from it
+            start.pgx:12 `for n=1 to 3` this line is never reached
+              | no way leads here
+              ? remove it, or move it before the `return` or the loop that keeps the program from it
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num n\nif n==1\nreturn\nn=2\nn=3\nelse\nreturn\nendIf\nfor n=1 to 3\nput(n)\nendFor",
+        ));
+    }
+
+    #[test]
+    fn behind_a_loop_without_end() {
+        expect![[r#"
+            start.pgx:8 `put(1)` this line is never reached
+              | no way leads here
+              ? remove it, or move it before the `return` or the loop that keeps the program from it
+        "#]]
+        .assert_eq(&check(&RULE, "while true\ndelay(1)\nendWhile\nput(1)\nput(2)"));
+        expect![[r#"
+            start.pgx:8 `put(1)` this line is never reached
+              | no way leads here
+              ? remove it, or move it before the `return` or the loop that keeps the program from it
+        "#]]
+        .assert_eq(&check(&RULE, "do\ndelay(1)\nuntil false\nput(1)"));
+    }
+
+    #[test]
+    fn a_loop_that_is_left() {
+        assert_eq!(check(&RULE, "num n\nwhile true\nif n==1\nreturn\nendIf\ndelay(1)\nendWhile"), "");
+        assert_eq!(check(&RULE, "num n\nwhile n<3\nn=n+1\nendWhile\nput(n)"), "");
+        assert_eq!(check(&RULE, "return"), "");
+        assert_eq!(check(&RULE, "while false\nput(1)\nendWhile\nif 1==2\nput(1)\nendIf"), "");
+    }
+
+    #[test]
+    fn a_loop_that_never_goes_round() {
+        expect![[r#"
+            start.pgx:8 `n==3` this line is never reached
+              | no way leads here
+              ? remove it, or move it before the `return` or the loop that keeps the program from it
+        "#]]
+        .assert_eq(&check(&RULE, "num n\ndo\nput(n)\nreturn\nuntil n==3"));
+    }
+}

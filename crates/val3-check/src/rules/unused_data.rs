@@ -1,0 +1,125 @@
+//! V0113: private data that no program uses.
+
+use val3_analysis::application::is_library_item;
+use val3_analysis::items::declarations::{Declared, all_data};
+
+use crate::diagnostic::Wording;
+use crate::lint::{DataFile, Findings, removal, unused_data};
+use crate::rule::rule;
+
+rule! {
+    /// Private data is used by no program of the application.
+    ///
+    /// ## Why
+    /// It is left over, or the program that should use it uses something else. Data counts as used if a program names
+    /// it, if other data hangs on it, or if a program reads it by its name with `getData`. Public data may be used by
+    /// other applications and is not reported, and nothing is in an application with user pages (s8), which name data
+    /// on their own.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// num nCount
+    /// num nLimit
+    ///
+    /// program start()
+    /// begin
+    ///   nCount=nCount+1
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// num nCount
+    /// num nLimit
+    ///
+    /// program start()
+    /// begin
+    ///   nCount=min(nCount+1,nLimit)
+    /// end
+    /// ```
+    V0113 "unused-data" Info, Data: check
+}
+
+fn check(data: &DataFile<'_>, found: &mut Findings) {
+    if !unused_data::is_judged(&data.view) {
+        return;
+    }
+    for Declared { name, range, element } in all_data(data.view.db, data.file) {
+        if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
+            && !is_library_item(data.view.db, &name)
+        {
+            found.report(&RULE, range, word(&name)).fix_by(
+                format!("remove `{name}`"),
+                false,
+                Some(removal::of_element(data.file.text(data.view.db), element)),
+            );
+        }
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(format!("no program uses `{name}`"), "never used", "remove it, or make it public if others need it")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn neither_read_nor_written() {
+        expect![[r#"
+            main.dtx:4 `nA` no program uses `nA`
+              | never used
+              ? remove it, or make it public if others need it
+              ! remove `nA` (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, "num nA\npublic num nB\nprogram start()\nbegin\nend"));
+    }
+
+    #[test]
+    fn any_use_counts() {
+        let listing = "num nA\nnum nB\nbool bC\nnum nD[3]\nnum nE\nprogram start()\nbegin\n  nA=1\n  ?nB\n  \
+                       setMutex(bC)\n  if size(nD)>1 and isDefined(nE)\n  endIf\nend";
+        assert_eq!(check(&RULE, listing), "");
+    }
+
+    #[test]
+    fn data_read_by_its_name() {
+        let text = |argument: &str| {
+            check(&RULE, &format!("num nA\nnum nB1\nnum nX\nprogram start()\nbegin\n  getData({argument},nX)\nend"))
+        };
+        assert_eq!(
+            text("\"nA[\"+toString(\"\",nX)+\"]\"").lines().next(),
+            Some("main.dtx:5 `nB1` no program uses `nB1`")
+        );
+        assert!(!text("\"nB\"+toString(\"\",nX)").contains("nB1"));
+        assert_eq!(text("toString(\"\",nX)"), "");
+    }
+
+    #[test]
+    fn a_father_is_used() {
+        let listing = "=== a/a.pjx\n<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Programs><Program file=\"start.pgx\"/></Programs>\
+                       <Database><Data file=\"a.dtx\"/></Database></Project>\n=== a/start.pgx\n\
+                       <Programs><Program name=\"start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n\
+                       === a/a.dtx\n<Database xmlns:xsi=\"y\"><Datas>\n\
+                       <Data name=\"fA\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\"/>\n\
+                       <Data name=\"pB\" access=\"public\" xsi:type=\"array\" type=\"pointRx\" size=\"1\">\
+                       <Value key=\"0\" fatherId=\"fA[0]\"/></Data>\n</Datas></Database>";
+        assert_eq!(check(&RULE, listing), "");
+    }
+
+    #[test]
+    fn a_fault_elsewhere_may_be_what_uses_it() {
+        assert_eq!(check(&RULE, "num nA\nprogram start()\nbegin\n  nB=1\nend"), "");
+        assert_eq!(check(&RULE, "num nA"), "");
+    }
+
+    #[test]
+    fn user_pages_name_data() {
+        let listing = "num nA\nprogram start()\nbegin\nend\n=== main/interface/main.bindings.json\n{}";
+        assert_eq!(check(&RULE, listing), "");
+    }
+}

@@ -1,0 +1,92 @@
+//! V0118: a library identifier that nothing uses.
+
+use val3_analysis::items::declarations;
+use val3_analysis::items::fathers::fathers;
+use val3_analysis::items::manifest::manifest;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, ProjectView, removal, unused_data};
+use crate::rule::rule;
+
+rule! {
+    /// A project declares a library that none of its programs uses.
+    ///
+    /// ## Why
+    /// The library is loaded with the application and takes memory and time for nothing; or the program that should
+    /// use it uses another one.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// putln("ready")
+    /// --- part
+    /// public num nWeight
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// putln(part:nWeight)
+    /// --- part
+    /// public num nWeight
+    /// ```
+    V0118 "unused-library" Info, Project: check
+}
+
+fn check(view: &ProjectView<'_>, found: &mut Findings) {
+    if !unused_data::is_judged(view) {
+        return;
+    }
+    for entry in &manifest(view.db, view.project.manifest(view.db)).libraries {
+        let name = &entry.alias;
+        let is_used = view.application.libraries.contains(name)
+            || view.application.is_named_in_text(name)
+            || fathers(view.db, view.project).contains(name);
+        if let Some(place) = declarations::library(view.db, view.project, name.clone()).filter(|_| !is_used) {
+            found.report(&RULE, place.range, word(name)).fix_by(
+                format!("remove `{name}`"),
+                false,
+                removal::of_entry(view.db, place.file, place.range),
+            );
+        }
+    }
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(format!("no program uses the library identifier `{name}`"), "never used", "remove the entry")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    fn library(code: &str) -> String {
+        check(
+            &RULE,
+            &format!(
+                "library part \"Disk://part/part.pjx\"\nnum nA\nprogram start()\nbegin\n  {code}\nend\n--- part\npublic num nW\n"
+            ),
+        )
+    }
+
+    #[test]
+    fn never_named() {
+        expect![[r#"
+            main.pjx:11 `part` no program uses the library identifier `part`
+              | never used
+              ? remove the entry
+              ! remove `part` (unsafe)
+        "#]]
+        .assert_eq(&library("cls()"));
+    }
+
+    #[test]
+    fn items_loading_and_names_in_texts() {
+        assert_eq!(library("?part:nW"), "");
+        assert_eq!(library("part:libLoad(\"Disk://part\")"), "");
+        assert_eq!(library("getData(\"part:nW\",nA)"), "");
+    }
+}

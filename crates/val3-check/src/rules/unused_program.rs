@@ -1,0 +1,116 @@
+//! V0117: a private program that nothing calls.
+
+use val3_analysis::application::{ENTRY_POINTS, is_library_item};
+use val3_analysis::items::declarations;
+
+use crate::diagnostic::Wording;
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// A private program is called nowhere in its application.
+    ///
+    /// ## Why
+    /// It is left over, or its call was forgotten. The controller starts `start` and `stop` on its own; public programs
+    /// may be called by other applications; both are not reported, and nothing is in an application with user pages
+    /// (s8), whose buttons call programs. A program that only calls itself is not used; one without a line of code is a
+    /// place for notes and not reported.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   putln("ready")
+    /// end
+    ///
+    /// program goHome()
+    /// begin
+    ///   resetMotion()
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   call goHome()
+    /// end
+    ///
+    /// program goHome()
+    /// begin
+    ///   resetMotion()
+    /// end
+    /// ```
+    V0117 "unused-program" Info, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let name = program.name();
+    if program.header.public || program.body.block.is_empty() || !program.application().closed {
+        return;
+    }
+    let callers = program.application().callers.get(name).into_iter().flatten();
+    if !is_entry_point(program)
+        && !callers.into_iter().any(|caller| caller != name)
+        && !is_library_item(program.db, name)
+        && let Some(place) = declarations::program(program.db, program.file)
+    {
+        found.report(&RULE, place.range, word(name));
+    }
+}
+
+fn is_entry_point(program: &Program<'_>) -> bool {
+    let name = program.name();
+    let options = program.options;
+    ENTRY_POINTS.contains(&name)
+        || options.entry_points.iter().any(|entry| entry == name)
+        || options.entry_prefixes.iter().any(|prefix| name.starts_with(prefix.as_str()))
+}
+
+fn word(name: &str) -> Wording {
+    Wording::new(
+        format!("nothing calls the program `{name}`"),
+        "never called",
+        "call it, remove it, or make it public if others call it",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    const ALONE: &str = "program start()\nbegin\nend\nprogram notes()\nbegin\nend\nprogram p()\nbegin\n  call p()\nend";
+
+    #[test]
+    fn called_by_nobody_else() {
+        expect![[r#"
+            p.pgx:3 `p` nothing calls the program `p`
+              | never called
+              ? call it, remove it, or make it public if others call it
+        "#]]
+        .assert_eq(&check(&RULE, ALONE));
+    }
+
+    #[test]
+    fn calls_tasks_and_others() {
+        let programs = "program p()\nbegin\nend\npublic program q()\nbegin\nend\nprogram stop()\nbegin\nend";
+        assert_eq!(check(&RULE, &format!("call p()\n{programs}")), "");
+        assert_eq!(check(&RULE, &format!("taskCreate \"t\",10,p()\n{programs}")), "");
+    }
+
+    #[test]
+    fn entry_points_can_be_named() {
+        let settings = "=== val3.toml\n[lint]\nentry-points = [\"p\"]";
+        assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
+        let settings = "=== val3.toml\n[lint]\nentry-prefixes = [\"p\"]";
+        assert_eq!(check(&RULE, &format!("{ALONE}\n{settings}")), "");
+    }
+
+    #[test]
+    fn a_fault_elsewhere_may_be_its_call() {
+        assert_eq!(check(&RULE, "call pp()\nprogram p()\nbegin\nend"), "");
+    }
+}

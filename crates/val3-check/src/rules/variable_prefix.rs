@@ -1,0 +1,103 @@
+//! V0711: a local variable or parameter whose name does not begin as the shop asks.
+
+use smol_str::SmolStr;
+use val3_analysis::items::declarations::{Declared, all_locals, all_params};
+use val3_analysis::items::project::resolve_type;
+use val3_lang::types::BaseType;
+
+use crate::lint::{Findings, Program, naming};
+use crate::rule::rule;
+
+rule! {
+    /// The name of a local variable or of a parameter does not begin with the letters that stand for its scope and
+    /// its type.
+    ///
+    /// ## Why
+    /// `l_` and `x_` tell at a glance what a line changes: a variable of the program, what the caller gave, or global
+    /// data. The options `local-prefix`, `parameter-prefix` and `prefixes` set the letters. A counter of one or two
+    /// letters (`l_i`, `i`) is a name that everybody knows. This is a convention of a shop, and off unless it is asked
+    /// for.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program show(num nValue)
+    /// begin
+    ///   putln(nValue)
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program show(num x_nValue)
+    /// begin
+    ///   putln(x_nValue)
+    /// end
+    /// ```
+    V0711 "variable-prefix" Info off, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    let options = program.options;
+    let header = program.header;
+    let shown = |ty: &SmolStr| resolve_type(&program.items.types, ty).map(|base| naming::type_name(program.db, base));
+    let locals: Vec<_> = header.locals.iter().map(|local| shown(&local.type_name)).collect();
+    for (Declared { name, range, .. }, ty) in all_locals(program.db, program.file).into_iter().zip(locals) {
+        if let Some((ty, prefix)) = lacking(program, ty, &options.local_prefix, &name) {
+            found.report(&RULE, range, naming::word(options, &ty, &name, &prefix, "local variable"));
+        }
+    }
+    let params: Vec<_> = header.params.iter().map(|param| shown(&param.type_name)).collect();
+    for (Declared { name, range, .. }, ty) in all_params(program.db, program.file).into_iter().zip(params) {
+        if let Some((ty, prefix)) = lacking(program, ty, &options.parameter_prefix, &name) {
+            found.report(&RULE, range, naming::word(options, &ty, &name, &prefix, "parameter"));
+        }
+    }
+}
+
+fn lacking(program: &Program<'_>, ty: Option<SmolStr>, scope: &str, name: &str) -> Option<(SmolStr, String)> {
+    let ty = ty?;
+    let is_counter = ty == BaseType::Num.name() && is_short(name.strip_prefix(scope).unwrap_or(name));
+    let prefix = naming::lacking(program.options, &ty, scope, name).filter(|_| !is_counter)?;
+    Some((ty, prefix))
+}
+
+/// `i`, `k2`: one or two characters without a capital.
+fn is_short(name: &str) -> bool {
+    name.len() <= 2 && !name.bytes().any(|byte| byte.is_ascii_uppercase())
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    #[test]
+    fn scope_and_type() {
+        expect![[r#"
+            p.pgx:5 `nA` the name of the parameter `nA` does not begin with `x_n`
+              | this is a `num`
+              ? call it `x_nA`
+            p.pgx:6 `x_A` the name of the parameter `x_A` does not begin with `x_b`
+              | this is a `bool`
+              ? call it `x_bA`
+            p.pgx:9 `sA` the name of the local variable `sA` does not begin with `l_s`
+              | this is a `string`
+              ? call it `l_sA`
+        "#]]
+        .assert_eq(&check(&RULE, "program p(num nA, bool x_A)\n  string sA\nbegin\nend"));
+    }
+
+    #[test]
+    fn well_named_and_counters() {
+        assert_eq!(check(&RULE, "program p(num x_nA, bool& x_bA)\n  string l_sA\n  num l_i\n  num i\nbegin\nend"), "");
+    }
+
+    #[test]
+    fn the_letters_can_be_set() {
+        let settings = "=== val3.toml\n[lint]\nlocal-prefix = \"l\"\nparameter-prefix = \"\"";
+        let listing = format!("program p(num nA)\n  string lsA\nbegin\nend\n{settings}");
+        assert_eq!(check(&RULE, &listing), "");
+    }
+}

@@ -1,0 +1,157 @@
+//! Which findings an application gets, and at which level: from its `val3.toml` and the command line.
+
+mod words;
+
+use std::collections::BTreeSet;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_analysis::db::{Configuration, Db, Project};
+use val3_config::{ConfigError, ConfigFile, Level, Options};
+
+pub use words::{Exactness, meant_by};
+
+use crate::diagnostic::Diagnostic;
+use crate::rule::{Rule, Severity};
+
+/// What a command line says about findings. It wins over every configuration.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Selection {
+    /// Codes of the only findings that are wanted; `None` for all.
+    pub only: Option<BTreeSet<&'static str>>,
+    /// Codes among these that were named one by one: they are wanted even where a configuration turns them off.
+    pub named: BTreeSet<&'static str>,
+    /// Codes of findings that are not wanted.
+    pub never: BTreeSet<&'static str>,
+}
+
+/// The settings of one application.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Settings {
+    /// Levels by code, where they are configured.
+    levels: FxHashMap<&'static str, Configured>,
+    selection: Selection,
+    /// Options of rules.
+    pub options: Options,
+}
+
+/// The level of a rule, and the key that says it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Configured {
+    level: Level,
+    exactness: Exactness,
+    key: String,
+}
+
+impl Settings {
+    /// The settings that a configuration and a command line give.
+    ///
+    /// # Errors
+    /// If a key of `[rules]` means no rule, or two keys mean the same one.
+    pub fn new(file: Option<&ConfigFile>, selection: &Selection) -> Result<Self, ConfigError> {
+        let mut settings = Self { selection: selection.clone(), ..Self::default() };
+        if let Some(file) = file {
+            settings.options = file.config.lint.clone();
+            for (key, level) in &file.config.rules {
+                settings.configure(file, key, *level)?;
+            }
+        }
+        Ok(settings)
+    }
+
+    fn configure(&mut self, file: &ConfigFile, key: &str, level: Level) -> Result<(), ConfigError> {
+        let meant = meant_by(key);
+        if meant.is_empty() {
+            return Err(words::unknown(file, key));
+        }
+        for (rule, exactness) in meant {
+            let known = self.levels.get(rule.code);
+            if let Some(twice) = known.filter(|known| known.exactness == exactness) {
+                return Err(words::twice(file, key, &twice.key));
+            }
+            if known.is_none_or(|known| known.exactness < exactness) {
+                self.levels.insert(rule.code, Configured { level, exactness, key: key.to_owned() });
+            }
+        }
+        Ok(())
+    }
+
+    /// The level of a finding that would usually have the level `usual`; `None` where it is not wanted.
+    pub fn severity(&self, rule: &Rule, usual: Severity) -> Option<Severity> {
+        let Selection { only, named, never } = &self.selection;
+        if never.contains(rule.code) || only.as_ref().is_some_and(|only| !only.contains(rule.code)) {
+            return None;
+        }
+        let named = named.contains(rule.code);
+        match self.levels.get(rule.code).map_or(Level::Default, |configured| configured.level) {
+            Level::Off => named.then_some(usual),
+            Level::Default => (rule.on || named).then_some(usual),
+            Level::On => Some(usual),
+            Level::Info => Some(Severity::Info),
+            Level::Warning => Some(Severity::Warning),
+            Level::Error => Some(Severity::Error),
+        }
+    }
+
+    /// A finding at the level it gets; `None` where it is not wanted.
+    pub(crate) fn judged(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
+        diagnostic.severity = self.severity(diagnostic.rule, diagnostic.severity)?;
+        Some(diagnostic)
+    }
+
+    /// Whether findings of this rule are wanted; costly rules ask before they look.
+    pub fn wants(&self, rule: &Rule) -> bool {
+        self.severity(rule, rule.severity).is_some()
+    }
+
+    /// The key of `[rules]` that gives a rule its level, where one does.
+    pub fn key_of(&self, rule: &Rule) -> Option<&str> {
+        self.levels.get(rule.code).map(|configured| configured.key.as_str())
+    }
+
+    /// Whether the command line decides on a rule, whatever is configured.
+    pub fn is_chosen(&self, rule: &Rule) -> bool {
+        let Selection { only, named, never } = &self.selection;
+        let left_out = only.as_ref().is_some_and(|only| !only.contains(rule.code));
+        left_out || named.contains(rule.code) || never.contains(rule.code)
+    }
+}
+
+/// The settings of every application of a workspace.
+#[derive(Debug, Clone, Default)]
+pub struct WorkspaceSettings {
+    by_configuration: FxHashMap<Configuration, Settings>,
+    /// For applications without a `val3.toml`.
+    unconfigured: Settings,
+}
+
+impl WorkspaceSettings {
+    /// Reads the configurations of `projects`.
+    ///
+    /// # Errors
+    /// Those of [`Settings::new`], one a configuration.
+    pub fn new(db: &dyn Db, projects: &[Project], selection: &Selection) -> Result<Self, Vec<ConfigError>> {
+        let unconfigured = Settings { selection: selection.clone(), ..Settings::default() };
+        let mut settings = Self { by_configuration: FxHashMap::default(), unconfigured };
+        let mut errors = Vec::new();
+        let mut seen = FxHashSet::default();
+        for configuration in projects.iter().filter_map(|project| project.configuration(db)) {
+            if !seen.insert(configuration) {
+                continue;
+            }
+            match Settings::new(Some(configuration.file(db)), selection) {
+                Ok(found) => drop(settings.by_configuration.insert(configuration, found)),
+                Err(error) => errors.push(error),
+            }
+        }
+        if errors.is_empty() { Ok(settings) } else { Err(errors) }
+    }
+
+    /// The settings of an application.
+    pub fn of(&self, db: &dyn Db, project: Project) -> &Settings {
+        let configured = project.configuration(db).and_then(|configuration| self.by_configuration.get(&configuration));
+        configured.unwrap_or(&self.unconfigured)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,89 @@
+use camino::Utf8Path;
+use expect_test::{Expect, expect};
+
+use super::*;
+use crate::rules;
+
+fn settings(text: &str, selection: &Selection) -> Result<Settings, ConfigError> {
+    let file = ConfigFile::parse(Utf8Path::new("val3.toml"), text).unwrap();
+    Settings::new(Some(&file), selection)
+}
+
+/// The level of V0701, which is `info` unless configured.
+fn level(text: &str) -> Option<Severity> {
+    let rule = rules::find("V0701").unwrap();
+    settings(text, &Selection::default()).unwrap().severity(rule, rule.severity)
+}
+
+#[track_caller]
+fn refused(text: &str, expected: Expect) {
+    expected.assert_eq(&format!("{}\n", settings(text, &Selection::default()).unwrap_err()));
+}
+
+#[test]
+fn the_most_exact_key_counts() {
+    assert_eq!(level(""), Some(Severity::Info));
+    assert_eq!(level("[rules]\nall = \"error\"\n"), Some(Severity::Error));
+    assert_eq!(level("[rules]\nV07 = \"off\"\nall = \"error\"\n"), None);
+    assert_eq!(level("[rules]\nkeyword-spelling = \"warning\"\nV07 = \"off\"\n"), Some(Severity::Warning));
+    assert_eq!(level("[rules]\nv0701 = \"default\"\nV07 = \"off\"\n"), Some(Severity::Info));
+    assert_eq!(level("[rules]\nV070 = \"error\"\nV07 = \"off\"\n"), Some(Severity::Error));
+}
+
+#[test]
+fn keys_that_mean_nothing() {
+    refused(
+        "[rules]\nkeyword-speling = \"off\"\n",
+        expect![[r#"
+        no finding has the code or name `keyword-speling`
+         --> val3.toml:2
+          |
+        2 | keyword-speling = "off"
+          | ^^^^^^^^^^^^^^^
+          help: did you mean `keyword-spelling`?
+    "#]],
+    );
+    refused(
+        "[rules]\nsql = \"off\"\n",
+        expect![[r#"
+        no finding has the code or name `sql`
+         --> val3.toml:2
+          |
+        2 | sql = "off"
+          | ^^^
+          help: write a code (V0203), the beginning of codes (V02), a name, or all; `val3 explain` lists them
+    "#]],
+    );
+    refused(
+        "[rules]\nV0701 = \"off\"\nkeyword-spelling = \"info\"\n",
+        expect![[r#"
+        `keyword-spelling` and `V0701` mean the same findings
+         --> val3.toml:3
+          |
+        3 | keyword-spelling = "info"
+          | ^^^^^^^^^^^^^^^^
+          help: keep one of the two lines
+    "#]],
+    );
+}
+
+#[test]
+fn the_command_line_wins() {
+    let rule = rules::find("V0701").unwrap();
+    let off = "[rules]\nV0701 = \"off\"\n";
+    let only = Selection { only: Some(["V0701"].into()), ..Selection::default() };
+    assert!(!settings(off, &only).unwrap().wants(rule), "a family restricts");
+    let named = Selection { named: ["V0701"].into(), ..only.clone() };
+    assert!(settings(off, &named).unwrap().wants(rule), "a name asks");
+    let never = Selection { never: ["V0701"].into(), ..named };
+    assert!(!settings("", &never).unwrap().wants(rule));
+    assert!(!settings("", &only).unwrap().wants(rules::find("V0101").unwrap()));
+}
+
+#[test]
+fn what_is_off_until_asked_for() {
+    let rule = Rule { on: false, ..*rules::find("V0701").unwrap() };
+    let wants = |text: &str| settings(text, &Selection::default()).unwrap().wants(&rule);
+    assert!(!wants("") && !wants("[rules]\nall = \"default\"\n"));
+    assert!(wants("[rules]\nV0701 = \"on\"\n") && wants("[rules]\nV07 = \"warning\"\n"));
+}

@@ -1,0 +1,54 @@
+//! The words that mean rules: `all`, beginnings of codes, codes and names.
+
+use val3_analysis::near::nearest;
+use val3_config::{ConfigError, ConfigFile};
+
+use crate::rule::Rule;
+use crate::rules;
+
+/// How exactly a word means a rule; the more exact word counts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Exactness {
+    /// `all`
+    All,
+    /// The beginning of a code, of this many characters: `V03`.
+    Family(usize),
+    /// A code or a name.
+    Exact,
+}
+
+/// The rules that a word means, in any letter case.
+pub fn meant_by(word: &str) -> Vec<(&'static Rule, Exactness)> {
+    let word = word.trim();
+    rules::all().iter().filter_map(|rule| Some((*rule, exactness(word, rule)?))).collect()
+}
+
+fn exactness(word: &str, rule: &Rule) -> Option<Exactness> {
+    if word.eq_ignore_ascii_case("all") {
+        return Some(Exactness::All);
+    }
+    if rule.code.eq_ignore_ascii_case(word) || rule.name.eq_ignore_ascii_case(word) {
+        return Some(Exactness::Exact);
+    }
+    let beginning = rule.code.get(..word.len()).filter(|beginning| !beginning.is_empty())?;
+    beginning.eq_ignore_ascii_case(word).then_some(Exactness::Family(word.len()))
+}
+
+/// A key of `[rules]` that means nothing.
+pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
+    let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
+    let help = match nearest(key, words) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => "write a code (V0203), the beginning of codes (V02), a name, or all; `val3 explain` lists them".into(),
+    };
+    file.fault(&format!("rules.{key}"), format!("no finding has the code or name `{key}`"), help)
+}
+
+/// Two keys of `[rules]` that mean the same.
+pub(super) fn twice(file: &ConfigFile, key: &str, other: &str) -> ConfigError {
+    file.fault(
+        &format!("rules.{key}"),
+        format!("`{key}` and `{other}` mean the same findings"),
+        "keep one of the two lines".to_owned(),
+    )
+}

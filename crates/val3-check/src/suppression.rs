@@ -1,0 +1,62 @@
+//! Findings that a comment in the code silences, and comments that silence nothing.
+
+mod faults;
+
+use rustc_hash::FxHashSet;
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::suppressions::{Named, suppressions};
+
+pub(crate) use faults::{unknown, unused};
+
+use crate::check::Checked;
+use crate::diagnostic::{Diagnostic, Span};
+use crate::rule::Rule;
+use crate::rules::{self, unknown_suppression, unused_suppression};
+
+/// The places of the words in comments that silenced something.
+pub(crate) type Used = FxHashSet<Span>;
+
+/// Whether comments can silence findings of a rule: not where the text cannot be read, since the controller then
+/// refuses the whole application, and not where the comment itself is meant.
+pub fn can_be_silenced(rule: &Rule) -> bool {
+    let of_comments = [unused_suppression::RULE.code, unknown_suppression::RULE.code];
+    !rule.code.starts_with("V00") && !of_comments.contains(&rule.code)
+}
+
+/// Takes out the findings that comments silence.
+pub(crate) fn apply(db: &dyn Db, found: Vec<Diagnostic>) -> Checked {
+    let mut checked = Checked::default();
+    for diagnostic in found {
+        let words = silencers(db, &diagnostic);
+        if words.is_empty() {
+            checked.findings.push(diagnostic);
+        } else {
+            checked.silenced += 1;
+            checked.used.extend(words);
+        }
+    }
+    checked
+}
+
+/// The words in comments that silence a finding.
+fn silencers(db: &dyn Db, diagnostic: &Diagnostic) -> Vec<Span> {
+    let Span { file, range } = diagnostic.place;
+    if !may_have_code(db, file) || !can_be_silenced(diagnostic.rule) {
+        return Vec::new();
+    }
+    let covering = suppressions(db, file).iter().filter(|suppression| suppression.covers(range.start()));
+    let words = covering.flat_map(|suppression| &suppression.rules).filter(|word| means(word, diagnostic.rule));
+    words.map(|word| Span { file, range: word.range }).collect()
+}
+
+/// Spares looking at data and project files, of which there are few but large ones.
+fn may_have_code(db: &dyn Db, file: File) -> bool {
+    file.path(db).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgx"))
+}
+
+fn means(word: &Named, rule: &Rule) -> bool {
+    rules::find(&word.name).is_some_and(|meant| meant.code == rule.code)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,109 @@
+//! What is wrong with the comments themselves.
+
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::faults::text_faults;
+use val3_analysis::items::program;
+use val3_analysis::items::suppressions::{Named, Scope, Suppression, suppressions};
+use val3_analysis::near::nearest;
+use val3_syntax::{TextRange, TextSize};
+
+use super::{Used, can_be_silenced};
+use crate::diagnostic::{Diagnostic, Edit, Fix, Span, Wording};
+use crate::rule::Rule;
+use crate::rules::{self, unknown_suppression, unused_suppression};
+use crate::settings::Settings;
+
+/// Comments in a program that cannot silence anything, whatever is found.
+pub(crate) fn unknown(db: &dyn Db, project: Project, file: File) -> Vec<Diagnostic> {
+    let rule = &unknown_suppression::RULE;
+    let finding = |(range, wording)| finding(db, project, rule, Span { file, range }, wording);
+    suppressions(db, file).iter().flat_map(faults).map(finding).collect()
+}
+
+fn faults(suppression: &Suppression) -> Vec<(TextRange, Wording)> {
+    match suppression.scope {
+        Scope::Unreadable => vec![(suppression.comment, unknown_suppression::form())],
+        Scope::Misplaced => vec![(suppression.comment, unknown_suppression::misplaced())],
+        Scope::Line(_) | Scope::Program => suppression.rules.iter().filter_map(unknown_rule).collect(),
+    }
+}
+
+fn unknown_rule(word: &Named) -> Option<(TextRange, Wording)> {
+    let wording = match rules::find(&word.name) {
+        None => {
+            let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
+            unknown_suppression::rule(&word.name, nearest(&word.name, words).as_deref())
+        }
+        Some(rule) if !can_be_silenced(rule) => unknown_suppression::never_silenced(&word.name),
+        Some(_) => return None,
+    };
+    Some((word.range, wording))
+}
+
+/// Comments in a program that silenced nothing. Where the text has faults, not everything was looked for.
+pub(crate) fn unused(db: &dyn Db, project: Project, file: File, settings: &Settings, used: &Used) -> Vec<Diagnostic> {
+    let found = suppressions(db, file);
+    if found.is_empty() || !text_faults(db, file).errors.is_empty() || !settings.wants(&unused_suppression::RULE) {
+        return Vec::new();
+    }
+    let is_idle = |word: &Named| {
+        let looked_for = rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.wants(rule));
+        looked_for && !used.contains(&Span { file, range: word.range })
+    };
+    let mut idle = Vec::new();
+    for suppression in found.iter().filter(|found| !matches!(found.scope, Scope::Misplaced | Scope::Unreadable)) {
+        let whole = suppression.rules.iter().all(is_idle);
+        for (place, word) in suppression.rules.iter().enumerate().filter(|(_, word)| is_idle(word)) {
+            let edit = if whole { comment_line(file.text(db), suppression.comment) } else { entry(suppression, place) };
+            let wording = unused_suppression::word(&word.name, suppression.scope == Scope::Program);
+            let place = Span { file, range: word.range };
+            let mut finding = finding(db, project, &unused_suppression::RULE, place, wording);
+            finding.fix = Some(removal(file, edit));
+            idle.push(finding);
+        }
+    }
+    idle
+}
+
+/// The comment with the line it stands on.
+fn comment_line(text: &str, comment: TextRange) -> TextRange {
+    let (start, end) = (usize::from(comment.start()), usize::from(comment.end()));
+    let line_start = text.get(..start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
+    let line_end = text.get(end..).and_then(|rest| rest.find('\n')).map_or(end, |at| end + at + 1);
+    let is_alone = text.get(line_start..start).is_some_and(|before| before.trim().is_empty());
+    match (is_alone, TextSize::try_from(line_start), TextSize::try_from(line_end)) {
+        (true, Ok(start), Ok(end)) => TextRange::new(start, end),
+        _ => comment,
+    }
+}
+
+/// One of several words with the comma before or behind it.
+fn entry(suppression: &Suppression, place: usize) -> TextRange {
+    let word = |place: usize| suppression.rules.get(place).map(|word| word.range);
+    let own = word(place).unwrap_or(suppression.comment);
+    match (place.checked_sub(1).and_then(word), word(place + 1)) {
+        (Some(before), _) => TextRange::new(before.end(), own.end()),
+        (None, Some(behind)) => TextRange::new(own.start(), behind.start()),
+        (None, None) => own,
+    }
+}
+
+fn removal(file: File, range: TextRange) -> Fix {
+    let edit = Edit { place: Span { file, range }, text: String::new() };
+    Fix { title: "remove what silences nothing".to_owned(), safe: true, edits: vec![edit] }
+}
+
+fn finding(db: &dyn Db, project: Project, rule: &'static Rule, place: Span, wording: Wording) -> Diagnostic {
+    Diagnostic {
+        rule,
+        severity: rule.severity,
+        message: wording.message,
+        place,
+        label: wording.label,
+        related: Vec::new(),
+        help: wording.help,
+        program: Some(program::header(db, place.file).name.to_string()),
+        application: Some(project.manifest(db)),
+        fix: None,
+    }
+}

@@ -1,0 +1,187 @@
+//! Known findings: reading, writing and pruning baselines.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
+use val3_analysis::db::{Database, File, Project};
+use val3_analysis::load::Workspace;
+use val3_check::Unit;
+use val3_check::baseline::{Baseline, Fingerprint};
+use val3_check::diagnostic::Diagnostic;
+use val3_check::settings::Selection;
+
+use crate::output::to_file;
+use crate::paths::{Paths, relative};
+use crate::user_error::UserError;
+
+/// What to do with the baselines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum Mode {
+    /// Known findings are left out.
+    #[default]
+    Use,
+    /// Everything that is found is known from now on.
+    Write,
+    /// As [`Mode::Use`]; what is not found any more is taken out.
+    Prune,
+}
+
+/// What the baselines did.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Outcome {
+    /// Findings that are known.
+    pub(crate) known: usize,
+    /// Known findings that are not found any more and still stand in a baseline.
+    pub(crate) gone: usize,
+    /// The files that were written, as people see them, with what they hold.
+    pub(crate) written: Vec<(String, usize)>,
+}
+
+/// What the baselines are held against.
+pub(crate) struct KnownFindings<'a> {
+    /// All that was loaded.
+    pub(crate) workspace: &'a Workspace,
+    /// What was checked.
+    pub(crate) units: &'a [Unit],
+    /// What the command line says about findings.
+    pub(crate) selection: &'a Selection,
+    /// How paths are shown.
+    pub(crate) paths: &'a Paths,
+}
+
+impl KnownFindings<'_> {
+    /// Takes the known findings out of `diagnostics`. A baseline named on the command line (`named`, absolute) counts
+    /// for all applications; else each has the one of its `val3.toml`.
+    pub(crate) fn apply(
+        &self,
+        named: Option<&Utf8Path>,
+        mode: Mode,
+        diagnostics: &mut Vec<Diagnostic>,
+    ) -> Result<Outcome, UserError> {
+        let baselines = self.baselines(named);
+        if baselines.is_empty() && mode != Mode::Use {
+            let help = "name one with --baseline FILE, or with `baseline` in a val3.toml";
+            return Err(UserError::new("there is no baseline to write").with_help(help));
+        }
+        let mut outcome = Outcome::default();
+        for (path, manifests) in baselines {
+            let file = BaselineFile { known: self, path, mode };
+            let is_of_file = |diagnostic: &Diagnostic| diagnostic.application.is_some_and(|it| manifests.contains(&it));
+            let (own, others) = std::mem::take(diagnostics).into_iter().partition(is_of_file);
+            *diagnostics = others;
+            diagnostics.extend(file.apply(own, &mut outcome)?);
+        }
+        Ok(outcome)
+    }
+
+    fn db(&self) -> &Database {
+        &self.workspace.db
+    }
+
+    /// The baselines with the project files they count for.
+    fn baselines(&self, named: Option<&Utf8Path>) -> BTreeMap<Utf8PathBuf, FxHashSet<File>> {
+        let mut baselines: BTreeMap<Utf8PathBuf, FxHashSet<File>> = BTreeMap::new();
+        for project in &self.workspace.projects {
+            let path = named.map(Utf8Path::to_owned).or_else(|| self.configured(*project));
+            if let Some(path) = path {
+                baselines.entry(path).or_default().insert(project.manifest(self.db()));
+            }
+        }
+        baselines
+    }
+
+    fn configured(&self, project: Project) -> Option<Utf8PathBuf> {
+        let file = project.configuration(self.db())?.file(self.db());
+        file.config.baseline.as_ref().map(|path| file.folder().join(path))
+    }
+}
+
+/// One baseline.
+struct BaselineFile<'a> {
+    known: &'a KnownFindings<'a>,
+    path: Utf8PathBuf,
+    mode: Mode,
+}
+
+impl BaselineFile<'_> {
+    /// The findings that are new.
+    fn apply(&self, mut found: Vec<Diagnostic>, outcome: &mut Outcome) -> Result<Vec<Diagnostic>, UserError> {
+        let mut baseline = self.read()?;
+        // A file that two applications use is judged twice.
+        let mut seen = FxHashSet::default();
+        found.retain(|it| seen.insert((it.place, it.rule.code, it.message.clone())));
+        let fingerprints: Vec<Fingerprint> = found.iter().map(|diagnostic| self.fingerprint(diagnostic)).collect();
+        let mut verdict = baseline.judge(&fingerprints);
+        let files = self.checked_files();
+        verdict.gone.retain(|known| self.was_looked_for(known, &files));
+        if self.mode != Mode::Use {
+            baseline.remove(&verdict.gone);
+        }
+        if self.mode == Mode::Write {
+            let new = fingerprints.into_iter().zip(&verdict.new).filter(|(_, new)| **new);
+            baseline.extend(new.map(|(fingerprint, _)| fingerprint));
+            verdict.new.fill(false);
+        }
+        if self.mode == Mode::Use {
+            outcome.gone += verdict.gone.count();
+        } else {
+            self.write(&baseline)?;
+            outcome.written.push((self.shown(), baseline.count()));
+        }
+        outcome.known += verdict.new.iter().filter(|new| !**new).count();
+        let new = found.into_iter().zip(verdict.new).filter(|(_, new)| *new);
+        Ok(new.map(|(diagnostic, _)| diagnostic).collect())
+    }
+
+    fn folder(&self) -> &Utf8Path {
+        self.path.parent().unwrap_or(Utf8Path::new(""))
+    }
+
+    fn fingerprint(&self, diagnostic: &Diagnostic) -> Fingerprint {
+        let db = self.known.db();
+        let file = relative(self.folder(), diagnostic.place.file.path(db));
+        Fingerprint::new(db, diagnostic, file)
+    }
+
+    /// Whether this check would have found it again: not where its file or its rule was left out this time.
+    fn was_looked_for(&self, known: &Fingerprint, files: &BTreeSet<String>) -> bool {
+        let Selection { only, never, .. } = self.known.selection;
+        let code = known.rule.as_str();
+        let wanted = only.as_ref().is_none_or(|only| only.contains(code)) && !never.contains(code);
+        wanted && (files.contains(&known.file) || !self.folder().join(&known.file).exists())
+    }
+
+    fn checked_files(&self) -> BTreeSet<String> {
+        let db = self.known.db();
+        self.known.units.iter().map(|unit| relative(self.folder(), unit.file(db).path(db))).collect()
+    }
+
+    fn read(&self) -> Result<Baseline, UserError> {
+        let text = match std::fs::read_to_string(&self.path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound && self.mode == Mode::Write => {
+                return Ok(Baseline::default());
+            }
+            Err(error) => {
+                return Err(UserError::new(format!("cannot read the baseline `{}`: {error}", self.shown()))
+                    .with_help("`val3 check --write-baseline` writes it"));
+            }
+        };
+        serde_json::from_str(&text).map_err(|error| {
+            UserError::new(format!("the baseline `{}` cannot be read: {error}", self.shown()))
+                .with_help("`val3 check --write-baseline` writes it anew, once the old one is out of the way")
+        })
+    }
+
+    fn write(&self, baseline: &Baseline) -> Result<(), UserError> {
+        to_file(&self.path, |out| {
+            serde_json::to_writer_pretty(&mut *out, baseline)?;
+            writeln!(out)
+        })
+    }
+
+    fn shown(&self) -> String {
+        self.known.paths.shown(&self.path)
+    }
+}

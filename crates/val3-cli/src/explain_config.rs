@@ -1,0 +1,127 @@
+//! `val3 check --explain-config`: which settings each application has, and who says so.
+
+use std::collections::BTreeMap;
+use std::io::{self, Write};
+
+use val3_analysis::db::{Configuration, Database, Project};
+use val3_analysis::items::project::items;
+use val3_check::rule::Rule;
+use val3_check::rules;
+use val3_check::settings::Settings;
+use val3_config::ConfigFile;
+
+use crate::opening::{Opened, Request};
+use crate::report::Severity;
+
+/// Who sets what nobody else does.
+const DEFAULT: &str = "default";
+/// Who sets what wins over every file.
+const COMMAND_LINE: &str = "command line";
+
+/// Writes the settings of every application; applications with the same `val3.toml` stand together.
+pub(crate) fn write(opened: &Opened, request: &Request, out: &mut dyn Write) -> io::Result<()> {
+    let db = &opened.workspace.db;
+    let mut groups: BTreeMap<String, Group> = BTreeMap::new();
+    for project in &opened.workspace.projects {
+        let configuration = project.configuration(db);
+        let file = configuration.map(|configuration| opened.paths.shown(&configuration.file(db).path));
+        let group = Group { opened, request, configuration, projects: Vec::new() };
+        groups.entry(file.unwrap_or_default()).or_insert(group).projects.push(*project);
+    }
+    for (place, (file, group)) in groups.iter().enumerate() {
+        if place > 0 {
+            writeln!(out)?;
+        }
+        group.write(file, out)?;
+    }
+    Ok(())
+}
+
+/// Applications with the same configuration.
+struct Group<'a> {
+    opened: &'a Opened,
+    request: &'a Request,
+    configuration: Option<Configuration>,
+    projects: Vec<Project>,
+}
+
+/// A setting, its value, and who says so.
+type Row = [String; 3];
+
+impl Group<'_> {
+    fn write(&self, file: &str, out: &mut dyn Write) -> io::Result<()> {
+        writeln!(out, "{}", if file.is_empty() { "no val3.toml" } else { file })?;
+        self.projects.iter().try_for_each(|project| writeln!(out, "  for {}", self.application(*project)))?;
+        table(&self.settings(file), out)?;
+        let levels = self.levels(file);
+        if !levels.is_empty() {
+            writeln!(out, "  findings at another level than usual")?;
+            table(&levels, out)?;
+        }
+        Ok(())
+    }
+
+    fn db(&self) -> &Database {
+        &self.opened.workspace.db
+    }
+
+    fn file(&self) -> Option<&ConfigFile> {
+        self.configuration.map(|configuration| configuration.file(self.db()))
+    }
+
+    /// The application with what the settings come to for it.
+    fn application(&self, project: Project) -> String {
+        let (db, paths) = (self.db(), &self.opened.paths);
+        let known = items(db, project);
+        let arm = known.arm.map_or("unknown arm", |arm| arm.name());
+        let disk = project.disk(db).map_or("unknown".to_owned(), |disk| paths.shown(disk));
+        let manifest = paths.shown(project.manifest(db).path(db));
+        format!("{manifest}: version {}, {arm}, Disk:// is {disk}", known.version)
+    }
+
+    fn settings(&self, file: &str) -> Vec<Row> {
+        let named = self.request.baseline.as_ref();
+        let row = |setting: val3_config::Setting| match named.filter(|_| setting.key == "baseline") {
+            Some(path) => [setting.key, format!("\"{path}\""), COMMAND_LINE.to_owned()],
+            None => {
+                let by = setting.line.map_or(DEFAULT.to_owned(), |line| format!("{file}:{line}"));
+                let value = if setting.value.is_empty() { "-".to_owned() } else { setting.value };
+                [setting.key, value, by]
+            }
+        };
+        val3_config::settings(self.file()).into_iter().map(row).collect()
+    }
+
+    /// The rules whose level is not the usual one.
+    fn levels(&self, file: &str) -> Vec<Row> {
+        let Some(project) = self.projects.first() else { return Vec::new() };
+        let settings = self.opened.settings.of(self.db(), *project);
+        let row = |rule: &&'static Rule| {
+            let by = self.who(settings, rule, file)?;
+            Some([format!("{} {}", rule.code, rule.name), level(settings, rule), by])
+        };
+        rules::all().iter().filter_map(row).collect()
+    }
+
+    /// Who sets the level of a rule; `None` where nobody does.
+    fn who(&self, settings: &Settings, rule: &Rule, file: &str) -> Option<String> {
+        if settings.is_chosen(rule) {
+            return Some(COMMAND_LINE.to_owned());
+        }
+        let key = settings.key_of(rule)?;
+        let line = self.file()?.line(&format!("rules.{key}"))?;
+        Some(format!("{file}:{line} ({key})"))
+    }
+}
+
+fn level(settings: &Settings, rule: &Rule) -> String {
+    let level = settings.severity(rule, rule.severity).map(Severity::from);
+    level.map_or("off", Severity::word).to_owned()
+}
+
+/// Writes rows with their columns below each other.
+fn table(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
+    let width = |column: fn(&Row) -> &String| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
+    let (keys, values) = (width(|[key, ..]| key), width(|[_, value, _]| value).min(40));
+    rows.iter().try_for_each(|[key, value, by]| writeln!(out, "    {key:keys$}  {value:values$}  {by}"))
+}

@@ -1,0 +1,62 @@
+//! Logging commands of Azure Pipelines: each finding becomes an issue of the run.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+
+use crate::report::{Finding, Report, Severity};
+
+/// Writes one command a finding.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    for finding in &report.findings {
+        writeln!(out, "{}", command(finding))?;
+    }
+    Ok(())
+}
+
+fn command(finding: &Finding) -> String {
+    let start = finding.place.start();
+    format!(
+        "##vso[task.logissue type={level};sourcepath={path};linenumber={line};columnnumber={column};code={code};]{message}",
+        level = level(finding.severity),
+        path = property(&finding.place.file.in_repository),
+        line = start.line,
+        column = start.column,
+        code = finding.code,
+        message = data(&finding.message_with_help()),
+    )
+}
+
+/// There is no level below a warning.
+fn level(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Info | Severity::Warning => "warning",
+        Severity::Error => "error",
+    }
+}
+
+fn data(text: &str) -> String {
+    text.replace('%', "%AZP25").replace('\r', "%0D").replace('\n', "%0A")
+}
+
+fn property(text: &str) -> String {
+    data(text).replace(';', "%3B").replace(']', "%5D")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn one_command_a_finding() {
+        insta::assert_snapshot!(rendered(Format::Azure, &sample::report()));
+    }
+
+    #[test]
+    fn signs_with_a_meaning_are_escaped() {
+        assert_eq!(data("100 %\r\n##vso"), "100 %AZP25%0D%0A##vso");
+        assert_eq!(property("a;b]c"), "a%3Bb%5Dc");
+    }
+}

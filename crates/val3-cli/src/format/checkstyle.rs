@@ -1,0 +1,63 @@
+//! Checkstyle XML 4.3, which many CI services and editors read.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+
+use super::xml::{XmlWriter, allowed, document};
+use crate::report::{Finding, Report};
+
+/// Writes one `<file>` a file with findings.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    document(out, |writer| {
+        let root = writer.create_element("checkstyle").with_attribute(("version", "4.3"));
+        if report.findings.is_empty() {
+            return root.write_empty().map(drop);
+        }
+        root.write_inner_content(|writer| files(report, writer)).map(drop)
+    })
+}
+
+/// Findings are sorted by file, so those of one file stand together.
+fn files(report: &Report, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    for findings in report.findings.chunk_by(|a, b| a.place.file.path == b.place.file.path) {
+        let Some(first) = findings.first() else { continue };
+        let path = allowed(&first.place.file.in_repository);
+        let file = writer.create_element("file").with_attribute(("name", path.as_str()));
+        file.write_inner_content(|writer| findings.iter().try_for_each(|finding| error(finding, writer)))?;
+    }
+    Ok(())
+}
+
+fn error(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let start = finding.place.start();
+    let element = writer.create_element("error").with_attributes([
+        ("line", start.line.to_string().as_str()),
+        ("column", start.column.to_string().as_str()),
+        ("severity", finding.severity.word()),
+        ("message", allowed(&finding.message_with_help()).as_str()),
+        ("source", format!("val3.{}", finding.code).as_str()),
+    ]);
+    element.write_empty().map(drop)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn the_document() {
+        insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::report()));
+    }
+
+    #[test]
+    fn nothing_found() {
+        insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::clean()));
+    }
+
+    #[test]
+    fn no_text_breaks_the_document() {
+        insta::assert_snapshot!(rendered(Format::Checkstyle, &sample::hostile()));
+    }
+}

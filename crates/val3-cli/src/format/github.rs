@@ -1,0 +1,66 @@
+//! Workflow commands of GitHub Actions: each finding becomes a note at its line in the pull request.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+
+use crate::report::{Finding, Report, Severity};
+
+/// Writes one command a finding.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    for finding in &report.findings {
+        writeln!(out, "{}", command(finding))?;
+    }
+    Ok(())
+}
+
+fn command(finding: &Finding) -> String {
+    let place = &finding.place;
+    let (start, end) = (place.start(), place.end());
+    // Columns of a place that spans lines are refused.
+    let columns =
+        if start.line == end.line { format!("col={},endColumn={},", start.column, end.column) } else { String::new() };
+    format!(
+        "::{level} file={file},line={line},endLine={end_line},{columns}title={title}::{message}",
+        level = level(finding.severity),
+        file = property(&place.file.in_repository),
+        line = start.line,
+        end_line = end.line,
+        title = property(&format!("{} {}", finding.code, finding.name)),
+        message = data(&finding.message_with_help()),
+    )
+}
+
+fn level(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Info => "notice",
+        Severity::Warning => "warning",
+        Severity::Error => "error",
+    }
+}
+
+fn data(text: &str) -> String {
+    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+}
+
+fn property(text: &str) -> String {
+    data(text).replace(':', "%3A").replace(',', "%2C")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn one_command_a_finding() {
+        insta::assert_snapshot!(rendered(Format::Github, &sample::report()));
+    }
+
+    #[test]
+    fn signs_with_a_meaning_are_escaped() {
+        assert_eq!(data("100 %\r\n::error::x"), "100 %25%0D%0A::error::x");
+        assert_eq!(property("a,b:c"), "a%2Cb%3Ac");
+    }
+}

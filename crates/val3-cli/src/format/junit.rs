@@ -1,0 +1,117 @@
+//! JUnit XML: an application is a suite, a finding a test that failed.
+//!
+//! Errors and warnings fail; advice passes and stands in the output of its test. An application without findings is a
+//! suite with one test that passed.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use quick_xml::events::BytesText;
+
+use super::xml::{XmlWriter, allowed, document};
+use crate::report::{Finding, Report, Severity};
+
+/// Writes one `<testsuite>` an application.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    let suites = suites(report);
+    document(out, |writer| {
+        let root = writer.create_element("testsuites").with_attributes([
+            ("name", "val3 check"),
+            ("tests", suites.iter().map(Suite::tests).sum::<usize>().to_string().as_str()),
+            ("failures", suites.iter().map(Suite::failures).sum::<usize>().to_string().as_str()),
+        ]);
+        root.write_inner_content(|writer| suites.iter().try_for_each(|suite| suite.write(writer))).map(drop)
+    })
+}
+
+/// The applications in their order, with what was found in each.
+fn suites(report: &Report) -> Vec<Suite<'_>> {
+    let found_in = |application: &'_ String| {
+        let here = |finding: &&Finding| finding.application.as_ref() == Some(application);
+        report.findings.iter().filter(here).collect()
+    };
+    report.applications.iter().map(|name| Suite { name, findings: found_in(name) }).collect()
+}
+
+struct Suite<'a> {
+    name: &'a str,
+    findings: Vec<&'a Finding>,
+}
+
+impl Suite<'_> {
+    fn tests(&self) -> usize {
+        self.findings.len().max(1)
+    }
+
+    fn failures(&self) -> usize {
+        self.findings.iter().filter(|finding| fails(finding)).count()
+    }
+
+    fn write(&self, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+        let name = allowed(self.name);
+        let suite = writer.create_element("testsuite").with_attributes([
+            ("name", name.as_str()),
+            ("tests", self.tests().to_string().as_str()),
+            ("failures", self.failures().to_string().as_str()),
+        ]);
+        suite
+            .write_inner_content(|writer| {
+                if self.findings.is_empty() {
+                    let passed = [("name", "no findings"), ("classname", name.as_str())];
+                    writer.create_element("testcase").with_attributes(passed).write_empty()?;
+                }
+                self.findings.iter().try_for_each(|finding| test(finding, writer))
+            })
+            .map(drop)
+    }
+}
+
+fn fails(finding: &Finding) -> bool {
+    finding.severity >= Severity::Warning
+}
+
+fn test(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let file = allowed(&finding.place.file.in_repository);
+    let start = finding.place.start();
+    let name = format!("{} {} ({file}:{}:{})", finding.code, finding.name, start.line, start.column);
+    let test = writer.create_element("testcase").with_attributes([
+        ("name", name.as_str()),
+        ("classname", file.as_str()),
+        ("file", file.as_str()),
+        ("line", start.line.to_string().as_str()),
+    ]);
+    test.write_inner_content(|writer| outcome(finding, writer)).map(drop)
+}
+
+fn outcome(finding: &Finding, writer: &mut XmlWriter<'_>) -> io::Result<()> {
+    let message = allowed(&finding.message_with_help());
+    let text = BytesText::new(&message);
+    if !fails(finding) {
+        return writer.create_element("system-out").write_text_content(text).map(drop);
+    }
+    let summary = allowed(&finding.message);
+    let failure = writer.create_element("failure");
+    let failure = failure.with_attributes([("type", finding.severity.word()), ("message", summary.as_str())]);
+    failure.write_text_content(text).map(drop)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn the_document() {
+        insta::assert_snapshot!(rendered(Format::Junit, &sample::report()));
+    }
+
+    #[test]
+    fn a_clean_application_is_a_test_that_passed() {
+        insta::assert_snapshot!(rendered(Format::Junit, &sample::clean()));
+    }
+
+    #[test]
+    fn no_text_breaks_the_document() {
+        insta::assert_snapshot!(rendered(Format::Junit, &sample::hostile()));
+    }
+}

@@ -1,0 +1,123 @@
+//! The JSON of reviewdog, which comments findings and proposes fixes in most review services.
+//!
+//! Columns count bytes of UTF-8 here, as reviewdog asks for.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use serde::Serialize;
+
+use crate::report::{Edit, Finding, Place, Report, Severity};
+
+/// Writes the document and a line end.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    let document =
+        Document { source: Source { name: "val3" }, diagnostics: report.findings.iter().map(Diagnostic::of).collect() };
+    serde_json::to_writer_pretty(&mut *out, &document)?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    source: Source,
+    diagnostics: Vec<Diagnostic<'a>>,
+}
+
+#[derive(Serialize)]
+struct Source {
+    name: &'static str,
+}
+
+#[derive(Serialize)]
+struct Diagnostic<'a> {
+    message: String,
+    location: Location<'a>,
+    severity: &'static str,
+    code: Code,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    suggestions: Vec<Suggestion<'a>>,
+}
+
+#[derive(Serialize)]
+struct Location<'a> {
+    path: &'a str,
+    range: Range,
+}
+
+#[derive(Serialize)]
+struct Code {
+    value: &'static str,
+}
+
+#[derive(Serialize)]
+struct Suggestion<'a> {
+    range: Range,
+    text: &'a str,
+}
+
+#[derive(Serialize)]
+struct Range {
+    start: Position,
+    end: Position,
+}
+
+#[derive(Serialize)]
+struct Position {
+    line: usize,
+    column: usize,
+}
+
+impl<'a> Diagnostic<'a> {
+    fn of(finding: &'a Finding) -> Self {
+        // Several suggestions would be taken for a choice.
+        let edits = finding.fix.iter().map(|fix| &fix.edits).filter(|edits| edits.len() == 1).flatten();
+        Self {
+            message: finding.message_with_help(),
+            location: Location { path: &finding.place.file.in_repository, range: Range::of(&finding.place) },
+            severity: severity(finding.severity),
+            code: Code { value: finding.code },
+            suggestions: edits.map(Suggestion::of).collect(),
+        }
+    }
+}
+
+impl<'a> Suggestion<'a> {
+    fn of(edit: &'a Edit) -> Self {
+        Self { range: Range::of(&edit.place), text: &edit.text }
+    }
+}
+
+impl Range {
+    fn of(place: &Place) -> Self {
+        let at = |offset| Position::of(place, offset);
+        Self { start: at(place.range.start), end: at(place.range.end) }
+    }
+}
+
+impl Position {
+    fn of(place: &Place, offset: usize) -> Self {
+        let lines = &place.file.lines;
+        let line = lines.line(offset);
+        let start = lines.line_range(line).map_or(0, |range| range.start);
+        Self { line: line + 1, column: offset.saturating_sub(start) + 1 }
+    }
+}
+
+fn severity(severity: Severity) -> &'static str {
+    match severity {
+        Severity::Info => "INFO",
+        Severity::Warning => "WARNING",
+        Severity::Error => "ERROR",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    #[test]
+    fn the_document() {
+        insta::assert_snapshot!(rendered(Format::Rdjson, &sample::report()));
+    }
+}

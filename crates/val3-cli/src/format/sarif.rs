@@ -1,0 +1,187 @@
+//! SARIF 2.1.0, the format of code scanning services such as that of GitHub.
+//!
+//! Paths are relative to the folder under version control. Only rules with findings are listed, each with its page.
+
+mod log;
+mod rules;
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
+
+use crate::fingerprint::fingerprints;
+use crate::report::{Edit, Finding, Fix, Place, Related, Report, Severity};
+use log::{
+    ArtifactChange, ArtifactLocation, Driver, Invocation, Level, Location, Log, LogicalLocation, Message, Notification,
+    PartialFingerprints, PhysicalLocation, Region, Replacement, Result as SarifResult, Run, Tool,
+};
+use rules::Rules;
+
+/// Writes the log and a line end.
+pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    serde_json::to_writer_pretty(&mut *out, &log(report))?;
+    writeln!(out)
+}
+
+fn log(report: &Report) -> Log<'_> {
+    let rules = Rules::of(report);
+    let marked = report.findings.iter().zip(fingerprints(&report.findings));
+    let results = marked.map(|(finding, fingerprint)| result(finding, fingerprint, &rules)).collect();
+    let driver = Driver {
+        name: "val3",
+        semantic_version: env!("CARGO_PKG_VERSION"),
+        information_uri: env!("CARGO_PKG_REPOSITORY"),
+        rules: rules.descriptors(),
+    };
+    let run =
+        Run { tool: Tool { driver }, invocations: [invocation(report)], column_kind: "unicodeCodePoints", results };
+    Log { schema: log::SCHEMA, version: "2.1.0", runs: [run] }
+}
+
+fn invocation(report: &Report) -> Invocation {
+    let notification = |error: &crate::user_error::UserError| Notification {
+        level: Level::Error,
+        message: Message { text: error.to_string() },
+    };
+    Invocation {
+        execution_successful: report.unreadable.is_empty(),
+        tool_execution_notifications: report.unreadable.iter().map(notification).collect(),
+    }
+}
+
+fn result<'a>(finding: &'a Finding, fingerprint: String, rules: &Rules) -> SarifResult<'a> {
+    SarifResult {
+        rule_id: finding.code,
+        rule_index: rules.index(finding.code),
+        level: level(finding.severity),
+        message: Message { text: finding.message_with_help() },
+        locations: [location(finding)],
+        related_locations: (1..).zip(&finding.related).map(|(id, related)| related_location(id, related)).collect(),
+        partial_fingerprints: PartialFingerprints { line: fingerprint },
+        fixes: finding.fix.iter().map(fix).collect(),
+    }
+}
+
+fn level(severity: Severity) -> Level {
+    match severity {
+        Severity::Info => Level::Note,
+        Severity::Warning => Level::Warning,
+        Severity::Error => Level::Error,
+    }
+}
+
+fn location(finding: &Finding) -> Location<'_> {
+    let program = finding.program.iter().map(|name| LogicalLocation { name, kind: "function" });
+    Location {
+        id: None,
+        physical_location: physical_location(&finding.place),
+        logical_locations: program.collect(),
+        message: None,
+    }
+}
+
+fn related_location(id: usize, related: &Related) -> Location<'_> {
+    Location {
+        id: Some(id),
+        physical_location: physical_location(&related.place),
+        logical_locations: Vec::new(),
+        message: Some(Message { text: related.message.clone() }),
+    }
+}
+
+fn physical_location(place: &Place) -> PhysicalLocation {
+    PhysicalLocation { artifact_location: artifact_location(&place.file.in_repository), region: region(place) }
+}
+
+fn region(place: &Place) -> Region {
+    let (start, end) = (place.start(), place.end());
+    Region { start_line: start.line, start_column: start.column, end_line: end.line, end_column: end.column }
+}
+
+/// What a path may hold as it is; everything else is written as a percent sign and two digits.
+const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~').remove(b'/');
+
+fn artifact_location(path: &str) -> ArtifactLocation {
+    ArtifactLocation { uri: utf8_percent_encode(path, ESCAPED).to_string(), uri_base_id: "%SRCROOT%" }
+}
+
+fn fix(fix: &Fix) -> log::Fix {
+    let changes = fix.edits.chunk_by(|a, b| a.place.file.path == b.place.file.path);
+    log::Fix {
+        description: Message { text: fix.title.clone() },
+        artifact_changes: changes.filter_map(artifact_change).collect(),
+    }
+}
+
+/// The edits of one file; `None` where there are none.
+fn artifact_change(edits: &[Edit]) -> Option<ArtifactChange> {
+    let path = &edits.first()?.place.file.in_repository;
+    let replacement = |edit: &'_ Edit| Replacement {
+        deleted_region: region(&edit.place),
+        inserted_content: Message { text: edit.text.clone() },
+    };
+    Some(ArtifactChange {
+        artifact_location: artifact_location(path),
+        replacements: edits.iter().map(replacement).collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::*;
+    use crate::format::{Format, rendered};
+    use crate::report::sample;
+
+    const SCHEMA: &str = include_str!("../../tests/schemas/sarif-2.1.0.json");
+
+    /// The published schema, without its pattern for languages: it is no regular expression, and we name no language.
+    fn schema() -> Value {
+        let mut schema: Value = serde_json::from_str(SCHEMA).unwrap();
+        for part in ["run", "toolComponent"] {
+            let language = &mut schema["definitions"][part]["properties"]["language"];
+            assert!(language.as_object_mut().unwrap().remove("pattern").is_some());
+        }
+        schema
+    }
+
+    fn valid(report: &Report) -> Value {
+        let log = serde_json::from_str(&rendered(Format::Sarif, report)).unwrap();
+        let validator = jsonschema::validator_for(&schema()).unwrap();
+        let faults: Vec<_> = validator.iter_errors(&log).map(|error| error.to_string()).collect();
+        assert!(faults.is_empty(), "{faults:#?}");
+        log
+    }
+
+    /// The log without the pages, which have tests of their own.
+    fn shown(mut log: Value) -> String {
+        for rule in log["runs"][0]["tool"]["driver"]["rules"].as_array_mut().unwrap() {
+            rule["help"] = "…".into();
+            rule["fullDescription"]["text"] = "…".into();
+        }
+        log["runs"][0]["tool"]["driver"]["semanticVersion"] = "…".into();
+        serde_json::to_string_pretty(&log).unwrap()
+    }
+
+    #[test]
+    fn the_log() {
+        insta::assert_snapshot!(shown(valid(&sample::report())));
+    }
+
+    #[test]
+    fn logs_hold_to_the_schema() {
+        valid(&sample::hostile());
+        let clean = valid(&sample::clean());
+        assert_eq!(clean["runs"][0]["results"], Value::Array(Vec::new()));
+        let error = crate::user_error::UserError::new("cannot read the folder `x`");
+        let log = valid(&Report { unreadable: vec![error], ..sample::clean() });
+        assert_eq!(log["runs"][0]["invocations"][0]["executionSuccessful"], false);
+    }
+
+    #[test]
+    fn paths_are_percent_encoded() {
+        assert_eq!(artifact_location("../Zelle 1/größe.pgx").uri, "../Zelle%201/gr%C3%B6%C3%9Fe.pgx");
+    }
+}

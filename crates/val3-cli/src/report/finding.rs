@@ -1,0 +1,126 @@
+//! A finding and the places it points at.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use val3_syntax::encoding::Encoding;
+
+use super::Severity;
+use crate::line_index::{LineIndex, Position};
+
+/// A file that findings point at.
+#[derive(Debug)]
+pub(crate) struct SourceFile {
+    /// The path relative to the folder asked for, with `/`.
+    pub(crate) path: String,
+    /// The path as people open it: relative to the current folder where that is shorter.
+    pub(crate) shown: String,
+    /// The path relative to the folder of the version control, with `/`.
+    pub(crate) in_repository: String,
+    /// The path on the controller (`Disk://app/prog.pgx`), where it has one.
+    pub(crate) disk: Option<String>,
+    /// The text, decoded.
+    pub(crate) text: Arc<str>,
+    /// The lines of the text.
+    pub(crate) lines: LineIndex,
+}
+
+impl SourceFile {
+    /// A file under one path, without a place on a controller.
+    pub(crate) fn new(path: &str, text: Arc<str>, encoding: Encoding) -> Self {
+        Self {
+            path: path.to_owned(),
+            shown: path.to_owned(),
+            in_repository: path.to_owned(),
+            disk: None,
+            lines: LineIndex::new(&text, encoding),
+            text,
+        }
+    }
+}
+
+/// A range of a file.
+#[derive(Debug, Clone)]
+pub(crate) struct Place {
+    /// The file.
+    pub(crate) file: Arc<SourceFile>,
+    /// Bytes of the decoded text.
+    pub(crate) range: Range<usize>,
+}
+
+impl Place {
+    /// Where it starts.
+    pub(crate) fn start(&self) -> Position {
+        self.file.lines.position(self.range.start)
+    }
+
+    /// Where it ends: the first place that is not part of it.
+    pub(crate) fn end(&self) -> Position {
+        self.file.lines.position(self.range.end)
+    }
+}
+
+/// One finding.
+#[derive(Debug, Clone)]
+pub(crate) struct Finding {
+    /// `V0203`
+    pub(crate) code: &'static str,
+    /// `argument-type`
+    pub(crate) name: &'static str,
+    /// Its level.
+    pub(crate) severity: Severity,
+    /// What is wrong, in one sentence.
+    pub(crate) message: String,
+    /// A few words under the place; may be empty.
+    pub(crate) label: String,
+    /// What to write instead; may be empty.
+    pub(crate) help: String,
+    /// Where.
+    pub(crate) place: Place,
+    /// The program it lies in.
+    pub(crate) program: Option<String>,
+    /// The line within the program's code, where the line of `begin` is 1.
+    pub(crate) code_line: Option<usize>,
+    /// The path of the application's `.pjx`, like [`SourceFile::path`].
+    pub(crate) application: Option<String>,
+    /// The other sides of the fault.
+    pub(crate) related: Vec<Related>,
+    /// How to mend it.
+    pub(crate) fix: Option<Fix>,
+}
+
+impl Finding {
+    /// What is wrong and what to write instead, for readers that show one text.
+    pub(crate) fn message_with_help(&self) -> String {
+        if self.help.is_empty() { self.message.clone() } else { format!("{}; {}", self.message, self.help) }
+    }
+}
+
+/// A change that mends a finding.
+#[derive(Debug, Clone)]
+pub(crate) struct Fix {
+    /// What it does, as an order.
+    pub(crate) title: String,
+    /// It is applied without asking.
+    pub(crate) safe: bool,
+    /// What changes.
+    pub(crate) edits: Vec<Edit>,
+}
+
+/// Replaces a place.
+#[derive(Debug, Clone)]
+pub(crate) struct Edit {
+    /// Where.
+    pub(crate) place: Place,
+    /// What stands there afterwards.
+    pub(crate) text: String,
+}
+
+/// Another side of a finding.
+#[derive(Debug, Clone)]
+pub(crate) struct Related {
+    /// Where.
+    pub(crate) place: Place,
+    /// What stands there.
+    pub(crate) message: String,
+}

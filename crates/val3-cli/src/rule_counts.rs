@@ -1,0 +1,125 @@
+//! `val3 check --statistics`: how many findings each rule has.
+
+use std::cmp::Reverse;
+use std::collections::BTreeMap;
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use serde::Serialize;
+
+use crate::format::Format;
+use crate::report::{Finding, Report, Severity};
+use crate::user_error::UserError;
+
+/// The findings of one rule.
+#[derive(Debug, Serialize)]
+struct RuleCount {
+    code: &'static str,
+    name: &'static str,
+    /// The highest level among them.
+    severity: Severity,
+    count: usize,
+    /// How many of them `--fix` mends.
+    fixable: usize,
+    /// How many more of them `--unsafe-fixes` mends.
+    fixable_unsafely: usize,
+}
+
+/// Whether counts can be written in a format; the error says in which they can.
+pub(crate) fn supports(format: Format) -> Result<(), UserError> {
+    match format {
+        Format::Human | Format::Concise | Format::Json | Format::JsonLines => Ok(()),
+        _ => Err(UserError::new("--statistics has no such --format").with_help("use human, json or json-lines")),
+    }
+}
+
+/// Writes the rules that have findings, those with most first.
+pub(crate) fn write(format: Format, report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
+    let counts = counts(&report.findings);
+    match format {
+        Format::Json => {
+            serde_json::to_writer(&mut *out, &counts)?;
+            writeln!(out)
+        }
+        Format::JsonLines => counts.iter().try_for_each(|count| {
+            serde_json::to_writer(&mut *out, count)?;
+            writeln!(out)
+        }),
+        _ => table(&counts, out),
+    }
+}
+
+fn counts(findings: &[Finding]) -> Vec<RuleCount> {
+    let mut counts: BTreeMap<&str, RuleCount> = BTreeMap::new();
+    for finding in findings {
+        let Finding { code, name, severity, .. } = *finding;
+        let none = RuleCount { code, name, severity, count: 0, fixable: 0, fixable_unsafely: 0 };
+        let count = counts.entry(code).or_insert(none);
+        count.count += 1;
+        count.severity = count.severity.max(severity);
+        match &finding.fix {
+            Some(fix) if fix.safe => count.fixable += 1,
+            Some(_) => count.fixable_unsafely += 1,
+            None => {}
+        }
+    }
+    let mut counts: Vec<_> = counts.into_values().collect();
+    counts.sort_by_key(|row| Reverse(row.count));
+    counts
+}
+
+fn table(counts: &[RuleCount], out: &mut dyn WriteColor) -> io::Result<()> {
+    let width = counts.first().map_or(0, |most| most.count.to_string().len());
+    for row in counts {
+        let RuleCount { code, name, severity, count, .. } = row;
+        writeln!(out, "{count:>width$} {} {code} {:<7} {name}", mark(row), severity.word())?;
+    }
+    let legend = [('*', "--fix mends at least one"), ('?', "--fix --unsafe-fixes may mend at least one")];
+    for (sign, meaning) in legend {
+        if counts.iter().any(|row| mark(row) == sign) {
+            writeln!(out, "{sign} {meaning}")?;
+        }
+    }
+    Ok(())
+}
+
+fn mark(count: &RuleCount) -> char {
+    match (count.fixable, count.fixable_unsafely) {
+        (0, 0) => ' ',
+        (0, _) => '?',
+        _ => '*',
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use codespan_reporting::term::termcolor::NoColor;
+
+    use super::*;
+    use crate::report::sample;
+
+    fn written(format: Format) -> String {
+        let mut report = sample::report();
+        let again = report.findings[1].clone();
+        report.findings.push(again);
+        let mut out = NoColor::new(Vec::new());
+        write(format, &report, &mut out).unwrap();
+        String::from_utf8(out.into_inner()).unwrap()
+    }
+
+    #[test]
+    fn the_table() {
+        insta::assert_snapshot!(written(Format::Human));
+    }
+
+    #[test]
+    fn one_object_a_rule() {
+        insta::assert_snapshot!(written(Format::JsonLines));
+    }
+
+    #[test]
+    fn other_formats_are_refused() {
+        assert!(supports(Format::Json).is_ok());
+        assert!(supports(Format::Sarif).is_err());
+    }
+}

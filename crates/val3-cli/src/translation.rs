@@ -1,0 +1,117 @@
+//! From diagnostics of the analysis to findings with lines and columns.
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use rustc_hash::FxHashMap;
+use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
+use val3_analysis::items::faults::text_faults;
+use val3_check::diagnostic::{self, Diagnostic, RelatedNote, Span};
+use val3_syntax::encoding::Encoding;
+
+use crate::code_lines::CodeLines;
+use crate::paths::Paths;
+use crate::report::{Edit, Finding, Fix, Place, Related, SourceFile};
+
+/// Turns diagnostics into findings; each file is indexed once.
+pub(crate) struct Translator<'a> {
+    db: &'a Database,
+    paths: &'a Paths,
+    files: FxHashMap<File, Indexed>,
+}
+
+#[derive(Clone)]
+struct Indexed {
+    source: Arc<SourceFile>,
+    codes: Arc<CodeLines>,
+}
+
+impl<'a> Translator<'a> {
+    /// A translator that writes paths as `paths` has them.
+    pub(crate) fn new(db: &'a Database, paths: &'a Paths) -> Self {
+        Self { db, paths, files: FxHashMap::default() }
+    }
+
+    /// The finding of a diagnostic.
+    pub(crate) fn finding(&mut self, diagnostic: &Diagnostic) -> Finding {
+        let Indexed { source, codes } = self.indexed(diagnostic.place.file, diagnostic.application);
+        let place = Place { file: source, range: diagnostic.place.range.into() };
+        Finding {
+            code: diagnostic.rule.code,
+            name: diagnostic.rule.name,
+            severity: diagnostic.severity.into(),
+            message: diagnostic.message.clone(),
+            label: diagnostic.label.clone(),
+            help: diagnostic.help.clone(),
+            program: diagnostic.program.clone(),
+            code_line: codes.line(place.range.start, &place.file.lines),
+            application: diagnostic.application.map(|file| self.paths.relative(file.path(self.db))),
+            related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
+            fix: diagnostic.fix.as_ref().map(|fix| self.fix(fix, diagnostic.application)),
+            place,
+        }
+    }
+
+    fn fix(&mut self, fix: &diagnostic::Fix, application: Option<File>) -> Fix {
+        let mut edit =
+            |edit: &diagnostic::Edit| Edit { place: self.place(edit.place, application), text: edit.text.clone() };
+        Fix { title: fix.title.clone(), safe: fix.safe, edits: fix.edits.iter().map(&mut edit).collect() }
+    }
+
+    /// The paths of the project files, sorted.
+    pub(crate) fn applications(&self, projects: &[Project]) -> Vec<String> {
+        let paths = projects.iter().map(|project| self.paths.relative(project.manifest(self.db).path(self.db)));
+        let mut paths: Vec<_> = paths.collect();
+        paths.sort_unstable();
+        paths
+    }
+
+    fn related(&mut self, note: &RelatedNote, application: Option<File>) -> Related {
+        Related { place: self.place(note.place, application), message: note.message.clone() }
+    }
+
+    fn place(&mut self, Span { file, range }: Span, application: Option<File>) -> Place {
+        Place { file: self.indexed(file, application).source, range: range.into() }
+    }
+
+    fn indexed(&mut self, file: File, application: Option<File>) -> Indexed {
+        if let Some(indexed) = self.files.get(&file) {
+            return indexed.clone();
+        }
+        let indexed = self.index(file, application);
+        self.files.insert(file, indexed.clone());
+        indexed
+    }
+
+    fn index(&self, file: File, application: Option<File>) -> Indexed {
+        let path = file.path(self.db);
+        let mut source =
+            SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(self.db)), self.encoding(file));
+        source.shown = self.paths.shown(path);
+        source.in_repository = self.paths.in_repository(path);
+        source.disk = application.and_then(|application| self.on_controller(path, application));
+        let codes = &text_faults(self.db, file).codes;
+        Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(codes)) }
+    }
+
+    fn encoding(&self, file: File) -> Encoding {
+        match file.status(self.db) {
+            FileStatus::Read { encoding, .. } => *encoding,
+            FileStatus::Unreadable(_) => Encoding::Utf8,
+        }
+    }
+
+    /// `Disk://app/prog.pgx`; where nothing tells what `Disk://` is, the folder around the application.
+    fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
+        let manifest = application.path(self.db);
+        let project = self.project(manifest);
+        let disk = project.and_then(|project| project.disk(self.db));
+        let disk = disk.or_else(|| manifest.parent()?.parent())?;
+        let inside = path.strip_prefix(disk).ok()?;
+        Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))
+    }
+
+    fn project(&self, manifest: &Utf8Path) -> Option<Project> {
+        Sources::get(self.db).projects(self.db).get(&path_key(manifest.as_str())).copied()
+    }
+}

@@ -1,0 +1,139 @@
+//! `val3 check --watch`: tells when a file that matters was changed.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
+
+use crate::user_error::UserError;
+
+/// An editor that saves makes several events; a change is over when there were none for this long.
+const QUIET: Duration = Duration::from_millis(100);
+
+/// How often files are looked at where the system does not tell of changes.
+const POLL_INTERVAL: Duration = Duration::from_secs(1);
+
+/// What a check reads.
+const EXTENSIONS: [&str; 5] = ["pjx", "dtx", "pgx", "cfx", "toml"];
+
+/// Looks after some folders.
+pub(crate) struct Watch {
+    watcher: Box<dyn Watcher>,
+    sender: Sender<notify::Result<Event>>,
+    events: Receiver<notify::Result<Event>>,
+    /// What is looked after, and with everything below or not.
+    watched: BTreeSet<(Utf8PathBuf, bool)>,
+    polls: bool,
+}
+
+impl Watch {
+    /// Begins to look after `paths` and everything below.
+    pub(crate) fn start(paths: &[Utf8PathBuf]) -> Result<Self, UserError> {
+        let (sender, events) = channel();
+        let (watcher, polls): (Box<dyn Watcher>, _) = match RecommendedWatcher::new(sender.clone(), Config::default()) {
+            Ok(watcher) => (Box::new(watcher), false),
+            Err(_) => (polling(sender.clone())?, true),
+        };
+        let mut watch = Self { watcher, sender, events, watched: BTreeSet::new(), polls };
+        for path in paths {
+            watch.include(path, true)?;
+        }
+        Ok(watch)
+    }
+
+    /// Looks after `folder` as well: itself, or everything below. A folder that is gone is left out.
+    pub(crate) fn include(&mut self, folder: &Utf8Path, below: bool) -> Result<(), UserError> {
+        if !folder.exists() {
+            return Ok(());
+        }
+        self.watched.insert((folder.to_owned(), below));
+        // A folder that was deleted and made again has to be named again.
+        match self.watcher.watch(folder.as_std_path(), mode(below)) {
+            Err(_) if !self.polls => self.poll_instead(),
+            outcome => outcome.map_err(|error| cannot_watch(&error)),
+        }
+    }
+
+    /// The system watches no more: the files are looked at from time to time.
+    fn poll_instead(&mut self) -> Result<(), UserError> {
+        self.watcher = polling(self.sender.clone())?;
+        self.polls = true;
+        for (folder, below) in &self.watched {
+            self.watcher.watch(folder.as_std_path(), mode(*below)).map_err(|error| cannot_watch(&error))?;
+        }
+        Ok(())
+    }
+
+    /// Waits until files were changed and all is quiet again; returns the first of them.
+    pub(crate) fn changed(&self) -> Result<PathBuf, UserError> {
+        let changed = loop {
+            let event = self.events.recv().map_err(|_| UserError::new("the system stopped telling of changes"))?;
+            if let Some(path) = event.ok().and_then(relevant) {
+                break path;
+            }
+        };
+        let mut quiet_from = Instant::now() + QUIET;
+        while let Ok(event) = self.events.recv_timeout(quiet_from.saturating_duration_since(Instant::now())) {
+            if event.ok().and_then(relevant).is_some() {
+                quiet_from = Instant::now() + QUIET;
+            }
+        }
+        Ok(changed)
+    }
+}
+
+fn mode(below: bool) -> RecursiveMode {
+    if below { RecursiveMode::Recursive } else { RecursiveMode::NonRecursive }
+}
+
+fn polling(sender: Sender<notify::Result<Event>>) -> Result<Box<dyn Watcher>, UserError> {
+    let config = Config::default().with_poll_interval(POLL_INTERVAL);
+    let watcher = PollWatcher::new(sender, config).map_err(|error| cannot_watch(&error))?;
+    Ok(Box::new(watcher))
+}
+
+fn cannot_watch(error: &notify::Error) -> UserError {
+    UserError::new(format!("cannot watch for changes: {error}"))
+}
+
+/// The file that was changed, if a check reads it: reading alone is no change.
+fn relevant(event: Event) -> Option<PathBuf> {
+    let is_source = |path: &PathBuf| {
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        extension.is_some_and(|extension| EXTENSIONS.iter().any(|known| known.eq_ignore_ascii_case(extension)))
+    };
+    if event.kind.is_access() { None } else { event.paths.into_iter().find(is_source) }
+}
+
+#[cfg(test)]
+mod tests {
+    use notify::event::{AccessKind, EventKind, ModifyKind};
+
+    use super::*;
+
+    fn event(kind: EventKind, path: &str) -> Option<PathBuf> {
+        relevant(Event::new(kind).add_path(path.into()))
+    }
+
+    #[test]
+    fn only_changes_of_sources_count() {
+        let modified = EventKind::Modify(ModifyKind::Any);
+        assert!(event(modified, "a/b.PGX").is_some());
+        assert!(event(modified, "a/report.json").is_none());
+        assert!(event(modified, "a/.b.pgx.swp").is_none());
+        assert!(event(EventKind::Access(AccessKind::Any), "a/b.pgx").is_none());
+    }
+
+    #[test]
+    fn polling_sees_changes_too() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
+        let mut watch = Watch::start(std::slice::from_ref(&path)).unwrap();
+        watch.poll_instead().unwrap();
+        std::fs::write(path.join("a.pgx"), "").unwrap();
+        assert_eq!(watch.changed().unwrap().file_name(), Some("a.pgx".as_ref()));
+    }
+}

@@ -1,0 +1,193 @@
+//! Known findings: a baseline leaves out exactly what was there when it was written.
+
+use std::fs;
+use std::path::Path;
+
+use crate::support::{CLEAN, FAULTY, Folder, Run};
+
+const BASELINE: &str = "val3-baseline.json";
+
+/// A check with the baseline; one line a finding.
+fn check(folder: &Folder, more: &[&str]) -> Run {
+    folder.val3(&[&["check", "--format", "concise", "--baseline", BASELINE], more].concat())
+}
+
+#[test]
+fn what_is_known_is_not_shown() {
+    let folder = Folder::with(FAULTY);
+    let written = check(&folder, &["--write-baseline"]);
+    assert_eq!((written.code, written.stdout.as_str()), (0, ""), "{written:?}");
+    assert!(written.stderr.contains("wrote val3-baseline.json with 1 known finding\n"), "{written:?}");
+    insta::assert_snapshot!(folder.read(BASELINE));
+    let run = check(&folder, &[]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, ""), "{run:?}");
+    assert!(run.stderr.contains("not shown: 1 known from the baseline\n"), "{run:?}");
+    assert_eq!(folder.val3(&["check"]).code, 1);
+}
+
+#[test]
+fn a_configuration_names_the_baseline() {
+    let folder = Folder::with(FAULTY);
+    folder.write("usrapp/main/val3.toml", "baseline = \"known.json\"\n");
+    assert_eq!(folder.val3(&["check"]).code, 2, "it is not there yet");
+    assert_eq!(folder.val3(&["check", "--write-baseline"]).code, 0);
+    assert!(folder.read("usrapp/main/known.json").contains("\"file\": \"start.pgx\""));
+    assert_eq!(folder.val3(&["check"]).code, 0);
+}
+
+#[test]
+fn what_is_gone_is_counted_and_taken_out() {
+    let folder = Folder::with(&format!("{FAULTY}\n--- part\n{FAULTY}"));
+    check(&folder, &["--write-baseline"]);
+    let start = folder.read("usrapp/main/start.pgx");
+    folder.write("usrapp/main/start.pgx", &start.replace("nCuont", "nCount"));
+    let run = check(&folder, &[]);
+    assert!(run.stderr.contains("not found any more: 1 known finding;"), "{run:?}");
+    let elsewhere = check(&folder, &["usrapp/part", "--prune-baseline"]);
+    assert!(elsewhere.stderr.contains("with 2 known findings"), "what was not checked stays: {elsewhere:?}");
+    let unasked = check(&folder, &["--ignore", "V0101", "--prune-baseline"]);
+    assert!(unasked.stderr.contains("with 2 known findings"), "what was not looked for stays: {unasked:?}");
+    let pruned = check(&folder, &["--prune-baseline"]);
+    assert!(pruned.stderr.contains("with 1 known finding\n"), "{pruned:?}");
+    assert!(!check(&folder, &[]).stderr.contains("not found any more"));
+}
+
+#[test]
+fn baselines_that_cannot_be() {
+    let folder = Folder::with(CLEAN);
+    let missing = check(&folder, &[]);
+    assert_eq!(missing.code, 2, "{missing:?}");
+    assert!(missing.stderr.contains("--write-baseline"), "{missing:?}");
+    folder.write(BASELINE, "{\"version\": 9, \"findings\": []}");
+    let newer = check(&folder, &[]);
+    assert_eq!(newer.code, 2, "{newer:?}");
+    assert!(newer.stderr.contains("`val3-baseline.json`") && newer.stderr.contains("number 9"), "{newer:?}");
+    let nameless = folder.val3(&["check", "--write-baseline"]);
+    assert_eq!(nameless.code, 2, "{nameless:?}");
+    assert!(nameless.stderr.contains("--baseline FILE"), "{nameless:?}");
+}
+
+/// The findings of the generated application, whatever rules there will be.
+const SELECTED: &[&str] = &["--select", "V0101,V0202,V0701"];
+
+/// Numbers that are the same in every run.
+struct Chance(u64);
+
+impl Chance {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).unwrap() % limit
+    }
+}
+
+/// Twelve programs, each with findings of its own and with some that are the same on several lines.
+fn mid_sized() -> String {
+    let program = |program: usize| {
+        let lines = (0..40).map(|line| match line % 8 {
+            0 => format!("nUnknown{program}_{line}={line}\n"),
+            1 | 5 => "nCount=\"text\"\n".to_owned(),
+            2 => format!("IF nCount=={line}\n  nCount=nCount+1\nendIf\n"),
+            _ => format!("nSum=nSum+{line}\n"),
+        });
+        format!("program work{program}()\nbegin\n{}end\n", lines.collect::<String>())
+    };
+    let calls: String = (0..12).map(|program| format!("call work{program}()\n")).collect();
+    format!("num nCount\nnum nSum\n{calls}{}", (0..12).map(program).collect::<String>())
+}
+
+/// Edits a program at random; the text of the finding that this causes, if any.
+fn edit(text: &str, step: usize, chance: &mut Chance) -> (String, Option<String>) {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let begin = lines.iter().position(|line| line.contains("begin")).unwrap();
+    let end = lines.iter().rposition(|line| line.trim_start().starts_with("end")).unwrap();
+    let at = begin + 1 + chance.below(end - begin);
+    let is_plain = |line: &String| line.contains("nSum=nSum+");
+    let caused = match chance.below(5) {
+        0 => {
+            lines.insert(at, String::new());
+            None
+        }
+        1 => {
+            lines.insert(at, format!("  // note {step}"));
+            None
+        }
+        2 => {
+            let plain = (begin..end).filter(|line| is_plain(&lines[*line])).nth(3).unwrap();
+            lines.remove(plain);
+            None
+        }
+        3 => {
+            let faulty = lines.iter().position(|line| line.contains("nCount=\"text\"")).unwrap();
+            let moved = lines.remove(faulty);
+            lines.insert(begin + 1, format!("   {moved}"));
+            None
+        }
+        _ => {
+            lines.insert(at, format!("nNew{step}=1"));
+            Some(format!("`nNew{step}` is not declared"))
+        }
+    };
+    (lines.join("\n") + "\n", caused)
+}
+
+#[test]
+fn after_random_edits_only_what_they_caused_is_reported() {
+    let folder = Folder::with(&mid_sized());
+    let written = check(&folder, &[SELECTED, &["--write-baseline"]].concat());
+    assert_eq!(written.code, 0, "{written:?}");
+    assert!(folder.read(BASELINE).contains("\"count\": 10"), "{}", folder.read(BASELINE));
+    let mut chance = Chance(7);
+    let mut expected: Vec<String> = Vec::new();
+    for step in 0..20 {
+        let path = format!("usrapp/main/work{}.pgx", chance.below(12));
+        let (text, caused) = edit(&folder.read(&path), step, &mut chance);
+        folder.write(&path, &text);
+        expected.extend(caused);
+        let run = check(&folder, SELECTED);
+        assert_eq!(run.stdout.lines().count(), expected.len(), "step {step} in {path}: {run:?}");
+        assert!(expected.iter().all(|message| run.stdout.contains(message)), "step {step}: {run:?}");
+        assert!(!run.stderr.contains("not found any more"), "step {step}: {run:?}");
+    }
+    assert!(expected.len() > 2, "some edits cause findings");
+}
+
+#[test]
+fn one_more_of_the_same_is_reported() {
+    let folder = Folder::with(&mid_sized());
+    check(&folder, &[SELECTED, &["--write-baseline"]].concat());
+    let path = "usrapp/main/work3.pgx";
+    folder.write(path, &folder.read(path).replacen("nCount=\"text\"", "nCount=\"text\"\nnCount=\"text\"", 1));
+    let run = check(&folder, SELECTED);
+    assert_eq!(run.stdout.lines().count(), 1, "{run:?}");
+}
+
+#[test]
+fn the_faulty_example_stays_silent_while_lines_move() {
+    let folder = Folder::empty();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/faulty");
+    copy(&example, &example, &folder);
+    check(&folder, &["--write-baseline"]);
+    let mut chance = Chance(11);
+    let path = "usr/usrapp/sorter/start.pgx";
+    for step in 0..20 {
+        let text = folder.read(path);
+        let starts: Vec<usize> = text.match_indices('\n').map(|(at, _)| at + 1).collect();
+        let (first, last) = (text.find("begin").unwrap(), text.rfind("\nend").unwrap());
+        let inside: Vec<usize> = starts.into_iter().filter(|start| (first..=last).contains(start)).collect();
+        let at = inside[chance.below(inside.len())];
+        folder.write(path, &format!("{}    // note {step}\n{}", &text[..at], &text[at..]));
+        let run = check(&folder, &[]);
+        assert_eq!(run.stdout, "", "step {step}: {run:?}");
+    }
+}
+
+fn copy(root: &Path, from: &Path, folder: &Folder) {
+    for entry in fs::read_dir(from).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            copy(root, &path, folder);
+        } else if let Ok(text) = fs::read_to_string(&path) {
+            folder.write(path.strip_prefix(root).unwrap().to_str().unwrap(), &text);
+        }
+    }
+}

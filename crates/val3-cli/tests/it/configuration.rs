@@ -1,0 +1,80 @@
+//! What a `val3.toml` does to a check.
+
+use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL};
+
+fn with_config(listing: &str, config: &str) -> Folder {
+    let folder = Folder::with(listing);
+    folder.write("val3.toml", config);
+    folder
+}
+
+#[test]
+fn levels_decide_how_the_check_ends() {
+    for (listing, config, code) in [
+        (FAULTY, "", 1),
+        (FAULTY, "[rules]\nV0101 = \"off\"\n", 0),
+        (FAULTY, "[rules]\nunknown-name = \"warning\"\n", 0),
+        (UNUSUAL, "", 0),
+        (UNUSUAL, "[rules]\nV07 = \"error\"\n", 1),
+    ] {
+        let run = with_config(listing, config).val3(&["check"]);
+        assert_eq!(run.code, code, "{config} {run:?}");
+    }
+}
+
+#[test]
+fn each_application_has_its_own_settings() {
+    let folder = Folder::with(&format!("{FAULTY}\n--- part\n{FAULTY}"));
+    folder.write("usrapp/part/val3.toml", "[rules]\nV0101 = \"info\"\n");
+    let run = folder.val3(&["check", "--format", "concise"]);
+    let lines: Vec<_> = run.stdout.lines().collect();
+    assert_eq!(lines.len(), 2, "{run:?}");
+    assert!(lines[0].contains("main/start.pgx") && lines[0].contains("error[V0101]"), "{run:?}");
+    assert!(lines[1].contains("part/start.pgx") && lines[1].contains("info[V0101]"), "{run:?}");
+}
+
+#[test]
+fn the_command_line_wins_over_the_file() {
+    let folder = with_config(FAULTY, "[rules]\nall = \"off\"\n");
+    assert_eq!(folder.val3(&["check"]).code, 0);
+    assert_eq!(folder.val3(&["check", "--select", "V0101"]).code, 1);
+}
+
+#[test]
+fn excluded_programs_are_not_checked() {
+    let folder = with_config(FAULTY, "exclude = [\"usrapp/main/start.pgx\"]\n");
+    assert_eq!(folder.val3(&["check"]).code, 0);
+}
+
+#[test]
+fn a_faulty_file_ends_with_2_and_says_where() {
+    for (config, words) in [
+        ("[rules]\nV0101 = \"eror\"\n", &["val3.toml:2", "2 | V0101 = \"eror\"", "did you mean \"error\"?"][..]),
+        ("[rules]\nunknown-nam = \"off\"\n", &["val3.toml:2", "did you mean `unknown-name`?"]),
+        ("exclud = []\n", &["val3.toml:1", "did you mean `exclude`?"]),
+        ("disk = \"nowhere\"\n", &["val3.toml:1", "no folder `nowhere`"]),
+    ] {
+        let run = with_config(CLEAN, config).val3(&["check"]);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+        assert!(words.iter().all(|word| run.stderr.contains(word)), "{run:?}");
+        assert!(run.stderr.contains(" --> val3.toml:"), "seen from the current folder: {run:?}");
+    }
+}
+
+#[test]
+fn editors_get_the_schema() {
+    let run = Folder::empty().val3(&["schema"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, include_str!("../../../../editors/schema/val3.schema.json")));
+}
+
+#[test]
+fn each_setting_says_who_sets_it() {
+    let folder = Folder::with(&format!("{CLEAN}\n--- part\n{CLEAN}\n--- other\n{CLEAN}"));
+    folder.write(
+        "usrapp/part/val3.toml",
+        "version = \"s8.12\"\narm = \"tx2-60l\"\n[rules]\nV0203 = \"off\"\nunknown-name = \"warning\"\n\n[lint.prefixes]\nnum = \"n\"\n",
+    );
+    let run = folder.val3(&["check", "--explain-config", "--ignore", "V0701", "--baseline", "known.json"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    insta::assert_snapshot!(run.stdout);
+}

@@ -1,0 +1,15 @@
+//! What a user reads who checks the shipped cell with a fault of each family.
+
+use std::process::Command;
+
+use crate::support::run;
+
+#[test]
+fn it_reads_well() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_val3"));
+    command.args(["check", "examples/faulty"]).env_remove("NO_COLOR");
+    command.current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."));
+    let run = run(command);
+    assert_eq!(run.code, 1);
+    insta::assert_snapshot!(run.stdout);
+}

@@ -1,0 +1,112 @@
+//! `--watch` checks again when a file is changed.
+
+use std::io::{BufRead, BufReader};
+use std::process::{Child, ChildStderr, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+use crate::support::{CLEAN, FAULTY, Folder};
+
+/// Far more than any machine needs.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A `val3 check --watch` that ends with the value.
+struct Watching {
+    child: Child,
+    lines: Receiver<String>,
+}
+
+impl Watching {
+    fn start(folder: &Folder, arguments: &[&str]) -> Self {
+        let mut command = folder.command(&[&["check", "--watch"], arguments].concat());
+        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let mut child = command.spawn().unwrap();
+        let lines = lines(child.stderr.take().unwrap());
+        Self { child, lines }
+    }
+
+    /// Waits for a line with `text`.
+    #[track_caller]
+    fn wait_for(&self, text: &str) {
+        let mut seen = Vec::new();
+        while !seen.last().is_some_and(|line: &String| line.contains(text)) {
+            match self.lines.recv_timeout(PATIENCE) {
+                Ok(line) => seen.push(line),
+                Err(error) => panic!("no `{text}`: {error}, {seen:#?}"),
+            }
+        }
+    }
+
+    /// Waits for the end of a round with these counts.
+    #[track_caller]
+    fn round(&self, counts: &str) {
+        self.wait_for(counts);
+        self.wait_for("Waiting for changes");
+    }
+}
+
+impl Drop for Watching {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+/// The lines as they come.
+fn lines(stderr: ChildStderr) -> Receiver<String> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        for line in BufReader::new(stderr).lines().map_while(Result::ok) {
+            if sender.send(line).is_err() {
+                return;
+            }
+        }
+    });
+    receiver
+}
+
+const PROGRAM: &str = "usrapp/main/start.pgx";
+
+#[test]
+fn a_change_is_checked() {
+    let folder = Folder::with(CLEAN);
+    let good = folder.read(PROGRAM);
+    let watching = Watching::start(&folder, &[]);
+    watching.round("no findings");
+    folder.write(PROGRAM, &Folder::with(FAULTY).read(PROGRAM));
+    watching.wait_for("start.pgx was changed");
+    watching.round("1 error");
+    folder.write(PROGRAM, &good);
+    watching.round("no findings");
+}
+
+#[test]
+fn a_library_beside_what_was_asked_for_is_watched() {
+    let folder = Folder::with("library part \"Disk://part/part.pjx\"\n\npart:nA=1\n\n--- part\npublic num nA\n");
+    let watching = Watching::start(&folder, &["usrapp/main"]);
+    watching.round("no findings");
+    let data = folder.read("usrapp/part/part.dtx");
+    folder.write("usrapp/part/part.dtx", &data.replace("nA", "nB"));
+    watching.round("1 error");
+}
+
+#[test]
+fn a_folder_that_vanishes_for_a_while_is_no_end() {
+    let folder = Folder::with(CLEAN);
+    let manifest = folder.read("usrapp/main/main.pjx");
+    let watching = Watching::start(&folder, &[]);
+    watching.round("no findings");
+    std::fs::remove_file(folder.path().join("usrapp/main/main.pjx")).unwrap();
+    watching.round("error: ");
+    folder.write("usrapp/main/main.pjx", &manifest);
+    watching.round("no findings");
+}
+
+#[test]
+fn what_is_mended_is_no_endless_change() {
+    let folder = Folder::with("num nCount\nIF nCount==1\ncls()\nendIf\n");
+    let watching = Watching::start(&folder, &["--fix"]);
+    watching.round("1 of 1 finding mended");
+    watching.round("0 of 0 findings mended");
+    assert!(folder.read(PROGRAM).contains("if nCount==1"));
+}

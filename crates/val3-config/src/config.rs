@@ -1,0 +1,48 @@
+//! What a `val3.toml` may say.
+
+use std::collections::BTreeMap;
+
+use camino::Utf8PathBuf;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use val3_lang::types::Arm;
+use val3_lang::versions::Version;
+
+use crate::{Exclude, Level, Options, arm, version};
+
+/// Settings of the `val3` tools for the applications below a folder. The nearest file above an application counts
+/// alone: files are never merged, and an empty one ends what the folders above it say.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
+pub struct Config {
+    /// The version of VAL 3 that the applications run on, such as "s8.12", instead of the one they declare.
+    #[serde(with = "version", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>")]
+    pub version: Option<Version>,
+    /// The arm: "six-axis", "scara", "other", or its model, such as "tx2-60l".
+    #[serde(with = "arm", skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>")]
+    pub arm: Option<Arm>,
+    /// The folder that `Disk://` stands for, seen from the folder of this file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>")]
+    pub disk: Option<Utf8PathBuf>,
+    /// The folders that other roots of paths stand for: `{ USB0 = "usb" }`.
+    #[schemars(with = "BTreeMap<String, String>")]
+    pub roots: BTreeMap<String, Utf8PathBuf>,
+    /// Tables of add-on instructions (`val3.<Addon>.<arm>.cfx`), besides those in the controller's `usr/app`.
+    #[schemars(with = "Vec<String>")]
+    pub add_ons: Vec<Utf8PathBuf>,
+    /// Folders and files that are not checked when a search finds them. Applications still use them as libraries.
+    /// `*` stands for any part of a name, `**` for any folders.
+    pub exclude: Exclude,
+    /// The file with the findings that are known and not reported.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<String>")]
+    pub baseline: Option<Utf8PathBuf>,
+    /// Levels of findings. A key is a code (V0302), a name (argument-range), the beginning of codes (V03) or all; the
+    /// most exact key counts.
+    pub rules: BTreeMap<String, Level>,
+    /// Options of rules.
+    pub lint: Options,
+}

@@ -1,0 +1,213 @@
+use expect_test::{Expect, expect};
+
+use super::*;
+use crate::Level;
+
+const FULL: &str = r#"
+version = "s8.12"
+arm = "tx2-60l"
+disk = "usr/usrapp"
+roots = { USB0 = "usb" }
+add-ons = ["tables/val3.file.anthro.cfx"]
+exclude = ["old/**", "**/backup"]
+baseline = "val3-baseline.json"
+
+[rules]
+V0301 = "off"
+argument-range = "error"
+
+[lint]
+line-length = 120
+
+[lint.prefixes]
+num = "n"
+"#;
+
+fn parse(text: &str) -> Result<ConfigFile, ConfigError> {
+    ConfigFile::parse(Utf8Path::new("cell/val3.toml"), text)
+}
+
+#[track_caller]
+fn refused(text: &str, expected: Expect) {
+    expected.assert_eq(&format!("{}\n", parse(text).unwrap_err()));
+}
+
+#[test]
+fn everything_that_can_be_said() {
+    let file = parse(FULL).unwrap();
+    assert_eq!(file.config.version.map(|version| version.to_string()).as_deref(), Some("s8.12"));
+    assert_eq!(file.config.rules.get("V0301"), Some(&Level::Off));
+    assert_eq!((file.config.lint.line_length, file.config.lint.complexity), (120, 20));
+    assert!(file.excludes(Utf8Path::new("cell/old/app/app.pjx")));
+    assert!(!file.excludes(Utf8Path::new("old/app/app.pjx")));
+    assert_eq!(
+        (file.line("version"), file.line("rules.V0301"), file.line("lint.complexity")),
+        (Some(2), Some(11), None)
+    );
+    assert_eq!((file.line("roots.USB0"), file.line("lint.prefixes.num")), (Some(5), Some(18)));
+}
+
+#[test]
+fn an_empty_file_says_nothing() {
+    assert_eq!(parse("").unwrap().config, Config::default());
+}
+
+#[test]
+fn unknown_keys() {
+    refused(
+        "verison = \"s8\"\n",
+        expect![[r#"
+            there is no setting `verison`
+             --> cell/val3.toml:1
+              |
+            1 | verison = "s8"
+              | ^^^^^^^
+              help: did you mean `version`?
+        "#]],
+    );
+    refused(
+        "[lint]\nline_length = 100\n",
+        expect![[r#"
+            there is no setting `lint.line_length`
+             --> cell/val3.toml:2
+              |
+            2 | line_length = 100
+              | ^^^^^^^^^^^
+              help: did you mean `line-length`?
+        "#]],
+    );
+    refused(
+        "[lint.naming]\nnum = \"n\"\n",
+        expect![[r#"
+            there is no setting `lint.naming`
+             --> cell/val3.toml:1
+              |
+            1 | [lint.naming]
+              |       ^^^^^^
+              help: known here: complexity, entry-points, entry-prefixes, line-length, local-prefix, parameter-prefix, parameters, prefixes, task-words
+        "#]],
+    );
+}
+
+#[test]
+fn wrong_types() {
+    refused(
+        "version = 8.12\n",
+        expect![[r#"
+            `version` must be a text in quotes, and this is a number with a fraction
+             --> cell/val3.toml:1
+              |
+            1 | version = 8.12
+              |           ^^^^
+        "#]],
+    );
+    refused(
+        "add-ons = \"a.cfx\"\n",
+        expect![[r#"
+            `add-ons` must be a list in square brackets, and this is a text in quotes
+             --> cell/val3.toml:1
+              |
+            1 | add-ons = "a.cfx"
+              |           ^^^^^^^
+        "#]],
+    );
+    refused(
+        "exclude = [1]\n",
+        expect![[r#"
+            each entry of `exclude` must be a text in quotes, and this is a whole number
+             --> cell/val3.toml:1
+              |
+            1 | exclude = [1]
+              |            ^
+        "#]],
+    );
+    refused(
+        "[lint]\ncomplexity = -3\n",
+        expect![[r#"
+            `lint.complexity` cannot be negative
+             --> cell/val3.toml:2
+              |
+            2 | complexity = -3
+              |              ^^
+        "#]],
+    );
+    refused(
+        "rules = \"off\"\n",
+        expect![[r#"
+            `rules` must be a table, and this is a text in quotes
+             --> cell/val3.toml:1
+              |
+            1 | rules = "off"
+              |         ^^^^^
+        "#]],
+    );
+}
+
+#[test]
+fn wrong_words() {
+    refused(
+        "[rules]\nV0301 = \"eror\"\n",
+        expect![[r#"
+            `rules.V0301` must be one of off, on, info, warning, error, default, not "eror"
+             --> cell/val3.toml:2
+              |
+            2 | V0301 = "eror"
+              |         ^^^^^^
+              help: did you mean "error"?
+        "#]],
+    );
+    refused(
+        "version = \"8.12\"\n",
+        expect![[r#"
+            `8.12` is no version of VAL 3; write it like "s7.11"
+             --> cell/val3.toml:1
+              |
+            1 | version = "8.12"
+              |           ^^^^^^
+        "#]],
+    );
+    refused(
+        "arm = \"kr210\"\n",
+        expect![[r#"
+            `kr210` is no arm; write "six-axis", "scara", "other", or a model such as "tx2-60l"
+             --> cell/val3.toml:1
+              |
+            1 | arm = "kr210"
+              |       ^^^^^^^
+        "#]],
+    );
+    refused(
+        "exclude = [\"a[\"]\n",
+        expect![[r#"
+            the pattern `a[` cannot be read: unclosed character class; missing ']'
+             --> cell/val3.toml:1
+              |
+            1 | exclude = ["a["]
+              |           ^^^^^^
+        "#]],
+    );
+}
+
+#[test]
+fn no_toml() {
+    refused(
+        "version = s8.12\n",
+        expect![[r#"
+            this is not TOML: string values must be quoted, expected literal string
+             --> cell/val3.toml:1
+              |
+            1 | version = s8.12
+              |           ^^^^^
+        "#]],
+    );
+    refused(
+        "disk = 'a'\ndisk = 'b'\n",
+        expect![[r#"
+            this is not TOML: duplicate key
+             --> cell/val3.toml:2
+              |
+            2 | disk = 'b'
+              | ^^^^
+        "#]],
+    );
+}

@@ -1,0 +1,25 @@
+//! The configuration file `val3.toml`: what it may say, where each setting stands, and its JSON schema.
+//!
+//! [`Config`] is the one description: the reader, the schema, the messages about wrong settings and the list that
+//! `val3 check --explain-config` prints are all derived from it. Nothing here reads a file.
+
+mod arm;
+mod config;
+mod config_file;
+mod error;
+mod exclude;
+mod faults;
+mod level;
+mod options;
+mod schema;
+mod setting;
+mod version;
+
+pub use config::Config;
+pub use config_file::{ConfigFile, FILE_NAME};
+pub use error::ConfigError;
+pub use exclude::Exclude;
+pub use level::Level;
+pub use options::Options;
+pub use schema::json_schema;
+pub use setting::{Setting, settings};

@@ -1,0 +1,79 @@
+//! The JSON schema of `val3.toml`, for editors and for the messages about wrong settings.
+
+use schemars::generate::SchemaSettings;
+use serde_json::Value;
+
+use crate::Config;
+
+/// The schema as text, with a line end behind it. Editors take it from `editors/schema/val3.schema.json`.
+pub fn json_schema() -> String {
+    let mut schema = schema();
+    if let Some(object) = schema.as_object_mut() {
+        object.insert("title".to_owned(), "val3.toml".into());
+    }
+    format!("{schema:#}\n")
+}
+
+/// The schema of the whole file, without references to other parts of it.
+pub(crate) fn schema() -> Value {
+    // Draft 7 is the one that TOML editors read.
+    let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
+    settings.into_generator().into_root_schema_for::<Config>().to_value()
+}
+
+/// The schema of the value under `key`.
+pub(crate) fn property<'s>(schema: &'s Value, key: &str) -> Option<&'s Value> {
+    let named = schema.get("properties").and_then(|properties| properties.get(key));
+    named.or_else(|| schema.get("additionalProperties").filter(|any| any.is_object()))
+}
+
+/// The keys that have a name.
+pub(crate) fn keys(schema: &Value) -> impl Iterator<Item = &str> {
+    schema.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(key, _)| key.as_str())
+}
+
+/// Whether a value may be of this type (`string`, `integer`, `boolean`, `array`, `object`).
+pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
+    match schema.get("type") {
+        Some(Value::String(only)) => only == ty,
+        Some(Value::Array(several)) => several.iter().any(|one| one == ty),
+        _ => ty == "string",
+    }
+}
+
+/// The words that a value is chosen from; empty where any is taken.
+pub(crate) fn choices(schema: &Value) -> Vec<&str> {
+    let listed = schema.get("enum").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
+    let described = schema.get("oneOf").and_then(Value::as_array).into_iter().flatten();
+    let described = described.filter_map(|one| one.get("const").or_else(|| one.get("enum")?.get(0))?.as_str());
+    listed.chain(described).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect_file;
+
+    use super::*;
+
+    /// `UPDATE_EXPECT=1 cargo test -p val3-config` writes the file anew.
+    #[test]
+    fn the_shipped_schema_is_this_one() {
+        expect_file!["../../../editors/schema/val3.schema.json"].assert_eq(&json_schema());
+    }
+
+    #[test]
+    fn every_setting_is_described() {
+        let schema = schema();
+        let lint = property(&schema, "lint").unwrap();
+        for (table, key) in keys(&schema).map(|key| (&schema, key)).chain(keys(lint).map(|key| (lint, key))) {
+            assert!(property(table, key).unwrap().get("description").is_some(), "{key}");
+        }
+    }
+
+    #[test]
+    fn levels_are_words() {
+        let schema = schema();
+        let level = property(property(&schema, "rules").unwrap(), "V0101").unwrap();
+        assert_eq!(choices(level), ["off", "on", "info", "warning", "error", "default"]);
+    }
+}

@@ -1,0 +1,9 @@
+//! Which values an argument takes, where its type allows more: ranges of numbers and forms of texts.
+
+mod ranges;
+mod serial;
+mod texts;
+
+pub use ranges::{Beyond, Range, bits, counts_seconds, range};
+pub use serial::{SERIAL_PARAMETERS, SerialFault, SerialParameter, SerialValue};
+pub use texts::{BINARY_FORMATS, DATE_KEYS, TextForm, bytes, text_form};

@@ -1,0 +1,155 @@
+//! Ranges of numbers.
+
+use std::ops::{Bound, RangeBounds};
+
+use Bound::{Excluded, Included, Unbounded};
+
+/// The numbers that an argument takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// The least number.
+    pub low: Bound<f64>,
+    /// The greatest number.
+    pub high: Bound<f64>,
+    /// What a number beyond them does.
+    pub beyond: Beyond,
+}
+
+/// What a number beyond the range does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Beyond {
+    /// It stops the task with this run-time error.
+    Fails(u16),
+    /// The instruction does something else, in a few words: "the column is taken modulo 40".
+    Instead(&'static str),
+}
+
+impl Range {
+    /// The argument takes the number.
+    #[must_use]
+    pub fn takes(&self, number: f64) -> bool {
+        (self.low, self.high).contains(&number)
+    }
+}
+
+/// The range of the parameter `parameter` of `instruction`; `None` where every number is fine.
+#[must_use]
+pub fn range(instruction: &str, parameter: &str) -> Option<&'static Range> {
+    let is_meant = |row: &&(&str, &str, Range)| row.0 == instruction && row.1 == parameter;
+    RANGES.iter().find(is_meant).map(|(_, _, range)| range)
+}
+
+/// Numbers that as many outputs as `count` can show in binary (3.5.3): those below the result.
+#[must_use]
+pub fn bits(count: u32) -> f64 {
+    f64::from(count).exp2()
+}
+
+/// The parameter counts seconds (5.10).
+#[must_use]
+pub fn counts_seconds(parameter: &str) -> bool {
+    parameter == "nSeconds"
+}
+
+const INVALID_NUMBER: Beyond = Beyond::Fails(11);
+const INVALID_PARAMETER: Beyond = Beyond::Fails(70);
+/// Bit fields are whole numbers of 32 bits (3.3.1).
+const BIT_FIELD: Range = between(Included(0.0), Included(4_294_967_295.0), Beyond::Instead(BIT_FIELD_ROUNDING));
+const BIT_FIELD_ROUNDING: &str = "the number is forced into a bit field of 32 bits";
+const NO_WAIT: Beyond = Beyond::Instead("the task does not wait");
+const COLUMN: Range = between(Included(0.0), Included(39.0), Beyond::Instead("the column is taken modulo 40"));
+const LINE: Range = between(Included(0.0), Included(13.0), Beyond::Instead("the line is taken modulo 14"));
+const COUNT: Range = between(Included(0.0), Unbounded, INVALID_PARAMETER);
+const SINE: Range = between(Included(-1.0), Included(1.0), INVALID_NUMBER);
+const POSITIVE: Range = between(Excluded(0.0), Unbounded, INVALID_NUMBER);
+const PART_OF_PATH: Range = between(Excluded(-1.0), Excluded(2.0), INVALID_PARAMETER);
+const FORCE: Range = between(Included(-1000.0), Included(1000.0), INVALID_PARAMETER);
+
+const fn between(low: Bound<f64>, high: Bound<f64>, beyond: Beyond) -> Range {
+    Range { low, high, beyond }
+}
+
+/// Instruction, parameter and range, by section of the manual.
+#[rustfmt::skip]
+static RANGES: [(&str, &str, Range); 43] = [
+    ("size", "nDimension", between(Included(1.0), Included(3.0), Beyond::Instead("the result is 0"))),
+    ("resize", "nDimension", between(Included(1.0), Included(3.0), INVALID_PARAMETER)),
+    ("resize", "nSize", COUNT),
+    ("asin", "nValue", SINE),
+    ("acos", "nValue", SINE),
+    ("sqrt", "nValue", between(Included(0.0), Unbounded, INVALID_NUMBER)),
+    ("exp", "nValue", between(Unbounded, Excluded(709.8), INVALID_NUMBER)),
+    ("power", "nX", POSITIVE),
+    ("ln", "nValue", POSITIVE),
+    ("log", "nValue", POSITIVE),
+    ("bNot", "nBitField", BIT_FIELD),
+    ("bAnd", "nBitField1", BIT_FIELD),
+    ("bAnd", "nBitField2", BIT_FIELD),
+    ("bOr", "nBitField1", BIT_FIELD),
+    ("bOr", "nBitField2", BIT_FIELD),
+    ("bXor", "nBitField1", BIT_FIELD),
+    ("bXor", "nBitField2", BIT_FIELD),
+    ("toBinary", "nValueSize", COUNT),
+    ("fromBinary", "nDataSize", COUNT),
+    ("chr", "nCodePoint", between(Included(0.0), Included(1_114_111.0), Beyond::Instead("the result is an empty string"))),
+    ("asc", "nPosition", between(Included(0.0), Included(127.0), Beyond::Instead("the result is -1"))),
+    ("left", "nSize", COUNT),
+    ("right", "nSize", COUNT),
+    ("mid", "nSize", COUNT),
+    ("mid", "nPosition", COUNT),
+    ("insert", "nPosition", COUNT),
+    ("delete", "nSize", COUNT),
+    ("delete", "nPosition", COUNT),
+    ("replace", "nSize", COUNT),
+    ("replace", "nPosition", COUNT),
+    ("dioSet", "nValue", between(Included(0.0), Unbounded, Beyond::Instead("a negative number has no pattern of bits"))),
+    ("gotoxy", "nX", COLUMN),
+    ("gotoxy", "nY", LINE),
+    ("setTextMode", "nMode", between(Included(0.0), Included(3.0), INVALID_PARAMETER)),
+    ("taskCreate", "nPriority", between(Included(1.0), Included(100.0), INVALID_PARAMETER)),
+    ("taskCreateSync", "nPeriod", between(Excluded(0.0), Unbounded, INVALID_PARAMETER)),
+    ("delay", "nSeconds", between(Included(0.0), Unbounded, NO_WAIT)),
+    ("watch", "nSeconds", between(Included(0.0), Unbounded, NO_WAIT)),
+    ("setMonitorSpeed", "nSpeed", between(Included(0.0), Included(100.0), Beyond::Instead("nothing changes and the result is -3"))),
+    ("interpolateL", "nPosition", PART_OF_PATH),
+    ("interpolateC", "nPosition", PART_OF_PATH),
+    ("movejf", "nForce", FORCE),
+    ("movelf", "nForce", FORCE),
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instructions;
+
+    #[test]
+    fn rows_name_parameters_of_the_catalogue() {
+        for (name, parameter, range) in &RANGES {
+            let instruction = instructions::find(name).unwrap();
+            let mut params = instruction.overloads.iter().flat_map(|form| form.params);
+            assert!(params.any(|param| param.name == *parameter), "{name} {parameter}");
+            if let Beyond::Fails(number) = range.beyond {
+                assert!(instruction.errors.contains(&number), "{name} {number}");
+            }
+        }
+    }
+
+    #[test]
+    fn ends_belong_to_a_range_or_not() {
+        let force = range("movejf", "nForce").unwrap();
+        assert!(force.takes(1000.0) && !force.takes(1000.1));
+        let part = range("interpolateL", "nPosition").unwrap();
+        assert!(part.takes(1.99) && !part.takes(2.0) && !part.takes(-1.0));
+        assert_eq!(part.beyond, Beyond::Fails(70));
+    }
+
+    #[test]
+    fn what_any_number_suits_has_no_range() {
+        assert_eq!(range("sin", "nAngle"), None);
+    }
+
+    #[test]
+    fn four_outputs_show_sixteen_numbers() {
+        assert!((bits(4) - 16.0).abs() < f64::EPSILON);
+    }
+}

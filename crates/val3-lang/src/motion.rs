@@ -1,0 +1,185 @@
+//! What instructions mean for the arm: which record moves, which wait for it, and which need a reference (9, 10).
+//!
+//! The program runs ahead of the arm: a move is recorded, and the arm makes it later (10.2).
+
+use crate::enumerations::Enumerator;
+use crate::instruction::{Instruction, Overload, Param, Shape};
+use crate::types::BaseType;
+
+/// What an instruction does to the recorded moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum MotionRole {
+    /// Records a move.
+    Move(Path),
+    /// Waits until the arm has made every recorded move. The arm stops there: a blend of the last one is lost
+    /// (9.5.4, 10.1.2.2).
+    Arrive,
+    /// Stops the arm; what is recorded waits until it may go on (10.6).
+    Stop,
+    /// Lets a stopped arm go on (10.6).
+    Restart,
+    /// Forgets every recorded move; a stopped arm may go on (10.6, 11.5.2).
+    Reset,
+    /// Tells where the arm is at this moment (9.2.3, 9.6.3).
+    Position,
+    /// Tells how far the arm has got with the recorded moves (10.4, 10.6).
+    Progress,
+}
+
+/// The path of a move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Path {
+    /// All axes start and arrive together; the arm may change its configuration.
+    Joint,
+    /// A line or circle of the tool: the arm keeps its configuration (10.1.4.2).
+    Cartesian,
+    /// The arm gives way to forces. It stops at both ends of the move, whatever the blend says (11.1.4).
+    Compliant,
+    /// Altered while the arm moves (11.2).
+    Altered,
+}
+
+/// The roles by name.
+static ROLES: [(&str, MotionRole); 21] = [
+    ("movej", MotionRole::Move(Path::Joint)),
+    ("movel", MotionRole::Move(Path::Cartesian)),
+    ("movec", MotionRole::Move(Path::Cartesian)),
+    ("movejf", MotionRole::Move(Path::Compliant)),
+    ("movelf", MotionRole::Move(Path::Compliant)),
+    ("alterMovej", MotionRole::Move(Path::Altered)),
+    ("alterMovel", MotionRole::Move(Path::Altered)),
+    ("alterMovec", MotionRole::Move(Path::Altered)),
+    ("waitEndMove", MotionRole::Arrive),
+    ("open", MotionRole::Arrive),
+    ("close", MotionRole::Arrive),
+    ("stopMove", MotionRole::Stop),
+    ("restartMove", MotionRole::Restart),
+    ("resetMotion", MotionRole::Reset),
+    ("resetTurn", MotionRole::Reset),
+    ("here", MotionRole::Position),
+    ("herej", MotionRole::Position),
+    ("getMoveId", MotionRole::Progress),
+    ("isEmpty", MotionRole::Progress),
+    ("isSettled", MotionRole::Progress),
+    ("isCompliant", MotionRole::Progress),
+];
+
+/// What `instruction` does to the recorded moves; `None` where it leaves them alone.
+#[must_use]
+pub fn role(instruction: &Instruction) -> Option<MotionRole> {
+    ROLES.iter().find(|(name, _)| *name == instruction.name).map(|(_, role)| *role)
+}
+
+/// The position of the target among the arguments of a move: its last point or joint.
+#[must_use]
+pub fn target(form: &Overload) -> Option<usize> {
+    form.params.iter().rposition(|param| matches!(param.ty, Some(BaseType::Point | BaseType::Joint)))
+}
+
+/// The position of the motion descriptor among the arguments of a move.
+#[must_use]
+pub fn descriptor(form: &Overload) -> Option<usize> {
+    form.params.iter().position(|param| param.ty == Some(BaseType::Mdesc))
+}
+
+/// The point that `instruction` yields is reached in the configuration of the point it is given (9.6.3).
+#[must_use]
+pub fn keeps_configuration(instruction: &Instruction) -> bool {
+    matches!(instruction.name, "appro" | "compose")
+}
+
+/// The move goes on around its target instead of stopping there (10.1.2.1).
+#[must_use]
+pub fn is_blend(choice: &Enumerator) -> bool {
+    choice.ty == BaseType::Blend && choice.name != "off"
+}
+
+/// The configuration is asked for outright, instead of being kept or left to the arm (9.7.2).
+#[must_use]
+pub fn is_definite(choice: &Enumerator) -> bool {
+    matches!(choice.ty, BaseType::Shoulder | BaseType::Elbow | BaseType::Wrist)
+        && !choice.name.ends_with("same")
+        && !choice.name.ends_with("free")
+}
+
+/// The run-time error for a value of this type without a reference frame or tool (9.4 to 9.6); `None` for types that
+/// have no reference.
+#[must_use]
+pub fn missing_reference(ty: BaseType) -> Option<u16> {
+    match ty {
+        BaseType::Point => Some(162),
+        BaseType::Frame => Some(163),
+        BaseType::Tool => Some(164),
+        _ => None,
+    }
+}
+
+/// Whether `instruction` fails where the argument for `param` has no reference: each move does, and any other
+/// instruction for which the manual names such an error.
+#[must_use]
+pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
+    let error = param.ty.and_then(missing_reference);
+    let is_move = matches!(role(instruction), Some(MotionRole::Move(_)));
+    param.shape == Shape::Value && error.is_some_and(|error| is_move || instruction.errors.contains(&error))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        Enumerator, MotionRole, Path, ROLES, descriptor, is_blend, is_definite, missing_reference, needs_reference,
+        role, target,
+    };
+    use crate::enumerations::ENUMERATORS;
+    use crate::{instructions, runtime_errors, types::BaseType};
+
+    #[test]
+    fn every_role_is_that_of_an_instruction() {
+        for (name, expected) in ROLES {
+            assert_eq!(role(instructions::find(name).unwrap()), Some(expected), "{name}");
+        }
+        assert_eq!(role(instructions::find("appro").unwrap()), None);
+    }
+
+    #[test]
+    fn moves_have_a_target_and_a_descriptor() {
+        for (name, role) in ROLES.iter().filter(|(_, role)| matches!(role, MotionRole::Move(_))) {
+            for form in instructions::find(name).unwrap().overloads {
+                assert!(target(form).is_some() && descriptor(form).is_some(), "{name} {role:?}");
+            }
+        }
+        let circle = instructions::find("movec").unwrap();
+        assert_eq!(role(circle), Some(MotionRole::Move(Path::Cartesian)));
+        assert_eq!(circle.overloads.first().and_then(target), Some(1));
+    }
+
+    #[test]
+    fn references_that_are_needed() {
+        let needs = |name: &str| {
+            let instruction = instructions::find(name).unwrap();
+            let form = instruction.overloads.last().unwrap();
+            form.params.iter().map(|param| needs_reference(instruction, param)).collect::<Vec<_>>()
+        };
+        assert_eq!(needs("movel"), [true, true, false]);
+        assert_eq!(needs("movelf"), [true, true, false, false]);
+        assert_eq!(needs("setFrame"), [true, true, true, false]);
+        assert_eq!(needs("link"), [false, false]);
+        assert_eq!(needs("here"), [true, true]);
+    }
+
+    #[test]
+    fn choices() {
+        let names = |is: fn(&Enumerator) -> bool| {
+            ENUMERATORS.iter().filter(|row| is(row)).map(|row| row.name).collect::<Vec<_>>()
+        };
+        assert_eq!(names(is_blend), ["joint", "Cartesian"]);
+        assert_eq!(names(is_definite), ["lefty", "righty", "epositive", "enegative", "wpositive", "wnegative"]);
+    }
+
+    #[test]
+    fn the_errors_are_known() {
+        for ty in BaseType::DECLARABLE.into_iter().filter(|ty| ty.has_father()) {
+            let error = missing_reference(ty).and_then(runtime_errors::find).unwrap();
+            assert!(error.short.contains("reference"), "{}", error.short);
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! What is worth knowing of the results of instructions.
+
+/// What the result of an instruction tells that a program should not ignore, in a few words; `None` where nothing
+/// is lost.
+#[must_use]
+pub fn tells(instruction: &str) -> Option<&'static str> {
+    TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, tells)| *tells)
+}
+
+/// The result is a number that is rounded somewhere behind its fourteenth digit (3.2.1).
+#[must_use]
+pub fn is_rounded(instruction: &str) -> bool {
+    ROUNDED.contains(&instruction)
+}
+
+/// Instructions whose result is the only sign of a failure (6.6, 6.7, 8.1, 9.2.3, 9.4.4, 9.6.3).
+static TELLING: [(&str, &str); 6] = [
+    ("libLoad", "0, or why the library is not loaded"),
+    ("libSave", "0, or why nothing is saved"),
+    ("libDelete", "0, or why the library is not deleted"),
+    ("setFrame", "0, or which point makes no frame"),
+    ("pointToJoint", "`false` if the arm cannot reach the point"),
+    ("getLatch", "`false` if there is no position"),
+];
+
+static ROUNDED: [&str; 13] =
+    ["sin", "asin", "cos", "acos", "tan", "atan", "sqrt", "exp", "ln", "log", "distance", "clock", "getSpeed"];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::instructions;
+
+    #[test]
+    fn they_are_instructions_with_a_result() {
+        for name in TELLING.iter().map(|(name, _)| name).chain(&ROUNDED) {
+            let instruction = instructions::find(name).unwrap();
+            assert!(instruction.overloads.iter().all(|form| form.result.is_some()), "{name}");
+        }
+    }
+
+    #[test]
+    fn an_angle_is_rounded_and_a_count_is_not() {
+        assert!(is_rounded("cos") && !is_rounded("size"));
+        assert!(tells("setFrame").is_some() && tells("movej").is_none());
+    }
+}
