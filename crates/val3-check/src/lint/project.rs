@@ -12,13 +12,16 @@ pub(crate) struct ProjectView<'db> {
     pub(crate) items: &'db Items,
     /// What the application asks of rules.
     pub(crate) options: &'db Options,
-    /// What its programs do together.
-    pub(crate) application: &'db Application,
 }
 
 impl<'db> ProjectView<'db> {
     pub(crate) fn new(db: &'db dyn Db, project: Project, options: &'db Options) -> Self {
-        Self { db, project, items: items(db, project), options, application: application(db, project) }
+        Self { db, project, items: items(db, project), options }
+    }
+
+    /// What its programs do together. Asking for it reads every program of the project.
+    pub(crate) fn application(&self) -> &'db Application {
+        application(self.db, self.project)
     }
 }
 

@@ -8,7 +8,7 @@ use super::ProjectView;
 /// Every use of the project's private data is known. A project without programs holds the data of others: the fields
 /// of a user type, inputs and outputs.
 pub(crate) fn is_judged(view: &ProjectView<'_>) -> bool {
-    view.application.closed && !view.items.programs.is_empty()
+    view.application().closed && !view.items.programs.is_empty()
 }
 
 /// What the programs do to private data; `None` where others may use it too: public data, fathers of other data, and
@@ -17,5 +17,5 @@ pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     let item = view.items.data.get(name).filter(|item| !item.decl.public)?;
     let is_built_in = val3_lang::builtins::find(name).is_some();
     let is_father = is_built_in || fathers(view.db, view.project).contains(&item.decl.name);
-    (!is_father && !view.application.is_named_in_text(name)).then(|| view.application.uses_of(name))
+    (!is_father && !view.application().is_named_in_text(name)).then(|| view.application().uses_of(name))
 }

@@ -41,7 +41,7 @@ rule! {
 type Constant = (SmolStr, f64, TextRange);
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
-    let application = data.view.application;
+    let application = data.view.application();
     let mut groups: BTreeMap<SmolStr, Vec<Constant>> = BTreeMap::new();
     for constant in single_numbers(data.view.db, data.file) {
         let is_constant = constant.1.fract() == 0.0 && !application.uses_of(&constant.0).may_write();

@@ -39,8 +39,8 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     }
     for entry in &manifest(view.db, view.project.manifest(view.db)).libraries {
         let name = &entry.alias;
-        let is_used = view.application.libraries.contains(name)
-            || view.application.is_named_in_text(name)
+        let is_used = view.application().libraries.contains(name)
+            || view.application().is_named_in_text(name)
             || fathers(view.db, view.project).contains(name);
         if let Some(place) = declarations::library(view.db, view.project, name.clone()).filter(|_| !is_used) {
             found.report(&RULE, place.range, word(name)).fix_by(

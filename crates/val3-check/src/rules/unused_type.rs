@@ -38,7 +38,7 @@ rule! {
 }
 
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
-    if !view.application.sound || view.items.types.is_empty() {
+    if !view.application().sound || view.items.types.is_empty() {
         return;
     }
     let named = named_types(view);
