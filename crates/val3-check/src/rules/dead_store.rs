@@ -69,7 +69,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 /// More than a first value made of literals, and nothing but a value: what acts is not called for its result alone.
 fn is_computed(program: &Program<'_>, value: ExprId) -> bool {
     let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
-    program.body.within(value).into_iter().any(is_variable) && program.is_pure(value)
+    program.body.within(value).any(is_variable) && program.is_pure(value)
 }
 
 /// Variables that are used somewhere: others are told as unused.

@@ -1,5 +1,6 @@
 //! V0531: a program or data file in the application's folder that the project does not list.
 
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{FileList, file_list};
 use val3_analysis::items::manifest::manifest;
@@ -77,7 +78,8 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
 
 fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, beside: &[SmolStr], listed: &[SmolStr]) {
     let (extension, what) = if of_programs { ("pgx", "program") } else { ("dtx", "data") };
-    let is_listed = |name: &str| listed.iter().any(|entry| file_name(entry).eq_ignore_ascii_case(name));
+    let listed: FxHashSet<String> = listed.iter().map(|entry| file_name(entry).to_ascii_lowercase()).collect();
+    let is_listed = |name: &str| listed.contains(&name.to_ascii_lowercase());
     let unlisted = beside.iter().filter(|name| has_extension(name, extension) && !is_listed(name));
     for name in unlisted {
         let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
