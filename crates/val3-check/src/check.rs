@@ -115,9 +115,14 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut che
     }
     let mut seen = rustc_hash::FxHashSet::default();
     checked.findings.retain(|diagnostic| {
-        diagnostic.rule.code != MISSING_ADD_ON || seen.insert((diagnostic.application, diagnostic.message.clone()))
+        !is_said_once(diagnostic.rule) || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
     checked
+}
+
+/// One finding of this rule is enough for an application, so that the place where it stands means little.
+pub(crate) fn is_said_once(rule: &Rule) -> bool {
+    rule.code == MISSING_ADD_ON
 }
 
 struct Check<'db> {

@@ -1,6 +1,7 @@
 //! Diagnostics: the rules with their pages, and the check that applies them.
 
 pub mod baseline;
+pub mod fingerprint;
 mod built_in;
 mod check;
 mod conversion;
