@@ -34,16 +34,21 @@ impl Baseline {
     }
 
     /// Holds `found` against what is known: first what is the same in every part; then what says something else about
-    /// the same line, because the tool or code elsewhere changed; then what stands in another file, where `is_gone`
-    /// says that the known file is no longer there.
+    /// the same line, because the tool or code elsewhere changed. Where `is_gone` says that a known file is no longer
+    /// there, it was renamed: the same may be said in any other file, and something else about the same line (as that
+    /// names the program) in a file of the same folder.
     pub fn judge(&self, found: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Verdict {
         let mut gone = self.clone();
         let mut new = vec![true; found.len()];
         let any = |_: &Fingerprint| true;
+        let renamed = |known: &Fingerprint| is_gone(&known.file);
         gone.take(found, &mut new, any, Fingerprint::clone);
         gone.take(found, &mut new, any, |it| Fingerprint { message: String::new(), ..it.clone() });
-        let moved = |known: &Fingerprint| is_gone(&known.file);
-        gone.take(found, &mut new, moved, |it| Fingerprint { message: String::new(), file: String::new(), ..it.clone() });
+        gone.take(found, &mut new, renamed, |it| Fingerprint { file: String::new(), ..it.clone() });
+        gone.take(found, &mut new, renamed, |it| {
+            let folder = it.file.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
+            Fingerprint { file: folder, message: String::new(), ..it.clone() }
+        });
         Verdict { new, gone }
     }
 
@@ -153,7 +158,7 @@ mod tests {
 
     fn new(known: &[&str], now: &[&str]) -> Vec<bool> {
         let now: Vec<_> = now.iter().map(|now| found(now)).collect();
-        baseline(known).judge(&now, |file| file == "gone").new
+        baseline(known).judge(&now, |file| file == "old/p").new
     }
 
     #[test]
@@ -176,8 +181,14 @@ mod tests {
 
     #[test]
     fn a_file_may_get_another_name() {
-        assert_eq!(new(&["gone: a: in p", "gone: b"], &["f: a: in q", "f: c"]), [false, true]);
-        assert_eq!(new(&["gone: a", "f: a"], &["f: a", "g: a", "h: a"]), [false, false, true]);
+        assert_eq!(new(&["old/p: a: in p", "old/p: b"], &["old/q: a: in q", "old/q: c"]), [false, true]);
+        assert_eq!(new(&["old/p: a", "f: a"], &["f: a", "old/q: a", "old/r: a"]), [false, false, true]);
+    }
+
+    #[test]
+    fn a_folder_may_get_another_name() {
+        assert_eq!(new(&["old/p: a: it"], &["f: a: that", "new/p: a: it"]), [true, false]);
+        assert_eq!(new(&["old/p: a: it"], &["new/p: a: that"]), [true]);
     }
 
     #[test]
