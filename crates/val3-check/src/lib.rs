@@ -1,13 +1,13 @@
 //! Diagnostics: the rules with their pages, and the check that applies them.
 
 pub mod baseline;
-pub mod fingerprint;
 mod built_in;
 mod check;
 mod conversion;
 pub mod diagnostic;
 mod echoes;
 mod english;
+pub mod fingerprint;
 pub mod fix;
 mod keywords;
 mod lint;

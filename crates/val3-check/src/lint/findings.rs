@@ -65,6 +65,14 @@ impl Reported<'_> {
         self
     }
 
+    /// Names another side of the finding, if its place is known.
+    pub(crate) fn related_at(self, place: Option<Span>, message: impl Into<String>) -> Self {
+        match place {
+            Some(place) => self.related_in(place, message),
+            None => self,
+        }
+    }
+
     /// Offers to replace one range of the file, if there is an edit; see [`Reported::fix`].
     pub(crate) fn fix_by(self, title: impl Into<String>, safe: bool, edit: Option<(TextRange, String)>) -> Self {
         match edit {
