@@ -48,10 +48,10 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
         if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
             && !is_library_item(data.view.db, &name)
         {
-            found.report(&RULE, range, word(&name)).fix_by(
+            found.report(&RULE, range, word(&name)).fix(
                 format!("remove `{name}`"),
                 false,
-                Some(removal::of_element(data.file.text(data.view.db), element)),
+                [removal::of_element(data.view.db, data.file, element)],
             );
         }
     }

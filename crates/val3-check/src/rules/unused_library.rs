@@ -43,7 +43,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
             || view.application().is_named_in_text(name)
             || fathers(view.db, view.project).contains(name);
         if let Some(place) = declarations::library(view.db, view.project, name.clone()).filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(name)).fix_by(
+            found.report(&RULE, place.range, word(name)).fix(
                 format!("remove `{name}`"),
                 false,
                 removal::of_entry(view.db, place.file, place.range),
