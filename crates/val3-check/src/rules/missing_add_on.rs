@@ -9,7 +9,8 @@ rule! {
     /// Instructions whose names begin with `$` are no part of VAL 3: each comes with an add-on of the controller. An
     /// installed add-on has a table of its instructions in the folder `usr/app` of the cell, one for each kind of arm.
     /// Where the table is missing, the controller reports the instruction as an undefined function and does not load
-    /// the application.
+    /// the application. Where the cell at hand has no such table at all, as in most repositories, this is advice only:
+    /// see that the controller has the add-on. Each instruction is told once an application.
     ///
     /// ## Bad
     /// ```val3
