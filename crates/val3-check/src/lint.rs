@@ -30,7 +30,7 @@ pub(crate) use choices::Choices;
 pub(crate) use elsewhere::span_of;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
-pub(crate) use motion::{Motion, Phase, Step};
+pub(crate) use motion::{Motion, Phase};
 pub(crate) use program::{Call, Program};
 pub(crate) use project::{DataFile, ProjectView};
 pub(crate) use run::{data, program, project};
