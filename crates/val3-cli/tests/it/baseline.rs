@@ -202,6 +202,21 @@ fn a_renamed_folder_keeps_its_known_findings() {
 }
 
 #[test]
+fn what_is_said_once_an_application_may_stand_elsewhere() {
+    let folder = Folder::with("call p()\n$recClean(\"c\")\nprogram p()\nbegin\n  $recClean(\"d\")\nend");
+    check(&folder, &["--write-baseline"]);
+    let known = folder.read(BASELINE);
+    assert!(known.contains("V0104"), "{known}");
+    for (path, use_) in [("usrapp/main/p.pgx", "$recClean(\"d\")"), ("usrapp/main/start.pgx", "$recClean(\"c\")")] {
+        let text = folder.read(path);
+        assert!(text.contains(use_), "{text}");
+        folder.write(path, &text.replace(use_, "delay(0)"));
+        assert_eq!(check(&folder, &[]).stdout, "", "{path}");
+        folder.write(path, &text);
+    }
+}
+
+#[test]
 fn one_more_of_the_same_is_reported() {
     let folder = Folder::with(&mid_sized());
     check(&folder, &[SELECTED, &["--write-baseline"]].concat());
