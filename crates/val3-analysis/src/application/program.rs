@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
-use val3_lang::instructions::{GET_DATA, SET_MUTEX};
+use val3_lang::instructions::{GET_DATA, SET_MUTEX, shows_named_page};
 use val3_lang::tasks::period_steps;
 
 use super::{Callee, locks};
@@ -34,6 +34,8 @@ pub struct Summary {
     pub locks: FxHashSet<SmolStr>,
     /// It takes a flag with `setMutex`.
     pub takes_mutex: bool,
+    /// It shows a user page (s8) by its name.
+    pub shows_page: bool,
     /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
     /// a program of a library, of which nothing is known.
     pub waits: bool,
@@ -112,6 +114,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
         libraries: libraries(body),
         takes_mutex: calls_of(SET_MUTEX).next().is_some(),
+        shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
         named_in_texts: calls_of(GET_DATA).filter_map(|call| first_argument_text(body, call)).collect(),
         ..Summary::default()

@@ -52,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             found
                 .report(&RULE, program.range(read.id), word(read.instruction.name))
                 .related(program.range(last), "the arm only starts here")
-                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
+                .fix("wait for the arm", false, [program.site(point.range).line_before(&wait)]);
         }
     }
 }

@@ -4,8 +4,9 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{FileList, file_list};
 use val3_analysis::items::manifest::manifest;
+use val3_syntax::TextRange;
 
-use crate::diagnostic::Wording;
+use crate::diagnostic::{Edit, Span, Wording};
 use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
 
@@ -83,15 +84,16 @@ fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, besid
     let unlisted = beside.iter().filter(|name| has_extension(name, extension) && !is_listed(name));
     for name in unlisted {
         let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
-        found.report(&RULE, list.place, word(name, what)).fix_by(format!("list `{name}`"), false, entry(list, name));
+        found.report(&RULE, list.place, word(name, what)).fix(format!("list `{name}`"), false, entry(view, list, name));
     }
 }
 
 /// The entry behind the last one, in the form and on a line of its own.
-fn entry(list: FileList, name: &str) -> Option<(val3_syntax::TextRange, String)> {
+fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
-    let behind = val3_syntax::TextRange::empty(list.last.filter(|_| is_plain)?.end());
-    Some((behind, format!("\n    <{} file=\"{name}\" />", list.item)))
+    let behind = TextRange::empty(list.last.filter(|_| is_plain)?.end());
+    let place = Span { file: view.project.manifest(view.db), range: behind };
+    Some(Edit { place, text: format!("\n    <{} file=\"{name}\" />", list.item) })
 }
 
 /// The name of a listed file, without the folder that s8 allows before it.

@@ -49,10 +49,10 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
             && !is_library_item(data.view.db, name)
     };
     for Declared { name, range, element } in unused_data::declared(data, is_unused) {
-        found.report(&RULE, range, word(&name)).fix_by(
+        found.report(&RULE, range, word(&name)).fix(
             format!("remove `{name}`"),
             false,
-            Some(removal::of_element(data.file.text(data.view.db), element)),
+            [removal::of_element(data.view.db, data.file, element)],
         );
     }
 }

@@ -46,7 +46,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
             continue;
         }
         if let Some(place) = declarations::library(view.db, view.project, name.clone()) {
-            found.report(&RULE, place.range, word(name)).fix_by(
+            found.report(&RULE, place.range, word(name)).fix(
                 format!("remove `{name}`"),
                 false,
                 removal::of_entry(view.db, place.file, place.range),
