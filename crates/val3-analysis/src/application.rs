@@ -87,7 +87,8 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
     application.find_waiting(&summaries);
     application.circles = circles(&summaries);
     let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
-    application.closed = application.sound && !has_pages;
+    let shows_page = summaries.values().any(|summary| summary.shows_page);
+    application.closed = application.sound && !has_pages && !shows_page;
     application
 }
 

@@ -174,17 +174,16 @@ pub enum Expr {
 }
 
 impl Expr {
-    /// Hands the expressions that this one is made of to `see`, from left to right.
-    fn each_part(&self, mut see: impl FnMut(ExprId)) {
+    /// The leftmost of the expressions that this one is made of.
+    fn first_part(&self) -> Option<ExprId> {
         match self {
-            Self::Paren(inner) | Self::Unary(_, inner) | Self::Field { base: inner, .. } => see(*inner),
-            Self::Binary(_, left, right) | Self::Assign(left, right) => [*left, *right].into_iter().for_each(see),
-            Self::Index(base, parts) | Self::Call(base, parts) => {
-                see(*base);
-                parts.iter().copied().for_each(see);
+            Self::Paren(first) | Self::Unary(_, first) | Self::Field { base: first, .. } => Some(*first),
+            Self::Binary(_, first, _) | Self::Assign(first, _) => Some(*first),
+            Self::Index(first, _) | Self::Call(first, _) => Some(*first),
+            Self::Struct(parts) => parts.iter().flatten().next().copied(),
+            Self::Missing | Self::Number(_) | Self::String(_) | Self::Bool(_) | Self::Name(_) | Self::Path { .. } => {
+                None
             }
-            Self::Struct(parts) => parts.iter().flatten().copied().for_each(see),
-            Self::Missing | Self::Number(_) | Self::String(_) | Self::Bool(_) | Self::Name(_) | Self::Path { .. } => {}
         }
     }
 }
@@ -236,15 +235,17 @@ impl Body {
     }
 
     /// `id` and every expression it is made of, inner ones before outer ones, from left to right.
-    pub fn within(&self, id: ExprId) -> Vec<ExprId> {
-        let mut found = Vec::new();
-        self.collect(id, &mut found);
-        found
+    pub fn within(&self, id: ExprId) -> impl DoubleEndedIterator<Item = ExprId> + use<> {
+        (self.first_within(id).0..=id.0).map(ExprId)
     }
 
-    fn collect(&self, id: ExprId, found: &mut Vec<ExprId>) {
-        self.expr(id).each_part(|part| self.collect(part, found));
-        found.push(id);
+    /// The first of the expressions that `id` is made of. They are numbered as they are lowered: the parts of an
+    /// expression from left to right, then the expression.
+    pub(crate) fn first_within(&self, mut id: ExprId) -> ExprId {
+        while let Some(part) = self.expr(id).first_part() {
+            id = part;
+        }
+        id
     }
 
     /// The expression without the parentheses around it.

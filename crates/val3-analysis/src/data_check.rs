@@ -100,7 +100,7 @@ impl DataCheck<'_> {
         self.found.ty(ty);
         let sound = self.found.size(element);
         let base = resolve_type(&self.items.types, &ty.text()).unwrap_or(Base::Unknown);
-        let (container, sizes) = data::container(element);
+        let data::Shape { container, sizes, .. } = data::shape(element);
         self.values(element, base, container, if sound { &sizes } else { &[] });
     }
 

@@ -2,6 +2,8 @@
 
 mod walk;
 
+use std::cell::OnceCell;
+
 use smol_str::SmolStr;
 use val3_lang::instruction::{Class, Instruction, Overload, Shape};
 use val3_lang::instructions::LINK;
@@ -9,7 +11,7 @@ use val3_lang::types::BaseType;
 
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
-use crate::flow::{Flow, Point, PointId, PointKind, flow};
+use crate::flow::{Flow, PerPoint, Point, PointId, PointKind, flow};
 use crate::infer::{Inference, infer};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, Signature, items, signature};
@@ -51,30 +53,11 @@ pub struct Access {
     pub kind: AccessKind,
 }
 
-/// What each point of a program does to variables.
-#[derive(Debug, Clone, PartialEq, Default)]
-struct Accesses {
-    all: Vec<Access>,
-    /// Where in `all` the accesses of each point end.
-    ends: Vec<usize>,
-}
-
-impl Accesses {
-    fn at(&self, point: PointId) -> &[Access] {
-        let end = self.ends.get(point.index()).copied().unwrap_or(0);
-        let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
-        self.all.get(start..end).unwrap_or(&[])
-    }
-}
-
 #[salsa::tracked(lru = 256, no_eq)]
-fn accesses(db: &dyn Db, project: Project, file: File) -> Accesses {
+fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {
     let effects = Effects::new(db, project, file);
-    let mut accesses = Accesses::default();
-    for (_, point) in effects.flow.points() {
-        accesses.all.extend(walk::point(&effects, point));
-        accesses.ends.push(accesses.all.len());
-    }
+    let mut accesses = PerPoint::EMPTY;
+    effects.flow.points().for_each(|(_, point)| accesses.push(walk::point(&effects, point)));
     accesses
 }
 
@@ -88,6 +71,8 @@ pub struct Effects<'db> {
     inference: &'db Inference,
     header: &'db Header,
     items: &'db Items,
+    /// Found out when somebody asks.
+    accesses: OnceCell<&'db PerPoint<Access>>,
 }
 
 impl<'db> Effects<'db> {
@@ -102,6 +87,7 @@ impl<'db> Effects<'db> {
             inference: infer(db, project, file),
             header: header(db, file),
             items: items(db, project),
+            accesses: OnceCell::new(),
         }
     }
 
@@ -121,7 +107,7 @@ impl<'db> Effects<'db> {
 
     /// The scheduler may go on to the next task at this point.
     pub fn may_wait_at(&self, point: &Point) -> bool {
-        let mut parts = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
+        let mut parts = point.kind.exprs().flat_map(|id| self.body.within(id));
         let blocks = |id| self.instruction(id).is_some_and(|(instruction, _)| instruction.blocking);
         self.is_foreign(point) || parts.any(|id| blocks(id) || self.is_serial(id))
     }
@@ -141,12 +127,16 @@ impl<'db> Effects<'db> {
 
     /// What happens at a point, in the order of evaluation.
     pub fn at(&self, point: PointId) -> &'db [Access] {
-        accesses(self.db, self.project, self.file).at(point)
+        self.accesses().at(point)
     }
 
     /// Every use of a variable in the program.
     pub fn all(&self) -> &'db [Access] {
-        &accesses(self.db, self.project, self.file).all
+        self.accesses().all()
+    }
+
+    fn accesses(&self) -> &'db PerPoint<Access> {
+        self.accesses.get_or_init(|| accesses(self.db, self.project, self.file))
     }
 
     /// The variable that `id` is or is a part of; `None` for constants, computed values and names that are built in.

@@ -4,11 +4,14 @@
 //! not split: a point is what the scheduler counts as a line, plus the tests that branch.
 
 mod build;
+mod per_point;
 mod solve;
 
+pub use per_point::PerPoint;
 pub use solve::{Facts, backward, forward};
 
 use rowan::TextRange;
+use smallvec::SmallVec;
 
 use crate::body::{ExprId, body};
 use crate::db::{Db, File};
@@ -31,7 +34,7 @@ pub struct Point {
     /// Where it stands; for the test of a block the condition, or the keyword's statement without one.
     pub range: TextRange,
     /// The points that may follow. Of a test: where it is true, then where it is false.
-    pub next: Vec<PointId>,
+    pub next: SmallVec<[PointId; 2]>,
 }
 
 /// What happens at a point.
@@ -96,19 +99,17 @@ pub enum PointKind {
 
 impl PointKind {
     /// The outermost expressions of the point, in the order in which they are evaluated.
-    pub fn exprs(&self) -> Vec<ExprId> {
-        match self {
-            Self::Test { condition, .. } => condition.iter().copied().collect(),
-            Self::ForStart { counter, start, stop, step } => {
-                [start, stop, step, counter].into_iter().flatten().copied().collect()
-            }
-            Self::ForTest { counter } => counter.iter().copied().collect(),
-            Self::Switch { selector, values } => selector.iter().chain(values).copied().collect(),
-            Self::Call(id) | Self::Print(id) | Self::Expr(id) => vec![*id],
-            Self::TaskCreate(arguments) => arguments.clone(),
-            Self::Assign { target, value } => vec![*value, *target],
-            Self::Start | Self::End | Self::Return | Self::Empty | Self::Unknown => Vec::new(),
-        }
+    pub fn exprs(&self) -> impl Iterator<Item = ExprId> {
+        let (few, many): ([Option<ExprId>; 4], &[ExprId]) = match self {
+            Self::Test { condition: one, .. } | Self::ForTest { counter: one } => ([*one, None, None, None], &[]),
+            Self::ForStart { counter, start, stop, step } => ([*start, *stop, *step, *counter], &[]),
+            Self::Switch { selector, values } => ([*selector, None, None, None], values),
+            Self::Call(id) | Self::Print(id) | Self::Expr(id) => ([Some(*id), None, None, None], &[]),
+            Self::TaskCreate(arguments) => ([None; 4], arguments),
+            Self::Assign { target, value } => ([Some(*value), Some(*target), None, None], &[]),
+            Self::Start | Self::End | Self::Return | Self::Empty | Self::Unknown => ([None; 4], &[]),
+        };
+        few.into_iter().flatten().chain(many.iter().copied())
     }
 }
 

@@ -77,7 +77,10 @@ fn declarations(check: &mut FileCheck<'_>, program: Element<'_>) {
     for param in program::params(program) {
         declaration(check, param, NameKind::Parameter, &mut seen);
         check.one_of(param, "xsi:type", &["element", "array", "collection"]);
-        check.one_of(param, "use", &["value", "reference"]);
+        // A container is never passed by value (2.6).
+        let is_container =
+            param.attribute("xsi:type").is_some_and(|kind| matches!(kind.text().trim(), "array" | "collection"));
+        check.one_of(param, "use", if is_container { &["reference"] } else { &["value", "reference"] });
         check.one_of(param, "byVal", &["true", "false"]);
         check.one_of(param, "dimensions", &["1", "2", "3"]);
     }

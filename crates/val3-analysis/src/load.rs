@@ -55,6 +55,7 @@ pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Re
     manifests.sort_unstable();
     manifests.dedup();
     let asked: FxHashSet<String> = manifests.iter().map(|path| path_key(path.as_str())).collect();
+    loader.read_projects_ahead(&manifests);
     for path in manifests {
         loader.project(&path);
     }
@@ -66,6 +67,8 @@ struct Loader<'s> {
     db: Database,
     files: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
+    /// What project files say, until their turn comes.
+    manifests: FxHashMap<File, Manifest>,
     /// Projects in the order they were found.
     order: Vec<(String, Project)>,
     cells: FxHashMap<(Option<Utf8PathBuf>, Option<Configuration>), Option<Cell>>,
@@ -84,6 +87,7 @@ impl<'s> Loader<'s> {
             db,
             files: FxHashMap::default(),
             projects: FxHashMap::default(),
+            manifests: FxHashMap::default(),
             order: Vec::new(),
             cells: FxHashMap::default(),
             configurations: FxHashMap::default(),
@@ -117,8 +121,7 @@ impl<'s> Loader<'s> {
         }
         let Some(file) = self.found_file(path) else { return };
         let path = file.path(&self.db).clone();
-        let text = Arc::clone(file.text(&self.db));
-        let manifest = manifest::read(View::root(val3_syntax::parse(&text).green()));
+        let manifest = self.manifest(file);
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
         let loaded = self.files_of(&folder, &manifest);
         let mut named = manifest.projects();
@@ -133,6 +136,26 @@ impl<'s> Loader<'s> {
         let project = Project::new(&self.db, file, roots, cell, beside, configuration);
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
+    }
+
+    /// What a project file says.
+    fn manifest(&mut self, file: File) -> Manifest {
+        let read = || manifest::read(View::root(val3_syntax::parse(file.text(&self.db)).green()));
+        self.manifests.remove(&file).unwrap_or_else(read)
+    }
+
+    /// Reads the files of many projects at once, which is faster than project by project.
+    fn read_projects_ahead(&mut self, manifests: &[Utf8PathBuf]) {
+        self.read_ahead(manifests.to_vec());
+        let mut named = Vec::new();
+        for path in manifests {
+            let Some(file) = self.found_file(path) else { continue };
+            let folder = path.parent().unwrap_or(Utf8Path::new(""));
+            let manifest = self.manifest(file);
+            named.extend(manifest.data.iter().chain(&manifest.programs).map(|name| paths::file_in(folder, name)));
+            self.manifests.insert(file, manifest);
+        }
+        self.read_ahead(named);
     }
 
     fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reference: &str) {

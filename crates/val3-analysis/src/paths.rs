@@ -31,9 +31,18 @@ pub enum Target {
     Elsewhere,
 }
 
-/// Reads the reference to a file of the project in `folder`: a program or data file.
+/// Reads the reference to a file of the project in `folder`, which is normal: a program or data file.
 pub fn file_in(folder: &Utf8Path, reference: &str) -> Utf8PathBuf {
-    normalise(&folder.join(reference.trim().replace('\\', "/")))
+    let reference = reference.trim();
+    if is_plain_name(reference) {
+        return folder.join(reference);
+    }
+    normalise(&folder.join(reference.replace('\\', "/")))
+}
+
+/// The name of a file in the same folder, as nearly every reference is.
+fn is_plain_name(reference: &str) -> bool {
+    !reference.contains(['/', '\\']) && !matches!(reference, "" | "." | "..")
 }
 
 /// Reads the reference to another project, as `<Library path>`, `<Type path>` and `libLoad` write it (6.6):

@@ -3,8 +3,12 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::io;
+use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_syntax::encoding::{decode, is_utf16};
+
+use crate::db::FileStatus;
 
 /// What a path leads to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,9 +27,10 @@ pub trait System: Send + Sync + Debug {
     /// Those of the file system.
     fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>>;
 
-    /// The bytes of several files, in the same order. An implementation may read them side by side.
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<io::Result<Vec<u8>>> {
-        paths.iter().map(|path| self.read(path)).collect()
+    /// What several files hold, in the same order; `None` where there is no file. An implementation may read them side
+    /// by side.
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
+        paths.iter().map(|path| Content::of(self.read(path))).collect()
     }
 
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
@@ -39,6 +44,39 @@ pub trait System: Send + Sync + Debug {
 
     /// A path that is the same for every way to the same folder, so that links cannot lead around in circles.
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
+}
+
+/// What a file holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Content {
+    /// Its text; empty where it cannot be read.
+    pub text: Arc<str>,
+    /// How the reading went.
+    pub status: FileStatus,
+}
+
+/// The largest file that is read, in bytes: offsets have 32 bits.
+const SIZE_LIMIT: usize = u32::MAX as usize / 2;
+
+impl Content {
+    /// The content of what was read; `None` where there is no file.
+    pub fn of(read: io::Result<Vec<u8>>) -> Option<Self> {
+        match read {
+            Ok(bytes) if bytes.len() > SIZE_LIMIT => Some(Self::unreadable("it is larger than 2 GiB".to_owned())),
+            Ok(bytes) if is_utf16(&bytes) => Some(Self::unreadable("its text is UTF-16; save it as UTF-8".to_owned())),
+            Ok(bytes) => {
+                let decoded = decode(bytes);
+                let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
+                Some(Self { text: decoded.text.into(), status })
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => Some(Self::unreadable(error.to_string())),
+        }
+    }
+
+    fn unreadable(reason: String) -> Self {
+        Self { text: "".into(), status: FileStatus::Unreadable(reason) }
+    }
 }
 
 /// The disk.

@@ -63,7 +63,8 @@ impl<'g> Element<'g> {
 
     /// The attribute called `name`.
     pub fn attribute(self, name: &str) -> Option<Attribute<'g>> {
-        self.attributes().find(|attribute| attribute.name == name)
+        let is_named = |view: &View<'_>| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.text() == name);
+        self.tag.children().filter(is_named).find_map(Attribute::new)
     }
 
     /// The text of the attribute called `name`.

@@ -1,51 +1,17 @@
 //! Findings that are known and not reported: those of the day when the check was introduced.
 //!
-//! A finding is known by its rule, its file, its program and the text of its line, and by how many such findings there
-//! are. So it stays known when lines move, and becomes new when its line is edited: who touches a line, mends it.
+//! A finding is known by its [`Fingerprint`] and by how many such findings there are. So it stays known when lines
+//! move, and becomes new when its line is edited: who touches a line, mends it.
 
 use std::collections::BTreeMap;
 
+use rustc_hash::FxHashMap;
 use serde::{Deserialize, Serialize};
-use val3_analysis::db::Db;
 
-use crate::diagnostic::Diagnostic;
+use crate::fingerprint::Fingerprint;
 
 /// The form of the file that this version reads and writes.
 const VERSION: u32 = 1;
-
-/// The most characters of a line that are kept.
-const LINE_LIMIT: usize = 200;
-
-/// What makes a finding the same after an edit elsewhere.
-#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub struct Fingerprint {
-    /// The file, seen from the folder of the baseline, with `/`.
-    pub file: String,
-    /// The program, for findings in programs.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub program: Option<String>,
-    /// The code of the rule.
-    pub rule: String,
-    /// The text of the line without the blanks around it.
-    pub line: String,
-}
-
-impl Fingerprint {
-    /// The fingerprint of a finding in `file`, as the baseline names it.
-    pub fn new(db: &dyn Db, diagnostic: &Diagnostic, file: String) -> Self {
-        let text = diagnostic.place.file.text(db);
-        let line = line_around(text, diagnostic.place.range.start().into());
-        let rule = diagnostic.rule.code.to_owned();
-        Self { file, program: diagnostic.program.clone(), rule, line: line.chars().take(LINE_LIMIT).collect() }
-    }
-}
-
-fn line_around(text: &str, at: usize) -> &str {
-    let (before, behind) = text.split_at_checked(at).unwrap_or((text, ""));
-    let start = before.rfind('\n').map_or(0, |end| end + 1);
-    let end = before.len() + behind.find('\n').unwrap_or(behind.len());
-    text.get(start..end).unwrap_or("").trim()
-}
 
 /// Known findings, each with how often it is there.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -67,34 +33,57 @@ impl Baseline {
         self.0.values().sum()
     }
 
-    /// Holds `found` against what is known.
-    pub fn judge(&self, found: &[Fingerprint]) -> Verdict {
-        let mut left = self.0.clone();
-        let mut is_new = |fingerprint: &Fingerprint| match left.get_mut(fingerprint) {
-            Some(count) if *count > 0 => {
-                *count -= 1;
-                false
+    /// Holds `found` against what is known: first what is the same in every part; then what says something else about
+    /// the same line, because the tool or code elsewhere changed. Where `is_gone` says that a known file is no longer
+    /// there, it was renamed: the same may be said in any other file, and something else about the same line (as that
+    /// names the program) in a file of the same folder.
+    pub fn judge(&self, found: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Verdict {
+        let mut gone = self.clone();
+        let mut new = vec![true; found.len()];
+        let any = |_: &Fingerprint| true;
+        let renamed = |known: &Fingerprint| is_gone(&known.file);
+        gone.take(found, &mut new, any, Fingerprint::clone);
+        gone.take(found, &mut new, any, |it| Fingerprint { message: String::new(), ..it.clone() });
+        gone.take(found, &mut new, renamed, |it| Fingerprint { file: String::new(), ..it.clone() });
+        gone.take(found, &mut new, renamed, |it| {
+            let folder = it.file.rsplit_once('/').map_or("", |(folder, _)| folder).to_owned();
+            Fingerprint { file: folder, message: String::new(), ..it.clone() }
+        });
+        Verdict { new, gone }
+    }
+
+    /// Takes out, of what `may_be` allows, one for each new finding of the same `key`, which is then not new.
+    fn take(
+        &mut self,
+        found: &[Fingerprint],
+        new: &mut [bool],
+        may_be: impl Fn(&Fingerprint) -> bool,
+        key: impl Fn(&Fingerprint) -> Fingerprint,
+    ) {
+        let mut known: FxHashMap<Fingerprint, Vec<Fingerprint>> = FxHashMap::default();
+        for (fingerprint, count) in self.0.iter().rev().filter(|(fingerprint, _)| may_be(fingerprint)) {
+            known.entry(key(fingerprint)).or_default().extend(std::iter::repeat_n(fingerprint.clone(), *count));
+        }
+        for (found, new) in found.iter().zip(new).filter(|(_, new)| **new) {
+            if let Some(known) = known.get_mut(&key(found)).and_then(Vec::pop) {
+                self.remove(&known);
+                *new = false;
             }
-            _ => true,
-        };
-        let new = found.iter().map(&mut is_new).collect();
-        left.retain(|_, count| *count > 0);
-        Verdict { new, gone: Self(left) }
+        }
+    }
+
+    fn remove(&mut self, known: &Fingerprint) {
+        if let Some(count) = self.0.get_mut(known) {
+            *count = count.saturating_sub(1);
+            if *count == 0 {
+                self.0.remove(known);
+            }
+        }
     }
 
     /// Drops the entries for which `keep` does not hold.
     pub fn retain(&mut self, mut keep: impl FnMut(&Fingerprint) -> bool) {
         self.0.retain(|fingerprint, _| keep(fingerprint));
-    }
-
-    /// Takes out findings, as many of each as `gone` has.
-    pub fn remove(&mut self, gone: &Self) {
-        for (fingerprint, count) in &gone.0 {
-            if let Some(known) = self.0.get_mut(fingerprint) {
-                *known = known.saturating_sub(*count);
-            }
-        }
-        self.0.retain(|_, count| *count > 0);
     }
 }
 
@@ -154,44 +143,57 @@ impl TryFrom<Stored> for Baseline {
 mod tests {
     use super::*;
 
-    fn found(line: &str) -> Fingerprint {
-        Fingerprint { file: "a.pgx".to_owned(), program: None, rule: "V0101".to_owned(), line: line.to_owned() }
+    /// `file: line: message`, of which the last two may be left out.
+    fn found(written: &str) -> Fingerprint {
+        let mut parts = written.split(": ").map(str::to_owned);
+        let mut part = || parts.next().unwrap_or_default();
+        Fingerprint { rule: "V0101".to_owned(), file: part(), line: part(), message: part() }
     }
 
-    fn baseline(lines: &[&str]) -> Baseline {
+    fn baseline(known: &[&str]) -> Baseline {
         let mut baseline = Baseline::default();
-        baseline.extend(lines.iter().map(|line| found(line)));
+        baseline.extend(known.iter().map(|known| found(known)));
         baseline
     }
 
     fn new(known: &[&str], now: &[&str]) -> Vec<bool> {
-        baseline(known).judge(&now.iter().map(|line| found(line)).collect::<Vec<_>>()).new
+        let now: Vec<_> = now.iter().map(|now| found(now)).collect();
+        baseline(known).judge(&now, |file| file == "old/p").new
     }
 
     #[test]
     fn what_is_known_is_not_new_wherever_it_stands() {
-        assert_eq!(new(&["a", "b"], &["b", "a"]), [false, false]);
-        assert_eq!(new(&["a"], &["a", "b"]), [false, true]);
+        assert_eq!(new(&["f: a", "f: b"], &["f: b", "f: a"]), [false, false]);
+        assert_eq!(new(&["f: a"], &["f: a", "f: b"]), [false, true]);
+        assert_eq!(new(&["f: a"], &["g: a"]), [true]);
     }
 
     #[test]
     fn one_more_of_the_same_is_new() {
-        assert_eq!(new(&["a", "a"], &["a", "a", "a"]), [false, false, true]);
+        assert_eq!(new(&["f: a", "f: a"], &["f: a", "f: a", "f: a"]), [false, false, true]);
     }
 
     #[test]
-    fn what_is_gone_can_be_removed() {
-        let mut known = baseline(&["a", "a", "b"]);
-        let verdict = known.judge(&[found("a")]);
-        assert_eq!(verdict.gone, baseline(&["a", "b"]));
-        known.remove(&verdict.gone);
-        assert_eq!(known, baseline(&["a"]));
+    fn what_says_the_same_is_known_first() {
+        assert_eq!(new(&["f: a: z is there"], &["f: a: y is there", "f: a: z is there"]), [true, false]);
+        assert_eq!(new(&["f: a: 14 branches"], &["f: a: 15 branches"]), [false]);
     }
 
     #[test]
-    fn the_line_around_a_place() {
-        let text = "one\n  two \nthree";
-        assert_eq!(["one", "two", "three"], [0, 4, 11].map(|at| line_around(text, at)));
-        assert_eq!((line_around(text, 3), line_around(text, text.len())), ("one", "three"));
+    fn a_file_may_get_another_name() {
+        assert_eq!(new(&["old/p: a: in p", "old/p: b"], &["old/q: a: in q", "old/q: c"]), [false, true]);
+        assert_eq!(new(&["old/p: a", "f: a"], &["f: a", "old/q: a", "old/r: a"]), [false, false, true]);
+    }
+
+    #[test]
+    fn a_folder_may_get_another_name() {
+        assert_eq!(new(&["old/p: a: it"], &["f: a: that", "new/p: a: it"]), [true, false]);
+        assert_eq!(new(&["old/p: a: it"], &["new/p: a: that"]), [true]);
+    }
+
+    #[test]
+    fn what_is_gone() {
+        let known = baseline(&["f: a", "f: a", "f: b"]);
+        assert_eq!(known.judge(&[found("f: a")], |_| false).gone, baseline(&["f: a", "f: b"]));
     }
 }

@@ -115,9 +115,14 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut che
     }
     let mut seen = rustc_hash::FxHashSet::default();
     checked.findings.retain(|diagnostic| {
-        diagnostic.rule.code != MISSING_ADD_ON || seen.insert((diagnostic.application, diagnostic.message.clone()))
+        !is_said_once(diagnostic.rule) || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
     checked
+}
+
+/// One finding of this rule is enough for an application, so that the place where it stands means little.
+pub(crate) fn is_said_once(rule: &Rule) -> bool {
+    rule.code == MISSING_ADD_ON
 }
 
 struct Check<'db> {
@@ -210,9 +215,7 @@ impl Check<'_> {
             });
             let place = Span { file: problem.place.file, range: problem.place.range };
             let mut diagnostic = self.diagnostic(rule, wording, place, related.collect());
-            if self.is_uncertain(&problem.kind) {
-                diagnostic.severity = Severity::Warning;
-            }
+            diagnostic.severity = self.doubt(&problem.kind).unwrap_or(diagnostic.severity);
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
             self.add(diagnostic);
         }
@@ -240,20 +243,26 @@ impl Check<'_> {
         }
     }
 
-    /// The fault may lie in what is at hand: a controller can have add-ons and libraries that a repository lacks.
-    fn is_uncertain(&self, kind: &ProblemKind) -> bool {
+    /// The level of a fault that may lie in what is at hand: a controller can have add-ons and libraries that a
+    /// repository lacks.
+    fn doubt(&self, kind: &ProblemKind) -> Option<Severity> {
         let project = self.unit.project();
-        match kind {
+        let (is_uncertain, severity) = match kind {
+            // Hardly a repository holds the tables, so that their absence says nothing.
             ProblemKind::MissingAddOn { .. } => {
-                project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty())
+                let lists_none = project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty());
+                (lists_none, Severity::Info)
             }
-            ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => !self.is_in_usrapp(project),
+            ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => {
+                (!self.is_in_usrapp(project), Severity::Warning)
+            }
             // No public document lists every instruction of s8; what resembles a known one is still a slip.
             ProblemKind::UnknownInstruction { near: None, is: None, .. } => {
-                project::items(self.db, project).version.major >= 8
+                (project::items(self.db, project).version.major >= 8, Severity::Warning)
             }
-            _ => false,
-        }
+            _ => return None,
+        };
+        is_uncertain.then_some(severity)
     }
 
     fn is_in_usrapp(&self, project: Project) -> bool {

@@ -7,6 +7,7 @@ mod conversion;
 pub mod diagnostic;
 mod echoes;
 mod english;
+pub mod fingerprint;
 pub mod fix;
 mod keywords;
 mod lint;

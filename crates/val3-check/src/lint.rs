@@ -5,6 +5,7 @@
 
 mod choices;
 mod edit;
+mod elsewhere;
 mod findings;
 #[cfg(test)]
 pub(crate) mod fixed;
@@ -26,6 +27,7 @@ pub(crate) mod unused_data;
 pub(crate) mod variable_use;
 
 pub(crate) use choices::Choices;
+pub(crate) use elsewhere::span_of;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};

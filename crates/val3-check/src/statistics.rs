@@ -2,6 +2,7 @@
 
 use std::iter::Sum;
 
+use memchr::memchr_iter;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project;
 
@@ -47,10 +48,13 @@ fn code_lines(db: &dyn Db, file: File) -> usize {
     let code = text.get(start..).unwrap_or("");
     let code = code.split_once('>').map_or("", |(_, code)| code);
     let code = code.split("</").next().unwrap_or("");
-    code.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//") && !is_mark(line)).count()
+    let ends = memchr_iter(b'\n', code.as_bytes()).chain([code.len()]);
+    let mut start = 0;
+    let lines = ends.map(|end| code.as_bytes().get(std::mem::replace(&mut start, end + 1)..end).unwrap_or(b""));
+    lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty() && !line.starts_with(b"//") && !is_mark(line)).count()
 }
 
 /// A line that holds nothing but the marks of a CDATA section.
-fn is_mark(line: &str) -> bool {
-    matches!(line, "<![CDATA[" | "]]>")
+fn is_mark(line: &[u8]) -> bool {
+    matches!(line, b"<![CDATA[" | b"]]>")
 }

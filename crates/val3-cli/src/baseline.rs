@@ -7,8 +7,9 @@ use rustc_hash::FxHashSet;
 use val3_analysis::db::{Database, File, Project};
 use val3_analysis::load::Workspace;
 use val3_check::Unit;
-use val3_check::baseline::{Baseline, Fingerprint};
+use val3_check::baseline::Baseline;
 use val3_check::diagnostic::Diagnostic;
+use val3_check::fingerprint::Fingerprint;
 use val3_check::settings::Selection;
 
 use crate::output::to_file;
@@ -112,20 +113,19 @@ impl BaselineFile<'_> {
         let mut seen = FxHashSet::default();
         found.retain(|it| seen.insert((it.place, it.rule.code, it.message.clone())));
         let fingerprints: Vec<Fingerprint> = found.iter().map(|diagnostic| self.fingerprint(diagnostic)).collect();
-        let mut verdict = baseline.judge(&fingerprints);
         let files = self.checked_files();
+        let is_gone = |file: &str| !files.contains(file) && self.is_gone(file);
+        let mut verdict = baseline.judge(&fingerprints, is_gone);
         verdict.gone.retain(|known| self.was_looked_for(known, &files));
-        if self.mode != Mode::Use {
-            baseline.remove(&verdict.gone);
-        }
         if self.mode == Mode::Write {
-            let new = fingerprints.into_iter().zip(&verdict.new).filter(|(_, new)| **new);
-            baseline.extend(new.map(|(fingerprint, _)| fingerprint));
             verdict.new.fill(false);
         }
         if self.mode == Mode::Use {
             outcome.gone += verdict.gone.count();
         } else {
+            baseline.retain(|known| !self.was_looked_for(known, &files));
+            let known = fingerprints.into_iter().zip(&verdict.new).filter(|(_, new)| !**new);
+            baseline.extend(known.map(|(fingerprint, _)| fingerprint));
             self.write(&baseline)?;
             outcome.written.push((self.shown(), baseline.count()));
         }
@@ -140,8 +140,7 @@ impl BaselineFile<'_> {
 
     fn fingerprint(&self, diagnostic: &Diagnostic) -> Fingerprint {
         let db = self.known.db();
-        let file = relative(self.folder(), diagnostic.place.file.path(db));
-        Fingerprint::new(db, diagnostic, file)
+        Fingerprint::new(db, diagnostic, |file| relative(self.folder(), file.path(db)))
     }
 
     /// Whether this check would have found it again: not where its file or its rule was left out this time.
@@ -149,7 +148,11 @@ impl BaselineFile<'_> {
         let Selection { only, never, .. } = self.known.selection;
         let code = known.rule.as_str();
         let wanted = only.as_ref().is_none_or(|only| only.contains(code)) && !never.contains(code);
-        wanted && (files.contains(&known.file) || !self.folder().join(&known.file).exists())
+        wanted && (files.contains(&known.file) || self.is_gone(&known.file))
+    }
+
+    fn is_gone(&self, file: &str) -> bool {
+        !self.folder().join(file).exists()
     }
 
     fn checked_files(&self) -> BTreeSet<String> {

@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use memchr::memchr_iter;
 use val3_syntax::encoding::Encoding;
 
 /// A place in a file as people and editors count.
@@ -36,27 +37,16 @@ struct WideCharacter {
 }
 
 impl LineIndex {
-    /// Indexes `text` in one pass.
+    /// Indexes `text`.
     pub(crate) fn new(text: &str, encoding: Encoding) -> Self {
-        let mut index = Self {
+        let ends = memchr_iter(b'\n', text.as_bytes());
+        Self {
             encoding,
             starts_with_mark: text.starts_with('\u{feff}'),
-            starts: vec![0],
-            wide: Vec::new(),
+            starts: std::iter::once(0).chain(ends.map(|end| end + 1)).collect(),
+            wide: wide_characters(text),
             len: text.len(),
-        };
-        let mut surplus = 0;
-        for (at, byte) in text.bytes().enumerate() {
-            match byte {
-                b'\n' => index.starts.push(at + 1),
-                0xC0.. => {
-                    surplus += continuation_bytes(byte);
-                    index.wide.push(WideCharacter { at, surplus });
-                }
-                _ => {}
-            }
         }
-        index
     }
 
     /// The place of a character boundary; an offset behind the end is the end.
@@ -100,6 +90,21 @@ impl LineIndex {
             Encoding::Latin1 => self.characters(offset),
         }
     }
+}
+
+/// Most lines have none, which is told fast.
+fn wide_characters(text: &str) -> Vec<WideCharacter> {
+    let (mut wide, mut start, mut surplus) = (Vec::new(), 0, 0);
+    for line in text.split_inclusive('\n') {
+        if !line.is_ascii() {
+            for (at, byte) in line.bytes().enumerate().filter(|(_, byte)| *byte >= 0xC0) {
+                surplus += continuation_bytes(byte);
+                wide.push(WideCharacter { at: start + at, surplus });
+            }
+        }
+        start += line.len();
+    }
+    wide
 }
 
 /// Bytes that follow the first byte of a UTF-8 character of more than one byte.

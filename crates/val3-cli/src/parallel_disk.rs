@@ -5,7 +5,7 @@ use std::io;
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use val3_analysis::system::{Disk, Kind, System};
+use val3_analysis::system::{Content, Disk, Kind, System};
 
 /// The disk, read on several threads.
 #[derive(Debug)]
@@ -19,8 +19,9 @@ impl System for ParallelDisk<'_> {
         Disk.read(path)
     }
 
-    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<io::Result<Vec<u8>>> {
-        self.threads.install(|| paths.par_iter().with_min_len(8).map(|path| Disk.read(path)).collect())
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
+        let read = |path: &Utf8PathBuf| Content::of(Disk.read(path));
+        self.threads.install(|| paths.par_iter().with_min_len(8).map(read).collect())
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {

@@ -7,6 +7,7 @@ use rustc_hash::FxHashMap;
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::items::faults::text_faults;
 use val3_check::diagnostic::{self, Diagnostic, RelatedNote, Span};
+use val3_check::fingerprint::Fingerprint;
 use val3_syntax::encoding::Encoding;
 
 use crate::code_lines::CodeLines;
@@ -40,6 +41,7 @@ impl<'a> Translator<'a> {
             code: diagnostic.rule.code,
             name: diagnostic.rule.name,
             severity: diagnostic.severity.into(),
+            fingerprint: Fingerprint::new(self.db, diagnostic, |file| self.paths.in_repository(file.path(self.db))),
             message: diagnostic.message.clone(),
             label: diagnostic.label.clone(),
             help: diagnostic.help.clone(),

@@ -7,7 +7,7 @@ use std::sync::LazyLock;
 use rustc_hash::FxHashMap;
 
 use crate::declare::catalogue;
-use crate::instruction::{Family, Instruction};
+use crate::instruction::{Family, Instruction, Overload};
 
 catalogue! {
     variables {
@@ -348,6 +348,12 @@ pub fn may_resize(instruction: &Instruction) -> bool {
     resizes(instruction.name)
         || matches!(instruction.name, "libList" | "ioBusStatus")
         || matches!(instruction.family, Family::AddOns | Family::Additions)
+}
+
+/// The call shows a page made with HTML (s8), which names data and programs of the application on its own.
+#[must_use]
+pub fn shows_named_page(instruction: &Instruction, form: &Overload) -> bool {
+    instruction.name == "userPage" && form.since.is_some()
 }
 
 /// The instruction changes the size of an array of two or three dimensions as well (2.5.5).

@@ -39,35 +39,36 @@ pub enum Path {
     Altered,
 }
 
-/// The roles by name.
+/// The roles, sorted by name.
 static ROLES: [(&str, MotionRole); 21] = [
-    ("movej", MotionRole::Move(Path::Joint)),
-    ("movel", MotionRole::Move(Path::Cartesian)),
-    ("movec", MotionRole::Move(Path::Cartesian)),
-    ("movejf", MotionRole::Move(Path::Compliant)),
-    ("movelf", MotionRole::Move(Path::Compliant)),
+    ("alterMovec", MotionRole::Move(Path::Altered)),
     ("alterMovej", MotionRole::Move(Path::Altered)),
     ("alterMovel", MotionRole::Move(Path::Altered)),
-    ("alterMovec", MotionRole::Move(Path::Altered)),
-    ("waitEndMove", MotionRole::Arrive),
-    ("open", MotionRole::Arrive),
     ("close", MotionRole::Arrive),
-    ("stopMove", MotionRole::Stop),
-    ("restartMove", MotionRole::Restart),
-    ("resetMotion", MotionRole::Reset),
-    ("resetTurn", MotionRole::Reset),
+    ("getMoveId", MotionRole::Progress),
     ("here", MotionRole::Position),
     ("herej", MotionRole::Position),
-    ("getMoveId", MotionRole::Progress),
+    ("isCompliant", MotionRole::Progress),
     ("isEmpty", MotionRole::Progress),
     ("isSettled", MotionRole::Progress),
-    ("isCompliant", MotionRole::Progress),
+    ("movec", MotionRole::Move(Path::Cartesian)),
+    ("movej", MotionRole::Move(Path::Joint)),
+    ("movejf", MotionRole::Move(Path::Compliant)),
+    ("movel", MotionRole::Move(Path::Cartesian)),
+    ("movelf", MotionRole::Move(Path::Compliant)),
+    ("open", MotionRole::Arrive),
+    ("resetMotion", MotionRole::Reset),
+    ("resetTurn", MotionRole::Reset),
+    ("restartMove", MotionRole::Restart),
+    ("stopMove", MotionRole::Stop),
+    ("waitEndMove", MotionRole::Arrive),
 ];
 
 /// What `instruction` does to the recorded moves; `None` where it leaves them alone.
 #[must_use]
 pub fn role(instruction: &Instruction) -> Option<MotionRole> {
-    ROLES.iter().find(|(name, _)| *name == instruction.name).map(|(_, role)| *role)
+    let at = ROLES.binary_search_by(|(name, _)| (*name).cmp(instruction.name)).ok()?;
+    ROLES.get(at).map(|(_, role)| *role)
 }
 
 /// The position of the target among the arguments of a move: its last point or joint.

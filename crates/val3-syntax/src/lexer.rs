@@ -49,6 +49,8 @@ impl Indent {
 pub(crate) struct Lexed {
     pub(crate) tokens: Vec<Token>,
     pub(crate) errors: Vec<SyntaxError>,
+    /// Keywords in another letter case than usual.
+    pub(crate) odd_keywords: Vec<TextRange>,
     /// A comment, CDATA section or the like runs to the end of the text, which has been said.
     pub(crate) cut_off: bool,
 }

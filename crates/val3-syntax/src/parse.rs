@@ -7,7 +7,7 @@ mod reparse;
 
 use std::sync::Arc;
 
-use rowan::GreenNode;
+use rowan::{GreenNode, TextRange};
 
 use crate::error::SyntaxError;
 use crate::grammar;
@@ -22,6 +22,7 @@ pub use reparse::Edit;
 pub struct Parse {
     green: GreenNode,
     errors: Arc<[SyntaxError]>,
+    odd_keywords: Arc<[TextRange]>,
 }
 
 /// Parses a `.pjx`, `.dtx` or `.pgx` file of either dialect. Takes time in proportion to the text, which must be
@@ -38,7 +39,8 @@ fn parse_within(text: &str, depth: u32) -> Parse {
     grammar::file(&mut parser);
     let (events, errors) = parser.finish();
     let green = build_tree(text, &lexed.tokens, events);
-    Parse { green, errors: merge::merge(text, lexed.errors, errors).into() }
+    let errors = merge::merge(text, lexed.errors, errors).into();
+    Parse { green, errors, odd_keywords: lexed.odd_keywords.into() }
 }
 
 impl Parse {
@@ -55,5 +57,10 @@ impl Parse {
     /// The faults of the text, by position.
     pub fn errors(&self) -> &[SyntaxError] {
         &self.errors
+    }
+
+    /// Keywords that are not written in their usual letter case, by position.
+    pub fn odd_keywords(&self) -> &[TextRange] {
+        &self.odd_keywords
     }
 }

@@ -2,7 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
-use val3_lang::instructions::{GET_DATA, SET_MUTEX};
+use val3_lang::instructions::{GET_DATA, SET_MUTEX, shows_named_page};
 use val3_lang::tasks::period_steps;
 
 use super::{Callee, locks};
@@ -10,7 +10,7 @@ use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
 use crate::db::{Db, File, Project};
 use crate::effects::{AccessKind, Effects, Root};
 use crate::flow::{PointKind, flow};
-use crate::infer;
+use crate::infer::{self, InstructionCall};
 use crate::items::faults::text_faults;
 use crate::items::program::header;
 use crate::problem::ProblemKind;
@@ -34,6 +34,8 @@ pub struct Summary {
     pub locks: FxHashSet<SmolStr>,
     /// It takes a flag with `setMutex`.
     pub takes_mutex: bool,
+    /// It shows a user page (s8) by its name.
+    pub shows_page: bool,
     /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
     /// a program of a library, of which nothing is known.
     pub waits: bool,
@@ -104,14 +106,17 @@ impl Use {
 #[salsa::tracked]
 pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     let body = body(db, file);
+    let calls = infer::infer(db, project, file).calls();
+    let calls_of = |name: &'static str| calls.iter().filter(move |call| call.instruction.name == name);
     let mut summary = Summary {
         sound: header(db, file).complete
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
         libraries: libraries(body),
-        takes_mutex: takes_mutex(body),
+        takes_mutex: calls_of(SET_MUTEX).next().is_some(),
+        shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
-        named_in_texts: named_in_texts(body),
+        named_in_texts: calls_of(GET_DATA).filter_map(|call| first_argument_text(body, call)).collect(),
         ..Summary::default()
     };
     for (_, point) in flow(db, file).points() {
@@ -141,10 +146,6 @@ fn hides_nothing(problem: &ProblemKind) -> bool {
     matches!(problem, ProblemKind::MissingAddOn { .. })
 }
 
-fn takes_mutex(body: &Body) -> bool {
-    body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if name == SET_MUTEX))
-}
-
 fn libraries(body: &Body) -> FxHashSet<SmolStr> {
     let named = body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Path { library, .. } => Some(library.clone()),
@@ -153,13 +154,10 @@ fn libraries(body: &Body) -> FxHashSet<SmolStr> {
     named.collect()
 }
 
-fn named_in_texts(body: &Body) -> FxHashSet<SmolStr> {
-    let arguments = body.exprs().filter_map(|(_, expr, _)| {
-        let Expr::Call(callee, arguments) = expr else { return None };
-        let is_read = matches!(body.expr(*callee), Expr::Name(name) if name == GET_DATA);
-        is_read.then(|| arguments.first()).flatten()
-    });
-    arguments.map(|text| body.beginning(*text)).collect()
+/// How the text begins that is the first argument.
+fn first_argument_text(body: &Body, call: &InstructionCall) -> Option<SmolStr> {
+    let Expr::Call(_, arguments) = body.expr(call.id) else { return None };
+    arguments.first().map(|text| body.beginning(*text))
 }
 
 fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskStart>) {

@@ -9,11 +9,15 @@ use val3_syntax::view::{TokenView, View};
 use super::{Body, Expr, ExprId, Stmt, StmtKind};
 use crate::items::program;
 
+/// Bytes of code for each expression, about, in real programs.
+const BYTES_AN_EXPRESSION: usize = 12;
+
 /// Reads the code of the first program of a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {
-    let mut lowering = Lowering::default();
     let Some(code) = program::code(file) else { return Body::default() };
-    lowering.escaped = !code.children_with_tokens().any(|child| kind_of(&child) == CDATA_OPEN);
+    let escaped = !code.children_with_tokens().any(|child| kind_of(&child) == CDATA_OPEN);
+    let exprs = Vec::with_capacity(usize::from(code.range().len()) / BYTES_AN_EXPRESSION);
+    let mut lowering = Lowering { exprs, escaped };
     let block = lowering.block(code);
     Body { exprs: lowering.exprs, block }
 }
@@ -25,7 +29,6 @@ fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {
     }
 }
 
-#[derive(Default)]
 struct Lowering {
     exprs: Vec<(Expr, TextRange)>,
     /// The code is escaped text: strings hold entity references.
@@ -118,8 +121,9 @@ impl Lowering {
     }
 
     fn assign_stmt(&mut self, view: View<'_>) -> StmtKind {
-        let mut parts = self.exprs_of(view).into_iter();
-        match (parts.next(), parts.next()) {
+        let mut parts = view.children();
+        let target = parts.find_map(|part| self.expr(part));
+        match (target, parts.find_map(|part| self.expr(part))) {
             (Some(target), Some(value)) => StmtKind::Assign { target, value },
             _ => StmtKind::Error,
         }

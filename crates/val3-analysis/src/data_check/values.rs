@@ -8,7 +8,7 @@ use val3_lang::types::{AttributeValue, BaseType, Container, attribute, attribute
 use super::{DataCheck, show_sizes};
 use crate::file_check::alternatives;
 use crate::infer::STRING_LIMIT;
-use crate::items::data::container;
+use crate::items::data::{Shape, shape};
 use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind};
@@ -134,7 +134,7 @@ impl DataCheck<'_> {
     }
 
     fn known_field(&mut self, field: Element<'_>, name: Attribute<'_>, owner: Base, item: &DataItem) {
-        let (found, sizes) = container(field);
+        let Shape { container: found, sizes, .. } = shape(field);
         let written = field.value("type").unwrap_or_default();
         let built_in = BaseType::from_file_name(&written).map(|(base, arm)| Base::Builtin(base, arm));
         let same_base = match (built_in, item.base) {

@@ -1,26 +1,29 @@
 //! Statements to points.
 
 use rowan::TextRange;
+use smallvec::{SmallVec, smallvec};
 
 use super::{Flow, Point, PointId, PointKind};
 use crate::body::{Body, ExprId, Stmt, StmtKind};
 
 /// A way that leads to a point not yet made: the branch of a point.
 type Loose = PointId;
+/// Several of them.
+type Ends = SmallVec<[Loose; 4]>;
 
 struct Builder<'b> {
     body: &'b Body,
     flow: Flow,
     /// Points whose next branch leads to whatever comes next.
-    loose: Vec<Loose>,
+    loose: Ends,
 }
 
 pub(super) fn build(body: &Body) -> Flow {
-    let mut builder = Builder { body, flow: Flow::default(), loose: Vec::new() };
+    let mut builder = Builder { body, flow: Flow::default(), loose: Ends::new() };
     let nowhere = TextRange::default();
     builder.add(PointKind::Start, nowhere);
     builder.add(PointKind::End, nowhere);
-    builder.loose = vec![Flow::START];
+    builder.loose = smallvec![Flow::START];
     builder.block(&body.block);
     builder.join(Flow::END);
     builder.flow
@@ -29,7 +32,7 @@ pub(super) fn build(body: &Body) -> Flow {
 impl Builder<'_> {
     fn add(&mut self, kind: PointKind, range: TextRange) -> PointId {
         let id = PointId(u32::try_from(self.flow.points.len()).unwrap_or(u32::MAX));
-        self.flow.points.push(Point { kind, range, next: Vec::new() });
+        self.flow.points.push(Point { kind, range, next: SmallVec::new() });
         id
     }
 
@@ -46,7 +49,7 @@ impl Builder<'_> {
     fn then(&mut self, kind: PointKind, range: TextRange) -> PointId {
         let id = self.add(kind, range);
         self.join(id);
-        self.loose = vec![id];
+        self.loose = smallvec![id];
         id
     }
 
@@ -64,7 +67,7 @@ impl Builder<'_> {
                 let test = self.test(*condition, true, range);
                 self.block(block);
                 self.join(test);
-                self.loose = vec![test];
+                self.loose = smallvec![test];
             }
             StmtKind::Do { block, condition } => self.do_stmt(block, *condition, range),
             StmtKind::For { counter, start, stop, step, block } => {
@@ -73,7 +76,7 @@ impl Builder<'_> {
                 let test = self.then(PointKind::ForTest { counter: *counter }, range);
                 self.block(block);
                 self.join(test);
-                self.loose = vec![test];
+                self.loose = smallvec![test];
             }
             StmtKind::Switch { selector, cases } => self.switch(*selector, cases, range),
             StmtKind::Return => {
@@ -107,14 +110,14 @@ impl Builder<'_> {
     }
 
     fn if_stmt(&mut self, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>, range: TextRange) {
-        let mut ends = Vec::new();
+        let mut ends = Ends::new();
         for (condition, block) in arms {
             let test = self.test(*condition, false, range);
             self.block(block);
             ends.append(&mut self.loose);
             // An empty block leaves the test loose in its first branch: the second must come second.
             self.settle_empty(&mut ends, test, range);
-            self.loose = vec![test];
+            self.loose = smallvec![test];
         }
         self.block(otherwise.unwrap_or(&[]));
         self.loose.append(&mut ends);
@@ -141,17 +144,17 @@ impl Builder<'_> {
         if let Some(point) = self.flow.points.get_mut(test.index()) {
             point.next.extend([after, first]);
         }
-        self.loose = vec![after];
+        self.loose = smallvec![after];
     }
 
     fn switch(&mut self, selector: Option<ExprId>, cases: &[(Vec<ExprId>, Vec<Stmt>)], range: TextRange) {
         let values = cases.iter().flat_map(|(values, _)| values).copied().collect();
         let switch = self.then(PointKind::Switch { selector, values }, range);
-        let mut ends = Vec::new();
+        let mut ends = Ends::new();
         let mut has_default = false;
         for (values, block) in cases {
             has_default |= values.is_empty();
-            self.loose = vec![switch];
+            self.loose = smallvec![switch];
             self.block(block);
             ends.append(&mut self.loose);
             self.settle_empty(&mut ends, switch, range);

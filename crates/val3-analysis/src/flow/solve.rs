@@ -3,6 +3,8 @@
 //! Points are numbered in the order of the text, so that a round in this order carries everything from the start to
 //! the end; only what a loop brings back needs another round.
 
+use smallvec::SmallVec;
+
 use super::{Flow, Point, PointId};
 
 /// What holds at each point: before it, or behind it where the problem was solved backward.
@@ -32,8 +34,8 @@ pub fn forward<S: Clone>(
     join: impl FnMut(&mut S, &S) -> bool,
 ) -> Facts<S> {
     let order: Vec<PointId> = flow.points().map(|(id, _)| id).collect();
-    let next: Vec<&[PointId]> = flow.points().map(|(_, point)| point.next.as_slice()).collect();
-    solve(flow, &order, &next, (Flow::START, start), step, join)
+    let next = |id: PointId| flow.point(id).map_or(&[][..], |point| point.next.as_slice());
+    solve(flow, &order, next, (Flow::START, start), step, join)
 }
 
 /// Solves a backward problem: `end` holds when the program is left, `step` says what holds before a point from what
@@ -48,20 +50,20 @@ pub fn backward<S: Clone>(
     // The end is the second point: it comes first, then the text from its last line.
     order.reverse();
     order.sort_by_key(|id| *id != Flow::END);
-    let mut previous: Vec<Vec<PointId>> = vec![Vec::new(); flow.len()];
+    let mut previous: Vec<SmallVec<[PointId; 2]>> = vec![SmallVec::new(); flow.len()];
     for (id, point) in flow.points() {
         for next in &point.next {
             previous.get_mut(next.index()).into_iter().for_each(|list| list.push(id));
         }
     }
-    let next: Vec<&[PointId]> = previous.iter().map(Vec::as_slice).collect();
-    solve(flow, &order, &next, (Flow::END, end), step, join)
+    let next = |id: PointId| previous.get(id.index()).map_or(&[][..], SmallVec::as_slice);
+    solve(flow, &order, next, (Flow::END, end), step, join)
 }
 
-fn solve<S: Clone>(
+fn solve<'f, S: Clone>(
     flow: &Flow,
     order: &[PointId],
-    next: &[&[PointId]],
+    next: impl Fn(PointId) -> &'f [PointId],
     (first, holds): (PointId, S),
     mut step: impl FnMut(PointId, &Point, &S) -> S,
     mut join: impl FnMut(&mut S, &S) -> bool,
@@ -77,7 +79,7 @@ fn solve<S: Clone>(
             *open = false;
             let (Some(point), Some(Some(fact))) = (flow.point(*id), facts.get(id.index())) else { continue };
             let after = step(*id, point, fact);
-            for to in next.get(id.index()).copied().unwrap_or_default() {
+            for to in next(*id) {
                 let (Some(fact), Some(open)) = (facts.get_mut(to.index()), is_open.get_mut(to.index())) else {
                     continue;
                 };

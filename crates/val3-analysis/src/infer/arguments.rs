@@ -1,5 +1,6 @@
 //! Choosing the form of a callee that the arguments suit, or saying which argument suits none.
 
+use smallvec::SmallVec;
 use smol_str::SmolStr;
 use val3_lang::instruction::Shape;
 
@@ -12,7 +13,7 @@ use crate::problem::{Place, ProblemKind, Role};
 pub(super) struct Callee<'a> {
     /// As the code writes it.
     pub(super) name: SmolStr,
-    pub(super) forms: Vec<Formals<'a>>,
+    pub(super) forms: SmallVec<[Formals<'a>; 4]>,
     /// Its syntax lines; asked for only where a message shows them.
     pub(super) lines: &'a dyn Fn() -> Vec<SmolStr>,
     /// Where it is declared; asked for only where a message points there, because that reads another file.
@@ -48,22 +49,21 @@ struct Miss<'a> {
 impl Infer<'_> {
     /// Matches the arguments against the forms.
     pub(super) fn arguments(&mut self, call: ExprId, args: &[ExprId], callee: &Callee<'_>) -> Chosen {
-        let arguments: Vec<Argument> =
+        let arguments: SmallVec<[Argument; 4]> =
             args.iter().enumerate().map(|(position, id)| self.argument(*id, callee.takes_slot(position))).collect();
-        let candidates: Vec<(usize, Formals<'_>)> =
-            callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len()).collect();
-        if candidates.is_empty() {
+        let candidates = callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len());
+        let misses: SmallVec<[(usize, Option<Miss<'_>>); 4]> =
+            candidates.map(|(index, form)| (index, self.first_miss(&arguments, form))).collect();
+        if misses.is_empty() {
             self.literals_alone(&arguments);
             self.argument_count(call, args.len(), callee);
             return Chosen::None;
         }
-        let misses: Vec<(usize, Option<Miss<'_>>)> =
-            candidates.iter().map(|(index, form)| (*index, self.first_miss(&arguments, *form))).collect();
-        let fits: Vec<usize> = misses.iter().filter(|(_, miss)| miss.is_none()).map(|(index, _)| *index).collect();
-        if let Some(&first) = fits.first() {
+        let mut fits = misses.iter().filter(|(_, miss)| miss.is_none()).map(|(index, _)| *index).peekable();
+        if let Some(&first) = fits.peek() {
             self.literals(&arguments, callee.forms.get(first).copied());
             let certain = arguments.iter().all(|argument| argument.literal.is_some() || !argument.value.is_unknown());
-            return if certain { Chosen::Form(first) } else { Chosen::Several(fits) };
+            return if certain { Chosen::Form(first) } else { Chosen::Several(fits.collect()) };
         }
         self.report_miss(&arguments, &misses, callee);
         Chosen::Several(misses.iter().map(|(index, _)| *index).collect())

@@ -1,5 +1,6 @@
 //! Calls of instructions, those of add-ons among them.
 
+use smallvec::SmallVec;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnOverload;
 use val3_lang::instruction::{Availability, Class, Instruction};
@@ -113,23 +114,24 @@ impl Infer<'_> {
         on_library: bool,
         args: &[ExprId],
     ) -> Option<Called> {
-        let forms: Vec<_> = instruction.overloads.iter().filter(|form| form.on_library == on_library).collect();
+        let forms: SmallVec<[_; 4]> =
+            instruction.overloads.iter().filter(|form| form.on_library == on_library).collect();
         let lines = || forms.iter().map(|form| form.signature(instruction.name).into()).collect();
         let formals = forms.iter().map(|form| Formals::Instruction(form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
         let form = if let Chosen::Form(index) = chosen { forms.get(index).copied() } else { None };
         self.calls.push(InstructionCall { id, instruction, form });
-        let outcomes: Vec<Outcome> = forms.iter().map(|form| (form.result, form.class)).collect();
+        let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
     }
 
     /// What a call comes to: where several forms suit, or none, only what they all agree on.
     fn outcome(&self, chosen: &Chosen, outcomes: &[Outcome]) -> Option<Called> {
-        let mut possible: Vec<Outcome> = match chosen {
+        let mut possible: SmallVec<[Outcome; 4]> = match chosen {
             Chosen::Form(index) => outcomes.get(*index).copied().into_iter().collect(),
             Chosen::Several(indexes) => indexes.iter().filter_map(|index| outcomes.get(*index).copied()).collect(),
-            Chosen::None => outcomes.to_vec(),
+            Chosen::None => outcomes.into(),
         };
         possible.dedup();
         let [(result, class)] = possible.as_slice() else { return None };
@@ -174,7 +176,7 @@ impl Infer<'_> {
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
-        let outcomes: Vec<Outcome> = forms.iter().map(|form| (form.result, form.class)).collect();
+        let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
     }
 

@@ -1,6 +1,7 @@
 //! Calls of programs, and the creation of tasks.
 
 use rowan::TextRange;
+use smallvec::smallvec;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::instructions;
 use val3_lang::types::BaseType;
@@ -26,7 +27,7 @@ impl Infer<'_> {
             Some((signature, file)) => {
                 let callee = Callee {
                     name: self.text(*callee),
-                    forms: vec![Formals::Program(&signature.params)],
+                    forms: smallvec![Formals::Program(&signature.params)],
                     lines: &|| vec![syntax_line(db, signature)],
                     declared: &|| declarations::program(db, file),
                 };

@@ -68,33 +68,46 @@ pub fn declaration(element: Element<'_>) -> Option<DataDecl> {
 }
 
 fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
-    let type_name = readable_type(element);
-    let (container, sizes) = container(element);
+    let Shape { type_name, container, sizes } = shape(element);
     let public = element.value("access").is_some_and(|access| access.trim() != "private");
     DataDecl { name, type_name, container, sizes, public }
 }
 
-/// The type of an element. What has no readable type or container is still declared: nothing is known of its values,
-/// and its type is empty.
-pub fn readable_type(element: Element<'_>) -> SmolStr {
-    element.value("type").filter(|_| has_container(element)).map(SmolStr::from).unwrap_or_default()
+/// Type, container and sizes of a `<Data>`, `<Field>`, `<Local>` or `<Parameter>`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Shape {
+    /// The type as it is written. What has no readable type or container is still declared: nothing is known of its
+    /// values, and its type is empty.
+    pub type_name: SmolStr,
+    /// How its values are stored.
+    pub container: Container,
+    /// An unreadable size counts as one value.
+    pub sizes: Vec<u32>,
 }
 
-/// The attributes that tell the container can be read, or are left out.
-fn has_container(element: Element<'_>) -> bool {
-    let readable = |attribute: &str, suits: fn(&str) -> bool| element.value(attribute).is_none_or(|text| suits(&text));
-    readable("xsi:type", |kind| matches!(kind.trim(), "element" | "array" | "collection"))
-        && readable("size", |size| sizes(size).is_some())
-        && readable("dimensions", |dims| matches!(dims.trim(), "1" | "2" | "3"))
-}
-
-/// Container and sizes of a `<Data>`, `<Field>` or `<Local>`. An unreadable size counts as one value.
-pub(crate) fn container(element: Element<'_>) -> (Container, Vec<u32>) {
-    if element.value("xsi:type").is_some_and(|kind| kind.trim() == "collection") {
-        return (Container::Collection, Vec::new());
+/// Reads the attributes that tell what a variable is. They can be left out, all but the type.
+pub fn shape(element: Element<'_>) -> Shape {
+    let (mut type_name, mut collection, mut size, mut readable) = (SmolStr::default(), false, Some(vec![1]), true);
+    for attribute in element.attributes() {
+        let text = attribute.text();
+        match attribute.name {
+            "type" => type_name = SmolStr::from(text),
+            "xsi:type" => {
+                collection = text.trim() == "collection";
+                readable &= matches!(text.trim(), "element" | "array" | "collection");
+            }
+            "size" => size = sizes(&text),
+            "dimensions" => readable &= matches!(text.trim(), "1" | "2" | "3"),
+            _ => {}
+        }
     }
-    let sizes = element.value("size").and_then(|text| sizes(&text)).unwrap_or_else(|| vec![1]);
-    (Container::Array { dims: u8::try_from(sizes.len()).unwrap_or(1) }, sizes)
+    let type_name = if readable && size.is_some() { type_name } else { SmolStr::default() };
+    let sizes = size.unwrap_or_else(|| vec![1]);
+    let dims = u8::try_from(sizes.len()).unwrap_or(1);
+    match collection {
+        true => Shape { type_name, container: Container::Collection, sizes: Vec::new() },
+        false => Shape { type_name, container: Container::Array { dims }, sizes },
+    }
 }
 
 /// The `num` variables of a `.dtx` that hold one value, with that value and the place of the name.

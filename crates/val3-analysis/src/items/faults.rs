@@ -1,9 +1,10 @@
 //! What is kept of the text of a file when its tree is dropped: its faults, and where its code stands.
 
-use rowan::NodeOrToken;
+use std::ops::Range;
+
 use val3_syntax::error::SyntaxError;
-use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, TextRange, TextSize};
+use val3_syntax::view::View;
+use val3_syntax::{Parse, SyntaxKind, TextRange, TextSize};
 
 use super::parse;
 use crate::db::{Db, File};
@@ -42,38 +43,39 @@ pub struct OddKeyword {
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
     let mut faults = TextFaults { errors: parse.errors().to_vec(), ..TextFaults::default() };
-    codes(View::root(parse.green()), &mut faults);
+    codes(View::root(parse.green()), &mut faults.codes);
+    faults.odd_keywords = odd_keywords(parse, file.text(db));
     faults
 }
 
-/// Looks into the code below `node`, which is a file or an element.
-fn codes(node: View<'_>, faults: &mut TextFaults) {
+/// Looks for code below `node`, which is a file or an element.
+fn codes(node: View<'_>, found: &mut Vec<CodeRange>) {
     for child in node.children() {
         match child.kind() {
             SyntaxKind::CODE => {
-                collect(child, &mut faults.odd_keywords);
                 let begin = child.token(SyntaxKind::BEGIN_KW).map_or(child.range(), |token| token.range()).start();
-                faults.codes.push(CodeRange { range: child.range(), begin });
+                found.push(CodeRange { range: child.range(), begin });
             }
-            SyntaxKind::ELEMENT => codes(child, faults),
+            SyntaxKind::ELEMENT => codes(child, found),
             _ => {}
         }
     }
 }
 
-fn collect(node: View<'_>, odd: &mut Vec<OddKeyword>) {
-    for child in node.children_with_tokens() {
-        match child {
-            // Code that could not be read has a message already.
-            NodeOrToken::Node(node) if node.kind() != SyntaxKind::ERROR => collect(node, odd),
-            NodeOrToken::Node(_) => {}
-            NodeOrToken::Token(token) => odd.extend(odd_keyword(token)),
-        }
+fn odd_keywords(parse: &Parse, text: &str) -> Vec<OddKeyword> {
+    let odd = parse.odd_keywords();
+    if odd.is_empty() {
+        return Vec::new();
     }
-}
-
-fn odd_keyword(token: TokenView<'_>) -> Option<OddKeyword> {
-    let canonical = token.kind().is_keyword().then(|| token.kind().keyword_text()).flatten()?;
-    (token.text() != canonical && token.text().eq_ignore_ascii_case(canonical))
-        .then(|| OddKeyword { range: token.range(), canonical })
+    let root = parse.root();
+    // Code that could not be read has a message already.
+    let is_read = |range: &TextRange| {
+        let parents = root.covering_element(*range).ancestors();
+        !parents.map(|node| node.kind()).any(|kind| kind == SyntaxKind::ERROR)
+    };
+    let canonical = |range: TextRange| SyntaxKind::from_keyword(text.get(Range::<usize>::from(range))?)?.keyword_text();
+    odd.iter()
+        .filter(|range| is_read(range))
+        .filter_map(|range| Some(OddKeyword { range: *range, canonical: canonical(*range)? }))
+        .collect()
 }

@@ -5,7 +5,7 @@ use val3_lang::types::Container;
 use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
 
-use super::data::{container, readable_type};
+use super::data::{Shape, shape};
 use super::{flag, parse};
 use crate::db::{Db, File, FileStatus};
 use crate::xml::{self, Element};
@@ -129,7 +129,7 @@ fn read(file: View<'_>) -> Header {
 
 fn param(element: Element<'_>) -> Option<ParamDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let type_name = readable_type(element);
+    let type_name = shape(element).type_name;
     if let Some(by_value) = element.value("byVal") {
         let by_reference = by_value.trim() == "false";
         let container = if by_reference { Container::Array { dims: 1 } } else { Container::Element };
@@ -148,7 +148,6 @@ fn param(element: Element<'_>) -> Option<ParamDecl> {
 
 fn local(element: Element<'_>) -> Option<LocalDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let type_name = readable_type(element);
-    let (container, sizes) = container(element);
+    let Shape { type_name, container, sizes } = shape(element);
     Some(LocalDecl { name, type_name, container, sizes })
 }

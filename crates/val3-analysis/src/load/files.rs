@@ -1,18 +1,12 @@
 //! Reading files into the database.
 
-use std::io;
-use std::sync::Arc;
-
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_syntax::encoding::{decode, is_utf16};
 
 use super::Loader;
-use crate::db::{File, FileStatus, path_key};
-
-/// The largest file that is read, in bytes: offsets have 32 bits.
-const SIZE_LIMIT: usize = u32::MAX as usize / 2;
+use crate::db::{File, path_key};
+use crate::system::Content;
 
 impl Loader<'_> {
     /// Reads several files at once. What is not there under its exact name is left for `found_file`.
@@ -35,31 +29,17 @@ impl Loader<'_> {
     fn file(&mut self, path: &Utf8Path) -> Option<File> {
         match self.files.get(&path_key(path.as_str())) {
             Some(file) => Some(*file),
-            None => self.add(path, self.system.read(path)),
+            None => self.add(path, Content::of(self.system.read(path))),
         }
     }
 
     /// Makes an input of what was read; `None` where there is no file.
-    fn add(&mut self, path: &Utf8Path, content: io::Result<Vec<u8>>) -> Option<File> {
+    fn add(&mut self, path: &Utf8Path, content: Option<Content>) -> Option<File> {
         let key = path_key(path.as_str());
         if let Some(file) = self.files.get(&key) {
             return Some(*file);
         }
-        let (text, status): (Arc<str>, _) = match content {
-            Ok(bytes) if bytes.len() > SIZE_LIMIT => {
-                ("".into(), FileStatus::Unreadable("it is larger than 2 GiB".to_owned()))
-            }
-            Ok(bytes) if is_utf16(&bytes) => {
-                ("".into(), FileStatus::Unreadable("its text is UTF-16; save it as UTF-8".to_owned()))
-            }
-            Ok(bytes) => {
-                let decoded = decode(bytes);
-                let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
-                (decoded.text.into(), status)
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return None,
-            Err(error) => ("".into(), FileStatus::Unreadable(error.to_string())),
-        };
+        let Content { text, status } = content?;
         let file = File::builder(path.to_owned(), text, status).path_durability(salsa::Durability::HIGH).new(&self.db);
         self.files.insert(key, file);
         Some(file)

@@ -77,6 +77,9 @@ fn a_fault_leaves_names_in_doubt() {
     assert!(main_of("$recClean(\"c\")").sound, "what an add-on has is no fault of the names");
     let pages = main_of("cls()\n=== main/interface/main.html\n<html/>");
     assert!(pages.sound && !pages.closed);
+    let shown = |code: &str| main_of(&format!("version s8.12\nstring sPage\n{code}")).closed;
+    assert!(!shown("userPage(\"first\")") && !shown("userPage(sPage)"), "the page may lie on the controller alone");
+    assert!(shown("userPage()\nuserPage(true)"));
 }
 
 #[test]

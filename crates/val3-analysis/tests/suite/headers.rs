@@ -39,6 +39,8 @@ fn parameters_and_locals() {
 <Parameter name="x_b" type="joint" xsi:type="collection" use="reference" />
 </Parameters><Locals><Local name="l_a" type="num" size="3 4 5" /></Locals>"#;
     assert_eq!(program(r#"name="run""#, fine), "");
+    let by_value = r#"<Parameters><Parameter name="x_a" type="num" use="value" xsi:type="array" /></Parameters>"#;
+    assert!(program(r#"name="run""#, by_value).contains("value: \"value\", expected: \"`reference`\""), "a container");
     let faulty = r#"<Parameters>
 <Parameter name="x_a" type="num" use="ref" xsi:type="elem" dimensions="4" />
 <Parameter name="x_a" type="num" />

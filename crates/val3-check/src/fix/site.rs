@@ -86,6 +86,20 @@ impl<'a> Site<'a> {
         in_code.then(|| self.write(TextRange::empty(at), &text))
     }
 
+    /// Puts code on a line of its own before the line on which the marked text starts, indented alike.
+    pub(crate) fn line_before(&self, code: &str) -> Edit {
+        let start = self.line_start(self.range.start());
+        let (code, line_end) = (self.escaped(self.range.start(), code), self.line_end_before(start));
+        self.write(TextRange::empty(start), &format!("{}{code}{line_end}", self.indentation(self.range)))
+    }
+
+    /// Puts code on a line of its own behind the marked statement, indented like the line it starts on.
+    pub(crate) fn line_after(&self, code: &str) -> Edit {
+        let line_end = self.line_end_before(self.line_start(self.range.start()));
+        let code = self.escaped(self.range.end(), code);
+        self.write(TextRange::empty(self.range.end()), &format!("{line_end}{}{code}", self.indentation(self.range)))
+    }
+
     /// Removes the line of the marked text with its line end.
     pub(crate) fn remove_line(&self) -> Edit {
         let end = self.range.end() + TextSize::of(self.behind());

@@ -127,7 +127,7 @@ impl Program<'_> {
 
     /// The variable or field as it is written, where no index stands in it.
     fn path(&self, id: ExprId) -> Option<SmolStr> {
-        let has_index = self.body.within(id).iter().any(|part| matches!(self.body.expr(*part), Expr::Index(..)));
+        let has_index = self.body.within(id).any(|part| matches!(self.body.expr(part), Expr::Index(..)));
         (!has_index && self.effects.root(id).is_some()).then(|| self.loose_path(id))
     }
 

@@ -65,20 +65,19 @@ impl Reported<'_> {
         self
     }
 
-    /// Offers to replace one range of the file, if there is an edit; see [`Reported::fix`].
-    pub(crate) fn fix_by(self, title: impl Into<String>, safe: bool, edit: Option<(TextRange, String)>) -> Self {
-        match edit {
-            Some(edit) => self.fix(title, safe, vec![edit]),
+    /// Names another side of the finding, if its place is known.
+    pub(crate) fn related_at(self, place: Option<Span>, message: impl Into<String>) -> Self {
+        match place {
+            Some(place) => self.related_in(place, message),
             None => self,
         }
     }
 
-    /// Offers to replace ranges of the file. The text is that of the file: escaped where its code is.
-    pub(crate) fn fix(mut self, title: impl Into<String>, safe: bool, edits: Vec<(TextRange, String)>) -> Self {
-        let file = self.file;
-        let edit = |(range, text)| Edit { place: Span { file, range }, text };
-        if let Some(diagnostic) = &mut self.diagnostic {
-            diagnostic.fix = Some(Fix { title: title.into(), safe, edits: edits.into_iter().map(edit).collect() });
+    /// Offers a change, if there are edits for it.
+    pub(crate) fn fix(mut self, title: impl Into<String>, safe: bool, edits: impl IntoIterator<Item = Edit>) -> Self {
+        let edits: Vec<Edit> = edits.into_iter().collect();
+        if let Some(diagnostic) = self.diagnostic.as_mut().filter(|_| !edits.is_empty()) {
+            diagnostic.fix = Some(Fix { title: title.into(), safe, edits });
         }
         self
     }

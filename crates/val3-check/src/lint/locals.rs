@@ -3,7 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{Access, AccessKind, Root};
-use val3_analysis::flow::{Facts, Flow, Point, PointId, backward, forward};
+use val3_analysis::flow::{Facts, Flow, PerPoint, Point, PointId, backward, forward};
 use val3_lang::instruction::Shape;
 
 use super::Program;
@@ -12,33 +12,31 @@ use super::Program;
 pub(crate) type Locals = u128;
 
 /// What each point does to local variables.
-pub(crate) struct LocalUse {
-    points: Vec<Vec<(Locals, Access)>>,
-}
+pub(crate) struct LocalUse<'db>(PerPoint<(Locals, &'db Access)>);
 
-impl LocalUse {
-    pub(super) fn new(program: &Program<'_>) -> Self {
+impl<'db> LocalUse<'db> {
+    pub(super) fn new(program: &Program<'db>) -> Self {
         let names = program.header.locals.iter().map(|local| local.name.as_str());
         let bits: FxHashMap<&str, Locals> = names.zip((0u32..128).map(|bit| 1 << bit)).collect();
         let bit = |access: &Access| match &access.root {
             Root::Local(name) => bits.get(name.as_str()).copied(),
             _ => None,
         };
-        let mut points = Vec::with_capacity(program.flow().len());
+        let mut uses = PerPoint::EMPTY;
         if bits.is_empty() {
-            return Self { points };
+            return Self(uses);
         }
         let measured = measured(program);
         for (id, _) in program.flow().points() {
             let accesses = program.effects.at(id).iter().filter(|access| !measured.contains(&access.id));
-            points.push(accesses.filter_map(|access| Some((bit(access)?, access.clone()))).collect());
+            uses.push(accesses.filter_map(|access| Some((bit(access)?, access))));
         }
-        Self { points }
+        Self(uses)
     }
 
     /// What a point does, in the order of evaluation.
-    pub(crate) fn at(&self, point: PointId) -> &[(Locals, Access)] {
-        self.points.get(point.index()).map_or(&[], Vec::as_slice)
+    pub(crate) fn at(&self, point: PointId) -> &[(Locals, &'db Access)] {
+        self.0.at(point)
     }
 
     /// The variables that may have been written before each point.
@@ -72,7 +70,7 @@ fn join(known: &mut Locals, more: &Locals) -> bool {
 /// Variables whose size or existence is asked for, not their value.
 fn measured(program: &Program<'_>) -> FxHashSet<ExprId> {
     let is_whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
-    let arguments = program.calls().flat_map(|call| {
+    let arguments = program.calls().iter().flat_map(|call| {
         let params = call.form.into_iter().flat_map(|form| form.params);
         params.zip(call.args).filter(move |(param, _)| is_whole(param.shape)).map(|(_, arg)| *arg)
     });

@@ -82,7 +82,7 @@ impl ArmState {
     }
 
     fn after(self, call: &Call<'_>) -> Self {
-        let Some(role) = motion::role(call.instruction) else {
+        let Some(role) = call.role else {
             return if call.instruction.blocking { Self { phase: Phase::Unknown, ..self } } else { self };
         };
         let is_stopped = matches!(self.phase, Phase::Stopped(_));
@@ -100,7 +100,7 @@ impl ArmState {
 }
 
 fn is_move(call: &Call<'_>) -> bool {
-    matches!(motion::role(call.instruction), Some(MotionRole::Move(_)))
+    matches!(call.role, Some(MotionRole::Move(_)))
 }
 
 impl<'db> Program<'db> {
@@ -139,7 +139,7 @@ impl<'db> Program<'db> {
 
     /// What is certain about the arm; `None` for a program that has nothing to do with it.
     pub(crate) fn motion(&self) -> Option<&Motion> {
-        let new = || self.calls().any(|call| motion::role(call.instruction).is_some()).then(|| Motion::new(self));
+        let new = || self.calls().iter().any(|call| call.role.is_some()).then(|| Motion::new(self));
         self.motion.get_or_init(new).as_ref()
     }
 
@@ -154,7 +154,7 @@ impl<'db> Program<'db> {
         for (id, _) in self.flow().points() {
             let Some(mut arm) = motion.arm.before(id).copied() else { continue };
             for call in self.calls_at(id) {
-                steps.extend(motion::role(call.instruction).map(|role| Step { call: *call, role, arm }));
+                steps.extend(call.role.map(|role| Step { call: *call, role, arm }));
                 arm = arm.after(call);
             }
         }

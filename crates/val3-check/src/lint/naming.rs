@@ -16,11 +16,18 @@ pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     }
 }
 
-/// What a name of this type should begin with and does not, `scope` before the letters of the type.
-pub(crate) fn lacking(options: &Options, ty: &str, scope: &str, name: &str) -> Option<String> {
+/// What is wrong with the name of a `what` of this type that does not begin as the shop asks: with `scope` and the
+/// letters of the type.
+pub(crate) fn judge(options: &Options, what: &str, ty: &str, scope: &str, name: &str) -> Option<Wording> {
     let letters = options.prefixes.get(ty)?;
     let prefix = format!("{scope}{letters}");
-    (!begins(name, &prefix)).then_some(prefix)
+    (!begins(name, &prefix)).then(|| {
+        Wording::new(
+            format!("the name of the {what} `{name}` does not begin with `{prefix}`"),
+            format!("this is {}", a(ty)),
+            format!("call it `{prefix}{}`", capitalised(bare(options, name))),
+        )
+    })
 }
 
 /// The name begins with the prefix, and the rest is a word of its own: `nCount` and `n2` with `n`, `number` not. The
@@ -32,15 +39,6 @@ fn begins(name: &str, prefix: &str) -> bool {
             let mut letters = rest.chars();
             matches!(letters.next(), Some('i' | 'o')) && letters.next().is_some_and(|next| next.is_ascii_uppercase())
         })
-}
-
-/// Words the finding; `what` says what has the name.
-pub(crate) fn word(options: &Options, ty: &str, name: &str, prefix: &str, what: &str) -> Wording {
-    Wording::new(
-        format!("the name of the {what} `{name}` does not begin with `{prefix}`"),
-        format!("this is {}", a(ty)),
-        format!("call it `{prefix}{}`", capitalised(bare(options, name))),
-    )
 }
 
 /// The name without the letters of any scope and type.

@@ -1,7 +1,7 @@
 //! What lints ask about the points of the control-flow graph.
 
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
-use val3_analysis::flow::{Point, PointId, PointKind};
+use val3_analysis::flow::{PerPoint, Point, PointId, PointKind};
 use val3_lang::instruction::Class;
 
 use super::{Call, Program};
@@ -9,14 +9,23 @@ use super::{Call, Program};
 impl<'db> Program<'db> {
     /// The calls of instructions at a point, in the order of evaluation.
     pub(crate) fn calls_at(&self, id: PointId) -> &[Call<'db>] {
-        let calls =
-            self.calls_by_point.get_or_init(|| self.flow().points().map(|(_, point)| self.calls_in(point)).collect());
-        calls.get(id.index()).map_or(&[], Vec::as_slice)
+        self.calls_by_point.get_or_init(|| self.calls_of_points()).at(id)
     }
 
-    fn calls_in(&self, point: &Point) -> Vec<Call<'db>> {
-        let exprs = point.kind.exprs().into_iter().flat_map(|id| self.body.within(id));
-        exprs.filter_map(|id| self.call_of(id)).collect()
+    fn calls_of_points(&self) -> PerPoint<Call<'db>> {
+        let mut calls = PerPoint::EMPTY;
+        for (_, point) in self.flow().points() {
+            calls.push(point.kind.exprs().flat_map(|id| self.calls_within(id)).copied());
+        }
+        calls
+    }
+
+    /// The calls of instructions in an expression, inner ones before outer ones.
+    pub(super) fn calls_within(&self, id: ExprId) -> &[Call<'db>] {
+        let first = self.body.within(id).next().unwrap_or(id);
+        let calls = self.calls();
+        let (from, to) = (calls.partition_point(|call| call.id < first), calls.partition_point(|call| call.id <= id));
+        calls.get(from..to).unwrap_or(&[])
     }
 
     /// A loop that is left by `return` alone: `while true`, `until false`.
@@ -46,10 +55,8 @@ impl<'db> Program<'db> {
     /// An expression that only looks: it waits for nothing and changes nothing, so that asking it twice is the same
     /// as asking it once.
     pub(crate) fn is_pure(&self, id: ExprId) -> bool {
-        self.body
-            .within(id)
-            .into_iter()
-            .filter_map(|id| self.call_of(id))
+        self.calls_within(id)
+            .iter()
             .all(|call| !call.instruction.blocking && call.form.is_some_and(|form| form.class == Class::Function))
     }
 }

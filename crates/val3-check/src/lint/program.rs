@@ -6,13 +6,14 @@ use val3_analysis::application::{Application, application};
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::effects::Effects;
-use val3_analysis::flow::{Flow, flow};
+use val3_analysis::flow::{Flow, PerPoint, flow};
 use val3_analysis::infer::{Inference, InstructionCall, infer};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::{Header, header};
 use val3_analysis::items::project::{Items, items};
 use val3_config::Options;
 use val3_lang::instruction::{Instruction, Overload, Param};
+use val3_lang::motion::{MotionRole, role};
 use val3_syntax::TextRange;
 
 use super::motion::Step;
@@ -34,8 +35,9 @@ pub(crate) struct Program<'db> {
     /// What the arm does, once somebody has asked.
     pub(super) motion: OnceCell<Option<Motion>>,
     pub(super) motion_steps: OnceCell<Vec<Step<'db>>>,
-    pub(super) calls_by_point: OnceCell<Vec<Vec<Call<'db>>>>,
-    local_use: OnceCell<LocalUse>,
+    calls: OnceCell<Vec<Call<'db>>>,
+    pub(super) calls_by_point: OnceCell<PerPoint<Call<'db>>>,
+    local_use: OnceCell<LocalUse<'db>>,
     stmts: OnceCell<Vec<&'db Stmt>>,
 }
 
@@ -50,6 +52,8 @@ pub(crate) struct Call<'db> {
     /// The name that is called.
     pub(crate) callee: ExprId,
     pub(crate) args: &'db [ExprId],
+    /// What it does to the recorded moves.
+    pub(crate) role: Option<MotionRole>,
 }
 
 impl<'db> Call<'db> {
@@ -74,6 +78,7 @@ impl<'db> Program<'db> {
             effects: Effects::new(db, project, file),
             motion: OnceCell::new(),
             motion_steps: OnceCell::new(),
+            calls: OnceCell::new(),
             calls_by_point: OnceCell::new(),
             local_use: OnceCell::new(),
             stmts: OnceCell::new(),
@@ -91,7 +96,7 @@ impl<'db> Program<'db> {
     }
 
     /// What each of its points does to local variables.
-    pub(crate) fn local_use(&self) -> &LocalUse {
+    pub(crate) fn local_use(&self) -> &LocalUse<'db> {
         self.local_use.get_or_init(|| LocalUse::new(self))
     }
 
@@ -106,24 +111,25 @@ impl<'db> Program<'db> {
     }
 
     /// Every call of an instruction, inner ones before outer ones.
-    pub(crate) fn calls(&self) -> impl Iterator<Item = Call<'db>> {
-        self.inference.calls().iter().filter_map(|call| self.call(call))
+    pub(crate) fn calls(&self) -> &[Call<'db>] {
+        self.calls.get_or_init(|| self.inference.calls().iter().filter_map(|call| self.call(call)).collect())
     }
 
     /// Every call of the instruction `name`.
-    pub(crate) fn calls_of(&self, name: &str) -> impl Iterator<Item = Call<'db>> {
-        self.calls().filter(move |call| call.instruction.name == name)
+    pub(crate) fn calls_of(&self, name: &str) -> impl Iterator<Item = &Call<'db>> {
+        self.calls().iter().filter(move |call| call.instruction.name == name)
     }
 
     /// The call of an instruction that `id` is.
-    pub(crate) fn call_of(&self, id: ExprId) -> Option<Call<'db>> {
-        let (instruction, form) = self.effects.instruction(id)?;
-        self.call(&InstructionCall { id, instruction, form })
+    pub(crate) fn call_of(&self, id: ExprId) -> Option<&Call<'db>> {
+        let at = self.calls().binary_search_by_key(&id, |call| call.id).ok()?;
+        self.calls().get(at)
     }
 
     fn call(&self, call: &InstructionCall) -> Option<Call<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call.id) else { return None };
-        Some(Call { id: call.id, instruction: call.instruction, form: call.form, callee: *callee, args })
+        let InstructionCall { id, instruction, form } = *call;
+        Some(Call { id, instruction, form, callee: *callee, args, role: role(instruction) })
     }
 
     /// Where the name of the program stands.

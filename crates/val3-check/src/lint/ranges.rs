@@ -31,8 +31,8 @@ pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
     for call in program.calls() {
         let callee = call.instruction.name;
         for (param, argument) in call.arguments() {
-            let Some(range) = range(callee, param.name) else { continue };
-            let Some(value) = program.body.number(argument).filter(|value| !range.takes(*value)) else { continue };
+            let Some(value) = program.body.number(argument) else { continue };
+            let Some(range) = range(callee, param.name).filter(|range| !range.takes(value)) else { continue };
             found.push(OutOfRange { argument, callee, parameter: param.name, value, range });
         }
     }

@@ -4,14 +4,16 @@ use val3_analysis::db::{Db, File};
 use val3_analysis::items::declarations::element_around;
 use val3_syntax::{TextRange, TextSize};
 
+use crate::diagnostic::{Edit, Span};
+
 /// The edit that removes an element of a file, with its lines where nothing else stands there.
-pub(crate) fn of_element(text: &str, element: TextRange) -> (TextRange, String) {
-    (with_lines(text, element), String::new())
+pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
+    Edit { place: Span { file, range: with_lines(file.text(db), element) }, text: String::new() }
 }
 
 /// The edit that removes the element around a name.
-pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<(TextRange, String)> {
-    Some(of_element(file.text(db), element_around(db, file, name)?))
+pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<Edit> {
+    Some(of_element(db, file, element_around(db, file, name)?))
 }
 
 fn with_lines(text: &str, range: TextRange) -> TextRange {

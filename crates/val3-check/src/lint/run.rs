@@ -12,10 +12,8 @@ use crate::settings::Settings;
 pub(crate) fn program(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
     let program = Program::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, Some(program.name().to_owned()), project.manifest(db));
-    for lint in lints(settings) {
-        if let Lint::Program(check) = lint {
-            check(&program, &mut found);
-        }
+    for check in wanted(settings, |lint| if let Lint::Program(check) = lint { Some(check) } else { None }) {
+        check(&program, &mut found);
     }
     found.into_diagnostics()
 }
@@ -24,10 +22,8 @@ pub(crate) fn program(db: &dyn Db, project: Project, file: File, settings: &Sett
 pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
     let data = DataFile::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, None, project.manifest(db));
-    for lint in lints(settings) {
-        if let Lint::Data(check) = lint {
-            check(&data, &mut found);
-        }
+    for check in wanted(settings, |lint| if let Lint::Data(check) = lint { Some(check) } else { None }) {
+        check(&data, &mut found);
     }
     found.into_diagnostics()
 }
@@ -37,15 +33,13 @@ pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec
     let view = ProjectView::new(db, project, &settings.options);
     let file = project.manifest(db);
     let mut found = Findings::new(file, None, file);
-    for lint in lints(settings) {
-        if let Lint::Project(check) = lint {
-            check(&view, &mut found);
-        }
+    for check in wanted(settings, |lint| if let Lint::Project(check) = lint { Some(check) } else { None }) {
+        check(&view, &mut found);
     }
     found.into_diagnostics()
 }
 
-/// The lints that are asked for.
-fn lints(settings: &Settings) -> impl Iterator<Item = Lint> {
-    rules::all().iter().filter(|rule| settings.wants(rule)).filter_map(|rule| rule.lint)
+/// The lints of a kind that are asked for.
+fn wanted<C>(settings: &Settings, kind: fn(Lint) -> Option<C>) -> impl Iterator<Item = C> {
+    rules::all().iter().filter_map(move |rule| rule.lint.and_then(kind).filter(|_| settings.wants(rule)))
 }

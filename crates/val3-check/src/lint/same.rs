@@ -8,7 +8,7 @@ impl Program<'_> {
     /// Both expressions have the same value if one is asked right after the other: they are written alike and call
     /// nothing.
     pub(crate) fn is_same(&self, left: ExprId, right: ExprId) -> bool {
-        self.may_be_same(left, right) && self.body.is_same(left, right) && !self.calls_within(right)
+        self.may_be_same(left, right) && self.body.is_same(left, right) && !self.has_call(right)
     }
 
     /// Decided by the outermost parts alone, so that a long chain of operators is not walked for each of its links.
@@ -20,7 +20,7 @@ impl Program<'_> {
         }
     }
 
-    fn calls_within(&self, id: ExprId) -> bool {
-        self.body.within(id).into_iter().any(|part| matches!(self.body.expr(part), Expr::Call(..)))
+    fn has_call(&self, id: ExprId) -> bool {
+        self.body.within(id).any(|part| matches!(self.body.expr(part), Expr::Call(..)))
     }
 }

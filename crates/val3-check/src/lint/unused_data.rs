@@ -1,9 +1,12 @@
 //! What the rules on unused data share.
 
+use rustc_hash::FxHashSet;
 use val3_analysis::application::Use;
+use val3_analysis::items::data;
+use val3_analysis::items::declarations::{Declared, all_data};
 use val3_analysis::items::fathers::fathers;
 
-use super::ProjectView;
+use super::{DataFile, ProjectView};
 
 /// Every use of the project's private data is known. A project without programs holds the data of others: the fields
 /// of a user type, inputs and outputs.
@@ -18,4 +21,17 @@ pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     let is_built_in = val3_lang::builtins::find(name).is_some();
     let is_father = is_built_in || fathers(view.db, view.project).contains(&item.decl.name);
     (!is_father && !view.application().is_named_in_text(name)).then(|| view.application().uses_of(name))
+}
+
+/// The declarations in a file whose names are `guilty`.
+pub(crate) fn declared(data: &DataFile<'_>, guilty: impl Fn(&str) -> bool) -> Vec<Declared> {
+    // The names alone are at hand; where they stand is read from the file.
+    let items = data::data(data.view.db, data.file);
+    let names: FxHashSet<&str> = items.iter().map(|item| item.name.as_str()).filter(|name| guilty(name)).collect();
+    if names.is_empty() {
+        return Vec::new();
+    }
+    let mut declared = all_data(data.view.db, data.file);
+    declared.retain(|declared| names.contains(declared.name.as_str()));
+    declared
 }

@@ -1,9 +1,9 @@
 //! V0123: a variable that is called like a program or a library identifier.
 
-use val3_analysis::items::declarations::{Declared, all_locals, all_params};
+use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program};
+use crate::lint::{Findings, Program, span_of};
 use crate::rule::rule;
 
 rule! {
@@ -48,7 +48,12 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
     for Declared { name, range, .. } in names {
         if let Some(other) = other_use(program, &name) {
-            found.report(&RULE, range, word(what, &name, other));
+            let reported = found.report(&RULE, range, word(what, &name, other));
+            let place = match program.items.programs.get(&name) {
+                Some(file) => declarations::program(program.db, *file),
+                None => declarations::library(program.db, program.project, name),
+            };
+            reported.related_at(place.map(span_of), "declared here");
         }
     }
 }
@@ -84,9 +89,11 @@ mod tests {
             p.pgx:5 `p` `p` is a parameter here and also a program of the project
               | also a program
               ? give it another name
+              > p.pgx:3 `p` declared here
             p.pgx:8 `part` `part` is a local variable here and also a library identifier of the project
               | also a library identifier
               ? give it another name
+              > main.pjx:11 `part` declared here
         "#]]
         .assert_eq(&check(&RULE, listing));
     }

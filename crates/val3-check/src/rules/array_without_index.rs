@@ -52,11 +52,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         for (param, argument) in call.arguments() {
             if param.container == Container::Element && !param.loose && is_array(program, argument) {
                 let name = program.text(argument);
-                let edit = (TextRange::empty(program.range(program.body.peel(argument)).end()), "[0]".to_owned());
+                let end = TextRange::empty(program.range(program.body.peel(argument)).end());
                 found.report(&RULE, program.range(argument), word(name, &param.name)).fix(
                     format!("write `{name}[0]`"),
                     true,
-                    vec![edit],
+                    [program.write(end, "[0]")],
                 );
             }
         }

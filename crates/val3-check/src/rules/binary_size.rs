@@ -55,7 +55,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 fn check_array(program: &Program<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
     let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) else { return };
     let counts_bytes = bytes.is_some_and(|bytes| needed == bytes * f64::from(size));
-    found.report(&RULE, program.range(array), word(program.text(array), size, needed, counts_bytes));
+    found
+        .report(&RULE, program.range(array), word(program.text(array), size, needed, counts_bytes))
+        .related_at(program.declaration(array), "declared here");
 }
 
 fn word(array: &str, size: u32, needed: f64, counts_bytes: bool) -> Wording {
@@ -79,17 +81,23 @@ mod tests {
         expect![[r#"
             start.pgx:5 `nB` `nB` has 8 values, but 16 are needed
               | run-time error 70: invalid parameter
+              > main.dtx:5 `nB` declared here
             start.pgx:6 `nB[7]` `nB[7]` has 1 value, but 2 are needed
               | run-time error 70: invalid parameter
               ? the number counts values, not bytes
+              > main.dtx:5 `nB` declared here
             start.pgx:7 `nA` `nA` has 6 values, but 7 are needed
               | run-time error 70: invalid parameter
+              > main.dtx:4 `nA` declared here
             start.pgx:8 `nB[2]` `nB[2]` has 6 values, but 7 are needed
               | run-time error 70: invalid parameter
+              > main.dtx:5 `nB` declared here
             start.pgx:8 `nA` `nA` has 6 values, but 7 are needed
               | run-time error 70: invalid parameter
+              > main.dtx:4 `nA` declared here
             start.pgx:9 `nA[5]` `nA[5]` has 1 value, but 2 are needed
               | run-time error 70: invalid parameter
+              > main.dtx:4 `nA` declared here
         "#]]
         .assert_eq(&check(
             &RULE,

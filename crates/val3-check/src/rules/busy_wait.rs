@@ -5,7 +5,7 @@ use val3_lang::instructions::WAIT;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_syntax::TextRange;
 
-use crate::diagnostic::Wording;
+use crate::diagnostic::{Edit, Wording};
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
@@ -44,15 +44,12 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             continue;
         }
         let edits = edits(program, stmt, condition, is_while);
-        let reported = found.report(&RULE, program.range(condition), word());
-        if let Some(edits) = edits {
-            reported.fix("wait for it", true, edits);
-        }
+        found.report(&RULE, program.range(condition), word()).fix("wait for it", true, edits);
     }
 }
 
 /// What makes the loop a `wait`; nothing where a comment would be lost.
-fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Option<Vec<(TextRange, String)>> {
+fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<Edit> {
     let condition = program.body.peel(condition);
     let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
     let (kept, open, close) = match negation {
@@ -65,8 +62,11 @@ fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) 
     let behind = TextRange::new(kept.end(), stmt.range.end());
     let has_comment = [before, behind].into_iter().any(|range| program.slice(range).contains("//"));
     let flip = if let Negation::Flipped(edit) = negation { Some(edit) } else { None };
-    let edits = [Some((before, format!("{WAIT}({open}"))), flip, Some((behind, format!("{close})")))];
-    (!has_comment).then(|| edits.into_iter().flatten().collect())
+    if has_comment {
+        return Vec::new();
+    }
+    let (open, close) = (program.write(before, &format!("{WAIT}({open}")), program.write(behind, &format!("{close})")));
+    [Some(open), flip, Some(close)].into_iter().flatten().collect()
 }
 
 /// How a condition is turned round.
@@ -74,7 +74,7 @@ enum Negation {
     /// It is the opposite of this one.
     Of(ExprId),
     /// Its operator becomes the other one.
-    Flipped((TextRange, String)),
+    Flipped(Edit),
     /// With `!` before brackets around it.
     Around,
 }
@@ -82,7 +82,7 @@ enum Negation {
 fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
     let flipped = |left, right, from, to: &str| {
         let operator = program.operator(left, right, from);
-        operator.map_or(Negation::Around, |range| Negation::Flipped((range, to.to_owned())))
+        operator.map_or(Negation::Around, |range| Negation::Flipped(program.write(range, to)))
     };
     match program.body.expr(condition) {
         Expr::Unary(UnaryOp::Not, operand) => Negation::Of(*operand),

@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn decisions(program: &Program<'_>, kind: &PointKind) -> usize {
     let combined = |condition: &ExprId| {
-        let parts = program.body.within(*condition).into_iter();
+        let parts = program.body.within(*condition);
         parts.filter(|id| matches!(program.body.expr(*id), Expr::Binary(BinaryOp::And | BinaryOp::Or, ..))).count()
     };
     match kind {

@@ -1,6 +1,6 @@
 //! V0404: a compliant move behind a move that was to be rounded.
 
-use val3_lang::motion::{MotionRole, Path, role};
+use val3_lang::motion::{MotionRole, Path};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Phase, Program};
@@ -46,7 +46,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let role_of = |call| program.call_of(call).and_then(|call| role(call.instruction));
+    let role_of = |call| program.call_of(call).and_then(|call| call.role);
     for step in program.motion_steps() {
         let compliant = MotionRole::Move(Path::Compliant);
         let is_compliant = step.role == compliant && step.arm.phase == Phase::Moving;

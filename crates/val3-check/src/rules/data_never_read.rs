@@ -1,6 +1,7 @@
 //! V0116: private data that programs write and never read.
 
-use val3_analysis::items::declarations::{Declared, all_data};
+use val3_analysis::items::declarations::Declared;
+use val3_lang::types::BaseType;
 
 use crate::diagnostic::Wording;
 use crate::lint::{DataFile, Findings, unused_data};
@@ -42,12 +43,13 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if !unused_data::is_judged(view) {
         return;
     }
-    for Declared { name, range, .. } in all_data(view.db, data.file) {
-        let Some(uses) = unused_data::uses(view, &name) else { continue };
-        let base = view.items.data.get(&name).and_then(|item| item.base.builtin());
-        if uses.written && !uses.may_read() && !base.is_some_and(|base| base.is_linkable()) {
-            found.report(&RULE, range, word(&name));
-        }
+    let is_idle = |name: &str| {
+        let base = view.items.data.get(name).and_then(|item| item.base.builtin());
+        unused_data::uses(view, name).is_some_and(|uses| uses.written && !uses.may_read())
+            && !base.is_some_and(BaseType::is_linkable)
+    };
+    for Declared { name, range, .. } in unused_data::declared(data, is_idle) {
+        found.report(&RULE, range, word(&name));
     }
 }
 

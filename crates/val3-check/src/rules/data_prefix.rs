@@ -31,8 +31,8 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     for Declared { name, range, .. } in all_data(view.db, data.file) {
         let item = view.items.data.get(&name).filter(|_| val3_lang::builtins::find(&name).is_none());
         let Some(ty) = item.map(|item| naming::type_name(view.db, item.base)) else { continue };
-        if let Some(prefix) = naming::lacking(view.options, &ty, "", &name) {
-            found.report(&RULE, range, naming::word(view.options, &ty, &name, &prefix, "data"));
+        if let Some(wording) = naming::judge(view.options, "data", &ty, "", &name) {
+            found.report(&RULE, range, wording);
         }
     }
 }

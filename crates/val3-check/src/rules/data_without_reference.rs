@@ -54,7 +54,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     for call in program.calls() {
-        for (arg, ty) in needed(&call) {
+        for (arg, ty) in needed(call) {
             let lacks = program.initial(arg).is_some_and(|initial| !initial.has_father);
             if !lacks || !told.insert(program.text(arg)) {
                 continue;

@@ -1,11 +1,14 @@
 //! V0312: a value that is stored and never used.
 
-use val3_analysis::body::{Expr, ExprId};
-use val3_analysis::effects::{AccessKind, Root};
-use val3_analysis::flow::PointKind;
-use val3_lang::types::BaseType;
+use std::collections::VecDeque;
 
-use crate::diagnostic::Wording;
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::effects::{Access, AccessKind, Root};
+use val3_analysis::flow::{PointId, PointKind};
+use val3_lang::types::BaseType;
+use val3_syntax::TextRange;
+
+use crate::diagnostic::{Span, Wording};
 use crate::lint::{Findings, Locals, Program};
 use crate::rule::rule;
 
@@ -61,15 +64,34 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             continue;
         }
         if !is_needed && used & bit != 0 && is_computed(program, value) {
-            found.report(&RULE, point.range, word(name));
+            let again = overwritten(program, id, *bit).map(|range| Span { file: program.file, range });
+            found.report(&RULE, point.range, word(name)).related_at(again, "overwritten here");
         }
     }
+}
+
+/// The next line that writes all of a variable behind `from`, on the first way that leads to one.
+fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option<TextRange> {
+    let flow = program.flow();
+    let mut seen = vec![false; flow.len()];
+    let mut open: VecDeque<PointId> = flow.point(from)?.next.iter().copied().collect();
+    while let Some(id) = open.pop_front() {
+        let (Some(point), Some(seen)) = (flow.point(id), seen.get_mut(id.index())) else { continue };
+        let is_write = |(bit, access): &(Locals, &Access)| *bit == variable && access.kind == AccessKind::Write;
+        if program.local_use().at(id).iter().any(is_write) {
+            return Some(point.range).filter(|_| id != from);
+        }
+        if !std::mem::replace(seen, true) {
+            open.extend(&point.next);
+        }
+    }
+    None
 }
 
 /// More than a first value made of literals, and nothing but a value: what acts is not called for its result alone.
 fn is_computed(program: &Program<'_>, value: ExprId) -> bool {
     let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
-    program.body.within(value).into_iter().any(is_variable) && program.is_pure(value)
+    program.body.within(value).any(is_variable) && program.is_pure(value)
 }
 
 /// Variables that are used somewhere: others are told as unused.
@@ -106,6 +128,7 @@ mod tests {
             start.pgx:10 `l_n=nA` the value stored in `l_n` is never used
               | overwritten or forgotten before it is used
               ? use the value, or remove the line
+              > start.pgx:12 `l_n=nA+1` overwritten here
             start.pgx:17 `l_n=nA` the value stored in `l_n` is never used
               | overwritten or forgotten before it is used
               ? use the value, or remove the line

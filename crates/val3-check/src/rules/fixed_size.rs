@@ -40,7 +40,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for call in program.calls() {
         let name = call.instruction.name;
         let acts = call.form.is_some_and(|form| form.class == Class::Modifier);
-        if let Some(wording) = acts.then(|| fault(program, name, call)).flatten() {
+        if let Some(wording) = acts.then(|| fault(program, name, *call)).flatten() {
             found.report(&RULE, program.range(call.id), wording);
         }
     }

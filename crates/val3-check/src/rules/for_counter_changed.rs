@@ -51,7 +51,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 fn reads(body: &Body, value: ExprId, counter: &str) -> bool {
-    body.within(value).into_iter().any(|id| body.normal_form(id) == counter)
+    body.within(value).any(|id| body.normal_form(id) == counter)
 }
 
 fn word(counter: &str) -> Wording {

@@ -28,7 +28,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let shown = program.calls().filter(|call| call.instruction.family == Family::Screen);
+    let shown = program.calls().iter().filter(|call| call.instruction.family == Family::Screen);
     let shown: Vec<TextRange> = shown.map(|call| program.range(call.id)).collect();
     for (_, expr, range) in program.body.exprs() {
         let Expr::String(text) = expr else { continue };

@@ -38,7 +38,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let Some(declared) = declarations::version(program.db, program.project) else { return };
     let mut told = FxHashSet::default();
     for call in program.calls() {
-        if let Some(lack) = lack(call, version).filter(|_| told.insert(call.instruction)) {
+        if let Some(lack) = lack(*call, version).filter(|_| told.insert(call.instruction)) {
             let manifest = Span { file: program.project.manifest(program.db), range: declared };
             found
                 .report(&RULE, program.range(call.callee), word(call.instruction, &lack, version))

@@ -45,9 +45,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             _ => continue,
         };
         if awaited(program, condition, ends_when) == Some(first) {
-            let edit = program.line_before(stmt.range, &format!("{GET_KEY}()"));
+            let edit = program.site(stmt.range).line_before(&format!("{GET_KEY}()"));
             let title = format!("write `{GET_KEY}()` before");
-            found.report(&RULE, program.range(condition), word()).fix(title, false, vec![edit]);
+            found.report(&RULE, program.range(condition), word()).fix(title, false, [edit]);
         }
     }
 }

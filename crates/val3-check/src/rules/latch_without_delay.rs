@@ -46,9 +46,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let calls = calls(program, stmt);
             let call = |name| calls.iter().find(|(called, _)| *called == name).map(|(_, id)| *id);
             if let (Some(armed), Some(read)) = (armed, call(GET_LATCH)) {
-                let edit = program.line_after(armed, &format!("{DELAY}(0)"));
+                let edit = program.site(armed).line_after(&format!("{DELAY}(0)"));
                 let reported = found.report(&RULE, program.range(read), word()).related(armed, "armed here");
-                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), false, vec![edit]);
+                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), false, [edit]);
             }
             // Whatever waits, or might wait in another block or program, ends the search.
             let waits = calls.iter().any(|(name, _)| is_blocking(name));

@@ -58,7 +58,7 @@ fn check_for(program: &Program<'_>, [first, last]: [ExprId; 2], step: Option<Exp
     let reported = found.report(&RULE, range, word_for(start, stop, step.map(|_| by)));
     if step.is_none() {
         let end = TextRange::empty(program.range(last).end());
-        reported.fix("count downwards", false, vec![(end, " step -1".to_owned())]);
+        reported.fix("count downwards", false, [program.write(end, " step -1")]);
     }
 }
 

@@ -47,8 +47,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         if !leaves && !inside().any(|(id, point)| waits(program, id, point)) {
             let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
             if let Some(last) = stmt.blocks().next().and_then(<[_]>::last) {
-                let edit = program.line_after(last.range, &format!("{DELAY}(0)"));
-                reported.fix("give way to the other tasks", false, vec![edit]);
+                let edit = program.site(last.range).line_after(&format!("{DELAY}(0)"));
+                reported.fix("give way to the other tasks", false, [edit]);
             }
         }
     }

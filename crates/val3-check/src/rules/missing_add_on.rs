@@ -9,7 +9,8 @@ rule! {
     /// Instructions whose names begin with `$` are no part of VAL 3: each comes with an add-on of the controller. An
     /// installed add-on has a table of its instructions in the folder `usr/app` of the cell, one for each kind of arm.
     /// Where the table is missing, the controller reports the instruction as an undefined function and does not load
-    /// the application.
+    /// the application. Where the cell at hand has no such table at all, as in most repositories, this is advice only:
+    /// see that the controller has the add-on. Each instruction is told once an application.
     ///
     /// ## Bad
     /// ```val3
@@ -58,8 +59,11 @@ pub(crate) fn word(name: &str, add_on: Option<&str>) -> Wording {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
+    use val3_test::Fixture;
 
-    use super::word;
+    use super::{RULE, word};
+    use crate::rule::Severity;
+    use crate::testing::check_files;
 
     #[test]
     fn wording() {
@@ -75,5 +79,20 @@ mod tests {
             ? install the add-on on the controller, and copy its table `val3.*.cfx` into `usr/app` of the cell
         "#]]
         .assert_eq(&word("$myWeld", None).to_string());
+    }
+
+    /// The level where the cell holds `table`, if any.
+    fn level(table: &str) -> Option<Severity> {
+        let fixture = Fixture::parse(&format!("$recClean(\"c\")\n{table}"));
+        let files: Vec<_> = fixture.files.into_iter().map(|(path, text)| (path, text.into_bytes())).collect();
+        check_files(&files).iter().find(|found| found.code == RULE.code).map(|found| found.severity)
+    }
+
+    #[test]
+    fn a_cell_without_any_table_says_nothing_of_its_controller() {
+        let table = "=== /app/val3.Other.anthro.cfx\n<Language xmlns=\"http://www.staubli.com/robotics/VAL3/1\">\
+                     <Version>s7.8</Version><Functions><Func><Name>$other</Name><Return>void</Return><Lib>false</Lib>\
+                     <Class>Function</Class></Func></Functions></Language>";
+        assert_eq!((level(""), level(table)), (Some(Severity::Info), Some(Severity::Error)));
     }
 }

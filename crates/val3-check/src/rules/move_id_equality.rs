@@ -35,9 +35,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         }
         let instead = instead(*op, is_move_id(program, *left));
         let reported = found.report(&RULE, range, word(op.symbol(), instead));
-        if let Some(edit) = program.operator(*left, *right, op.symbol()) {
-            reported.fix(format!("write `{instead}`"), false, vec![(edit, program.spelt(instead).into_owned())]);
-        }
+        let edit = program.operator(*left, *right, op.symbol()).map(|op| program.site(op).replace(op, instead));
+        reported.fix(format!("write `{instead}`"), false, edit);
     }
     for stmt in program.stmts() {
         if let StmtKind::Switch { selector: Some(selector), .. } = stmt.kind

@@ -25,7 +25,7 @@ rule! {
     ///
     /// nPartsOnConv=0
     /// ```
-    V0109 "name-too-long" Warning
+    V0109 "name-too-long" Info
 }
 
 /// Words the finding.

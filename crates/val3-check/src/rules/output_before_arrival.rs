@@ -56,7 +56,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             found
                 .report(&RULE, point.range, word(program.text(output), program.text(target)))
                 .related(program.range(last), "the arm only starts here")
-                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
+                .fix("wait for the arm", false, [program.site(point.range).line_before(&wait)]);
         }
     }
 }

@@ -36,7 +36,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let [outputs, number] = *call.args else { continue };
         let (Some(size), Some(value)) = (program.certain_size(outputs), program.body.number(number)) else { continue };
         if value >= bits(size) {
-            found.report(&RULE, program.range(number), word(program.text(outputs), size, value));
+            found
+                .report(&RULE, program.range(number), word(program.text(outputs), size, value))
+                .related_at(program.declaration(outputs), "declared here");
         }
     }
 }
@@ -61,10 +63,13 @@ mod tests {
         expect![[r#"
             start.pgx:5 `16` `d` has 4 outputs, too few to show 16
               | there is room for 0 to 15
+              > main.dtx:4 `d` declared here
             start.pgx:6 `2` `e` has 1 output, too few to show 2
               | there is room for 0 to 1
+              > main.dtx:5 `e` declared here
             start.pgx:7 `9` `d[1]` has 3 outputs, too few to show 9
               | there is room for 0 to 7
+              > main.dtx:4 `d` declared here
         "#]]
         .assert_eq(&check(&RULE, "dio d[4]\ndio e\ndioSet(d,16)\ndioSet(e,2)\ndioSet(d[1],9)"));
     }

@@ -2,7 +2,7 @@
 
 use val3_analysis::flow::PointKind;
 use val3_lang::instructions::WAIT_END_MOVE;
-use val3_lang::motion::{MotionRole, role};
+use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Phase, Program};
@@ -47,12 +47,12 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let arm = motion.arm(id);
         let PointKind::Assign { .. } = point.kind else { continue };
         let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
-        let read = program.calls_at(id).iter().find(|call| role(call.instruction) == Some(MotionRole::Position));
+        let read = program.calls_at(id).iter().find(|call| call.role == Some(MotionRole::Position));
         if let Some(read) = read {
             found
                 .report(&RULE, program.range(read.id), word(read.instruction.name))
                 .related(program.range(last), "the arm only starts here")
-                .fix("wait for the arm", false, vec![program.line_before(point.range, &wait)]);
+                .fix("wait for the arm", false, [program.site(point.range).line_before(&wait)]);
         }
     }
 }

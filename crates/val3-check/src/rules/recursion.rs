@@ -62,7 +62,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let Expr::Call(callee, _) = program.body.expr(call) else { continue };
         let Expr::Name(name) = program.body.expr(*callee) else { continue };
         if let Some(circle) = circle(program, name) {
-            found.report(&RULE, program.range(*callee), word(program.name(), &circle));
+            let mut reported = found.report(&RULE, program.range(*callee), word(program.name(), &circle));
+            let callees = circle.iter().skip(1).map(SmolStr::as_str).chain([program.name()]);
+            for (caller, callee) in circle.iter().zip(callees) {
+                let other = program.other(caller);
+                let call = other.and_then(|other| Some(other.span(other.first_call_of(callee)?)));
+                reported = reported.related_at(call, format!("`{caller}` calls `{callee}` here"));
+            }
             return;
         }
     }
@@ -141,6 +147,7 @@ mod tests {
             a.pgx:6 `b` `a` calls itself through `b` → `a`
               | every call takes room on the stack
               ? for screens and states use a loop with a `switch`; for an algorithm see that it ends, and that the stack of the project (`stackSize`) is large enough
+              > b.pgx:5 `a` `b` calls `a` here
             c.pgx:5 `c` `c` calls itself
               | every call takes room on the stack
               ? for screens and states use a loop with a `switch`; for an algorithm see that it ends, and that the stack of the project (`stackSize`) is large enough

@@ -36,7 +36,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             found.report(&RULE, program.range(argument), word(call.instruction.name, value)).fix(
                 format!("write `{instead}`, which is {value} ms"),
                 false,
-                vec![(program.range(argument), instead.to_string())],
+                [program.write(program.range(argument), &instead.to_string())],
             );
         }
     }

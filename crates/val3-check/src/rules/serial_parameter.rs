@@ -49,8 +49,8 @@ fn report_unknown(program: &Program<'_>, id: ExprId, name: &str, found: &mut Fin
     let near = nearest(name, SERIAL_PARAMETERS.iter().map(|row| row.name));
     let reported = found.report(&RULE, program.range(id), unknown(name, near.as_deref()));
     if let Some(near) = near {
-        let edit = (program.range(id), program.text(id).replace(name, &near));
-        reported.fix(format!("write `{near}`"), false, vec![edit]);
+        let edit = program.write(program.range(id), &program.text(id).replace(name, &near));
+        reported.fix(format!("write `{near}`"), false, [edit]);
     }
 }
 

@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         if period > SLOWEST {
             let instead = (period / 1000.0).to_string();
             let title = format!("write `{instead}`, which is {period} ms");
-            found.report(&RULE, range, seconds(period)).fix(title, false, vec![(range, instead)]);
+            found.report(&RULE, range, seconds(period)).fix(title, false, [program.write(range, &instead)]);
         } else if !is_exact_period(period) {
             found.report(&RULE, range, rounded(period));
         }

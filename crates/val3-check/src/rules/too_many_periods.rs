@@ -1,8 +1,9 @@
 //! V0324: more different periods than the controller supports.
 
+use val3_analysis::body::ExprId;
 use val3_lang::tasks::{MAX_PERIODS, PERIOD_STEP, period_steps};
 
-use crate::diagnostic::Wording;
+use crate::diagnostic::{Span, Wording};
 use crate::english::and;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
@@ -54,7 +55,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for task in creations {
         let steps = program.body.number(task.pace).and_then(period_steps);
         if steps.is_some_and(|steps| surplus.contains(&steps)) {
-            found.report(&RULE, program.range(task.pace), word(&periods));
+            let mut reported = found.report(&RULE, program.range(task.pace), word(&periods));
+            for period in periods.iter().take(MAX_PERIODS) {
+                let message = format!("{} ms here", milliseconds(*period));
+                reported = reported.related_at(asked_for(program, *period), message);
+            }
         }
     }
 }
@@ -73,11 +78,24 @@ fn periods(program: &Program<'_>) -> Vec<u32> {
     periods
 }
 
+/// Where the application first asks for a period.
+fn asked_for(program: &Program<'_>, period: u32) -> Option<Span> {
+    let tasks = &program.application().tasks;
+    let creator = tasks.iter().find(|task| task.start.period == Some(period))?.created_by.as_deref()?;
+    let creator = program.other(creator)?;
+    let is_it = |pace: &ExprId| creator.body.number(*pace).and_then(period_steps) == Some(period);
+    let pace = creator.task_creations().filter(|task| task.is_synchronous()).map(|task| task.pace).find(is_it)?;
+    Some(creator.span(pace))
+}
+
+fn milliseconds(steps: u32) -> f64 {
+    f64::from(steps) * PERIOD_STEP * 1000.0
+}
+
 fn word(periods: &[u32]) -> Wording {
     let mut sorted = periods.to_vec();
     sorted.sort_unstable();
-    let shown: Vec<String> =
-        sorted.iter().map(|steps| (f64::from(*steps) * PERIOD_STEP * 1000.0).to_string()).collect();
+    let shown: Vec<String> = sorted.iter().map(|steps| milliseconds(*steps).to_string()).collect();
     Wording::new(
         format!("the synchronous tasks of this application have {} different periods", periods.len()),
         format!("{MAX_PERIODS} are supported at a time"),
@@ -102,6 +120,8 @@ mod tests {
             start.pgx:7 `0.016` the synchronous tasks of this application have 3 different periods
               | 2 are supported at a time
               ? the periods are 4, 16 and 20 ms: choose 2 of them
+              > more.pgx:5 `0.02` 20 ms here
+              > start.pgx:6 `0.004` 4 ms here
         "#]]
         .assert_eq(&check(&RULE, &format!("{WATCHING}{code}")));
     }

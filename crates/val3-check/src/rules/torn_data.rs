@@ -2,11 +2,11 @@
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;
+use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::effects::{Access, AccessKind, Root};
 use val3_lang::instructions::SET_MUTEX;
-use val3_syntax::TextRange;
 
-use crate::diagnostic::Wording;
+use crate::diagnostic::{Span, Wording};
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
@@ -73,7 +73,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if application.takers_of_mutexes.contains(&name) {
         return;
     }
-    for (data, range) in parts(program) {
+    for Parts { data, first, second } in parts(program) {
         let users = application.users.get(&data).into_iter().flatten();
         let mut readers: Vec<&SmolStr> = users
             .filter(|(user, uses)| uses.read_whole && *user != name && !application.takers_of_mutexes.contains(user))
@@ -82,25 +82,46 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             .collect();
         readers.sort_unstable();
         if let Some(reader) = readers.first() {
-            found.report(&RULE, range, word(&data, reader));
+            found
+                .report(&RULE, program.range(second), word(&data, reader))
+                .related(program.range(first), "the first of its fields is set here")
+                .related_at(read_by(program, reader, &data), "the other task may read it here");
         }
     }
 }
 
-/// Data of which the program writes several fields, with the place of the second such line.
-fn parts(program: &Program<'_>) -> Vec<(SmolStr, TextRange)> {
+/// Data of which the program writes several fields, with the first two lines that do.
+struct Parts {
+    data: SmolStr,
+    first: ExprId,
+    second: ExprId,
+}
+
+fn parts(program: &Program<'_>) -> Vec<Parts> {
     let in_parts =
         summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
-    let mut found: Vec<(SmolStr, TextRange)> = in_parts
+    let mut found: Vec<Parts> = in_parts
         .filter_map(|(name, _)| {
             let is_part =
                 |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
-            let second = program.effects.all().iter().filter(is_part).nth(1)?;
-            Some((name.clone(), program.range(second.id)))
+            let mut writes = program.effects.all().iter().filter(is_part).map(|access| access.id);
+            Some(Parts { data: name.clone(), first: writes.next()?, second: writes.next()? })
         })
         .collect();
-    found.sort_by_key(|(_, range)| range.start());
+    found.sort_by_key(|parts| program.range(parts.second).start());
     found
+}
+
+/// Where the program called `reader` reads all of `data`.
+fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<Span> {
+    let reader = program.other(reader)?;
+    let is_whole = |access: &&Access| {
+        access.kind == AccessKind::Read
+            && access.root == Root::Data(data.clone())
+            && !matches!(reader.body.expr(access.id), Expr::Field { .. })
+    };
+    let read = reader.effects.all().iter().find(is_whole)?.id;
+    Some(reader.span(read))
 }
 
 fn word(data: &str, reader: &str) -> Wording {
@@ -131,6 +152,8 @@ mod tests {
             p.pgx:6 `trA.y` a task that runs `q` may read `trA` when only some of its fields are new
               | another line, another turn
               ? assign the whole value on one line, or take a flag with `setMutex` on both sides
+              > p.pgx:5 `trA.x` the first of its fields is set here
+              > q.pgx:5 `trA` the other task may read it here
         "#]]
         .assert_eq(&tasks("trA.x=1\ntrA.y=2\ntrA.z=3", "trB=trA"));
     }

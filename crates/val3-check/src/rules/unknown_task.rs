@@ -55,7 +55,7 @@ const OF_CONTROLLER: char = '~';
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told: FxHashSet<SmolStr> = FxHashSet::default();
-    for call in program.calls().filter(|call| ON_TASKS.contains(&call.instruction.name)) {
+    for call in program.calls().iter().filter(|call| ON_TASKS.contains(&call.instruction.name)) {
         let Some(argument) = call.args.first() else { continue };
         let Some(name) = program.body.string(*argument).filter(|name| !name.contains(OF_CONTROLLER)) else { continue };
         let application = program.application();

@@ -49,7 +49,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let arguments = Arguments::of(program);
     let local_use = program.local_use();
     let step = |id: PointId, _: &Point, before: &Locals| {
-        let links = |(bit, access): &(Locals, Access)| if arguments.may_link(access) { *bit } else { 0 };
+        let links = |(bit, access): &(Locals, &Access)| if arguments.may_link(access) { *bit } else { 0 };
         local_use.at(id).iter().map(links).fold(*before, |linked, bit| linked | bit)
     };
     let facts = forward(program.flow(), 0, step, |known: &mut Locals, more| {

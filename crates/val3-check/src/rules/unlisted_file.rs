@@ -1,10 +1,12 @@
 //! V0531: a program or data file in the application's folder that the project does not list.
 
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{FileList, file_list};
 use val3_analysis::items::manifest::manifest;
+use val3_syntax::TextRange;
 
-use crate::diagnostic::Wording;
+use crate::diagnostic::{Edit, Span, Wording};
 use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
 
@@ -77,19 +79,21 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
 
 fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, beside: &[SmolStr], listed: &[SmolStr]) {
     let (extension, what) = if of_programs { ("pgx", "program") } else { ("dtx", "data") };
-    let is_listed = |name: &str| listed.iter().any(|entry| file_name(entry).eq_ignore_ascii_case(name));
+    let listed: FxHashSet<String> = listed.iter().map(|entry| file_name(entry).to_ascii_lowercase()).collect();
+    let is_listed = |name: &str| listed.contains(&name.to_ascii_lowercase());
     let unlisted = beside.iter().filter(|name| has_extension(name, extension) && !is_listed(name));
     for name in unlisted {
         let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
-        found.report(&RULE, list.place, word(name, what)).fix_by(format!("list `{name}`"), false, entry(list, name));
+        found.report(&RULE, list.place, word(name, what)).fix(format!("list `{name}`"), false, entry(view, list, name));
     }
 }
 
 /// The entry behind the last one, in the form and on a line of its own.
-fn entry(list: FileList, name: &str) -> Option<(val3_syntax::TextRange, String)> {
+fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
-    let behind = val3_syntax::TextRange::empty(list.last.filter(|_| is_plain)?.end());
-    Some((behind, format!("\n    <{} file=\"{name}\" />", list.item)))
+    let behind = TextRange::empty(list.last.filter(|_| is_plain)?.end());
+    let place = Span { file: view.project.manifest(view.db), range: behind };
+    Some(Edit { place, text: format!("\n    <{} file=\"{name}\" />", list.item) })
 }
 
 /// The name of a listed file, without the folder that s8 allows before it.

@@ -1,7 +1,7 @@
 //! V0113: private data that no program uses.
 
 use val3_analysis::application::is_library_item;
-use val3_analysis::items::declarations::{Declared, all_data};
+use val3_analysis::items::declarations::Declared;
 
 use crate::diagnostic::Wording;
 use crate::lint::{DataFile, Findings, removal, unused_data};
@@ -44,16 +44,16 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     if !unused_data::is_judged(&data.view) {
         return;
     }
-    for Declared { name, range, element } in all_data(data.view.db, data.file) {
-        if unused_data::uses(&data.view, &name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
-            && !is_library_item(data.view.db, &name)
-        {
-            found.report(&RULE, range, word(&name)).fix_by(
-                format!("remove `{name}`"),
-                false,
-                Some(removal::of_element(data.file.text(data.view.db), element)),
-            );
-        }
+    let is_unused = |name: &str| {
+        unused_data::uses(&data.view, name).is_some_and(|uses| !uses.may_read() && !uses.may_write())
+            && !is_library_item(data.view.db, name)
+    };
+    for Declared { name, range, element } in unused_data::declared(data, is_unused) {
+        found.report(&RULE, range, word(&name)).fix(
+            format!("remove `{name}`"),
+            false,
+            [removal::of_element(data.view.db, data.file, element)],
+        );
     }
 }
 

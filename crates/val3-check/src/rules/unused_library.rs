@@ -42,8 +42,11 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         let is_used = view.application().libraries.contains(name)
             || view.application().is_named_in_text(name)
             || fathers(view.db, view.project).contains(name);
-        if let Some(place) = declarations::library(view.db, view.project, name.clone()).filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(name)).fix_by(
+        if is_used {
+            continue;
+        }
+        if let Some(place) = declarations::library(view.db, view.project, name.clone()) {
+            found.report(&RULE, place.range, word(name)).fix(
                 format!("remove `{name}`"),
                 false,
                 removal::of_entry(view.db, place.file, place.range),

@@ -41,10 +41,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
     for Declared { name, range, element } in all_locals(program.db, program.file) {
         if !used.contains_key(&name) {
-            found.report(&RULE, range, word(&name)).fix_by(
+            found.report(&RULE, range, word(&name)).fix(
                 format!("remove `{name}`"),
                 true,
-                Some(removal::of_element(program.file.text(program.db), element)),
+                [removal::of_element(program.db, program.file, element)],
             );
         }
     }

@@ -50,7 +50,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         let is_used = named.contains(&entry.name) || is_used_by_library(view, &entry.name);
         let place = declarations::user_type(view.db, view.project, entry.name.clone());
         if let Some(place) = place.filter(|_| !is_used) {
-            found.report(&RULE, place.range, word(&entry.name)).fix_by(
+            found.report(&RULE, place.range, word(&entry.name)).fix(
                 format!("remove `{}`", entry.name),
                 false,
                 removal::of_entry(view.db, place.file, place.range),

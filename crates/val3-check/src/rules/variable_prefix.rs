@@ -37,28 +37,31 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let options = program.options;
-    let header = program.header;
-    let shown = |ty: &SmolStr| resolve_type(&program.items.types, ty).map(|base| naming::type_name(program.db, base));
-    let locals: Vec<_> = header.locals.iter().map(|local| shown(&local.type_name)).collect();
-    for (Declared { name, range, .. }, ty) in all_locals(program.db, program.file).into_iter().zip(locals) {
-        if let Some((ty, prefix)) = lacking(program, ty, &options.local_prefix, &name) {
-            found.report(&RULE, range, naming::word(options, &ty, &name, &prefix, "local variable"));
-        }
-    }
-    let params: Vec<_> = header.params.iter().map(|param| shown(&param.type_name)).collect();
-    for (Declared { name, range, .. }, ty) in all_params(program.db, program.file).into_iter().zip(params) {
-        if let Some((ty, prefix)) = lacking(program, ty, &options.parameter_prefix, &name) {
-            found.report(&RULE, range, naming::word(options, &ty, &name, &prefix, "parameter"));
-        }
-    }
+    let Program { db, file, header, options, .. } = program;
+    let locals = header.locals.iter().map(|local| &local.type_name);
+    let locals = all_locals(*db, *file).into_iter().zip(locals);
+    report(program, "local variable", &options.local_prefix, locals, found);
+    let params = header.params.iter().map(|param| &param.type_name);
+    let params = all_params(*db, *file).into_iter().zip(params);
+    report(program, "parameter", &options.parameter_prefix, params, found);
 }
 
-fn lacking(program: &Program<'_>, ty: Option<SmolStr>, scope: &str, name: &str) -> Option<(SmolStr, String)> {
-    let ty = ty?;
-    let is_counter = ty == BaseType::Num.name() && is_short(name.strip_prefix(scope).unwrap_or(name));
-    let prefix = naming::lacking(program.options, &ty, scope, name).filter(|_| !is_counter)?;
-    Some((ty, prefix))
+/// Reports those of the names that lack the prefix of their type behind that of their `scope`.
+fn report<'p>(
+    program: &Program<'_>,
+    what: &str,
+    scope: &str,
+    names: impl Iterator<Item = (Declared, &'p SmolStr)>,
+    found: &mut Findings,
+) {
+    for (Declared { name, range, .. }, ty) in names {
+        let Some(base) = resolve_type(&program.items.types, ty) else { continue };
+        let ty = naming::type_name(program.db, base);
+        let is_counter = ty == BaseType::Num.name() && is_short(name.strip_prefix(scope).unwrap_or(&name));
+        if let Some(wording) = naming::judge(program.options, what, &ty, scope, &name).filter(|_| !is_counter) {
+            found.report(&RULE, range, wording);
+        }
+    }
 }
 
 /// `i`, `k2`: one or two characters without a capital.

@@ -3,6 +3,7 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use val3_check::fingerprint::Fingerprint;
 use val3_syntax::encoding::Encoding;
 
 use super::Severity;
@@ -75,6 +76,8 @@ pub(crate) struct Finding {
     pub(crate) label: String,
     /// What to write instead; may be empty.
     pub(crate) help: String,
+    /// What it is known by, seen from the folder of the version control.
+    pub(crate) fingerprint: Fingerprint,
     /// Where.
     pub(crate) place: Place,
     /// The program it lies in.

@@ -4,6 +4,7 @@
 
 use std::sync::Arc;
 
+use val3_check::fingerprint::Fingerprint;
 use val3_syntax::encoding::Encoding;
 
 use super::*;
@@ -67,6 +68,11 @@ fn file(path: &str, text: &str, encoding: Encoding) -> Arc<SourceFile> {
     Arc::new(file)
 }
 
+fn fingerprint(rule: &str, file: &SourceFile, line: &str) -> Fingerprint {
+    let [file, rule, line] = [&file.in_repository, rule, line].map(str::to_owned);
+    Fingerprint { file, rule, line, message: String::new() }
+}
+
 fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
     Finding {
         code: "V0203",
@@ -75,6 +81,7 @@ fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
         message: "`movej` takes an mdesc as third argument and got a string".to_owned(),
         label: "this is a string".to_owned(),
         help: "pass a motion descriptor, for example `mFast`".to_owned(),
+        fingerprint: fingerprint("V0203", program, "movej(pPick,tGrip,\"fast\") //ä"),
         place: place(program, "\"fast\""),
         program: Some("pick".to_owned()),
         code_line: Some(3),
@@ -92,6 +99,7 @@ fn unknown_name(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
         message: "`nCout` is not declared".to_owned(),
         label: String::new(),
         help: "did you mean `nCount`?".to_owned(),
+        fingerprint: fingerprint("V0101", program, "nCout=1"),
         place: place(program, "nCout"),
         code_line: Some(4),
         related: vec![Related { place: place(data, "nCount"), message: "a similar name".to_owned() }],
@@ -108,6 +116,7 @@ fn unused_data(data: &Arc<SourceFile>) -> Finding {
         message: "`nCount` is never used".to_owned(),
         label: "declared here".to_owned(),
         help: String::new(),
+        fingerprint: fingerprint("V0701", data, DATA.lines().nth(1).unwrap_or_default().trim()),
         place: place(data, "nCount"),
         program: None,
         code_line: None,

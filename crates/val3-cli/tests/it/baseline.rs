@@ -102,7 +102,8 @@ fn edit(text: &str, step: usize, chance: &mut Chance) -> (String, Option<String>
     let end = lines.iter().rposition(|line| line.trim_start().starts_with("end")).unwrap();
     let at = begin + 1 + chance.below(end - begin);
     let is_plain = |line: &String| line.contains("nSum=nSum+");
-    let caused = match chance.below(5) {
+    let mut line_end = "\n";
+    let caused = match chance.below(8) {
         0 => {
             lines.insert(at, String::new());
             None
@@ -122,12 +123,41 @@ fn edit(text: &str, step: usize, chance: &mut Chance) -> (String, Option<String>
             lines.insert(begin + 1, format!("   {moved}"));
             None
         }
+        4 => {
+            line_end = "\r\n";
+            None
+        }
+        5 => {
+            lines[begin + 1..end].iter_mut().for_each(|line| line.insert(0, '\t'));
+            None
+        }
+        6 => {
+            let doubled = (begin + 1..end).filter(|line| is_plain(&lines[*line])).nth(2).unwrap();
+            lines.insert(doubled, lines[doubled].clone());
+            None
+        }
         _ => {
             lines.insert(at, format!("nNew{step}=1"));
             Some(format!("`nNew{step}` is not declared"))
         }
     };
-    (lines.join("\n") + "\n", caused)
+    (lines.join(line_end) + line_end, caused)
+}
+
+/// Gives the program another name, with its file, its entry in the project and its calls.
+fn rename(folder: &Folder, old: &str, new: &str) {
+    let path = |program: &str| format!("usrapp/main/{program}.pgx");
+    let text = folder.read(&path(old));
+    fs::remove_file(folder.path().join(path(old))).unwrap();
+    folder.write(&path(new), &text.replace(&format!("name=\"{old}\""), &format!("name=\"{new}\"")));
+    for (path, old, new) in [
+        ("usrapp/main/main.pjx", format!("\"{old}.pgx\""), format!("\"{new}.pgx\"")),
+        ("usrapp/main/start.pgx", format!("call {old}("), format!("call {new}(")),
+    ] {
+        let text = folder.read(path);
+        assert!(text.contains(&old), "{path}");
+        folder.write(path, &text.replace(&old, &new));
+    }
 }
 
 #[test]
@@ -138,8 +168,15 @@ fn after_random_edits_only_what_they_caused_is_reported() {
     assert!(folder.read(BASELINE).contains("\"count\": 10"), "{}", folder.read(BASELINE));
     let mut chance = Chance(7);
     let mut expected: Vec<String> = Vec::new();
-    for step in 0..20 {
-        let path = format!("usrapp/main/work{}.pgx", chance.below(12));
+    let mut programs: Vec<String> = (0..12).map(|number| format!("work{number}")).collect();
+    for step in 0..40 {
+        let at = chance.below(12);
+        if chance.below(6) == 0 {
+            let new = format!("renamed{step}");
+            rename(&folder, &programs[at], &new);
+            programs[at] = new;
+        }
+        let path = format!("usrapp/main/{}.pgx", programs[at]);
         let (text, caused) = edit(&folder.read(&path), step, &mut chance);
         folder.write(&path, &text);
         expected.extend(caused);
@@ -149,6 +186,34 @@ fn after_random_edits_only_what_they_caused_is_reported() {
         assert!(!run.stderr.contains("not found any more"), "step {step}: {run:?}");
     }
     assert!(expected.len() > 2, "some edits cause findings");
+    assert!(programs.iter().any(|program| program.starts_with("renamed")), "some programs are renamed");
+}
+
+#[test]
+fn a_renamed_folder_keeps_its_known_findings() {
+    let folder = Folder::with(&mid_sized());
+    check(&folder, &["--write-baseline"]);
+    fs::rename(folder.path().join("usrapp/main"), folder.path().join("usrapp/other")).unwrap();
+    let run = check(&folder, &[]);
+    assert!(run.stdout.is_empty() && !run.stderr.contains("not found any more"), "{run:?}");
+    check(&folder, &["--prune-baseline"]);
+    let pruned = folder.read(BASELINE);
+    assert!(pruned.contains("usrapp/other/") && !pruned.contains("usrapp/main/"), "{pruned}");
+}
+
+#[test]
+fn what_is_said_once_an_application_may_stand_elsewhere() {
+    let folder = Folder::with("call p()\n$recClean(\"c\")\nprogram p()\nbegin\n  $recClean(\"d\")\nend");
+    check(&folder, &["--write-baseline"]);
+    let known = folder.read(BASELINE);
+    assert!(known.contains("V0104"), "{known}");
+    for (path, use_) in [("usrapp/main/p.pgx", "$recClean(\"d\")"), ("usrapp/main/start.pgx", "$recClean(\"c\")")] {
+        let text = folder.read(path);
+        assert!(text.contains(use_), "{text}");
+        folder.write(path, &text.replace(use_, "delay(0)"));
+        assert_eq!(check(&folder, &[]).stdout, "", "{path}");
+        folder.write(path, &text);
+    }
 }
 
 #[test]

@@ -129,7 +129,11 @@ impl Lexer<'_> {
                 self.token(SyntaxKind::from_keyword(instead).unwrap_or(IDENT), end);
             }
             None => {
-                let kind = self.text.get(self.pos..end).and_then(SyntaxKind::from_keyword).unwrap_or(IDENT);
+                let text = self.text.get(self.pos..end).unwrap_or("");
+                let kind = SyntaxKind::from_keyword(text).unwrap_or(IDENT);
+                if kind.keyword_text().is_some_and(|usual| usual != text) {
+                    self.out.odd_keywords.push(super::range(self.pos, end));
+                }
                 self.token(kind, end);
             }
         }

@@ -72,7 +72,8 @@ impl Parse {
         if reach_edge(text, &self.errors, old) || reach_edge(new_text, &errors, new) {
             return None;
         }
-        Some(Parse { green: element.replace_with(green), errors: errors.into() })
+        let odd_keywords = self.spliced_keywords(old, change, &fragment).into();
+        Some(Parse { green: element.replace_with(green), errors: errors.into(), odd_keywords })
     }
 
     /// The old errors outside of `old`, moved by the edit, and those of the fragment.
@@ -81,6 +82,14 @@ impl Parse {
         let inside = fragment.errors.iter().map(|error| shifted(error, |at| at + old.start()));
         let behind = self.errors.iter().filter(|error| error.range.start() >= old.end());
         before.chain(inside).chain(behind.map(|error| shifted(error, |at| change.moved(at)))).collect()
+    }
+
+    /// As [`spliced_errors`](Self::spliced_errors), of the keywords in an unusual letter case.
+    fn spliced_keywords(&self, old: TextRange, change: Change, fragment: &Parse) -> Vec<TextRange> {
+        let before = self.odd_keywords.iter().filter(|range| range.end() <= old.start()).copied();
+        let inside = fragment.odd_keywords.iter().map(|range| *range + old.start());
+        let behind = self.odd_keywords.iter().filter(|range| range.start() >= old.end());
+        before.chain(inside).chain(behind.map(|range| moved(*range, |at| change.moved(at)))).collect()
     }
 }
 
@@ -139,8 +148,12 @@ fn line_around(text: &str, at: TextSize) -> Range<usize> {
 }
 
 fn shifted(error: &SyntaxError, by: impl Fn(TextSize) -> TextSize) -> SyntaxError {
-    let shift = |range: TextRange| TextRange::new(by(range.start()), by(range.end()));
-    SyntaxError { kind: error.kind.clone(), range: shift(error.range), related: error.related.map(shift) }
+    let related = error.related.map(|range| moved(range, &by));
+    SyntaxError { kind: error.kind.clone(), range: moved(error.range, &by), related }
+}
+
+fn moved(range: TextRange, by: impl Fn(TextSize) -> TextSize) -> TextRange {
+    TextRange::new(by(range.start()), by(range.end()))
 }
 
 #[cfg(test)]

@@ -41,6 +41,10 @@ fn collect_parents(events: &mut [Event], index: usize, kind: SyntaxKind, parent:
     }
 }
 
+/// Nodes that are open at the same time, and their children, in most files.
+const DEPTH: usize = 32;
+const WIDTH: usize = 256;
+
 struct Sink<'t> {
     text: &'t str,
     tokens: &'t [Token],
@@ -57,7 +61,15 @@ struct Sink<'t> {
 
 impl<'t> Sink<'t> {
     fn new(text: &'t str, tokens: &'t [Token], sharing: &'t mut Sharing) -> Self {
-        Self { text, tokens, next: 0, start: 0, open: Vec::new(), children: Vec::new(), sharing }
+        Self {
+            text,
+            tokens,
+            next: 0,
+            start: 0,
+            open: Vec::with_capacity(DEPTH),
+            children: Vec::with_capacity(WIDTH),
+            sharing,
+        }
     }
 
     fn open(&mut self, kind: SyntaxKind) {

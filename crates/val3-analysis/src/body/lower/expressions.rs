@@ -13,11 +13,12 @@ use crate::body::{Expr, ExprId};
 impl Lowering {
     /// The two operands of a node; a missing one is an expression nothing is known of.
     fn pair(&mut self, view: View<'_>) -> (ExprId, ExprId) {
-        let mut parts = self.exprs_of(view).into_iter();
+        let mut parts = view.children();
         let missing = TextRange::empty(view.range().end());
-        let first = parts.next().unwrap_or_else(|| self.push(Expr::Missing, missing));
-        let second = parts.next().unwrap_or_else(|| self.push(Expr::Missing, missing));
-        (first, second)
+        let first = parts.find_map(|part| self.expr(part));
+        let first = first.unwrap_or_else(|| self.push(Expr::Missing, missing));
+        let second = parts.find_map(|part| self.expr(part));
+        (first, second.unwrap_or_else(|| self.push(Expr::Missing, missing)))
     }
 
     fn only(&mut self, view: View<'_>) -> ExprId {
@@ -50,9 +51,10 @@ impl Lowering {
                 Expr::Assign(target, value)
             }
             INDEX_EXPR => {
-                let mut parts = self.exprs_of(view).into_iter();
-                let base = parts.next().unwrap_or_else(|| self.push(Expr::Missing, view.range()));
-                Expr::Index(base, parts.collect())
+                let mut parts = view.children();
+                let base = parts.find_map(|part| self.expr(part));
+                let base = base.unwrap_or_else(|| self.push(Expr::Missing, view.range()));
+                Expr::Index(base, parts.filter_map(|part| self.expr(part)).collect())
             }
             FIELD_EXPR => self.field(view),
             CALL_EXPR => self.call(view),

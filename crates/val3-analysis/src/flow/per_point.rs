@@ -1,0 +1,34 @@
+//! Values that belong to the points of a flow graph, in one list.
+
+use super::PointId;
+
+/// Any number of values for each point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PerPoint<T> {
+    all: Vec<T>,
+    /// Where in `all` the values of each point end.
+    ends: Vec<usize>,
+}
+
+impl<T> PerPoint<T> {
+    /// Nothing for any point.
+    pub const EMPTY: Self = Self { all: Vec::new(), ends: Vec::new() };
+
+    /// Adds the values of the next point; every point must get its turn, in the order of the graph.
+    pub fn push(&mut self, values: impl IntoIterator<Item = T>) {
+        self.all.extend(values);
+        self.ends.push(self.all.len());
+    }
+
+    /// The values of a point.
+    pub fn at(&self, point: PointId) -> &[T] {
+        let end = self.ends.get(point.index()).copied().unwrap_or(0);
+        let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
+        self.all.get(start..end).unwrap_or(&[])
+    }
+
+    /// The values of all points.
+    pub fn all(&self) -> &[T] {
+        &self.all
+    }
+}

@@ -1,0 +1,79 @@
+//! What a finding is known by, although lines around it come and go.
+
+use serde::{Deserialize, Serialize};
+use val3_analysis::db::{Db, File};
+
+use crate::check::is_said_once;
+use crate::diagnostic::Diagnostic;
+
+/// The most characters of a line that are kept.
+const LINE_LIMIT: usize = 200;
+
+/// What makes a finding the same after an edit elsewhere. Baselines and the formats of code scanning services share it.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct Fingerprint {
+    /// The file, seen from the folder of the baseline or of the repository, with `/`.
+    pub file: String,
+    /// The code of the rule.
+    pub rule: String,
+    /// The text of the line without the blanks around it; of a long line the part from the marked place on. Empty for
+    /// a rule that is said once an application, wherever that is.
+    pub line: String,
+    /// What was said. It may change with a version of the tool or with code elsewhere.
+    #[serde(default)]
+    pub message: String,
+}
+
+impl Fingerprint {
+    /// The fingerprint of a finding; `path` names a file, seen from where the fingerprints are kept.
+    pub fn new(db: &dyn Db, diagnostic: &Diagnostic, path: impl Fn(File) -> String) -> Self {
+        let rule = diagnostic.rule.code.to_owned();
+        let message = diagnostic.message.clone();
+        match diagnostic.application.filter(|_| is_said_once(diagnostic.rule)) {
+            Some(application) => Self { file: path(application), rule, line: String::new(), message },
+            None => {
+                let file = diagnostic.place.file;
+                let line = line_around(file.text(db), diagnostic.place.range.start().into());
+                Self { file: path(file), rule, line, message }
+            }
+        }
+    }
+}
+
+/// The line around `at`, as a fingerprint keeps it.
+fn line_around(text: &str, at: usize) -> String {
+    let (before, behind) = text.split_at_checked(at).unwrap_or((text, ""));
+    let start = before.rfind('\n').map_or(0, |end| end + 1);
+    let end = before.len() + behind.find('\n').unwrap_or(behind.len());
+    let line = trimmed(text.get(start..end).unwrap_or(""));
+    if line.chars().nth(LINE_LIMIT).is_none() {
+        return line.to_owned();
+    }
+    trimmed(text.get(at..end).unwrap_or("")).chars().take(LINE_LIMIT).collect()
+}
+
+/// Without blanks and without the line end that escaped code spells.
+fn trimmed(line: &str) -> &str {
+    let line = line.trim();
+    line.strip_suffix("&#13;").unwrap_or(line).trim_end()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::line_around;
+
+    #[test]
+    fn the_line_around_a_place() {
+        let text = "one\n  two \r\nthree&#13;\n";
+        assert_eq!(["one", "two", "three"], [0, 4, 12].map(|at| line_around(text, at)));
+        assert_eq!((line_around(text, 3).as_str(), line_around(text, text.len()).as_str()), ("one", ""));
+    }
+
+    #[test]
+    fn of_a_long_line_what_stands_at_the_place() {
+        let line = format!("{}<b/>{}", "<a/>".repeat(60), "<c/>".repeat(60));
+        let kept = line_around(&line, line.find("<b/>").unwrap());
+        assert!(kept.starts_with("<b/><c/>") && kept.len() == 200, "{kept}");
+        assert_eq!(kept, line_around(&format!("<new/>{line}"), line.find("<b/>").unwrap() + 6));
+    }
+}
