@@ -1,5 +1,7 @@
 //! What the layout of code looks like.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
+
 use expect_test::{Expect, expect};
 use val3_fmt::{Indent, Style, apply, format, format_range};
 use val3_syntax::{TextRange, TextSize, parse};

@@ -6,6 +6,7 @@
 mod completion;
 mod edit;
 mod folding;
+mod formatting;
 mod fuzzy;
 mod highlight;
 mod hover;
@@ -21,6 +22,7 @@ mod symbols;
 pub use completion::{Completion, CompletionKind, completions, documentation};
 pub use edit::{FileEdit, SourceChange};
 pub use folding::{Fold, FoldKind, folds};
+pub use formatting::{FORMATTING_TRIGGERS, format_file, format_on_type, format_range, style};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, type_at};
 pub use navigate::{Target, definition, implementations, type_definition};
