@@ -61,7 +61,7 @@ pub struct Elsewhere {
 
 impl Indent {
     /// The blanks before a line that stands `levels` deep.
-    pub(crate) fn text(self, levels: usize) -> String {
+    pub fn text(self, levels: usize) -> String {
         match self {
             Self::Blanks(width) => " ".repeat(levels * usize::from(width)),
             Self::Tab => "\t".repeat(levels),

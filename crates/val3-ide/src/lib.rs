@@ -3,7 +3,9 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod assists;
 mod completion;
+mod declare;
 mod edit;
 mod folding;
 mod formatting;
@@ -18,7 +20,9 @@ mod selection;
 mod semantic_tokens;
 mod signature_help;
 mod symbols;
+mod xml_list;
 
+pub use assists::{Assist, AssistKind, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use completion::{Completion, CompletionKind, completions, documentation};
 pub use edit::{FileEdit, SourceChange};
 pub use folding::{Fold, FoldKind, folds};
