@@ -11,6 +11,7 @@ mod fixes;
 mod if_to_switch;
 mod inline_program;
 mod lines;
+mod missing_items;
 mod name_number;
 mod sort_programs;
 mod surround;
@@ -66,6 +67,7 @@ const HANDLERS: &[Handler] = &[
     create_parameter::offer,
     create_global::offer,
     create_program::offer,
+    missing_items::offer,
     wait_for_arm::offer,
     name_number::offer,
     extract_program::offer,

@@ -1,6 +1,6 @@
 //! Declarations that come into a file: locals, parameters, global data, programs.
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::manifest::spelling;
 use val3_analysis::items::project::{data_files, folder};
@@ -10,7 +10,7 @@ use val3_lang::types::Container;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
-use crate::edit::FileEdit;
+use crate::edit::{FileEdit, SourceChange};
 use crate::xml_list::{List, escaped};
 
 /// What a variable is declared as.
@@ -113,27 +113,28 @@ fn into_program(
 /// Private global data of a project, with a value where its type is written as an attribute; `None` where the project
 /// has no data file, or one of s5 or s6 whose types are written otherwise.
 pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
-    data_in(db, *data_files(db, project).first()?, variable, value, false)
-}
-
-/// As [`data`], in a given file.
-pub(crate) fn data_in(
-    db: &dyn Db,
-    file: File,
-    variable: &Variable,
-    value: Option<&str>,
-    public: bool,
-) -> Option<FileEdit> {
+    let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let root = xml::root(View::root(parse.green()))?;
     let section = format!("{}Section", variable.type_name);
     let (name, entry) = match root.name() {
-        "Database" => ("Datas", new_data(variable, value, public)),
-        "dataList" => (section.as_str(), old_data(variable, value, public)?),
+        "Database" => ("Datas", new_data(variable, value, false)),
+        "dataList" => (section.as_str(), old_data(variable, value, false)?),
         _ => return None,
     };
     let list = List { text: file.text(db), parent: root, name, attributes: "", followers: &[] };
     let (range, text) = list.append(&entry)?;
+    Some(FileEdit { file, range, text })
+}
+
+/// Public data of a project of s7 or s8, several at once.
+pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
+    let file = *data_files(db, project).first()?;
+    let parse = parse(db, file);
+    let parent = xml::root(View::root(parse.green())).filter(|root| root.name() == "Database")?;
+    let list = List { text: file.text(db), parent, name: "Datas", attributes: "", followers: &[] };
+    let entries: Vec<String> = variables.iter().flat_map(|variable| new_data(variable, None, true)).collect();
+    let (range, text) = list.append(&entries)?;
     Some(FileEdit { file, range, text })
 }
 
@@ -195,15 +196,20 @@ pub(crate) struct NewProgram {
     pub(crate) line_end: &'static str,
 }
 
-/// The file of a program in a project, and the entry for it in the `.pjx`; `None` where the `.pjx` has no place for it.
-pub(crate) fn program(db: &dyn Db, project: Project, new: &NewProgram) -> Option<((Utf8PathBuf, String), FileEdit)> {
-    let path = folder(db, project).join(&new.name).with_extension("pgx");
-    let text = if declarations::is_old(db, project) { old_program(new) } else { new_program(new) };
-    Some(((path, text), program_entry(db, project, &format!("{}.pgx", new.name))?))
+/// New programs of a project: their files, and their entries in the `.pjx`; `None` where that has no place for them.
+pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
+    let old = declarations::is_old(db, project);
+    let file = |new: &NewProgram| {
+        let path = folder(db, project).join(&new.name).with_extension("pgx");
+        (path, if old { old_program(new) } else { new_program(new) })
+    };
+    let names: Vec<String> = new.iter().map(|new| format!("{}.pgx", new.name)).collect();
+    let entries = program_entries(db, project, &names)?;
+    Some(SourceChange { creates: new.iter().map(file).collect(), ..SourceChange::of([entries]) })
 }
 
-/// The entry of a program file in a `.pjx`.
-pub(crate) fn program_entry(db: &dyn Db, project: Project, reference: &str) -> Option<FileEdit> {
+/// The entries of program files in a `.pjx`.
+pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let parent = xml::root(View::root(parse.green()))?;
@@ -211,7 +217,8 @@ pub(crate) fn program_entry(db: &dyn Db, project: Project, reference: &str) -> O
     let (name, item) = spelling.programs;
     let followers = [spelling.data.0, spelling.libraries.0, spelling.types.0];
     let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
-    let (range, text) = list.append(&[format!("<{item} file=\"{}\" />", escaped(reference))])?;
+    let entry = |reference: &String| format!("<{item} file=\"{}\" />", escaped(reference));
+    let (range, text) = list.append(&references.iter().map(entry).collect::<Vec<_>>())?;
     Some(FileEdit { file, range, text })
 }
 

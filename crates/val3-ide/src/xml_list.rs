@@ -25,12 +25,12 @@ impl List<'_> {
     /// for the list.
     pub(crate) fn append(&self, entry: &[String]) -> Option<(TextRange, String)> {
         match self.parent.child(&[self.name]) {
-            Some(list) => Some(self.into_list(list, entry)),
+            Some(list) => Some(self.with_entry(list, entry)),
             None => self.with_list(entry),
         }
     }
 
-    fn into_list(&self, list: Element<'_>, entry: &[String]) -> (TextRange, String) {
+    fn with_entry(&self, list: Element<'_>, entry: &[String]) -> (TextRange, String) {
         let tag = list.tag_range();
         let outer = self.indentation(tag.start());
         let slot = list.elements().last().map(|last| last.view().range());

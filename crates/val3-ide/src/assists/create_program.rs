@@ -8,7 +8,6 @@ use super::context::Context;
 use super::expected::type_name;
 use super::{AssistKind, Assists};
 use crate::declare::{self, NewProgram, Variable};
-use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let token = context.token().filter(|token| token.kind() == SyntaxKind::IDENT)?;
@@ -25,8 +24,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
             line_end: context.line_end().trim_start_matches("&#13;"),
             ..NewProgram::default()
         };
-        let (file, entry) = declare::program(context.db, context.project, &new)?;
-        Some(SourceChange { creates: vec![file], ..SourceChange::of([entry]) })
+        declare::programs(context.db, context.project, &[new])
     });
     Some(())
 }

@@ -49,12 +49,11 @@ fn extract(context: &Context<'_>, range: TextRange) -> Option<SourceChange> {
         code: code(context, range),
         line_end: context.line_end().trim_start_matches("&#13;"),
     };
-    let (file, entry) = declare::program(context.db, context.project, &new)?;
+    let mut change = declare::programs(context.db, context.project, &[new])?;
     let arguments: Vec<&str> = params.map(|found| found.variable.name.as_str()).collect();
-    let call = context.replace(range, format!("call {name}({})", arguments.join(",")));
-    let moved = locals.filter_map(|found| without_local(context, &found.variable.name));
-    let edits = [entry, call].into_iter().chain(moved);
-    Some(SourceChange { creates: vec![file], ..SourceChange::of(edits) })
+    change.edits.push(context.replace(range, format!("call {name}({})", arguments.join(","))));
+    change.edits.extend(locals.filter_map(|found| without_local(context, &found.variable.name)));
+    Some(change)
 }
 
 /// How a variable gets into the new program.
@@ -106,9 +105,10 @@ fn passed(context: &Context<'_>, range: TextRange, in_loop: bool, name: &str, us
     let starts_anew = !in_loop || first.kind == AccessKind::Write;
     let passing = if is_local && inside.len() == uses.len() && starts_anew {
         Passing::Inside
-    } else if is_array(&variable) || written && (is_local || by_reference || outside(uses, &inside) || in_loop) {
-        Passing::Reference
-    } else if by_reference && is_linked(&variable) {
+    } else if is_array(&variable)
+        || by_reference && is_linked(&variable)
+        || written && (is_local || by_reference || inside.len() < uses.len() || in_loop)
+    {
         Passing::Reference
     } else {
         Passing::Value
@@ -118,10 +118,6 @@ fn passed(context: &Context<'_>, range: TextRange, in_loop: bool, name: &str, us
 
 fn declared(name: &str, type_name: &str, container: Container, sizes: &[u32]) -> Variable {
     Variable { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: sizes.to_vec() }
-}
-
-fn outside(uses: &[&Access], inside: &[&&Access]) -> bool {
-    inside.len() < uses.len()
 }
 
 fn is_array(variable: &Variable) -> bool {
