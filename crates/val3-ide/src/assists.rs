@@ -21,6 +21,8 @@ mod wait_for_arm;
 
 #[cfg(test)]
 mod testing;
+#[cfg(test)]
+pub(crate) use testing::shown;
 
 use val3_analysis::db::Db;
 

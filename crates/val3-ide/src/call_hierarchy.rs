@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{items, program_files};
-use val3_analysis::occurrences::{Symbol, occurrence_at, occurrences};
+use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_syntax::TextRange;
 
 use crate::navigate::{declaration, name_at};
@@ -48,8 +48,8 @@ pub fn call_item(db: &dyn Db, at: FilePosition) -> Option<CallItem> {
 
 /// The programs that call the one in `file`, by path.
 pub fn incoming_calls(db: &dyn Db, file: File) -> Vec<Call> {
-    let Some(callee) = owner(db, file).and_then(|project| item_of(db, project, file)) else { return Vec::new() };
     let Some(project) = owner(db, file) else { return Vec::new() };
+    let Some(callee) = item_of(db, project, file) else { return Vec::new() };
     let mut calls: Vec<Call> = Vec::new();
     for (caller, from, found) in uses(db, &Symbol::Program(project, callee.name)) {
         let Some(call) = called(body(db, caller), found.range) else { continue };
@@ -113,9 +113,10 @@ fn item_of(db: &dyn Db, project: Project, file: File) -> Option<CallItem> {
     }
     let name = val3_analysis::items::program::header(db, file).name.clone();
     let place: FileRange = declaration(db, &Symbol::Program(project, name.clone()))?;
-    let own = occurrence_at(db, project, place.file, place.range.start()).is_some() && place.file == file;
+    // Of two programs with one name the first counts.
+    let counts = place.file == file;
     let project = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
-    own.then_some(CallItem { name, project, file, range: place.range })
+    counts.then_some(CallItem { name, project, file, range: place.range })
 }
 
 #[cfg(test)]
@@ -127,62 +128,44 @@ mod tests {
 
     const LISTING: &str = "library part \"Disk://part/part.pjx\"\ncall pick()\ncall part:weigh()\ntaskCreate \"t\",10,pick()\nif true\n  call pick()\nendIf\nprogram pick()\nbegin\n  call part:weigh()\nend\n--- part\npublic program weigh()\nbegin\nend\n";
 
-    fn check(listing: &str, calls: fn(&dyn Db, File) -> Vec<Call>, expected: Expect) {
-        let marked = Marked::new(listing);
-        let db = marked.db();
-        let item = call_item(db, marked.at()).unwrap();
-        let lines = calls(db, item.file).into_iter().map(|call| {
-            let from = if call.places.iter().any(|range| range.end() > end(db, item.file)) {
-                call.item.file
-            } else {
-                item.file
-            };
-            let places: Vec<String> =
-                call.places.iter().map(|range| shown(db, FileRange { file: from, range: *range })).collect();
-            format!(
-                "{}:{}{} at {places:?}\n",
-                call.item.project,
-                call.item.name,
-                if call.in_task { " (task)" } else { "" }
-            )
-        });
-        expected.assert_eq(&(format!("{}:{}\n", item.project, item.name) + &lines.collect::<String>()));
-    }
-
-    fn end(db: &dyn Db, file: File) -> val3_syntax::TextSize {
-        val3_syntax::TextSize::of(&**file.text(db))
+    /// The calls, with their places in the file of the caller that `caller` picks.
+    fn check(calls: &[Call], caller: impl Fn(&Call) -> File, db: &dyn Db, expected: Expect) {
+        let line = |call: &Call| {
+            let place = |range: &TextRange| shown(db, FileRange { file: caller(call), range: *range });
+            let places: Vec<String> = call.places.iter().map(place).collect();
+            let task = if call.in_task { " in a task" } else { "" };
+            format!("{}:{}{task}: {}\n", call.item.project, call.item.name, places.join(", "))
+        };
+        expected.assert_eq(&calls.iter().map(line).collect::<String>());
     }
 
     #[test]
     fn outgoing() {
-        check(&LISTING.replacen("call pick", "ca$0ll pick", 1), outgoing_calls, expect![[r#"
-            main:start
-            main:pick (task) at ["main/start.pgx:5 pick", "main/start.pgx:7 pick", "main/start.pgx:9 pick"]
-            part:weigh at ["main/start.pgx:6 weigh"]
+        let marked = Marked::new(&LISTING.replacen("call pick", "ca$0ll pick", 1));
+        let item = call_item(marked.db(), marked.at()).unwrap();
+        assert_eq!(item.name, "start");
+        let calls = outgoing_calls(marked.db(), item.file);
+        check(&calls, |_| item.file, marked.db(), expect![[r#"
+            main:pick in a task: main/start.pgx:5 pick, main/start.pgx:7 pick, main/start.pgx:9 pick
+            part:weigh: main/start.pgx:6 weigh
         "#]]);
     }
 
+    fn incoming(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let item = call_item(marked.db(), marked.at()).unwrap();
+        let calls = incoming_calls(marked.db(), item.file);
+        check(&calls, |call| call.item.file, marked.db(), expected);
+    }
+
     #[test]
-    fn incoming() {
-        let names = |listing: &str| {
-            let marked = Marked::new(listing);
-            let item = call_item(marked.db(), marked.at()).unwrap();
-            let calls = incoming_calls(marked.db(), item.file);
-            let lines = calls.into_iter().map(|call| {
-                let places = call
-                    .places
-                    .iter()
-                    .map(|range| shown(marked.db(), FileRange { file: call.item.file, range: *range }));
-                format!("{} {} {:?}\n", call.item.name, call.in_task, places.collect::<Vec<_>>())
-            });
-            lines.collect::<String>()
-        };
-        expect![[r#"
-            start true ["main/start.pgx:5 pick", "main/start.pgx:7 pick", "main/start.pgx:9 pick"]
-        "#]].assert_eq(&names(&LISTING.replacen("call pick", "call pi$0ck", 1)));
-        expect![[r#"
-            pick false ["main/pick.pgx:5 weigh"]
-            start false ["main/start.pgx:6 weigh"]
-        "#]].assert_eq(&names(&LISTING.replacen("part:weigh", "part:we$0igh", 1)));
+    fn incoming_from_all_projects() {
+        incoming(&LISTING.replacen("call pick", "call pi$0ck", 1), expect![[r#"
+            main:start in a task: main/start.pgx:5 pick, main/start.pgx:7 pick, main/start.pgx:9 pick
+        "#]]);
+        incoming(&LISTING.replacen("part:weigh", "part:we$0igh", 1), expect![[r#"
+            main:pick: main/pick.pgx:5 weigh
+            main:start: main/start.pgx:6 weigh
+        "#]]);
     }
 }

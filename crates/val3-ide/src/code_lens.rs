@@ -104,22 +104,31 @@ mod tests {
 
     #[test]
     fn programs() {
-        check("pu$0t(1)", expect![[r#"
+        check(
+            "pu$0t(1)",
+            expect![[r#"
             main/start.pgx:3 start: run main.pjx
             main/start.pgx:3 start: debug main.pjx
             main/start.pgx:3 start: 0 references
-        "#]]);
-        check("call other()\ncall other()\nprogram other()\nbegin\n  call oth$0er()\nend", expect![[r#"
+        "#]],
+        );
+        check(
+            "call other()\ncall other()\nprogram other()\nbegin\n  call oth$0er()\nend",
+            expect![[r#"
             main/other.pgx:3 other: 3 references
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn data() {
         let data = "<Database xmlns:xsi=\"i\"><Datas><Data name=\"n$0A\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n<Data name=\"nB\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
-        check(&format!("num nA\nnA=nA+1\n=== main/main.dtx\n{data}\n"), expect![[r#"
+        check(
+            &format!("num nA\nnA=nA+1\n=== main/main.dtx\n{data}\n"),
+            expect![[r#"
             main/main.dtx:1 nA: 2 references
             main/main.dtx:2 nB: 0 references
-        "#]]);
+        "#]],
+        );
     }
 }

@@ -2,7 +2,7 @@
 
 use camino::Utf8Path;
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::items::manifest::spelling;
+use val3_analysis::items::manifest::{Spelling, spelling};
 use val3_analysis::items::project::{data_files, folder};
 use val3_analysis::items::{declarations, parse, program};
 use val3_analysis::xml;
@@ -210,12 +210,27 @@ pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Opt
 
 /// The entries of program files in a `.pjx`.
 pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    manifest_entries(db, project, references, |spelling| spelling.programs)
+}
+
+/// The entries of data files in a `.pjx`.
+pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    manifest_entries(db, project, references, |spelling| spelling.data)
+}
+
+fn manifest_entries(
+    db: &dyn Db,
+    project: Project,
+    references: &[String],
+    list: impl Fn(&Spelling) -> (&'static str, &'static str),
+) -> Option<FileEdit> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let parent = xml::root(View::root(parse.green()))?;
     let spelling = spelling(parent);
-    let (name, item) = spelling.programs;
-    let followers = [spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let (name, item) = list(spelling);
+    let behind = [spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let followers: Vec<&str> = behind.into_iter().filter(|follower| *follower != name).collect();
     let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
     let entry = |reference: &String| format!("<{item} file=\"{}\" />", escaped(reference));
     let (range, text) = list.append(&references.iter().map(entry).collect::<Vec<_>>())?;

@@ -57,7 +57,7 @@ fn of_program(db: &dyn Db, project: Project, file: File) -> impl Iterator<Item =
 }
 
 /// A text is written in quotes, which in escaped code are references.
-fn without_quotes(text: &str, range: TextRange) -> TextRange {
+pub(crate) fn without_quotes(text: &str, range: TextRange) -> TextRange {
     let written = text.get(std::ops::Range::<usize>::from(range)).unwrap_or("");
     let quote = ["\"", "&quot;", "&#34;"]
         .into_iter()
@@ -91,13 +91,15 @@ mod tests {
     fn of_code_and_projects() {
         expect![[r#"
             main/start.pgx:5 Disk://part -> part.pjx
-        "#]].assert_eq(&links(LISTING, |marked| marked.at().file));
+        "#]]
+        .assert_eq(&links(LISTING, |marked| marked.at().file));
         let manifest = |marked: &Marked| owner(marked.db(), marked.at().file).unwrap().manifest(marked.db());
         expect![[r#"
             main/main.pjx:5 start.pgx -> start.pgx
             main/main.pjx:8 main.dtx -> main.dtx
             main/main.pjx:11 Disk://part/part.pjx -> part.pjx
             main/main.pjx:15 Disk://Slot/Slot.pjx -> Slot.pjx
-        "#]].assert_eq(&links(LISTING, manifest));
+        "#]]
+        .assert_eq(&links(LISTING, manifest));
     }
 }
