@@ -145,10 +145,15 @@ mod tests {
         let item = call_item(marked.db(), marked.at()).unwrap();
         assert_eq!(item.name, "start");
         let calls = outgoing_calls(marked.db(), item.file);
-        check(&calls, |_| item.file, marked.db(), expect![[r#"
+        check(
+            &calls,
+            |_| item.file,
+            marked.db(),
+            expect![[r#"
             main:pick in a task: main/start.pgx:5 pick, main/start.pgx:7 pick, main/start.pgx:9 pick
             part:weigh: main/start.pgx:6 weigh
-        "#]]);
+        "#]],
+        );
     }
 
     fn incoming(listing: &str, expected: Expect) {
@@ -160,12 +165,18 @@ mod tests {
 
     #[test]
     fn incoming_from_all_projects() {
-        incoming(&LISTING.replacen("call pick", "call pi$0ck", 1), expect![[r#"
+        incoming(
+            &LISTING.replacen("call pick", "call pi$0ck", 1),
+            expect![[r#"
             main:start in a task: main/start.pgx:5 pick, main/start.pgx:7 pick, main/start.pgx:9 pick
-        "#]]);
-        incoming(&LISTING.replacen("part:weigh", "part:we$0igh", 1), expect![[r#"
+        "#]],
+        );
+        incoming(
+            &LISTING.replacen("part:weigh", "part:we$0igh", 1),
+            expect![[r#"
             main:pick: main/pick.pgx:5 weigh
             main:start: main/start.pgx:6 weigh
-        "#]]);
+        "#]],
+        );
     }
 }

@@ -187,7 +187,10 @@ mod tests {
 
     #[test]
     fn a_program() {
-        renamed("main/pick.pgx", "main/grip.pgx", expect![[r#"
+        renamed(
+            "main/pick.pgx",
+            "main/grip.pgx",
+            expect![[r#"
             usrapp/main/main.pjx
             -    <Program file="pick.pgx" />
             +    <Program file="grip.pgx" />
@@ -201,33 +204,53 @@ mod tests {
             usrapp/main/start.pgx
             -call pick()
             +call grip()
-        "#]]);
-        renamed("main/pick.pgx", "main/not a name.pgx", expect![[r#"
+        "#]],
+        );
+        renamed(
+            "main/pick.pgx",
+            "main/not a name.pgx",
+            expect![[r#"
             usrapp/main/main.pjx
             -    <Program file="pick.pgx" />
             +    <Program file="not a name.pgx" />
-        "#]]);
-        renamed("part/weigh.pgx", "part/sub/weigh.pgx", expect![[r#"
+        "#]],
+        );
+        renamed(
+            "part/weigh.pgx",
+            "part/sub/weigh.pgx",
+            expect![[r#"
             usrapp/part/part.pjx
             -    <Program file="weigh.pgx" />
             +    <Program file="sub/weigh.pgx" />
-        "#]]);
-        renamed("part/weigh.pgx", "main/weigh.pgx", expect![[r#"
+        "#]],
+        );
+        renamed(
+            "part/weigh.pgx",
+            "main/weigh.pgx",
+            expect![[r#"
             usrapp/main/main.pjx
             +    <Program file="weigh.pgx" />
             usrapp/part/part.pjx
             -    <Program file="weigh.pgx" />
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn data_and_projects() {
-        renamed("part/part.dtx", "part/data.dtx", expect![[r#"
+        renamed(
+            "part/part.dtx",
+            "part/data.dtx",
+            expect![[r#"
             usrapp/part/part.pjx
             -    <Data file="part.dtx" />
             +    <Data file="data.dtx" />
-        "#]]);
-        renamed("part/part.pjx", "part/unit.pjx", expect![[r#"
+        "#]],
+        );
+        renamed(
+            "part/part.pjx",
+            "part/unit.pjx",
+            expect![[r#"
             usrapp/main/main.pjx
             -    <Library alias="part" path="Disk://part/part.pjx" />
             +    <Library alias="part" path="Disk://part/unit.pjx" />
@@ -237,12 +260,16 @@ mod tests {
             usrapp/main/tray/tray.pjx
             -    <Library alias="part" path="../../part/part.pjx" />
             +    <Library alias="part" path="../../part/unit.pjx" />
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
     fn folders() {
-        renamed("part", "unit", expect![[r#"
+        renamed(
+            "part",
+            "unit",
+            expect![[r#"
             usrapp/main/main.pjx
             -    <Library alias="part" path="Disk://part/part.pjx" />
             +    <Library alias="part" path="Disk://unit/part.pjx" />
@@ -252,17 +279,26 @@ mod tests {
             usrapp/main/tray/tray.pjx
             -    <Library alias="part" path="../../part/part.pjx" />
             +    <Library alias="part" path="../../unit/part.pjx" />
-        "#]]);
-        renamed("main", "deep/app", expect![[r#"
+        "#]],
+        );
+        renamed(
+            "main",
+            "deep/app",
+            expect![[r#"
             usrapp/main/tray/tray.pjx
             -    <Library alias="part" path="../../part/part.pjx" />
             +    <Library alias="part" path="../../../part/part.pjx" />
-        "#]]);
-        renamed("types", "kinds", expect![[r#"
+        "#]],
+        );
+        renamed(
+            "types",
+            "kinds",
+            expect![[r#"
             usrapp/main/main.pjx
             -    <Type name="Slot" path="Disk://types/Slot" />
             +    <Type name="Slot" path="Disk://kinds/Slot" />
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]
@@ -283,7 +319,8 @@ mod tests {
             +    <Data file="more.dtx" />
             usrapp/part/part.pjx
             +    <Program file="x.pgx" />
-        "#]].assert_eq(&shown(db, &will_create_files(db, &new)));
+        "#]]
+        .assert_eq(&shown(db, &will_create_files(db, &new)));
         let gone = ["main/pick.pgx", "main/main.dtx", "main/none.pgx"].map(path);
         expect![[r#"
             usrapp/main/main.pjx
@@ -295,7 +332,8 @@ mod tests {
             +    <Program file="start.pgx" />
             +  </Programs>
             +  <Database>
-        "#]].assert_eq(&shown(db, &will_delete_files(db, &gone)));
+        "#]]
+        .assert_eq(&shown(db, &will_delete_files(db, &gone)));
         assert!(will_create_files(db, &[path("main/pick.pgx")]).is_empty());
     }
 }

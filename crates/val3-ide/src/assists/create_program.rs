@@ -48,7 +48,7 @@ fn called_with<'db>(context: &Context<'db>, id: ExprId) -> Option<&'db [ExprId]>
 /// A parameter that takes the argument: named like it, if it is a name.
 fn parameter(context: &Context<'_>, id: ExprId, at: usize) -> (Variable, bool) {
     let ty = context.inference().ty(id);
-    let type_name = if ty.is_unknown() { "num".to_owned() } else { type_name(context.db, ty.base, None, false) };
+    let type_name = if ty.is_unknown() { "num".to_owned() } else { type_name(context, ty.base, false) };
     let options = context.options();
     let prefix = &options.parameter_prefix;
     let stem = match context.body().expr(context.body().peel(id)) {

@@ -64,8 +64,7 @@ impl Unknown {
             Container::Array { dims } => vec![1; usize::from(dims.max(1))],
             _ => vec![1],
         };
-        let type_name =
-            type_name(context.db, self.variable.base, bound.then_some(context.items().arm).flatten(), bound);
+        let type_name = type_name(context, self.variable.base, bound);
         let container = match self.variable.container {
             Container::Element => Container::Array { dims: 1 },
             other => other,
@@ -84,13 +83,16 @@ impl Unknown {
     }
 }
 
-/// A type as files write it.
-pub(super) fn type_name(db: &dyn Db, base: Base, arm: Option<Arm>, bound: bool) -> String {
+/// A type as files of the project write it; `bound` where it has to name the arm.
+pub(super) fn type_name(context: &Context<'_>, base: Base, bound: bool) -> String {
+    let arm = context.items().arm.unwrap_or(Arm::SixAxis);
     match base {
-        Base::Builtin(ty, own) if ty.depends_on_arm() && (bound || own.is_some()) => {
-            ty.file_name(own.or(arm).unwrap_or(Arm::SixAxis))
+        Base::Builtin(ty, own) if ty.depends_on_arm() && (bound || own.is_some()) => ty.file_name(own.unwrap_or(arm)),
+        Base::User(project) => {
+            let mut names = context.items().types.iter().filter(|(_, found)| **found == Some(project));
+            names.next().map_or_else(|| base.display(context.db).to_string(), |(name, _)| name.to_string())
         }
-        other => other.display(db).to_string(),
+        other => other.display(context.db).to_string(),
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         compared(context, condition, &mut selector, &mut values)?;
         cases.push((values, block));
     }
-    let selector = selector.filter(|selector: &Expr| is_pure(selector))?;
+    let selector = selector.filter(|selector: &Expr| is_pure(selector) && is_comparable(context, selector))?;
     let otherwise = match chain.else_clause() {
         Some(clause) => Some(clause.block()?),
         None => None,
@@ -73,6 +73,13 @@ fn compared(
         }
         _ => None,
     }
+}
+
+/// `switch` takes no inputs, outputs or serial lines, and no user types (2.2.5).
+fn is_comparable(context: &Context<'_>, selector: &Expr) -> bool {
+    let id = context.expr_at(selector.syntax().text_range());
+    let ty = id.and_then(|id| context.inference().ty(id).base.builtin());
+    ty.is_some_and(|ty| !ty.is_linkable())
 }
 
 /// The value and the constant of a comparison.
@@ -184,6 +191,7 @@ mod tests {
             "num nA\ni$0f nA==nA\nendIf",
             "i$0f get()==1\nelseIf get()==2\nendIf",
             "num nA\nif nA==1\n  nA=$02\nendIf",
+            "aio aiA\ni$0f aiA==1\nendIf",
             "num nA\ni$0f nA==1\n  nA=2\n",
         ] {
             assert_eq!(offered(listing, ID), None, "{listing}");
