@@ -127,3 +127,41 @@ fn layout_changes_no_finding() {
         assert_eq!(again, 0, "{name}");
     }
 }
+
+/// Pieces that break a program in one way or another.
+const SLIPS: [&str; 12] = ["", "endIf\n", "if a\n", "\"", "(", "[", "=", ".", "]]>", "<", "call ", "switch"];
+
+/// Numbers without a pattern, the same in every run.
+struct Chance(u64);
+
+impl Chance {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(self.0 >> 33).unwrap() % limit.max(1)
+    }
+}
+
+#[test]
+fn broken_programs_are_no_trouble() {
+    let cell = cell::files("palletiser");
+    let mut chance = Chance(1);
+    for _ in 0..60 {
+        let mut broken = cell.clone();
+        let programs: Vec<usize> = (0..broken.len()).filter(|index| broken[*index].0.ends_with("gx")).collect();
+        let (path, bytes) = &mut broken[programs[chance.below(programs.len())]];
+        let start = chance.below(bytes.len());
+        let end = (start + chance.below(40)).min(bytes.len());
+        bytes.splice(start..end, SLIPS[chance.below(SLIPS.len())].bytes());
+        let path = path.clone();
+        let editor = Editor::open(&broken);
+        let file = editor.files().into_iter().find(|file| file.path(editor.db()).as_str().ends_with(&path)).unwrap();
+        let places: Vec<FileRange> = places(&editor).into_iter().filter(|place| place.file == file).collect();
+        for place in sample(&places, 30) {
+            for assist in assists(editor.db(), *place, None) {
+                // Edits that overlap, or lie outside of their file, fail here.
+                let change = resolve_assist(editor.db(), assist.id, *place).unwrap_or_default();
+                editor.after(&change);
+            }
+        }
+    }
+}
