@@ -1,0 +1,304 @@
+//! Declarations that come into a file: locals, parameters, global data, programs.
+
+use camino::Utf8Path;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::manifest::{Spelling, spelling};
+use val3_analysis::items::project::{data_files, folder};
+use val3_analysis::items::{declarations, parse, program};
+use val3_analysis::xml;
+use val3_lang::types::Container;
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use crate::edit::{FileEdit, SourceChange};
+use crate::xml_list::{List, escaped};
+
+/// What a variable is declared as.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Variable {
+    pub(crate) name: String,
+    /// As files write it.
+    pub(crate) type_name: String,
+    pub(crate) container: Container,
+    /// Sizes of the dimensions; one value where there are none.
+    pub(crate) sizes: Vec<u32>,
+}
+
+impl Variable {
+    /// A single value.
+    pub(crate) fn single(name: &str, type_name: &str) -> Self {
+        let container = Container::Array { dims: 1 };
+        Self { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: vec![1] }
+    }
+
+    fn is_single(&self) -> bool {
+        self.container != Container::Collection && matches!(self.sizes.as_slice(), [] | [1])
+    }
+
+    fn size(&self) -> String {
+        let sizes: Vec<String> = self.sizes.iter().map(u32::to_string).collect();
+        if sizes.is_empty() { "1".to_owned() } else { sizes.join(" ") }
+    }
+}
+
+/// The program in a file has the form of s5 and s6.
+pub(crate) fn is_old_program(db: &dyn Db, file: File) -> bool {
+    program::element(View::root(parse(db, file).green())).is_some_and(|program| program.name() == "program")
+}
+
+/// Local variables of the program in `file`; `None` where there are none like them.
+pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&Variable]) -> Option<FileEdit> {
+    if variables.iter().any(|variable| variable.container == Container::Collection) {
+        return None;
+    }
+    let old = is_old_program(db, file);
+    let entries: Vec<String> = variables.iter().map(|variable| local_entry(old, variable)).collect();
+    match old {
+        true => into_program(db, file, "localSection", "", &["source"], &entries),
+        false => into_program(db, file, "Locals", "", &["Code"], &entries),
+    }
+}
+
+fn local_entry(old: bool, variable: &Variable) -> String {
+    let (name, ty, size) = (&variable.name, &variable.type_name, variable.size());
+    if old {
+        return format!("<local name=\"{name}\" type=\"{ty}\" size=\"{size}\" />");
+    }
+    format!("<Local name=\"{name}\" type=\"{ty}\" xsi:type=\"array\" size=\"{size}\" />")
+}
+
+/// A parameter of the program in `file`, behind the others.
+pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
+    let old = is_old_program(db, file);
+    let entry = parameter_entry(old, variable, by_reference);
+    match old {
+        true => into_program(db, file, "paramSection", "", &["localSection", "source"], &[entry]),
+        false => into_program(db, file, "Parameters", PARAMETERS, &["Locals", "Code"], &[entry]),
+    }
+}
+
+const PARAMETERS: &str = " xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"";
+
+fn parameter_entry(old: bool, variable: &Variable, by_reference: bool) -> String {
+    let (name, ty) = (&variable.name, &variable.type_name);
+    if old {
+        let by_value = !by_reference && variable.is_single();
+        return format!("<param name=\"{name}\" type=\"{ty}\" byVal=\"{by_value}\" />");
+    }
+    let (kind, dims) = match variable.container {
+        Container::Collection => ("collection", String::new()),
+        _ if variable.is_single() => ("element", String::new()),
+        _ if variable.sizes.len() > 1 => ("array", format!(" dimensions=\"{}\"", variable.sizes.len())),
+        _ => ("array", String::new()),
+    };
+    let passing = if by_reference || kind != "element" { " use=\"reference\"" } else { "" };
+    format!("<Parameter name=\"{name}\" type=\"{ty}\" xsi:type=\"{kind}\"{passing}{dims} />")
+}
+
+fn into_program(
+    db: &dyn Db,
+    file: File,
+    name: &str,
+    attributes: &str,
+    followers: &[&str],
+    entries: &[String],
+) -> Option<FileEdit> {
+    let parse = parse(db, file);
+    let parent = program::element(View::root(parse.green()))?;
+    let list = List { text: file.text(db), parent, name, attributes, followers };
+    let (range, text) = list.append(entries)?;
+    Some(FileEdit { file, range, text })
+}
+
+/// Private global data of a project, with a value where its type is written as an attribute; `None` where the project
+/// has no data file, or one of s5 or s6 whose types are written otherwise.
+pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
+    let file = *data_files(db, project).first()?;
+    let parse = parse(db, file);
+    let root = xml::root(View::root(parse.green()))?;
+    let section = format!("{}Section", variable.type_name);
+    let (name, entry) = match root.name() {
+        "Database" => ("Datas", new_data(variable, value, false)),
+        "dataList" => (section.as_str(), old_data(variable, value, false)?),
+        _ => return None,
+    };
+    let list = List { text: file.text(db), parent: root, name, attributes: "", followers: &[] };
+    let (range, text) = list.append(&entry)?;
+    Some(FileEdit { file, range, text })
+}
+
+/// Public data of a project of s7 or s8, several at once.
+pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
+    let file = *data_files(db, project).first()?;
+    let parse = parse(db, file);
+    let parent = xml::root(View::root(parse.green())).filter(|root| root.name() == "Database")?;
+    let list = List { text: file.text(db), parent, name: "Datas", attributes: "", followers: &[] };
+    let entries: Vec<String> = variables.iter().flat_map(|variable| new_data(variable, None, true)).collect();
+    let (range, text) = list.append(&entries)?;
+    Some(FileEdit { file, range, text })
+}
+
+fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<String> {
+    let (name, ty) = (&variable.name, &variable.type_name);
+    let access = if public { "public" } else { "private" };
+    let shape = match variable.container {
+        Container::Collection => format!("xsi:type=\"collection\" type=\"{ty}\""),
+        _ => format!("xsi:type=\"array\" type=\"{ty}\" size=\"{}\"", variable.size()),
+    };
+    let start = format!("<Data name=\"{name}\" access=\"{access}\" {shape}");
+    let father = match ty.as_str() {
+        "frame" => Some("world[0]"),
+        "tool" => Some("flange[0]"),
+        point if point.starts_with("point") => Some("world[0]"),
+        _ => None,
+    };
+    let attribute = match (value, father) {
+        (Some(value), _) => format!("value=\"{}\"", escaped(value)),
+        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}\""),
+        _ => return vec![format!("{start} />")],
+    };
+    vec![format!("{start}>"), format!("  <Value key=\"0\" {attribute} />"), "</Data>".to_owned()]
+}
+
+/// In s5 and s6 every value is written.
+fn old_data(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
+    let (name, ty) = (&variable.name, variable.type_name.as_str());
+    let [size] = variable.sizes.as_slice() else { return None };
+    let start = format!("<{ty} name=\"{name}\" public=\"{public}\"");
+    let (element, default) = match ty {
+        "num" => ("valueNum", "0"),
+        "bool" => ("valueBool", "false"),
+        "string" => ("valueString", ""),
+        "dio" | "aio" | "sio" => return Some(vec![format!("{start} size=\"{size}\" />")]),
+        _ => return None,
+    };
+    let written = |index: u32| {
+        let value = value.filter(|_| index == 0).unwrap_or(default);
+        format!("  <{element} index=\"{index}\" value=\"{}\" />", escaped(value))
+    };
+    let mut lines = vec![format!("{start} >")];
+    lines.extend((0..*size).map(written));
+    lines.push(format!("</{ty}>"));
+    Some(lines)
+}
+
+/// A program that does not exist yet.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NewProgram {
+    pub(crate) name: String,
+    pub(crate) public: bool,
+    /// With whether each is passed by reference.
+    pub(crate) params: Vec<(Variable, bool)>,
+    pub(crate) locals: Vec<Variable>,
+    /// The lines between `begin` and `end`, in plain characters, with their indentation.
+    pub(crate) code: Vec<String>,
+    /// How lines end.
+    pub(crate) line_end: &'static str,
+}
+
+/// New programs of a project: their files, and their entries in the `.pjx`; `None` where that has no place for them.
+pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
+    let old = declarations::is_old(db, project);
+    let file = |new: &NewProgram| {
+        let path = folder(db, project).join(&new.name).with_extension("pgx");
+        (path, if old { old_program(new) } else { new_program(new) })
+    };
+    let names: Vec<String> = new.iter().map(|new| format!("{}.pgx", new.name)).collect();
+    let entries = program_entries(db, project, &names)?;
+    Some(SourceChange { creates: new.iter().map(file).collect(), ..SourceChange::of([entries]) })
+}
+
+/// The entries of program files in a `.pjx`.
+pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    manifest_entries(db, project, references, |spelling| spelling.programs)
+}
+
+/// The entries of data files in a `.pjx`.
+pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    manifest_entries(db, project, references, |spelling| spelling.data)
+}
+
+fn manifest_entries(
+    db: &dyn Db,
+    project: Project,
+    references: &[String],
+    list: impl Fn(&Spelling) -> (&'static str, &'static str),
+) -> Option<FileEdit> {
+    let file = project.manifest(db);
+    let parse = parse(db, file);
+    let parent = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(parent);
+    let (name, item) = list(spelling);
+    let behind = [spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let followers: Vec<&str> = behind.into_iter().filter(|follower| *follower != name).collect();
+    let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
+    let entry = |reference: &String| format!("<{item} file=\"{}\" />", escaped(reference));
+    let (range, text) = list.append(&references.iter().map(entry).collect::<Vec<_>>())?;
+    Some(FileEdit { file, range, text })
+}
+
+fn new_program(new: &NewProgram) -> String {
+    let access = if new.public { " access=\"public\"" } else { "" };
+    let mut lines = vec![
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>".to_owned(),
+        "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">".to_owned(),
+        format!("  <Program name=\"{}\"{access}>", new.name),
+    ];
+    if !new.params.is_empty() {
+        lines.push(format!("    <Parameters{PARAMETERS}>"));
+        let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(false, variable, *by_reference);
+        lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
+        lines.push("    </Parameters>".to_owned());
+    }
+    if !new.locals.is_empty() {
+        lines.push("    <Locals>".to_owned());
+        lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(false, local))));
+        lines.push("    </Locals>".to_owned());
+    }
+    lines.push("    <Code><![CDATA[begin".to_owned());
+    lines.extend(new.code.iter().cloned());
+    lines.extend(["end]]></Code>", "  </Program>", "</Programs>", ""].map(str::to_owned));
+    lines.join(new.line_end)
+}
+
+fn old_program(new: &NewProgram) -> String {
+    let mut lines = vec![
+        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>".to_owned(),
+        "<programList xmlns=\"ProgramNameSpace\" >".to_owned(),
+        format!("  <program name=\"{}\" public=\"{}\" >", new.name, new.public),
+        "    <description></description>".to_owned(),
+        "    <paramSection>".to_owned(),
+    ];
+    let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(true, variable, *by_reference);
+    lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
+    lines.extend(["    </paramSection>", "    <localSection>"].map(str::to_owned));
+    lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(true, local))));
+    lines.extend(["    </localSection>", "    <source>", "      <code>begin"].map(str::to_owned));
+    lines.extend(new.code.iter().map(|line| escaped(line)));
+    lines.extend(["end</code>", "    </source>", "  </program>", "</programList>", ""].map(str::to_owned));
+    lines.join(new.line_end)
+}
+
+/// A name that no program of the project has, and no file beside it: `stem`, else `stem2` and so on.
+pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
+    let items = val3_analysis::items::project::items(db, project);
+    let taken = |name: &str| {
+        let same = |other: &str| other.eq_ignore_ascii_case(name);
+        items.programs.keys().any(|other| same(other))
+            || project.beside(db).iter().any(|file| Utf8Path::new(file.as_str()).file_stem().is_some_and(same))
+    };
+    free(stem, taken)
+}
+
+/// `stem`, or `stem` with the first number that makes it free.
+pub(crate) fn free(stem: &str, taken: impl Fn(&str) -> bool) -> String {
+    if !taken(stem) {
+        return stem.to_owned();
+    }
+    (2u32..).map(|number| format!("{stem}{number}")).find(|name| !taken(name)).unwrap_or_default()
+}
+
+/// An edit that takes out the entry at `range`, with its line.
+pub(crate) fn without(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
+    FileEdit { file, range: crate::xml_list::whole_line(file.text(db), range), text: String::new() }
+}
