@@ -3,7 +3,8 @@
 mod data;
 mod program;
 
-pub(crate) use program::line as program_line;
+pub(crate) use data::keys_of;
+pub(crate) use program::{comment as program_comment, line as program_line};
 
 use val3_analysis::body::{Constant, Expr, body};
 use val3_analysis::db::{Db, File, Project};

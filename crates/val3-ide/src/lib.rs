@@ -4,11 +4,13 @@
 //! protocol, and no tree leaves this crate.
 
 mod completion;
+mod declare;
 mod edit;
 mod folding;
 mod fuzzy;
 mod highlight;
 mod hover;
+mod line;
 mod navigate;
 mod owner;
 mod references;
@@ -18,7 +20,7 @@ mod semantic_tokens;
 mod signature_help;
 mod symbols;
 
-pub use completion::{Completion, CompletionKind, completions, documentation};
+pub use completion::{Completion, CompletionKind, completion_documentation, completions, documentation};
 pub use edit::{FileEdit, SourceChange};
 pub use folding::{Fold, FoldKind, folds};
 pub use highlight::{Highlight, highlights};

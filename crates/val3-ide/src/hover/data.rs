@@ -55,6 +55,15 @@ fn values(db: &dyn Db, item: &DataItem, name: &str) -> Vec<String> {
     with_element(db, item, name, read).unwrap_or_default()
 }
 
+/// The keys of the values that a data file writes, in its order.
+pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
+    let keys = |element: Element<'_>| {
+        element.elements().filter_map(|value| value.value("key")).map(|key| key.into_owned()).collect()
+    };
+    let item = items(db, project).data.get(name);
+    item.and_then(|item| with_element(db, item, name, keys)).unwrap_or_default()
+}
+
 fn line(value: Element<'_>, single: bool) -> Option<String> {
     let shown: Vec<String> = value
         .attributes()
