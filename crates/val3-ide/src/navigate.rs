@@ -1,7 +1,8 @@
 //! From a name to what it stands for: definition, type definition, implementations.
 
 use val3_analysis::db::{Db, File, Project, Sources};
-use val3_analysis::items::project::{LibraryItem, items, resolve_type};
+use val3_analysis::interfaces::replacements;
+use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::items::{declarations, program};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
 use val3_analysis::ty::Base;
@@ -107,22 +108,25 @@ pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     places.map(|to| Target { from: found.range, to }).collect()
 }
 
-/// The libraries that can stand in for the one that gives an interface, by path.
+/// The libraries that programs load in place of the one that gives an interface.
 pub(crate) fn implementing(db: &dyn Db, interface: Project) -> impl Iterator<Item = Project> {
-    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
-    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
-    projects.into_iter().filter(move |project| *project != interface && is_alternative(db, *project, interface))
+    let pairs = pairs(db).into_iter().filter(move |(of, _)| *of == interface);
+    pairs.map(|(_, library)| library)
 }
 
-/// A library with a public program or data in common with the interface, and not an application of its own that uses
-/// the interface.
-fn is_alternative(db: &dyn Db, project: Project, interface: Project) -> bool {
-    let uses = |item: &LibraryItem| item.interface == Some(interface);
-    let (own, wanted) = (items(db, project), items(db, interface));
-    let public = wanted.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name);
-    let programs = wanted.programs.keys().filter(|name| !matches!(name.as_str(), "start" | "stop"));
-    !own.libraries.values().any(uses)
-        && public.chain(programs).all(|name| own.data.contains_key(name) || own.programs.contains_key(name))
+/// The projects in whose place programs load a library.
+pub(crate) fn implemented(db: &dyn Db, library: Project) -> impl Iterator<Item = Project> {
+    let pairs = pairs(db).into_iter().filter(move |(_, other)| *other == library);
+    pairs.map(|(interface, _)| interface)
+}
+
+/// Every interface with the libraries that are loaded in its place, by path.
+fn pairs(db: &dyn Db) -> Vec<(Project, Project)> {
+    let projects = Sources::get(db).projects(db).values();
+    let mut pairs: Vec<(Project, Project)> = projects.flat_map(|project| replacements(db, *project)).copied().collect();
+    pairs.sort_unstable_by_key(|pair| (pair.0.manifest(db).path(db), pair.1.manifest(db).path(db)));
+    pairs.dedup();
+    pairs
 }
 
 #[cfg(test)]
@@ -210,7 +214,7 @@ mod tests {
     #[test]
     fn other_libraries_of_an_interface() {
         let marked = Marked::new(&format!(
-            "library part \"Disk://part/part.pjx\"\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
+            "library part \"Disk://part/part.pjx\"\npart:libLoad(\"Disk://bag\")\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
         ));
         let targets = implementations(marked.db(), marked.at());
         expect![[r#"
