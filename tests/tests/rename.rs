@@ -143,7 +143,8 @@ fn there_and_back(name: &str) -> (usize, Vec<String>) {
         let back = rename(editor.db(), at, &old).unwrap_or_else(|error| panic!("{path} {new}: {}", error.0));
         editor.apply(&back);
         let after = editor.files();
-        let differs: Vec<&Utf8PathBuf> = after.iter().filter(|(path, bytes)| before.get(*path) != Some(*bytes)).map(|(path, _)| path).collect();
+        let differs: Vec<&Utf8PathBuf> =
+            after.iter().filter(|(path, bytes)| before.get(*path) != Some(*bytes)).map(|(path, _)| path).collect();
         assert!(differs.is_empty() && after.len() == before.len(), "{path} {old}: {differs:?}");
         renamed += 1;
     }

@@ -45,7 +45,9 @@ fn old_datum(name: &str, ty: BaseType) -> Option<Vec<String>> {
         BaseType::Num => r#"<valueNum index="0" value="0" />"#,
         BaseType::Bool => r#"<valueBool index="0" value="false" />"#,
         BaseType::String => r#"<valueString index="0" value="" />"#,
-        ty if ty.is_linkable() => return Some(vec![format!(r#"<{} name="{name}" public="false" size="1" />"#, ty.name())]),
+        ty if ty.is_linkable() => {
+            return Some(vec![format!(r#"<{} name="{name}" public="false" size="1" />"#, ty.name())]);
+        }
         _ => return None,
     };
     let ty = ty.name();
@@ -122,13 +124,20 @@ mod tests {
     fn data() {
         let num = |db: &dyn Db, project| global(db, project, "nA", BaseType::Num);
         let point = |db: &dyn Db, project| global(db, project, "pA", BaseType::Point);
-        check("cls()$0", num, expect![[r#"
+        check(
+            "cls()$0",
+            num,
+            expect![[r#"
               <Datas>
                 <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
               </Datas>
             </Database>
-        "#]]);
-        check("num nB\ncls()$0", point, expect![[r#"
+        "#]],
+        );
+        check(
+            "num nB\ncls()$0",
+            point,
+            expect![[r#"
               <Datas>
                 <Data name="nB" access="private" xsi:type="array" type="num" size="1" />
                 <Data name="pA" access="private" xsi:type="array" type="pointRx" size="1">
@@ -136,13 +145,18 @@ mod tests {
                 </Data>
               </Datas>
             </Database>
-        "#]]);
-        check("cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<Database>\n<Datas></Datas>\n</Database>", num, expect![[r#"
+        "#]],
+        );
+        check(
+            "cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<Database>\n<Datas></Datas>\n</Database>",
+            num,
+            expect![[r#"
             <Datas>
               <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
             </Datas>
             </Database>
-        "#]]);
+        "#]],
+        );
         check(
             "cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<dataList>\n<numSection />\n</dataList>",
             num,
@@ -160,7 +174,10 @@ mod tests {
     #[test]
     fn libraries() {
         let part = |db: &dyn Db, project| library(db, project, "part", "Disk://part/part.pjx");
-        check("cls()$0", part, expect![[r#"
+        check(
+            "cls()$0",
+            part,
+            expect![[r#"
               <Parameters version="s7.11" stackSize="5000" millimeterUnit="true" />
               <Programs>
                 <Program file="start.pgx" />
@@ -173,6 +190,7 @@ mod tests {
               </Libraries>
               <Types />
             </Project>
-        "#]]);
+        "#]],
+        );
     }
 }

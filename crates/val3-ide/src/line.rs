@@ -121,7 +121,9 @@ pub(crate) fn inside(string: &SyntaxToken) -> TextRange {
     let open = quote(text).min(u32::from(range.len()));
     let rest = text.get(open as usize..).unwrap_or("");
     let close = match rest.rfind('&').filter(|_| rest.ends_with(';')) {
-        Some(at) if val3_syntax::resolve_entity(rest.get(at..).unwrap_or("")).is_some_and(|(found, _)| found == '"') => {
+        Some(at)
+            if val3_syntax::resolve_entity(rest.get(at..).unwrap_or("")).is_some_and(|(found, _)| found == '"') =>
+        {
             rest.len() - at
         }
         _ => usize::from(rest.ends_with('"')),

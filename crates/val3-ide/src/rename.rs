@@ -179,7 +179,9 @@ mod tests {
             "#]],
         );
         check(
-            &format!("{library}if part:libExist(\"pi$0ck()\")\ncall part:pick()\nendIf\n--- part\npublic program pick()\nbegin\nend"),
+            &format!(
+                "{library}if part:libExist(\"pi$0ck()\")\ncall part:pick()\nendIf\n--- part\npublic program pick()\nbegin\nend"
+            ),
             "grip",
             expect![[r#"
                 main/start.pgx:5 pick -> grip

@@ -110,7 +110,11 @@ fn instructions_of(found: &mut Found<'_>, expected: &[Base], suits: impl Fn(&Ove
     }
 }
 
-fn add_instruction<'f>(found: &'f mut Found<'_>, instruction: &'static Instruction, form: &Overload) -> super::Added<'f> {
+fn add_instruction<'f>(
+    found: &'f mut Found<'_>,
+    instruction: &'static Instruction,
+    form: &Overload,
+) -> super::Added<'f> {
     let arguments = || form.params.iter().map(|param| param.name).collect();
     let added = found.add_call(instruction.name, Kind::Instruction, arguments);
     added.detail(|| form.signature(instruction.name)).of(|| Symbol::Instruction(instruction.name.into()))
@@ -174,12 +178,7 @@ fn programs_of(found: &mut Found<'_>, interface: Project) {
     }
 }
 
-fn add_program<'f>(
-    found: &'f mut Found<'_>,
-    project: Project,
-    name: &SmolStr,
-    file: File,
-) -> super::Added<'f> {
+fn add_program<'f>(found: &'f mut Found<'_>, project: Project, name: &SmolStr, file: File) -> super::Added<'f> {
     let db = found.db;
     let arguments = || header(db, file).params.iter().map(|param| param.name.as_str()).collect();
     let added = found.add_call(name, Kind::Program, arguments).scored(OWN);
@@ -191,7 +190,8 @@ fn on_library(found: &mut Found<'_>, wanted: &Wanted) {
     let expected: &[Base] = if let Wanted::Value(expected) = wanted { &expected.bases } else { &[] };
     for instruction in instructions::all() {
         let suits = |form: &&Overload| {
-            form.on_library && if *wanted == Wanted::Statement { form.class == Class::Modifier } else { form.result.is_some() }
+            form.on_library
+                && if *wanted == Wanted::Statement { form.class == Class::Modifier } else { form.result.is_some() }
         };
         if let Some(form) = instruction.overloads.iter().find(suits) {
             let score = form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);

@@ -97,7 +97,9 @@ fn code(names: &Names<'_>, line: &Line, blocks: impl FnOnce() -> Vec<Block>) -> 
     match last.kind() {
         DOT => Context::Members(names.ty(head).base),
         COLON => match head.split_last().filter(|(library, _)| library.kind() == IDENT) {
-            Some((library, head)) => Context::LibraryItem { library: library.text().into(), wanted: wanted(names, head) },
+            Some((library, head)) => {
+                Context::LibraryItem { library: library.text().into(), wanted: wanted(names, head) }
+            }
             None => Context::Nothing,
         },
         _ if takes_program(before) => Context::Program,

@@ -25,7 +25,10 @@ pub(super) fn global(found: &mut Found<'_>, expected: &Expected) {
     }
     let default = Options::default();
     let options = project.config(db).map_or(&default, |config| &config.lint);
-    let Some(ty) = expected.bases.first().and_then(|base| base.builtin()).or_else(|| type_by_prefix(options, name)) else { return };
+    let Some(ty) = expected.bases.first().and_then(|base| base.builtin()).or_else(|| type_by_prefix(options, name))
+    else {
+        return;
+    };
     let Some(edit) = declare::global(db, project, name, ty) else { return };
     let added = found.add(name, Kind::Data).scored(MISSING).adding(|| vec![edit]);
     added.detail(|| format!("new global {}", ty.name()));

@@ -10,7 +10,8 @@ fn found(listing: &str) -> Vec<Completion> {
 
 /// The first completions.
 fn check(listing: &str, expected: Expect) {
-    let line = |item: &Completion| format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n";
+    let line =
+        |item: &Completion| format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n";
     expected.assert_eq(&found(listing).iter().take(6).map(line).collect::<String>());
 }
 
@@ -49,284 +50,436 @@ fn blocks_are_closed() {
 
 #[test]
 fn statements() {
-    check("num nCount\nnC$0", expect![[r#"
+    check(
+        "num nCount\nnC$0",
+        expect![[r#"
         nCount Data num
         taskCreateSync Keyword
         getJointForce Instruction void getJointForce(num& nForce[])
         autoConnectMove Instruction void autoConnectMove(bool bActive)
         nC Data new global num
         $getJntSpeedCmd Instruction void $getJntSpeedCmd(num& nSpeed[])
-    "#]]);
-    check("wai$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "wai$0",
+        expect![[r#"
         wait Instruction void wait(bool bCondition)
         waitEndMove Instruction void waitEndMove()
-    "#]]);
-    check_insert("num nCount\nnC$0", "nCount", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        "num nCount\nnC$0",
+        "nCount",
+        expect![[r#"
         nCount
         nCount
-    "#]]);
-    check_insert("wai$0", "wait", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        "wai$0",
+        "wait",
+        expect![[r#"
         wait(${1:bCondition})$0
         wait
-    "#]]);
-    check_insert("wai$0(true)", "wait", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        "wai$0(true)",
+        "wait",
+        expect![[r#"
         wait
         wait
-    "#]]);
-    check_insert("fo$0", "for", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        "fo$0",
+        "for",
+        expect![[r#"
         for ${1:l_nIndex}=${2:0} to ${3:nLast}
           $0
         endFor
         for
-    "#]]);
-    check_insert("pi$0\nprogram pick(num x_n)\nbegin\nend", "pick", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        "pi$0\nprogram pick(num x_n)\nbegin\nend",
+        "pick",
+        expect![[r#"
         call pick(${1:x_n})$0
         call pick
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn values_of_the_expected_type() {
-    check("mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,$0)", expect![[r#"
+    check(
+        "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,$0)",
+        expect![[r#"
         mFast Data mdesc
         {0,0,0,0,0,joint,0,0} Literal mdesc
         pA Data pointRx
         tGrip Data tool
-    "#]]);
-    check("mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,$0",
+        expect![[r#"
         mFast Data mdesc
         {0,0,0,0,0,joint,0,0} Literal mdesc
         pA Data pointRx
         tGrip Data tool
-    "#]]);
-    check("joint jHome\npoint pA\nmovej($0", expect![[r#"
+    "#]],
+    );
+    check(
+        "joint jHome\npoint pA\nmovej($0",
+        expect![[r#"
         jHome Data jointRx
         pA Data pointRx
         {0,0,0,0,0,0} Literal joint
         {{0,0,0,0,0,0},{ssame,esame,wsame}} Literal point
         abs Instruction joint abs(joint jPosition)
         appro Instruction point appro(point pPosition, trsf trTransformation)
-    "#]]);
-    check("trsf trA\nnum nA\ntrA=$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "trsf trA\nnum nA\ntrA=$0",
+        expect![[r#"
         trA Data trsf
         {0,0,0,0,0,0} Literal trsf
         align Instruction trsf align(trsf trPosition, trsf trReference)
         interpolateC Instruction trsf interpolateC(trsf trStart, trsf trIntermediate, trsf trEnd, num nPosition)
         interpolateL Instruction trsf interpolateL(trsf trStart, trsf trEnd, num nPosition)
         position Instruction trsf position(frame fFrame, frame fReference)
-    "#]]);
-    check("string sA\nnum nA\nif sA==$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "string sA\nnum nA\nif sA==$0",
+        expect![[r#"
         sA Data string
         chr Instruction string chr(num nCodePoint)
         delete Instruction string delete(string sText, num nSize, num nPosition)
         first Instruction string first(T& variable[""])
         getDate Instruction string getDate(string sFormat)
         getLanguage Instruction string getLanguage()
-    "#]]);
-    check("mdesc mA\nmA.blend=$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "mdesc mA\nmA.blend=$0",
+        expect![[r#"
         Cartesian Constant blend
         joint Constant blend
         off Constant blend
         mA Data mdesc
-    "#]]);
-    check("dio diDoor\nnum nA\nif $0", expect![[r#"
+    "#]],
+    );
+    check(
+        "dio diDoor\nnum nA\nif $0",
+        expect![[r#"
         diDoor Data dio
         false Constant bool
         true Constant bool
         autoConnectMove Instruction bool autoConnectMove()
         delete Instruction bool delete(T variable)
         getLatch Instruction bool getLatch(joint& jPosition)
-    "#]]);
-    check("num nA[4]\nstring sA\nnum nB\nnB=nA[$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA[4]\nstring sA\nnum nB\nnB=nA[$0",
+        expect![[r#"
         nA Data num[]
         nB Data num
         abs Instruction num abs(num nValue)
         acos Instruction num acos(num nValue)
         aioGet Instruction num aioGet(aio aiInput)
         aioSet Instruction num aioSet(aio aiOutput, num nValue)
-    "#]]);
-    check("num nA\nstring sA\nswitch sA\ncase $0\nbreak\nendSwitch", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nswitch sA\ncase $0\nbreak\nendSwitch",
+        expect![[r#"
         sA Data string
         chr Instruction string chr(num nCodePoint)
         delete Instruction string delete(string sText, num nSize, num nPosition)
         first Instruction string first(T& variable[""])
         getDate Instruction string getDate(string sFormat)
         getLanguage Instruction string getLanguage()
-    "#]]);
-    check("mdesc mA\nmA={0,0,0,0,0,$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "mdesc mA\nmA={0,0,0,0,0,$0",
+        expect![[r#"
         Cartesian Constant blend
         joint Constant blend
         off Constant blend
         mA Data mdesc
-    "#]]);
-    check("num nA\nstring sA\ncall pick($0\nprogram pick(string& x_s)\nbegin\nend", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\ncall pick($0\nprogram pick(string& x_s)\nbegin\nend",
+        expect![[r#"
         sA Data string
         nA Data num
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn operators_follow_values() {
-    check("bool bA\nif bA $0", expect![[r#"
+    check(
+        "bool bA\nif bA $0",
+        expect![[r#"
         and Keyword
         or Keyword
         xor Keyword
-    "#]]);
-    check("num nA\nfor nA=0 $0", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA\nfor nA=0 $0",
+        expect![[r#"
         to Keyword
-    "#]]);
-    check("num nA\nfor nA=0 to 3 $0", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA\nfor nA=0 to 3 $0",
+        expect![[r#"
         step Keyword
-    "#]]);
+    "#]],
+    );
     check_nothing("num nA\nnA=nA $0");
 }
 
 #[test]
 fn members() {
-    check("point pA\npA.$0", expect![[r#"
+    check(
+        "point pA\npA.$0",
+        expect![[r#"
         trsf Field trsf
         config Field config
-    "#]]);
-    check("point pA\nnum nA\nif pA.trsf.$0\nendIf\nnA=1", expect![[r#"
+    "#]],
+    );
+    check(
+        "point pA\nnum nA\nif pA.trsf.$0\nendIf\nnA=1",
+        expect![[r#"
         x Field num
         y Field num
         z Field num
         rx Field num
         ry Field num
         rz Field num
-    "#]]);
-    check("point pA\npA.trsf.r$0=1", expect![[r#"
+    "#]],
+    );
+    check(
+        "point pA\npA.trsf.r$0=1",
+        expect![[r#"
         rx Field num
         ry Field num
         rz Field num
-    "#]]);
-    check("point pA[3]\nnum nA\nnA=pA[nA].config.$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "point pA[3]\nnum nA\nnA=pA[nA].config.$0",
+        expect![[r#"
         shoulder Field shoulder
         elbow Field elbow
         wrist Field wrist
-    "#]]);
-    check("point pA\ntool tA\nput(here(tA,world).$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "point pA\ntool tA\nput(here(tA,world).$0",
+        expect![[r#"
         trsf Field trsf
         config Field config
-    "#]]);
-    check("type Slot \"Disk://Slot/Slot.pjx\"\nSlot sA\nsA.$0\n--- Slot\npublic num nHeight", expect![[r#"
+    "#]],
+    );
+    check(
+        "type Slot \"Disk://Slot/Slot.pjx\"\nSlot sA\nsA.$0\n--- Slot\npublic num nHeight",
+        expect![[r#"
         nHeight Field num
-    "#]]);
+    "#]],
+    );
     check_nothing("num nA\nnA.$0");
 }
 
 #[test]
 fn libraries() {
     let with = |line: &str| format!("library part \"Disk://part/part.pjx\"\nnum nA\n{line}{LIBRARY}");
-    check(&with("nA=part:$0"), expect![[r#"
+    check(
+        &with("nA=part:$0"),
+        expect![[r#"
         nWeight Data num
         libLoad Instruction num library:libLoad(string sPath)
         libSave Instruction num library:libSave()
         $libClose Instruction bool library:$libClose()
         $libOpen Instruction bool library:$libOpen()
         libExist Instruction bool library:libExist(string sSymbolName)
-    "#]]);
-    check(&with("part:$0"), expect![[r#"
+    "#]],
+    );
+    check(
+        &with("part:$0"),
+        expect![[r#"
         nWeight Data num
         $libClose Instruction bool library:$libClose()
         $libOpen Instruction bool library:$libOpen()
         libLoad Instruction num library:libLoad(string sPath)
         libSave Instruction num library:libSave()
-    "#]]);
-    check(&with("call part:$0"), expect![[r#"
+    "#]],
+    );
+    check(
+        &with("call part:$0"),
+        expect![[r#"
         pick Program public program pick(num x_n)
-    "#]]);
-    check(&with("call $0"), expect![[r#"
+    "#]],
+    );
+    check(
+        &with("call $0"),
+        expect![[r#"
         part Library library
         start Program program start()
-    "#]]);
-    check(&with("taskCreate \"a\",10,p$0"), expect![[r#"
+    "#]],
+    );
+    check(
+        &with("taskCreate \"a\",10,p$0"),
+        expect![[r#"
         part Library library
-    "#]]);
-    check_insert(&with("call part:$0"), "pick", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        &with("call part:$0"),
+        "pick",
+        expect![[r#"
         pick(${1:x_n})$0
         pick
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn what_is_not_declared_yet() {
-    check_insert("mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,mSlow$0)", "mSlow", expect![[r#"
+    check_insert(
+        "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,mSlow$0)",
+        "mSlow",
+        expect![[r#"
         mSlow
         mSlow
         main.dtx: <Data name="mSlow" access="private" xsi:type="array" type="mdesc" size="1" />
-    "#]]);
-    check_insert("nNew$0=1", "nNew", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        "nNew$0=1",
+        "nNew",
+        expect![[r#"
         nNew
         nNew
         main.dtx: <Datas>
             <Data name="nNew" access="private" xsi:type="array" type="num" size="1" />
           </Datas>
-    "#]]);
+    "#]],
+    );
     let without = |line: &str| format!("{line}{LIBRARY}");
-    check_insert(&without("call pa$0"), "part", expect![[r#"
+    check_insert(
+        &without("call pa$0"),
+        "part",
+        expect![[r#"
         part:
         part:
         main.pjx: <Libraries>
             <Library alias="part" path="Disk://part/part.pjx" />
           </Libraries>
-    "#]]);
-    check_insert(&without("call part:$0"), "pick", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        &without("call part:$0"),
+        "pick",
+        expect![[r#"
         pick(${1:x_n})$0
         pick
         main.pjx: <Libraries>
             <Library alias="part" path="Disk://part/part.pjx" />
           </Libraries>
-    "#]]);
-    check_insert(&without("put(part:$0"), "nWeight", expect![[r#"
+    "#]],
+    );
+    check_insert(
+        &without("put(part:$0"),
+        "nWeight",
+        expect![[r#"
         nWeight
         nWeight
         main.pjx: <Libraries>
             <Library alias="part" path="Disk://part/part.pjx" />
           </Libraries>
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn texts() {
     let part = |line: &str| format!("library part \"Disk://part/part.pjx\"\nnum nA\n{line}{LIBRARY}");
-    check(&part("nA=part:libLoad(\"$0\")"), expect![[r#"
+    check(
+        &part("nA=part:libLoad(\"$0\")"),
+        expect![[r#"
         Disk://part Path library
-    "#]]);
-    check(&part("if part:libExist(\"$0\""), expect![[r#"
+    "#]],
+    );
+    check(
+        &part("if part:libExist(\"$0\""),
+        expect![[r#"
         nWeight Data num
         pick() Program program
-    "#]]);
-    check("taskCreate \"reader\",10,run()\ntaskKill(\"$0\")\nprogram run()\nbegin\nend", expect![[r#"
+    "#]],
+    );
+    check(
+        "taskCreate \"reader\",10,run()\ntaskKill(\"$0\")\nprogram run()\nbegin\nend",
+        expect![[r#"
         reader Text task, runs run
-    "#]]);
-    check("num nA[2]\nnum nB\nnB=toBinary(nA,1,\"-4$0\",nA)", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA[2]\nnum nB\nnB=toBinary(nA,1,\"-4$0\",nA)",
+        expect![[r#"
         -4l Text binary format
         -4b Text binary format
-    "#]]);
-    check("string sA\nsA=getDate(\"%Y-%$0 %H\")", expect![[r#"
+    "#]],
+    );
+    check(
+        "string sA\nsA=getDate(\"%Y-%$0 %H\")",
+        expect![[r#"
         %y Text part of the date
         %Y Text part of the date
         %m Text part of the date
         %d Text part of the date
         %H Text part of the date
         %I Text part of the date
-    "#]]);
-    check("sio siA\nnum nA\nnA=sioCtrl(siA,\"ba$0\",9600)", expect![[r#"
+    "#]],
+    );
+    check(
+        "sio siA\nnum nA\nnA=sioCtrl(siA,\"ba$0\",9600)",
+        expect![[r#"
         baudRate Text parameter
-    "#]]);
-    check("sio siA\nnum nA\nnA=sioCtrl(siA,\"parity\",\"$0", expect![[r#"
+    "#]],
+    );
+    check(
+        "sio siA\nnum nA\nnA=sioCtrl(siA,\"parity\",\"$0",
+        expect![[r#"
         none Text value
         even Text value
         odd Text value
-    "#]]);
-    check("dio diIn[\"door\",\"lamp\"]\nwait(diIn[\"$0\"])", expect![[r#"
+    "#]],
+    );
+    check(
+        "dio diIn[\"door\",\"lamp\"]\nwait(diIn[\"$0\"])",
+        expect![[r#"
         door Text key
         lamp Text key
-    "#]]);
-    check("num nA\npoint pA\nnum nB\nnB=getData(\"$0\",pA)", expect![[r#"
+    "#]],
+    );
+    check(
+        "num nA\npoint pA\nnum nB\nnB=getData(\"$0\",pA)",
+        expect![[r#"
         pA Data pointRx
-    "#]]);
+    "#]],
+    );
     check_nothing("putln(\"mov$0\")");
 }
 
@@ -335,9 +488,15 @@ fn nothing_where_nothing_fits() {
     check_nothing("cls()\n// no$0\ncls()");
     check_nothing("num nA\nnA=12$0");
     check_nothing("return $0");
-    check_nothing("num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code><![CDATA[begin\nend\n$0]]></Code></Program></Programs>");
-    check_nothing("num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">$0<Code><![CDATA[begin\nend]]></Code></Program></Programs>");
-    check_nothing("num nOther\n=== main/start.pgx\n<Programs><Program name=\"$0start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>");
+    check_nothing(
+        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code><![CDATA[begin\nend\n$0]]></Code></Program></Programs>",
+    );
+    check_nothing(
+        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">$0<Code><![CDATA[begin\nend]]></Code></Program></Programs>",
+    );
+    check_nothing(
+        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"$0start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>",
+    );
     check_nothing("num nOther\n=== main/start.pgx\n<Programs><!-- w$0 --></Programs>");
 }
 
@@ -348,55 +507,90 @@ fn escaped_code() {
             "string sA\nmdesc mA\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code>begin\n{line}\nend</Code></Program></Programs>"
         )
     };
-    check(&file("if sA&lt;$0"), expect![[r#"
+    check(
+        &file("if sA&lt;$0"),
+        expect![[r#"
         sA Data string
         chr Instruction string chr(num nCodePoint)
         delete Instruction string delete(string sText, num nSize, num nPosition)
         first Instruction string first(T& variable[""])
         getDate Instruction string getDate(string sFormat)
         getLanguage Instruction string getLanguage()
-    "#]]);
-    check(&file("sA=getDate(&quot;%$0&quot;)"), expect![[r#"
+    "#]],
+    );
+    check(
+        &file("sA=getDate(&quot;%$0&quot;)"),
+        expect![[r#"
         %y Text part of the date
         %Y Text part of the date
         %m Text part of the date
         %d Text part of the date
         %H Text part of the date
         %I Text part of the date
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn values_of_attributes() {
     let program = |line: &str| {
-        format!("num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">{line}<Code><![CDATA[begin\nend]]></Code></Program></Programs>")
+        format!(
+            "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">{line}<Code><![CDATA[begin\nend]]></Code></Program></Programs>"
+        )
     };
-    check(&program("<Locals><Local name=\"l_n\" type=\"po$0\" /></Locals>"), expect![[r#"
+    check(
+        &program("<Locals><Local name=\"l_n\" type=\"po$0\" /></Locals>"),
+        expect![[r#"
         point Type
-    "#]]);
-    check(&program("<Parameters><Parameter name=\"x_n\" use=\"$0\" /></Parameters>"), expect![[r#"
+    "#]],
+    );
+    check(
+        &program("<Parameters><Parameter name=\"x_n\" use=\"$0\" /></Parameters>"),
+        expect![[r#"
         value Keyword
         reference Keyword
-    "#]]);
-    let data = |line: &str| format!("cls()\nframe fTable\n=== main/more.dtx\n<Database><Datas>{line}</Datas></Database>\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /><Data file=\"more.dtx\" /></Database></Project>");
-    check(&data("<Data name=\"pA\" type=\"pointRx\"><Value key=\"0\" fatherId=\"$0\" /></Data>"), expect![[r#"
+    "#]],
+    );
+    let data = |line: &str| {
+        format!(
+            "cls()\nframe fTable\n=== main/more.dtx\n<Database><Datas>{line}</Datas></Database>\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /><Data file=\"more.dtx\" /></Database></Project>"
+        )
+    };
+    check(
+        &data("<Data name=\"pA\" type=\"pointRx\"><Value key=\"0\" fatherId=\"$0\" /></Data>"),
+        expect![[r#"
         fTable[0] Data frame
         world[0] Constant frame
-    "#]]);
-    check(&data("<Data name=\"mA\" type=\"mdesc\"><Value key=\"0\" blend=\"$0\" /></Data>"), expect![[r#"
+    "#]],
+    );
+    check(
+        &data("<Data name=\"mA\" type=\"mdesc\"><Value key=\"0\" blend=\"$0\" /></Data>"),
+        expect![[r#"
         joint Keyword
         off Keyword
         cartesian Keyword
-    "#]]);
-    check(&data("<Data name=\"mA\" xsi:type=\"$0\" />"), expect![[r#"
+    "#]],
+    );
+    check(
+        &data("<Data name=\"mA\" xsi:type=\"$0\" />"),
+        expect![[r#"
         array Keyword
         collection Keyword
-    "#]]);
-    check("cls()\n=== main/more.pgx\n<Programs />\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /><Program file=\"$0\" /></Programs></Project>", expect![[r#"
+    "#]],
+    );
+    check(
+        "cls()\n=== main/more.pgx\n<Programs />\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /><Program file=\"$0\" /></Programs></Project>",
+        expect![[r#"
         more.pgx Path
         start.pgx Path
-    "#]]);
-    check(&format!("cls()\n=== main/main.pjx\n<Project><Libraries><Library alias=\"part\" path=\"$0\" /></Libraries></Project>{LIBRARY}"), expect![[r#"
+    "#]],
+    );
+    check(
+        &format!(
+            "cls()\n=== main/main.pjx\n<Project><Libraries><Library alias=\"part\" path=\"$0\" /></Libraries></Project>{LIBRARY}"
+        ),
+        expect![[r#"
         Disk://part/part.pjx Path
-    "#]]);
+    "#]],
+    );
 }

@@ -1,7 +1,7 @@
 //! Completions in the XML of a file: the values of attributes.
 
-use val3_analysis::items::project::{fields, items, resolve_type};
 use val3_analysis::items::manifest::manifest;
+use val3_analysis::items::project::{fields, items, resolve_type};
 use val3_analysis::ty::Base;
 use val3_lang::types::{AttributeValue, BaseType, attribute};
 use val3_lang::{builtins, enumerations};

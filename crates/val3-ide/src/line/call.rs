@@ -82,7 +82,8 @@ fn callee_before(tokens: &[SyntaxToken]) -> Option<Callee> {
 /// A program has to follow these tokens.
 pub(crate) fn takes_program(before: &[SyntaxToken]) -> bool {
     let Some((first, rest)) = before.split_first() else { return false };
-    let last_of_task = |commas: usize| rest.last().is_some_and(|last| last.kind() == COMMA) && pieces(rest).len() == commas + 1;
+    let last_of_task =
+        |commas: usize| rest.last().is_some_and(|last| last.kind() == COMMA) && pieces(rest).len() == commas + 1;
     match first.kind() {
         CALL_KW => rest.is_empty(),
         TASK_CREATE_KW => last_of_task(2),

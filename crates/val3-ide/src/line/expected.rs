@@ -128,7 +128,8 @@ fn argument(names: &Names<'_>, call: &CallSite<'_>, index: usize) -> Expected {
     }
     let forms = names.forms(call, index);
     let params: Vec<_> = forms.iter().filter_map(|form| form.params.get(index)).collect();
-    let mut bases: Vec<Base> = params.iter().filter_map(|param| param.ty).map(|ty| Base::of(ty).on_arm(names.items.arm)).collect();
+    let mut bases: Vec<Base> =
+        params.iter().filter_map(|param| param.ty).map(|ty| Base::of(ty).on_arm(names.items.arm)).collect();
     if bases.len() < params.len() {
         bases.clear();
     }

@@ -61,8 +61,9 @@ impl<'db> Names<'db> {
                 let arm = arm.or(self.items.arm);
                 field(ty, arm, name).map_or(Ty::UNKNOWN, |field| Ty::element(Base::of(field.ty).on_arm(arm)))
             }
-            Base::User(project) => fields(self.db, project).get(name).map_or(Ty::UNKNOWN, |item| {
-                Ty { base: item.base, container: shape(item.decl.container, &item.decl.sizes) }
+            Base::User(project) => fields(self.db, project).get(name).map_or(Ty::UNKNOWN, |item| Ty {
+                base: item.base,
+                container: shape(item.decl.container, &item.decl.sizes),
             }),
             Base::Unknown => Ty::UNKNOWN,
         }
@@ -71,10 +72,7 @@ impl<'db> Names<'db> {
     fn library_item(&self, library: &str, name: &str) -> Ty {
         let interface = self.interface(library).map(|interface| items(self.db, interface));
         let item = interface.and_then(|items| items.data.get(name));
-        item.map_or(Ty::UNKNOWN, |item| Ty {
-            base: item.base,
-            container: shape(item.decl.container, &item.decl.sizes),
-        })
+        item.map_or(Ty::UNKNOWN, |item| Ty { base: item.base, container: shape(item.decl.container, &item.decl.sizes) })
     }
 
     /// The type of the variable, constant or enumerator called `name`.
