@@ -87,7 +87,7 @@ fn fenced(code: &str) -> String {
 }
 
 /// The brackets of a declaration: `[3,4]`, `[""]`, nothing for a single value.
-fn shape(sizes: &[u32], container: val3_lang::types::Container) -> String {
+pub(crate) fn shape(sizes: &[u32], container: val3_lang::types::Container) -> String {
     match sizes {
         [1] => String::new(),
         [] => brackets(container).to_owned(),
