@@ -38,6 +38,9 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
 /// The libraries that programs of a project load in place of others: first the project that gives the interface.
 #[salsa::tracked]
 pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
+    if items(db, project).libraries.is_empty() {
+        return Vec::new();
+    }
     let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
     let mut check = Interfaces { db, project, programs, problems: Vec::new() };
     let mut found = Vec::new();

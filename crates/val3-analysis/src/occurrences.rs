@@ -64,7 +64,7 @@ pub struct Occurrence {
 }
 
 /// Every name in `file` as a part of `project`, in the order of the text. Names that stand for nothing are left out.
-#[salsa::tracked(lru = 64)]
+#[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let mut found = xml_names::names(db, project, file);
     if program_files(db, project).contains(&file) {

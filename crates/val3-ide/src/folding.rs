@@ -145,7 +145,7 @@ mod tests {
         let marked = Marked::new(listing);
         let (db, file) = (marked.db(), marked.at().file);
         let text: &str = file.text(db);
-        let line = |offset: val3_syntax::TextSize| 1 + text[..usize::from(offset)].matches('\n').count();
+        let line = |offset: TextSize| 1 + text[..usize::from(offset)].matches('\n').count();
         let shown = folds(db, file).into_iter().map(|fold| {
             let (first, last) = (line(fold.range.start()), line(fold.range.end()));
             format!("{:?} {first}-{last} {}\n", fold.kind, text.lines().nth(first - 1).unwrap_or("").trim())
