@@ -1,6 +1,7 @@
 //! Giving a name another name, everywhere at once.
 
 mod conflicts;
+mod keys;
 
 use camino::Utf8Path;
 use smol_str::SmolStr;
@@ -19,11 +20,14 @@ use crate::references::{text, uses};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RenameError(pub String);
 
-/// The name at a position if it can be renamed, and where it stands.
+/// The name, or the key of a collection, at a position if it can be renamed, and where it stands.
 ///
 /// # Errors
 /// If there is no name, or one that belongs to the language or the controller.
 pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, String), RenameError> {
+    if let Some(found) = keys::key_at(db, at) {
+        return Ok((found.range, found.key));
+    }
     let Some((_, found)) = name_at(db, at) else {
         return Err(RenameError("there is no name here that can be changed".to_owned()));
     };
@@ -37,6 +41,9 @@ pub fn prepare_rename(db: &dyn Db, at: FilePosition) -> Result<(TextRange, Strin
 /// If the name cannot be changed, or `new_name` is none, is taken, or would mean something else somewhere.
 pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceChange, RenameError> {
     prepare_rename(db, at)?;
+    if let Some(found) = keys::key_at(db, at) {
+        return keys::rename(db, &found, new_name);
+    }
     let Some((_, found)) = name_at(db, at) else { return Ok(SourceChange::default()) };
     let symbols = together(db, &found.symbol);
     conflicts::check(db, &symbols, new_name)?;
@@ -227,6 +234,33 @@ mod tests {
                 main/start.pgx:8 l_s -> l_slot
             "#]],
         );
+    }
+
+    #[test]
+    fn keys_of_collections() {
+        check(
+            "dio dIn[\"door\",\"lamp\"]\nwait(dIn[\"do$0or\"])\ndIn[ \"door\" ]=dIn[\"lamp\"]\nputln(\"door\")",
+            "gate",
+            expect![[r#"
+                main/main.dtx:5 door -> gate
+                main/start.pgx:5 door -> gate
+                main/start.pgx:6 door -> gate
+            "#]],
+        );
+        check(
+            "frame fIn[\"door\"]\ncls()\n=== main/main.dtx\n<Database><Datas><Data name=\"fIn\" xsi:type=\"collection\" type=\"frame\">\n<Value key=\"do$0or\" /></Data><Data name=\"pA\" type=\"pointRx\">\n<Value key=\"0\" fatherId=\"fIn[&quot;door&quot;]\" /></Data></Datas></Database>",
+            "gate",
+            expect![[r#"
+                main/main.dtx:2 door -> gate
+                main/main.dtx:3 door -> gate
+            "#]],
+        );
+        check("dio dIn[\"door\",\"lamp\"]\nwait(dIn[\"do$0or\"])", "lamp", expect![[r#"
+            refused: `dIn` has the key `lamp` already
+        "#]]);
+        check("dio dIn[\"door\"]\nstring sKey\nwait(dIn[\"do$0or\"])\nwait(dIn[sKey])", "gate", expect![[r#"
+            refused: `dIn` is also asked for keys that are computed
+        "#]]);
     }
 
     #[test]
