@@ -255,12 +255,20 @@ mod tests {
                 main/main.dtx:3 door -> gate
             "#]],
         );
-        check("dio dIn[\"door\",\"lamp\"]\nwait(dIn[\"do$0or\"])", "lamp", expect![[r#"
+        check(
+            "dio dIn[\"door\",\"lamp\"]\nwait(dIn[\"do$0or\"])",
+            "lamp",
+            expect![[r#"
             refused: `dIn` has the key `lamp` already
-        "#]]);
-        check("dio dIn[\"door\"]\nstring sKey\nwait(dIn[\"do$0or\"])\nwait(dIn[sKey])", "gate", expect![[r#"
+        "#]],
+        );
+        check(
+            "dio dIn[\"door\"]\nstring sKey\nwait(dIn[\"do$0or\"])\nwait(dIn[sKey])",
+            "gate",
+            expect![[r#"
             refused: `dIn` is also asked for keys that are computed
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]

@@ -164,4 +164,79 @@ mod tests {
         "#]],
         );
     }
+
+    #[test]
+    fn tasks() {
+        check(
+            "taskCreate \"a\",$0",
+            expect![[r#"
+            > taskCreate string sName, num nPriority, program(...) | num nPriority
+        "#]],
+        );
+        check(
+            "taskCreate \"a\",10,pick(1,$0)\nprogram pick(num x_n, string x_s)\nbegin\nend",
+            expect![[r#"
+            > pick(num x_n, string x_s) | string x_s
+        "#]],
+        );
+    }
+
+    #[test]
+    fn libraries() {
+        let library = "library part \"Disk://part/part.pjx\"\n";
+        let part = "\n--- part\npublic program pick(num x_n, bool& x_b)\nbegin\n  // Takes it.\nend";
+        check(
+            &format!("{library}call part:pick(1,$0{part}"),
+            expect![[r#"
+            > pick(num x_n, bool& x_b) | bool& x_b
+        "#]],
+        );
+        check(
+            &format!("{library}part:libLoad($0{part}"),
+            expect![[r#"
+            > num library:libLoad(string sPath) | string sPath
+              num library:libLoad(string sPath, string sPassword) | string sPath
+        "#]],
+        );
+        check(
+            &format!("{library}libSave($0{part}"),
+            expect![[r#"
+              num libSave() | 
+            > num libSave(string sPath) | string sPath
+        "#]],
+        );
+    }
+
+    #[test]
+    fn half_written_lines() {
+        check(
+            "point pA\nif pA. == sin($0\nelse\ncls()",
+            expect![[r#"
+            > num sin(num nAngle) | num nAngle
+        "#]],
+        );
+        check(
+            "num nA\nnA = = power(nA[1,2],$0",
+            expect![[r#"
+            > num power(num nX, num nY) | num nY
+        "#]],
+        );
+        check(
+            "num nA\nnA=max((1+2)*3,min({1,2},$0",
+            expect![[r#"
+            > num min(num nX, num nY) | num nY
+        "#]],
+        );
+        check(
+            "putln(\"a,(b\",$0",
+            expect![[r#"
+              void putln(string sText) | 
+            > void putln(screen scPage, string sText) | string sText
+              void putln(num nValue) | 
+              void putln(screen scPage, num nValue) | num nValue
+        "#]],
+        );
+        check("num nA\nnA=power(1,\n$0cls()", expect![[""]]);
+        check("cls()\n// power($0\ncls()", expect![[""]]);
+    }
 }

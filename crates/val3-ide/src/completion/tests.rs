@@ -53,13 +53,9 @@ fn statements() {
     check(
         "num nCount\nnC$0",
         expect![[r#"
-        nCount Data num
-        taskCreateSync Keyword
-        getJointForce Instruction void getJointForce(num& nForce[])
-        autoConnectMove Instruction void autoConnectMove(bool bActive)
-        nC Data new global num
-        $getJntSpeedCmd Instruction void $getJntSpeedCmd(num& nSpeed[])
-    "#]],
+            nCount Data num
+            nC Data new global num
+        "#]],
     );
     check(
         "wai$0",
@@ -222,6 +218,76 @@ fn values_of_the_expected_type() {
         sA Data string
         nA Data num
     "#]],
+    );
+}
+
+#[test]
+fn half_written_lines() {
+    check(
+        "point pA\nnum nA\nif pA.$0\nelse\n  nA=1\nendIf",
+        expect![[r#"
+        trsf Field trsf
+        config Field config
+    "#]],
+    );
+    check(
+        "mdesc mA\nnum nA\nnA = = mA.$0",
+        expect![[r#"
+        accel Field num
+        vel Field num
+        decel Field num
+        tvel Field num
+        rvel Field num
+        blend Field blend
+    "#]],
+    );
+    check(
+        "point pA\ntool tA\nmdesc mA\nmovej(pA,\nmovel(pA,tA,$0\nmovej(",
+        expect![[r#"
+        mA Data mdesc
+        {0,0,0,0,0,joint,0,0} Literal mdesc
+        pA Data pointRx
+        tA Data tool
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nwhile (nA<3 and ($0",
+        expect![[r#"
+        false Constant bool
+        true Constant bool
+        autoConnectMove Instruction bool autoConnectMove()
+        delete Instruction bool delete(T variable)
+        getLatch Instruction bool getLatch(joint& jPosition)
+        insert Instruction bool insert(T variable)
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nnA=nA+$0",
+        expect![[r#"
+        nA Data num
+        abs Instruction num abs(num nValue)
+        acos Instruction num acos(num nValue)
+        aioGet Instruction num aioGet(aio aiInput)
+        aioSet Instruction num aioSet(aio aiOutput, num nValue)
+        alter Instruction num alter(trsf trAlteration)
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nnA=$0\nsA=\"a\"",
+        expect![[r#"
+        nA Data num
+        abs Instruction num abs(num nValue)
+        acos Instruction num acos(num nValue)
+        aioGet Instruction num aioGet(aio aiInput)
+        aioSet Instruction num aioSet(aio aiOutput, num nValue)
+        alter Instruction num alter(trsf trAlteration)
+    "#]],
+    );
+    check(
+        "num nA\nnA$0",
+        expect![[r#"
+            nA Data num
+        "#]],
     );
 }
 
