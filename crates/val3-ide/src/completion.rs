@@ -10,11 +10,14 @@ mod text_place;
 mod xml_place;
 mod xml_values;
 
+use rowan::NodeOrToken;
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::parse;
 use val3_analysis::occurrences::Symbol;
 use val3_lang::{page, statements};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::view::View;
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
@@ -96,6 +99,7 @@ pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
         Context::Text(place) => strings::texts(&mut found, &place),
         Context::Attribute(place) => xml_values::values(&mut found, &place),
     }
+    found.prefer_used();
     found.ranked()
 }
 
@@ -112,6 +116,9 @@ pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Comp
         (None, _) => None,
     }
 }
+
+/// What a name gains that the code uses already.
+const USED: i32 = 10;
 
 /// What was found so far.
 struct Found<'db> {
@@ -172,12 +179,32 @@ impl<'db> Found<'db> {
         if is_called { added } else { added.with(|item| item.fill(call_snippet(name, &arguments()))) }
     }
 
+    /// Names that the code uses already are likely to be used again.
+    fn prefer_used(&mut self) {
+        let parse = parse(self.db, self.file);
+        let mut used = FxHashSet::default();
+        collect_names(View::root(parse.green()), &mut used);
+        for item in self.items.iter_mut().filter(|item| used.contains(item.label.as_str())) {
+            item.score += USED;
+        }
+    }
+
     /// The likeliest first; of those that are called and are the same kind of thing only the likeliest.
     fn ranked(mut self) -> Vec<Completion> {
         self.items.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.label.cmp(&b.label)));
         let mut seen = FxHashSet::default();
         self.items.retain(|item| seen.insert((item.label.clone(), item.kind)));
         self.items
+    }
+}
+
+fn collect_names<'g>(node: View<'g>, names: &mut FxHashSet<&'g str>) {
+    for child in node.children_with_tokens() {
+        match child {
+            NodeOrToken::Node(child) => collect_names(child, names),
+            NodeOrToken::Token(token) if token.kind() == SyntaxKind::IDENT => drop(names.insert(token.text())),
+            NodeOrToken::Token(_) => {}
+        }
     }
 }
 

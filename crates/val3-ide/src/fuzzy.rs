@@ -43,7 +43,7 @@ fn letter_score(wanted: char, found: char, before: Option<char>, run: bool) -> i
     let mut score = 1;
     score += if before.is_none() { 8 } else { 0 };
     score += if starts_word(before, found) { 6 } else { 0 };
-    score += if run { 5 } else { 0 };
+    score += if run { 8 } else { 0 };
     score + i32::from(wanted == found)
 }
 

@@ -6,7 +6,7 @@ use val3_analysis::items::program::header;
 use val3_analysis::items::project::{fields, items};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
-use val3_lang::instruction::{Class, Instruction, Overload};
+use val3_lang::instruction::{Class, Family, Instruction, Overload};
 use val3_lang::instructions;
 use val3_lang::keywords::is_task_creation;
 use val3_lang::types::{self, BaseType};
@@ -17,6 +17,8 @@ use super::{CompletionKind as Kind, Found, literals, missing};
 use crate::hover::program_line;
 use crate::line::{Block, Expected};
 
+/// What the instructions gain that most programs use.
+const COMMON: i32 = 8;
 /// What an instruction loses that this controller has by an add-on or not at all.
 const RARE: i32 = -40;
 
@@ -103,11 +105,23 @@ fn instructions_of(found: &mut Found<'_>, expected: &[Base], suits: impl Fn(&Ove
         let forms = instruction.overloads.iter().filter(|form| suits(form));
         // Of forms that fit alike the first stands.
         let Some(form) = forms.rev().max_by_key(fit_of) else { continue };
-        let score = fit_of(&form) + if instruction.exists_in(version) { 0 } else { RARE };
+        let prior = if !instruction.exists_in(version) {
+            RARE
+        } else if is_common(instruction.family) {
+            COMMON
+        } else {
+            0
+        };
+        let score = fit_of(&form) + prior;
         if !only_fitting || fit_of(&form) > 0 {
             add_instruction(found, instruction, form).scored(score);
         }
     }
+}
+
+/// What programs of every kind use, rather than what sets up a controller or an option.
+fn is_common(family: Family) -> bool {
+    !matches!(family, Family::Controller | Family::Options | Family::Additions | Family::AddOns)
 }
 
 fn add_instruction<'f>(

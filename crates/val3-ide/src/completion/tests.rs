@@ -264,24 +264,24 @@ fn half_written_lines() {
     check(
         "num nA\nstring sA\nnA=nA+$0",
         expect![[r#"
-        nA Data num
-        abs Instruction num abs(num nValue)
-        acos Instruction num acos(num nValue)
-        aioGet Instruction num aioGet(aio aiInput)
-        aioSet Instruction num aioSet(aio aiOutput, num nValue)
-        alter Instruction num alter(trsf trAlteration)
-    "#]],
+            nA Data num
+            abs Instruction num abs(num nValue)
+            acos Instruction num acos(num nValue)
+            aioGet Instruction num aioGet(aio aiInput)
+            aioSet Instruction num aioSet(aio aiOutput, num nValue)
+            asc Instruction num asc(string sText, num nPosition)
+        "#]],
     );
     check(
         "num nA\nstring sA\nnA=$0\nsA=\"a\"",
         expect![[r#"
-        nA Data num
-        abs Instruction num abs(num nValue)
-        acos Instruction num acos(num nValue)
-        aioGet Instruction num aioGet(aio aiInput)
-        aioSet Instruction num aioSet(aio aiOutput, num nValue)
-        alter Instruction num alter(trsf trAlteration)
-    "#]],
+            nA Data num
+            abs Instruction num abs(num nValue)
+            acos Instruction num acos(num nValue)
+            aioGet Instruction num aioGet(aio aiInput)
+            aioSet Instruction num aioSet(aio aiOutput, num nValue)
+            asc Instruction num asc(string sText, num nPosition)
+        "#]],
     );
     check(
         "num nA\nnA$0",

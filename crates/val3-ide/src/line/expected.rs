@@ -29,6 +29,19 @@ impl Expected {
         Self { bases: Some(base).filter(|base| *base != Base::Unknown).into_iter().collect(), variable: false }
     }
 
+    /// What can be compared with the value of an operand, computed with it or assigned to it. Inputs, outputs and
+    /// lines stand for what is read from them or written to them (3.5 to 3.7).
+    fn like(ty: Ty) -> Self {
+        match ty.base {
+            Base::Builtin(BaseType::Dio, _) => Self::of(BaseType::Bool),
+            Base::Builtin(BaseType::Aio, _) => Self::of(BaseType::Num),
+            Base::Builtin(BaseType::Sio, _) => {
+                Self { bases: vec![Base::of(BaseType::String), Base::of(BaseType::Num)], variable: false }
+            }
+            base => Self::value(base),
+        }
+    }
+
     fn variable(base: Base) -> Self {
         Self { variable: true, ..Self::value(base) }
     }
@@ -45,10 +58,10 @@ pub(crate) fn expected(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
         IF_KW | ELSE_IF_KW | WHILE_KW | UNTIL_KW | AND_KW | OR_KW | XOR_KW | BANG => Expected::of(BaseType::Bool),
         TO_KW | STEP_KW => Expected::of(BaseType::Num),
         FOR_KW => Expected::variable(Base::of(BaseType::Num)),
-        EQ => Expected::value(as_value(names.ty(head))),
+        EQ => Expected::like(names.ty(head)),
         CASE_KW => selector(names, last),
         TASK_CREATE_KW | TASK_CREATE_SYNC_KW => Expected::of(BaseType::String),
-        kind if is_operator(kind) && ends_value(head) => Expected::value(as_value(names.ty(head))),
+        kind if is_operator(kind) && ends_value(head) => Expected::like(names.ty(head)),
         kind if is_operator(kind) => expected(names, head),
         L_PAREN | L_BRACK | L_CURLY | COMMA => within_brackets(names, before),
         _ => Expected::anything(),
@@ -66,15 +79,6 @@ pub(crate) fn ends_value(tokens: &[SyntaxToken]) -> bool {
     })
 }
 
-/// Reading an input gives a truth value, and so on (3.5 to 3.7).
-fn as_value(ty: Ty) -> Base {
-    match ty.base {
-        Base::Builtin(BaseType::Dio, _) => Base::of(BaseType::Bool),
-        Base::Builtin(BaseType::Aio, _) => Base::of(BaseType::Num),
-        base => base,
-    }
-}
-
 /// The type of the value that the `switch` around a `case` compares.
 fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
     let Some(switch) = case.parent_ancestors().find(|node| node.kind() == SWITCH_STMT) else {
@@ -83,7 +87,7 @@ fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
     let tokens = std::iter::successors(switch.first_token(), SyntaxToken::next_token);
     let line: Vec<SyntaxToken> =
         tokens.take_while(|token| token.kind() != NEWLINE).filter(|token| !token.kind().is_trivia()).collect();
-    Expected::value(as_value(names.ty(&line)))
+    Expected::like(names.ty(&line))
 }
 
 /// Behind an opening bracket, or a comma.
