@@ -118,7 +118,8 @@ mod tests {
                 let mark = if index == help.active_form { "> " } else { "  " };
                 let parameter = form.parameters.get(help.active_parameter);
                 let parameter = parameter.map_or("", |(from, to)| &form.line[*from as usize..*to as usize]);
-                shown += &format!("{mark}{} | {parameter}\n", form.line);
+                shown += format!("{mark}{} | {parameter}", form.line).trim_end();
+                shown.push('\n');
             }
             shown
         });
@@ -201,9 +202,9 @@ mod tests {
         check(
             &format!("{library}libSave($0{part}"),
             expect![[r#"
-              num libSave() | 
-            > num libSave(string sPath) | string sPath
-        "#]],
+                  num libSave() |
+                > num libSave(string sPath) | string sPath
+            "#]],
         );
     }
 
@@ -230,11 +231,11 @@ mod tests {
         check(
             "putln(\"a,(b\",$0",
             expect![[r#"
-              void putln(string sText) | 
-            > void putln(screen scPage, string sText) | string sText
-              void putln(num nValue) | 
-              void putln(screen scPage, num nValue) | num nValue
-        "#]],
+                  void putln(string sText) |
+                > void putln(screen scPage, string sText) | string sText
+                  void putln(num nValue) |
+                  void putln(screen scPage, num nValue) | num nValue
+            "#]],
         );
         check("num nA\nnA=power(1,\n$0cls()", expect![[""]]);
         check("cls()\n// power($0\ncls()", expect![[""]]);

@@ -106,7 +106,9 @@ mod tests {
         for item in items {
             let name = &text[std::ops::Range::<usize>::from(item.name_range)];
             assert!(item.range.contains_range(item.name_range));
-            shown.push_str(&format!("{}{:?} {name} {}\n", "  ".repeat(depth), item.kind, item.detail));
+            let line = format!("{}{:?} {name} {}", "  ".repeat(depth), item.kind, item.detail);
+            shown.push_str(line.trim_end());
+            shown.push('\n');
             show(&item.children, depth + 1, text, shown);
         }
     }
@@ -147,8 +149,8 @@ mod tests {
         check(
             "cls()\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /></Database><Libraries><Library alias=\"part$0\" path=\"Disk://part/part.pjx\" /></Libraries><Types><Type name=\"Slot\" path=\"Disk://Slot/Slot.pjx\" /></Types></Project>",
             expect![[r#"
-                Program start.pgx 
-                Data main.dtx 
+                Program start.pgx
+                Data main.dtx
                 Library part Disk://part/part.pjx
                 Type Slot Disk://Slot/Slot.pjx
             "#]],
