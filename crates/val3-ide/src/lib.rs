@@ -28,7 +28,7 @@ pub use folding::{Fold, FoldKind, folds};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, type_at};
 pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hints};
-pub use navigate::{Target, definition, implementations, type_definition};
+pub use navigate::{Target, declarations, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};
 pub use references::references;
 pub use rename::{RenameError, prepare_rename, rename};

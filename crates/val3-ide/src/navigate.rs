@@ -2,6 +2,7 @@
 
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::interfaces::replacements;
+use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::items::{declarations, program};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
@@ -31,6 +32,36 @@ pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
         symbol => declaration(db, symbol),
     };
     place.into_iter().map(|to| Target { from: found.range, to }).collect()
+}
+
+/// Where what stands at a position is made known to the project: the entry of a program's file in the project file, the
+/// entry of the library that an item is taken from; else as [`definition`].
+pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+    let Some((project, found)) = name_at(db, at) else { return Vec::new() };
+    let entry = match &found.symbol {
+        Symbol::Program(owner, name) if *owner == project => program_entry(db, project, name),
+        Symbol::Program(owner, _) | Symbol::Data(owner, _) if *owner != project => library_entry(db, project, *owner),
+        _ => None,
+    };
+    match entry {
+        Some(to) => vec![Target { from: found.range, to }],
+        None => definition(db, at),
+    }
+}
+
+fn program_entry(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
+    let file = items(db, project).programs.get(name)?.path(db).file_name()?;
+    let references = &manifest(db, project.manifest(db)).programs;
+    let reference = references.iter().find(|reference| reference.eq_ignore_ascii_case(file))?;
+    let range = declarations::program_file(db, project, reference)?;
+    Some(FileRange { file: project.manifest(db), range })
+}
+
+/// The first identifier of the interface.
+fn library_entry(db: &dyn Db, project: Project, interface: Project) -> Option<FileRange> {
+    let libraries = items(db, project).libraries.iter().filter(|(_, library)| library.interface == Some(interface));
+    let alias = libraries.map(|(alias, _)| alias).min()?;
+    declaration(db, &Symbol::Library(project, alias.clone()))
 }
 
 fn is_declaration(found: &Occurrence, file: File, project: Project, db: &dyn Db) -> bool {
@@ -203,6 +234,24 @@ mod tests {
                 Slot/Slot.dtx:4 nHeight
             "#]],
         );
+    }
+
+    #[test]
+    fn entries_in_the_project_file() {
+        let check = |listing: &str, expected: Expect| {
+            let marked = Marked::new(listing);
+            let targets = declarations(marked.db(), marked.at());
+            expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
+        };
+        check("call oth$0er()\nprogram other()\nbegin\nend", expect![[r#"
+            main/main.pjx:5 other.pgx
+        "#]]);
+        check(&format!("library part \"Disk://part/part.pjx\"\nput(part:nWei$0ght){LIBRARY}"), expect![[r#"
+            main/main.pjx:11 part
+        "#]]);
+        check("num nA\nn$0A=1", expect![[r#"
+            main/main.dtx:4 nA
+        "#]]);
     }
 
     #[test]

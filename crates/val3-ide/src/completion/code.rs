@@ -6,9 +6,9 @@ use val3_analysis::items::program::header;
 use val3_analysis::items::project::{fields, items};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
-use val3_lang::instruction::{Class, Family, Instruction, Overload};
+use val3_lang::instruction::{Class, Family, Instruction, Overload, Shape};
 use val3_lang::instructions;
-use val3_lang::keywords::is_task_creation;
+use val3_lang::keywords::{KEYWORDS, is_task_creation};
 use val3_lang::types::{self, BaseType};
 
 use super::context::{Operators, Wanted};
@@ -23,14 +23,12 @@ const COMMON: i32 = 8;
 const RARE: i32 = -40;
 
 /// Blocks to fill in, as snippets; the editor indents what follows the first line.
-const BLOCKS: [(&str, &str); 7] = [
+const BLOCKS: [(&str, &str); 5] = [
     ("if", "if ${1:condition}\n  $0\nendIf"),
     ("while", "while ${1:condition}\n  $0\nendWhile"),
     ("for", "for ${1:l_nIndex}=${2:0} to ${3:nLast}\n  $0\nendFor"),
     ("do", "do\n  $0\nuntil ${1:condition}"),
     ("switch", "switch ${1:value}\n  case ${2:0}\n    $0\n  break\nendSwitch"),
-    ("taskCreate", "taskCreate \"${1:name}\",${2:10},${3:program}($4)"),
-    ("taskCreateSync", "taskCreateSync \"${1:name}\",${2:0.004},${3:bOverrun},${4:program}($5)"),
 ];
 
 const CASES: [(&str, &str); 2] = [("case", "case ${1:value}\n  $0\nbreak"), ("default", "default\n  $0\nbreak")];
@@ -43,6 +41,9 @@ pub(super) fn statement(found: &mut Found<'_>, blocks: &[Block]) {
     for (word, block) in BLOCKS {
         found.add(word, Kind::Keyword).snippet(|| block.to_owned()).scored(OWN);
     }
+    for keyword in KEYWORDS.into_iter().filter(|keyword| is_task_creation(keyword)) {
+        found.add(keyword, Kind::Keyword).snippet(|| task_creation(keyword)).scored(OWN);
+    }
     for word in ["call", "return"] {
         found.add(word, Kind::Keyword).scored(OWN);
     }
@@ -52,6 +53,20 @@ pub(super) fn statement(found: &mut Found<'_>, blocks: &[Block]) {
     instructions_of(found, &[], |form| form.class == Class::Modifier && !form.on_library);
     missing::global(found, &Expected::anything());
     missing::libraries(found);
+}
+
+/// The creation of a task with its values to fill in; they stand without parentheses.
+fn task_creation(keyword: &str) -> String {
+    let forms = instructions::find(keyword).map_or(&[][..], |instruction| instruction.overloads);
+    let params = (1..).zip(forms.first().map_or(&[][..], |form| form.params));
+    let places: Vec<String> = params
+        .map(|(place, param)| match (param.shape, param.ty) {
+            (Shape::ProgramCall, _) => format!("${{{place}:{}}}(${})", param.name, place + 1),
+            (_, Some(BaseType::String)) => format!("\"${{{place}:{}}}\"", param.name),
+            _ => format!("${{{place}:{}}}", param.name),
+        })
+        .collect();
+    format!("{keyword} {}", places.join(","))
 }
 
 /// The keywords that end the innermost block or go on with it.
