@@ -243,15 +243,24 @@ mod tests {
             let targets = declarations(marked.db(), marked.at());
             expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
         };
-        check("call oth$0er()\nprogram other()\nbegin\nend", expect![[r#"
+        check(
+            "call oth$0er()\nprogram other()\nbegin\nend",
+            expect![[r#"
             main/main.pjx:5 other.pgx
-        "#]]);
-        check(&format!("library part \"Disk://part/part.pjx\"\nput(part:nWei$0ght){LIBRARY}"), expect![[r#"
+        "#]],
+        );
+        check(
+            &format!("library part \"Disk://part/part.pjx\"\nput(part:nWei$0ght){LIBRARY}"),
+            expect![[r#"
             main/main.pjx:11 part
-        "#]]);
-        check("num nA\nn$0A=1", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nn$0A=1",
+            expect![[r#"
             main/main.dtx:4 nA
-        "#]]);
+        "#]],
+        );
     }
 
     #[test]

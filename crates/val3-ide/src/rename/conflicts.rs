@@ -1,11 +1,13 @@
 //! What stands against a new name.
 
+use memchr::memmem;
 use smol_str::SmolStr;
 use val3_analysis::application::ENTRY_POINTS;
+use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::program::header;
-use val3_analysis::items::project::items;
-use val3_analysis::occurrences::Symbol;
+use val3_analysis::items::project::{items, program_files};
+use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
 
 use super::RenameError;
@@ -85,12 +87,14 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
             not_declared_in(db, *file, new_name)?;
-            hides_no_data(db, *file, new_name)
+            hides_no_data(db, *file, new_name)?;
+            takes_no_unknown(db, *file, new_name)
         }
         // A local hides data of its own project alone: items of libraries and fields stand behind `:` and `.`.
         Symbol::Data(project, _) | Symbol::Program(project, _) | Symbol::Library(project, _) => {
             let own = |file: &File| crate::owner::projects_of(db, *file).contains(project);
-            users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))
+            users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))?;
+            program_files(db, *project).iter().try_for_each(|file| takes_no_unknown(db, *file, new_name))
         }
         _ => Ok(()),
     }
@@ -146,6 +150,22 @@ fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameEr
         if items(db, *project).data.contains_key(new_name) && users(db, &data).any(|user| user == file) {
             return refused(format!("the program uses the global `{new_name}`, which the new name would hide"));
         }
+    }
+    Ok(())
+}
+
+/// The program does not use the name for something that is not known, which would then be what is renamed.
+fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
+    if memmem::find(file.text(db).as_bytes(), new_name.as_bytes()).is_none() {
+        return Ok(());
+    }
+    let Some(project) = crate::owner::owner(db, file) else { return Ok(()) };
+    let known = occurrences(db, project, file);
+    let is_known = |range| known.binary_search_by_key(&range, |found| found.range.start()).is_ok();
+    let is_unknown = |expr: &Expr, start| matches!(expr, Expr::Name(name) if name == new_name) && !is_known(start);
+    if body(db, file).exprs().any(|(_, expr, range)| is_unknown(expr, range.start())) {
+        let program = &header(db, file).name;
+        return refused(format!("the program `{program}` uses the name `{new_name}`, which is not declared yet"));
     }
     Ok(())
 }
