@@ -35,6 +35,25 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     check.problems
 }
 
+/// The libraries that programs of a project load in place of others: first the project that gives the interface.
+#[salsa::tracked]
+pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
+    if items(db, project).libraries.is_empty() {
+        return Vec::new();
+    }
+    let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
+    let mut check = Interfaces { db, project, programs, problems: Vec::new() };
+    let mut found = Vec::new();
+    for (alias, library) in &items(db, project).libraries {
+        let Some(interface) = library.interface else { continue };
+        let loaded = check.loaded(alias);
+        found.extend(loaded.into_iter().filter(|library| *library != interface).map(|library| (interface, library)));
+    }
+    found.sort_unstable_by_key(|pair| (pair.0.manifest(db).path(db), pair.1.manifest(db).path(db)));
+    found.dedup();
+    found
+}
+
 struct Interfaces<'db> {
     db: &'db dyn Db,
     project: Project,
@@ -74,6 +93,31 @@ impl Interfaces<'_> {
                 }
             }
         }
+    }
+
+    /// What programs load under the identifier. Where a path is computed, that is every project with all that is used
+    /// of the interface.
+    fn loaded(&mut self, alias: &SmolStr) -> Vec<Project> {
+        let uses = self.programs.iter().flat_map(|(file, uses)| uses.loads.iter().map(|load| (*file, load.clone())));
+        let loads: Vec<(File, Load)> = uses.filter(|(_, load)| load.alias == *alias).collect();
+        let mut found = Vec::new();
+        for (file, load) in loads {
+            match load.path {
+                LoadedPath::Unknown => found.extend(self.look_alikes(alias)),
+                path => found.extend(self.candidates(alias, Place { file, range: load.range }, &path)),
+            }
+        }
+        found
+    }
+
+    fn look_alikes(&self, alias: &SmolStr) -> Vec<Project> {
+        let needed = self.needed(alias);
+        let offers_all = |library: &Project| {
+            let offered = items(self.db, *library);
+            needed.iter().all(|item| offered.data.contains_key(item) || offered.programs.contains_key(item))
+        };
+        let projects = Sources::get(self.db).projects(self.db).values().copied();
+        projects.filter(|library| *library != self.project && !needed.is_empty() && offers_all(library)).collect()
     }
 
     fn candidates(&mut self, alias: &SmolStr, place: Place, path: &LoadedPath) -> Vec<Project> {

@@ -1,12 +1,14 @@
 //! Every name in a file and what it stands for: the ground of navigation, renaming and highlighting.
 
 mod code;
+mod texts;
 mod xml_names;
 
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, TextSize};
 
+use crate::body::body;
 use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};
 
@@ -62,11 +64,12 @@ pub struct Occurrence {
 }
 
 /// Every name in `file` as a part of `project`, in the order of the text. Names that stand for nothing are left out.
-#[salsa::tracked(lru = 64)]
+#[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let mut found = xml_names::names(db, project, file);
     if program_files(db, project).contains(&file) {
         found.extend(code::names(db, project, file));
+        found.extend(texts::names(db, project, file, body(db, file)));
     }
     found.sort_by_key(|occurrence| occurrence.range.start());
     found.dedup();

@@ -3,17 +3,27 @@
 mod code;
 mod context;
 mod literals;
+mod missing;
+mod names;
 mod strings;
+mod text_place;
+mod xml_place;
 mod xml_values;
 
+use rowan::NodeOrToken;
+use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::parse;
 use val3_analysis::occurrences::Symbol;
-use val3_syntax::TextRange;
+use val3_lang::{page, statements};
+use val3_syntax::view::View;
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use crate::FilePosition;
 use crate::edit::FileEdit;
 use crate::fuzzy::score;
 use crate::hover;
+use crate::line::Names;
 use crate::owner::owner;
 use context::{Context, context};
 
@@ -26,17 +36,19 @@ pub struct Completion {
     pub detail: String,
     /// What it is.
     pub kind: CompletionKind,
-    /// What it replaces: the letters typed so far.
+    /// What it replaces: the word at the cursor.
     pub range: TextRange,
     /// What is put there. In a snippet `$1`, `${2:name}` and `$0` are places to fill.
     pub insert: String,
+    /// What is put there by an editor that knows no snippets.
+    pub plain: String,
     /// `insert` is a snippet.
     pub is_snippet: bool,
     /// How likely it is, higher first.
     pub score: i32,
     /// What it stands for, for its documentation.
     pub symbol: Option<Symbol>,
-    /// What else has to change: an entry in the project file.
+    /// What else has to change: an entry in the project file or the data file.
     pub additional: Vec<FileEdit>,
 }
 
@@ -74,27 +86,39 @@ pub enum CompletionKind {
 /// What can be written at a position, the likeliest first.
 pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
     let Some(project) = owner(db, at.file) else { return Vec::new() };
-    let (context, typed) = context(db, project, at);
-    let mut found = Found { db, project, file: at.file, range: typed, items: Vec::new() };
+    let (context, range) = context(db, project, at);
+    let mut found = Found::new(db, project, at, range);
     match context {
         Context::Nothing => {}
-        Context::Statement { closing } => code::statement(&mut found, closing),
-        Context::Expression { expected } => code::expression(&mut found, expected),
+        Context::Statement(blocks) => code::statement(&mut found, &blocks),
+        Context::Expression(expected) => code::expression(&mut found, &expected),
+        Context::Operator(operators) => code::operators(&mut found, operators),
         Context::Members(base) => code::members(&mut found, base),
-        Context::LibraryItem { library, programs_only } => code::library_items(&mut found, &library, programs_only),
+        Context::LibraryItem { library, wanted } => code::library_items(&mut found, &library, &wanted),
         Context::Program => code::programs(&mut found),
-        Context::Text(text) => strings::texts(&mut found, &text),
-        Context::Attribute(attribute) => xml_values::values(&mut found, &attribute),
+        Context::Text(place) => strings::texts(&mut found, &place),
+        Context::Attribute(place) => xml_values::values(&mut found, &place),
     }
-    let text: &str = at.file.text(db);
-    let query = text.get(usize::from(typed.start())..usize::from(at.offset)).unwrap_or("");
-    found.ranked(query)
+    found.prefer_used();
+    found.ranked()
 }
 
-/// The documentation of a completion in Markdown.
+/// The documentation of a symbol in Markdown.
 pub fn documentation(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<String> {
     hover::symbol(db, project, symbol)
 }
+
+/// The documentation of a completion in Markdown: that of its symbol, or the page of its keyword.
+pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Completion) -> Option<String> {
+    match (&completion.symbol, completion.kind) {
+        (Some(symbol), _) => documentation(db, project, symbol),
+        (None, CompletionKind::Keyword) => statements::find(&completion.label).map(|found| page::text(found.page)),
+        (None, _) => None,
+    }
+}
+
+/// What a name gains that the code uses already.
+const USED: i32 = 10;
 
 /// What was found so far.
 struct Found<'db> {
@@ -103,21 +127,39 @@ struct Found<'db> {
     file: File,
     /// What every completion replaces.
     range: TextRange,
+    /// The letters before the cursor.
+    query: &'db str,
+    /// A `(` follows: names of what is called are written without their arguments.
+    is_called: bool,
     items: Vec<Completion>,
 }
 
-impl Found<'_> {
-    /// Adds a completion that writes its label.
-    fn add(&mut self, label: impl Into<String>, kind: CompletionKind, detail: impl Into<String>) -> Added<'_> {
-        let label = label.into();
+impl<'db> Found<'db> {
+    fn new(db: &'db dyn Db, project: Project, at: FilePosition, range: TextRange) -> Self {
+        let text: &str = at.file.text(db);
+        let part = |from: TextSize, to: TextSize| text.get(usize::from(from)..usize::from(to)).unwrap_or("");
+        let is_called = part(range.end(), TextSize::of(text)).starts_with('(');
+        let query = part(range.start(), at.offset.max(range.start()));
+        Self { db, project, file: at.file, range, query, is_called, items: Vec::new() }
+    }
+
+    /// The names of the program that is edited.
+    fn names(&self) -> Names<'db> {
+        Names::new(self.db, self.project, self.file)
+    }
+
+    /// Adds a completion that writes its label, if the letters that were typed fit it.
+    fn add(&mut self, label: &str, kind: CompletionKind) -> Added<'_> {
+        let Some(fit) = score(self.query, label) else { return Added(None) };
         let item = Completion {
-            insert: label.clone(),
-            label,
-            detail: detail.into(),
+            insert: label.to_owned(),
+            plain: label.to_owned(),
+            label: label.to_owned(),
+            detail: String::new(),
             kind,
             range: self.range,
             is_snippet: false,
-            score: 0,
+            score: fit,
             symbol: None,
             additional: Vec::new(),
         };
@@ -125,22 +167,62 @@ impl Found<'_> {
         Added(self.items.last_mut())
     }
 
-    /// Those that fit what was typed, the likeliest first.
-    fn ranked(mut self, query: &str) -> Vec<Completion> {
-        self.items.retain_mut(|item| match score(query, &item.label) {
-            Some(fit) => {
-                item.score += fit;
-                true
-            }
-            None => false,
-        });
+    /// Adds something that is called: its arguments are places to fill.
+    fn add_call<'p>(
+        &mut self,
+        name: &str,
+        kind: CompletionKind,
+        arguments: impl FnOnce() -> Vec<&'p str>,
+    ) -> Added<'_> {
+        let is_called = self.is_called;
+        let added = self.add(name, kind);
+        if is_called { added } else { added.with(|item| item.fill(call_snippet(name, &arguments()))) }
+    }
+
+    /// Names that the code uses already are likely to be used again.
+    fn prefer_used(&mut self) {
+        let parse = parse(self.db, self.file);
+        let mut used = FxHashSet::default();
+        collect_names(View::root(parse.green()), &mut used);
+        for item in self.items.iter_mut().filter(|item| used.contains(item.label.as_str())) {
+            item.score += USED;
+        }
+    }
+
+    /// The likeliest first; of those that are called and are the same kind of thing only the likeliest.
+    fn ranked(mut self) -> Vec<Completion> {
         self.items.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.label.cmp(&b.label)));
-        self.items.dedup_by(|a, b| a.label == b.label && a.kind == b.kind);
+        let mut seen = FxHashSet::default();
+        self.items.retain(|item| seen.insert((item.label.clone(), item.kind)));
         self.items
     }
 }
 
-/// A completion that was just added.
+fn collect_names<'g>(node: View<'g>, names: &mut FxHashSet<&'g str>) {
+    for child in node.children_with_tokens() {
+        match child {
+            NodeOrToken::Node(child) => collect_names(child, names),
+            NodeOrToken::Token(token) if token.kind() == SyntaxKind::IDENT => drop(names.insert(token.text())),
+            NodeOrToken::Token(_) => {}
+        }
+    }
+}
+
+/// `name(${1:a},${2:b})$0`
+fn call_snippet(name: &str, arguments: &[&str]) -> String {
+    let places: Vec<String> =
+        arguments.iter().enumerate().map(|(index, name)| format!("${{{}:{name}}}", index + 1)).collect();
+    format!("{}({})$0", name.replace('$', "\\$"), places.join(","))
+}
+
+impl Completion {
+    fn fill(&mut self, snippet: String) {
+        self.insert = snippet;
+        self.is_snippet = true;
+    }
+}
+
+/// A completion that was just added, if what was typed fits it: nothing is worked out for the others.
 struct Added<'f>(Option<&'f mut Completion>);
 
 impl Added<'_> {
@@ -151,19 +233,24 @@ impl Added<'_> {
         self
     }
 
+    fn detail(self, detail: impl FnOnce() -> String) -> Self {
+        self.with(|item| item.detail = detail())
+    }
+
     fn scored(self, score: i32) -> Self {
         self.with(|item| item.score += score)
     }
 
-    fn of(self, symbol: Symbol) -> Self {
-        self.with(|item| item.symbol = Some(symbol))
+    fn of(self, symbol: impl FnOnce() -> Symbol) -> Self {
+        self.with(|item| item.symbol = Some(symbol()))
     }
 
-    fn snippet(self, text: impl Into<String>) -> Self {
-        self.with(|item| {
-            item.insert = text.into();
-            item.is_snippet = true;
-        })
+    fn snippet(self, text: impl FnOnce() -> String) -> Self {
+        self.with(|item| item.fill(text()))
+    }
+
+    fn adding(self, edits: impl FnOnce() -> Vec<FileEdit>) -> Self {
+        self.with(|item| item.additional = edits())
     }
 }
 

@@ -4,7 +4,7 @@ use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
 use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 /// Something that can be folded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +35,9 @@ pub fn folds(db: &dyn Db, file: File) -> Vec<Fold> {
         envelope(root, code, &mut folds);
     }
     walk(root, &mut folds);
+    let mut comments = Comments::default();
+    comments.walk(root, &mut folds);
+    comments.end(&mut folds);
     folds.retain(|fold| text.get(std::ops::Range::<usize>::from(fold.range)).is_some_and(|text| text.contains('\n')));
     folds.sort_by_key(|fold| (fold.range.start(), fold.range.end()));
     folds
@@ -58,14 +61,13 @@ fn envelope(root: View<'_>, code: View<'_>, folds: &mut Vec<Fold>) {
 }
 
 fn walk(node: View<'_>, folds: &mut Vec<Fold>) {
-    comments(node, folds);
     for child in node.children() {
         match child.kind() {
             SyntaxKind::ELEMENT if find_code(child).is_none() => {
                 folds.push(Fold { range: child.range(), kind: FoldKind::Xml });
             }
-            SyntaxKind::IF_STMT
-            | SyntaxKind::WHILE_STMT
+            SyntaxKind::IF_STMT => branches(child, folds),
+            SyntaxKind::WHILE_STMT
             | SyntaxKind::DO_STMT
             | SyntaxKind::FOR_STMT
             | SyntaxKind::SWITCH_STMT
@@ -77,24 +79,132 @@ fn walk(node: View<'_>, folds: &mut Vec<Fold>) {
     }
 }
 
+/// Each branch of an `if` up to the next one; the last one up to `endIf`.
+fn branches(statement: View<'_>, folds: &mut Vec<Fold>) {
+    let mut start = statement.range().start();
+    let mut end = statement.child(SyntaxKind::BLOCK).map_or(start, |block| last_line(block));
+    let is_clause = |kind| matches!(kind, SyntaxKind::ELSE_IF_CLAUSE | SyntaxKind::ELSE_CLAUSE);
+    for clause in statement.children().filter(|child| is_clause(child.kind())) {
+        folds.push(Fold { range: TextRange::new(start, end.max(start)), kind: FoldKind::Block });
+        start = clause.range().start();
+        end = clause.child(SyntaxKind::BLOCK).map_or(start, |block| last_line(block));
+    }
+    folds.push(Fold { range: TextRange::new(start, statement.range().end()), kind: FoldKind::Block });
+}
+
+/// The end of the last token of a block that is no line end.
+fn last_line(block: View<'_>) -> TextSize {
+    let ends = block.children_with_tokens().filter_map(|child| match child {
+        NodeOrToken::Node(node) => Some(node.range().end()),
+        NodeOrToken::Token(token) => (token.kind() == SyntaxKind::COMMENT).then(|| token.range().end()),
+    });
+    ends.last().unwrap_or(block.range().start())
+}
+
 /// Comments in a row, with nothing but one line end between them.
-fn comments(node: View<'_>, folds: &mut Vec<Fold>) {
-    let mut run: Option<TextRange> = None;
-    for child in node.children_with_tokens() {
-        match child {
-            NodeOrToken::Token(token) if token.kind() == SyntaxKind::COMMENT => {
-                run = Some(run.map_or(token.range(), |run| run.cover(token.range())));
+#[derive(Default)]
+struct Comments {
+    run: Option<TextRange>,
+}
+
+impl Comments {
+    fn walk(&mut self, node: View<'_>, folds: &mut Vec<Fold>) {
+        for child in node.children_with_tokens() {
+            match child {
+                NodeOrToken::Node(node) => self.walk(node, folds),
+                NodeOrToken::Token(token) if token.kind() == SyntaxKind::COMMENT => {
+                    self.run = Some(self.run.map_or(token.range(), |run| run.cover(token.range())));
+                }
+                NodeOrToken::Token(token) if joins_comments(token) => {}
+                NodeOrToken::Token(_) => self.end(folds),
             }
-            NodeOrToken::Token(token) if joins_comments(token) => {}
-            _ => folds.extend(run.take().map(|range| Fold { range, kind: FoldKind::Comment })),
         }
     }
-    folds.extend(run.map(|range| Fold { range, kind: FoldKind::Comment }));
+
+    fn end(&mut self, folds: &mut Vec<Fold>) {
+        folds.extend(self.run.take().map(|range| Fold { range, kind: FoldKind::Comment }));
+    }
 }
 
 fn joins_comments(token: TokenView<'_>) -> bool {
     match token.kind() {
         SyntaxKind::NEWLINE => token.text().matches('\n').count() <= 1,
         kind => kind == SyntaxKind::WHITESPACE,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::Marked;
+
+    /// The first and last line of each fold, lines from 1.
+    fn check(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let (db, file) = (marked.db(), marked.at().file);
+        let text: &str = file.text(db);
+        let line = |offset: TextSize| 1 + text[..usize::from(offset)].matches('\n').count();
+        let shown = folds(db, file).into_iter().map(|fold| {
+            let (first, last) = (line(fold.range.start()), line(fold.range.end()));
+            format!("{:?} {first}-{last} {}\n", fold.kind, text.lines().nth(first - 1).unwrap_or("").trim())
+        });
+        expected.assert_eq(&shown.collect::<String>());
+    }
+
+    #[test]
+    fn blocks_and_envelope() {
+        check(
+            "num nA\nif nA==1\n  cls()$0\nelseIf nA==2\n  cls()\nelse\n  cls()\nendIf\nwhile nA<3\n  nA=nA+1\nendWhile\nswitch nA\n  case 1\n    cls()\n  break\nendSwitch",
+            expect![[r#"
+                Xml 1-4 <?xml version="1.0" encoding="utf-8"?>
+                Block 5-6 if nA==1
+                Block 7-8 elseIf nA==2
+                Block 9-11 else
+                Block 12-14 while nA<3
+                Block 15-19 switch nA
+                Block 16-18 case 1
+                Xml 20-22 end]]></Code>
+            "#]],
+        );
+    }
+
+    #[test]
+    fn comments() {
+        check(
+            "cls()$0\n// one\n// two\n\n// alone\ncls()\n// three\n// four\n// five\ncls()",
+            expect![[r#"
+                Xml 1-4 <?xml version="1.0" encoding="utf-8"?>
+                Comment 6-7 // one
+                Comment 11-13 // three
+                Xml 15-17 end]]></Code>
+            "#]],
+        );
+    }
+
+    #[test]
+    fn a_block_without_its_end() {
+        check(
+            "num nA\nwhile nA<3\n  if nA==1\n    cls()$0\nendWhile\ncls()",
+            expect![[r#"
+            Xml 1-4 <?xml version="1.0" encoding="utf-8"?>
+            Block 5-8 while nA<3
+            Block 6-7 if nA==1
+            Xml 10-12 end]]></Code>
+        "#]],
+        );
+    }
+
+    #[test]
+    fn data() {
+        check(
+            "cls()\n=== main/main.dtx\n<Database>\n  <Datas>$0\n    <Data name=\"nA\" type=\"num\">\n      <Value key=\"0\" value=\"1\" />\n    </Data>\n    <Data name=\"nB\" type=\"num\" />\n  </Datas>\n</Database>",
+            expect![[r#"
+                Xml 1-8 <Database>
+                Xml 2-7 <Datas>
+                Xml 3-5 <Data name="nA" type="num">
+            "#]],
+        );
     }
 }

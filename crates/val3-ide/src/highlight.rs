@@ -22,3 +22,45 @@ pub fn highlights(db: &dyn Db, at: FilePosition) -> Vec<Highlight> {
     let same = occurrences(db, project, at.file).iter().filter(|occurrence| occurrence.symbol == found.symbol);
     same.map(|occurrence| Highlight { range: occurrence.range, is_write: occurrence.usage != Usage::Read }).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Marked;
+
+    /// The line of each use, `w` where it gets a value.
+    fn shown(listing: &str) -> String {
+        let marked = Marked::new(listing);
+        let text: &str = marked.at().file.text(marked.db());
+        let found = highlights(marked.db(), marked.at()).into_iter().map(|found| {
+            let before = &text[..usize::from(found.range.start())];
+            let line = text.lines().nth(before.matches('\n').count()).unwrap_or("").trim();
+            format!("{}{line}", if found.is_write { "w " } else { "" })
+        });
+        found.collect::<Vec<_>>().join(" | ")
+    }
+
+    #[test]
+    fn reads_and_writes() {
+        let found = shown("num nA\nn$0A=1\nputln(nA)\nnA=nA+1");
+        assert_eq!(found, "w nA=1 | putln(nA) | w nA=nA+1 | nA=nA+1");
+    }
+
+    #[test]
+    fn what_is_handed_over_by_reference_may_change() {
+        let found = shown("num nA\ncall fill(n$0A)\nputln(nA)\nprogram fill(num& x_n)\nbegin\nend");
+        assert_eq!(found, "w call fill(nA) | putln(nA)");
+    }
+
+    #[test]
+    fn parts_of_a_variable() {
+        let found = shown("point pA\np$0A.trsf.x=1\nputln(pA.trsf.y)");
+        assert_eq!(found, "w pA.trsf.x=1 | putln(pA.trsf.y)");
+    }
+
+    #[test]
+    fn declarations_in_the_same_file() {
+        let found = shown("program start()\n  num l_i\nbegin\n  l_$0i=1\nend");
+        assert_eq!(found, "w <Local name=\"l_i\" type=\"num\" xsi:type=\"array\" size=\"1\" /> | w l_i=1");
+    }
+}

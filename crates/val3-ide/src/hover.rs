@@ -1,9 +1,13 @@
 //! What the name under the cursor is: type, initial value, father, comment, page.
 
+mod attributes;
 mod data;
+mod numbers;
 mod program;
+mod units;
 
-pub(crate) use program::line as program_line;
+pub(crate) use data::keys_of;
+pub(crate) use program::{comment as program_comment, line as program_line};
 
 use val3_analysis::body::{Constant, Expr, body};
 use val3_analysis::db::{Db, File, Project};
@@ -13,7 +17,7 @@ use val3_analysis::items::program::header;
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::brackets;
-use val3_lang::types::{Arm, BaseType, Unit, field};
+use val3_lang::types::{BaseType, Field, field, fields};
 use val3_lang::{builtins, enumerations, instructions, page, statements};
 use val3_syntax::{SyntaxKind, TextRange};
 
@@ -36,7 +40,9 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
         let markdown = symbol(db, project, &found.symbol)?;
         return Some(Hover { range: found.range, markdown });
     }
-    keyword(db, at).or_else(|| constant(db, at))
+    let project = owner(db, at.file)?;
+    let in_code = || keyword(db, at).or_else(|| numbers::hover(db, project, at)).or_else(|| constant(db, at));
+    attributes::hover(db, project, at).or_else(in_code)
 }
 
 /// What there is to say about a symbol that is named in `project`.
@@ -56,7 +62,8 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
             let reference = if param.by_reference { "&" } else { "" };
             let line = format!("{}{reference} {name}{}", param.type_name, brackets(param.container));
             let passing = if param.by_reference { "by reference" } else { "by value" };
-            Some(fenced(&line) + &format!("\nparameter, {passing}"))
+            let about = program::parameter(db, *file, name).map(|about| format!("\n\n{about}")).unwrap_or_default();
+            Some(fenced(&line) + &format!("\nparameter, {passing}{about}"))
         }
         Symbol::Data(owner, name) => data::hover(db, *owner, name),
         Symbol::Program(owner, name) => program::hover(db, *owner, name),
@@ -69,8 +76,8 @@ pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
         Symbol::Enumerator(name) => {
             enumerations::find(name).map(|found| fenced(&format!("{} {name}", found.ty.name())) + "\n" + found.doc)
         }
-        Symbol::Field(ty, name) => builtin_field(*ty, items(db, project).arm, name),
-        Symbol::BuiltinType(name) => Some(fenced(name)),
+        Symbol::Field(ty, name) => builtin_field(db, project, *ty, name),
+        Symbol::BuiltinType(name) => builtin_type(db, project, name),
     }
 }
 
@@ -80,7 +87,7 @@ fn fenced(code: &str) -> String {
 }
 
 /// The brackets of a declaration: `[3,4]`, `[""]`, nothing for a single value.
-fn shape(sizes: &[u32], container: val3_lang::types::Container) -> String {
+pub(crate) fn shape(sizes: &[u32], container: val3_lang::types::Container) -> String {
     match sizes {
         [1] => String::new(),
         [] => brackets(container).to_owned(),
@@ -123,22 +130,22 @@ fn instruction(name: &str) -> Option<String> {
     Some(fenced(&found.signatures().join("\n")) + "\n" + &page::text(found.page))
 }
 
-fn builtin_field(ty: BaseType, arm: Option<Arm>, name: &str) -> Option<String> {
-    let found = field(ty, arm, name)?;
-    let unit = unit(found.unit).map(|unit| format!(" ({unit})")).unwrap_or_default();
+fn builtin_field(db: &dyn Db, project: Project, ty: BaseType, name: &str) -> Option<String> {
+    let found = field(ty, items(db, project).arm, name)?;
+    let unit = units::word(db, project, found.unit).map(|unit| format!(" ({unit})")).unwrap_or_default();
     Some(fenced(&format!("{} {}.{name}", found.ty.name(), ty.name())) + &format!("\n{}{unit}", found.doc))
 }
 
-fn unit(unit: Unit) -> Option<&'static str> {
-    Some(match unit {
-        Unit::None => return None,
-        Unit::Length => "mm or inches",
-        Unit::Degrees => "degrees",
-        Unit::Percent => "per cent of the arm's nominal value",
-        Unit::LengthPerSecond => "mm or inches per second",
-        Unit::DegreesPerSecond => "degrees per second",
-        Unit::Seconds => "seconds",
-    })
+/// A built-in type with its fields.
+fn builtin_type(db: &dyn Db, project: Project, name: &str) -> Option<String> {
+    let (ty, arm) = BaseType::from_file_name(name)?;
+    let line = |field: &Field| {
+        let unit = units::word(db, project, field.unit).map(|unit| format!(", in {unit}")).unwrap_or_default();
+        format!("- `{}`: {}{unit}. {}", field.name, field.ty.name(), field.doc)
+    };
+    let lines: Vec<String> = fields(ty, arm.or(items(db, project).arm)).iter().map(line).collect();
+    let about = if lines.is_empty() { String::new() } else { format!("\n{}", lines.join("\n")) };
+    Some(fenced(name) + &about)
 }
 
 /// The page of a keyword.
@@ -152,7 +159,6 @@ fn keyword(db: &dyn Db, at: FilePosition) -> Option<Hover> {
 
 /// The value of an expression that is made of literals.
 fn constant(db: &dyn Db, at: FilePosition) -> Option<Hover> {
-    owner(db, at.file)?;
     let body = body(db, at.file);
     let around = body.exprs().filter(|(_, expr, range)| {
         range.contains_inclusive(at.offset) && matches!(expr, Expr::Binary(..) | Expr::Unary(..) | Expr::Paren(_))
@@ -177,219 +183,4 @@ pub fn type_at(db: &dyn Db, file: File, range: TextRange) -> Option<(TextRange, 
 }
 
 #[cfg(test)]
-mod tests {
-    use expect_test::{Expect, expect};
-
-    use super::*;
-    use crate::testing::Marked;
-
-    fn check(listing: &str, expected: Expect) {
-        let marked = Marked::new(listing);
-        let found = hover(marked.db(), marked.at()).map_or_else(|| "nothing".to_owned(), |hover| hover.markdown);
-        expected.assert_eq(&(found + "\n"));
-    }
-
-    #[test]
-    fn variables() {
-        check(
-            "num nCount = 3\nnC$0ount=1",
-            expect![[r#"
-            ```val3
-            num nCount
-            ```
-
-            starts as
-            ```val3
-            3
-            ```
-
-        "#]],
-        );
-        check(
-            "string sName = \"box\"\nput(sNam$0e)",
-            expect![[r#"
-            ```val3
-            string sName
-            ```
-
-            starts as
-            ```val3
-            box
-            ```
-
-        "#]],
-        );
-        check(
-            "frame fTable\npoint pA\npA.trsf=fTa$0ble.trsf",
-            expect![[r#"
-            ```val3
-            frame fTable
-            ```
-
-            starts as
-            ```val3
-            fatherId=world[0]
-            ```
-
-            hangs on `world`
-
-        "#]],
-        );
-        check(
-            "program start(num& x_n)\nbegin\n  put(x_n$0)\nend",
-            expect![[r#"
-            ```val3
-            num& x_n
-            ```
-
-            parameter, by reference
-        "#]],
-        );
-        check(
-            "program start()\n  num l_a[3]\nbegin\n  put(l_$0a[1])\nend",
-            expect![[r#"
-            ```val3
-            num l_a[3]
-            ```
-
-            local variable
-        "#]],
-        );
-    }
-
-    #[test]
-    fn programs_have_their_comment() {
-        check(
-            "call gr$0ip(1)\nprogram grip(num x_n, string& x_s)\nbegin\n  // Closes the gripper.\n  //\\param x_n how hard\n  putln(x_n)\nend",
-            expect![[r#"
-                ```val3
-                program grip(num x_n, string& x_s)
-                ```
-
-                Closes the gripper.
-                - `x_n`: how hard
-            "#]],
-        );
-    }
-
-    #[test]
-    fn libraries_and_types() {
-        check(
-            "library part \"Disk://part/part.pjx\"\npa$0rt:nA=1\n--- part\npublic num nA",
-            expect![[r#"
-            ```val3
-            library part
-            ```
-
-            interface of `Disk://part/part.pjx`, loaded with the application
-        "#]],
-        );
-        check(
-            "type Slot \"Disk://Slot/Slot.pjx\"\nSlot sA\nput(sA.nHei$0ght)\n--- Slot\npublic num nHeight = 4",
-            expect![[r#"
-            ```val3
-            public num nHeight
-            ```
-
-            starts as
-            ```val3
-            4
-            ```
-
-        "#]],
-        );
-    }
-
-    #[test]
-    fn what_the_language_brings() {
-        check(
-            "num nA\nnA=sqr$0t(4)",
-            expect![[r#"
-            ```val3
-            num sqrt(num nValue)
-            ```
-
-            Gives the square root of a number.
-
-            - `nValue`: 0 or more.
-            - Result: the root.
-            - Error 11: `nValue` is negative.
-
-            ## Example
-            ```val3
-            num nDistance
-            trsf trGap
-              nDistance=sqrt(trGap.x*trGap.x+trGap.y*trGap.y)
-            ```
-
-        "#]],
-        );
-        check(
-            "point pA\npA.trsf.r$0x=1",
-            expect![[r#"
-            ```val3
-            num trsf.rx
-            ```
-
-            First rotation, about x. (degrees)
-        "#]],
-        );
-        check(
-            "if tr$0ue\nendIf",
-            expect![[r#"
-            The two truth values.
-
-            ## Example
-            ```val3
-            bool bDone
-              bDone=true
-              wait(bDone)
-            ```
-
-        "#]],
-        );
-        check(
-            "whi$0le true\n  delay(1)\nendWhile",
-            expect![[r#"
-            Repeats lines as long as a condition holds.
-
-            The condition is computed before each pass, so the lines may not be executed at all. A loop that waits for
-            something needs a `delay` or another instruction that lets the other tasks run.
-
-            ## Example
-            ```val3
-            dio doLamp
-              while isSettled()==false
-                doLamp=!doLamp
-                delay(0.5)
-              endWhile
-              doLamp=false
-            ```
-
-        "#]],
-        );
-        check(
-            "mdesc mA\nmA.blend=jo$0int",
-            expect![[r#"
-            ```val3
-            blend joint
-            ```
-
-            Rounds the corner with a joint move: fast, free in shape.
-        "#]],
-        );
-    }
-
-    #[test]
-    fn constants() {
-        check(
-            "num nA\nnA=2*$0(3+4)",
-            expect![[r#"
-            ```val3
-            14
-            ```
-
-        "#]],
-        );
-    }
-}
+mod tests;

@@ -1,7 +1,9 @@
 //! From a name to what it stands for: definition, type definition, implementations.
 
 use val3_analysis::db::{Db, File, Project, Sources};
-use val3_analysis::items::project::{LibraryItem, items, resolve_type};
+use val3_analysis::interfaces::replacements;
+use val3_analysis::items::manifest::manifest;
+use val3_analysis::items::project::{items, resolve_type};
 use val3_analysis::items::{declarations, program};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
 use val3_analysis::ty::Base;
@@ -30,6 +32,36 @@ pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
         symbol => declaration(db, symbol),
     };
     place.into_iter().map(|to| Target { from: found.range, to }).collect()
+}
+
+/// Where what stands at a position is made known to the project: the entry of a program's file in the project file, the
+/// entry of the library that an item is taken from; else as [`definition`].
+pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
+    let Some((project, found)) = name_at(db, at) else { return Vec::new() };
+    let entry = match &found.symbol {
+        Symbol::Program(owner, name) if *owner == project => program_entry(db, project, name),
+        Symbol::Program(owner, _) | Symbol::Data(owner, _) if *owner != project => library_entry(db, project, *owner),
+        _ => None,
+    };
+    match entry {
+        Some(to) => vec![Target { from: found.range, to }],
+        None => definition(db, at),
+    }
+}
+
+fn program_entry(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
+    let file = items(db, project).programs.get(name)?.path(db).file_name()?;
+    let references = &manifest(db, project.manifest(db)).programs;
+    let reference = references.iter().find(|reference| reference.eq_ignore_ascii_case(file))?;
+    let range = declarations::program_file(db, project, reference)?;
+    Some(FileRange { file: project.manifest(db), range })
+}
+
+/// The first identifier of the interface.
+fn library_entry(db: &dyn Db, project: Project, interface: Project) -> Option<FileRange> {
+    let libraries = items(db, project).libraries.iter().filter(|(_, library)| library.interface == Some(interface));
+    let alias = libraries.map(|(alias, _)| alias).min()?;
+    declaration(db, &Symbol::Library(project, alias.clone()))
 }
 
 fn is_declaration(found: &Occurrence, file: File, project: Project, db: &dyn Db) -> bool {
@@ -107,22 +139,25 @@ pub fn implementations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     places.map(|to| Target { from: found.range, to }).collect()
 }
 
-/// The libraries that can stand in for the one that gives an interface, by path.
+/// The libraries that programs load in place of the one that gives an interface.
 pub(crate) fn implementing(db: &dyn Db, interface: Project) -> impl Iterator<Item = Project> {
-    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
-    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
-    projects.into_iter().filter(move |project| *project != interface && is_alternative(db, *project, interface))
+    let pairs = pairs(db).into_iter().filter(move |(of, _)| *of == interface);
+    pairs.map(|(_, library)| library)
 }
 
-/// A library with a public program or data in common with the interface, and not an application of its own that uses
-/// the interface.
-fn is_alternative(db: &dyn Db, project: Project, interface: Project) -> bool {
-    let uses = |item: &LibraryItem| item.interface == Some(interface);
-    let (own, wanted) = (items(db, project), items(db, interface));
-    let public = wanted.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name);
-    let programs = wanted.programs.keys().filter(|name| !matches!(name.as_str(), "start" | "stop"));
-    !own.libraries.values().any(uses)
-        && public.chain(programs).all(|name| own.data.contains_key(name) || own.programs.contains_key(name))
+/// The projects in whose place programs load a library.
+pub(crate) fn implemented(db: &dyn Db, library: Project) -> impl Iterator<Item = Project> {
+    let pairs = pairs(db).into_iter().filter(move |(_, other)| *other == library);
+    pairs.map(|(interface, _)| interface)
+}
+
+/// Every interface with the libraries that are loaded in its place, by path.
+fn pairs(db: &dyn Db) -> Vec<(Project, Project)> {
+    let projects = Sources::get(db).projects(db).values();
+    let mut pairs: Vec<(Project, Project)> = projects.flat_map(|project| replacements(db, *project)).copied().collect();
+    pairs.sort_unstable_by_key(|pair| (pair.0.manifest(db).path(db), pair.1.manifest(db).path(db)));
+    pairs.dedup();
+    pairs
 }
 
 #[cfg(test)]
@@ -202,6 +237,33 @@ mod tests {
     }
 
     #[test]
+    fn entries_in_the_project_file() {
+        let check = |listing: &str, expected: Expect| {
+            let marked = Marked::new(listing);
+            let targets = declarations(marked.db(), marked.at());
+            expected.assert_eq(&shown_all(marked.db(), targets.into_iter().map(|target| target.to)));
+        };
+        check(
+            "call oth$0er()\nprogram other()\nbegin\nend",
+            expect![[r#"
+            main/main.pjx:5 other.pgx
+        "#]],
+        );
+        check(
+            &format!("library part \"Disk://part/part.pjx\"\nput(part:nWei$0ght){LIBRARY}"),
+            expect![[r#"
+            main/main.pjx:11 part
+        "#]],
+        );
+        check(
+            "num nA\nn$0A=1",
+            expect![[r#"
+            main/main.dtx:4 nA
+        "#]],
+        );
+    }
+
+    #[test]
     fn what_the_language_brings_is_declared_nowhere() {
         check("num nA\nnA=si$0n(1)", expect![[r#""#]]);
         check("point pA\npA.trsf.$0x=1", expect![[r#""#]]);
@@ -210,7 +272,7 @@ mod tests {
     #[test]
     fn other_libraries_of_an_interface() {
         let marked = Marked::new(&format!(
-            "library part \"Disk://part/part.pjx\"\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
+            "library part \"Disk://part/part.pjx\"\npart:libLoad(\"Disk://bag\")\ncall part:pi$0ck(1){LIBRARY}\n--- bag\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend"
         ));
         let targets = implementations(marked.db(), marked.at());
         expect![[r#"

@@ -30,3 +30,97 @@ fn within_quotes(range: TextRange, text: &str) -> TextRange {
     let end = if closed { range.end() - rowan::TextSize::new(quote) } else { range.end() };
     if start <= end { TextRange::new(start, end) } else { range }
 }
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::Marked;
+
+    /// The texts of the ranges, inner ones first; of long ones the first line.
+    fn check(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let text: &str = marked.at().file.text(marked.db());
+        let shown = selections(marked.db(), marked.at()).into_iter().map(|range| {
+            let text = &text[std::ops::Range::<usize>::from(range)];
+            let first = text.lines().next().unwrap_or("");
+            format!("{first}{}\n", if text.contains('\n') { " …" } else { "" })
+        });
+        expected.assert_eq(&shown.collect::<String>());
+    }
+
+    #[test]
+    fn words_expressions_statements_blocks() {
+        check(
+            "num nA\nif nA==1\n  nA=2*(n$0A+3)\nendIf",
+            expect![[r#"
+            nA
+            nA+3
+            (nA+3)
+            2*(nA+3)
+            nA=2*(nA+3)
+            if nA==1 …
+            <![CDATA[begin …
+            <Code><![CDATA[begin …
+            <Program name="start"> …
+            <Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2"> …
+            <?xml version="1.0" encoding="utf-8"?> …
+        "#]],
+        );
+    }
+
+    #[test]
+    fn texts_without_and_with_quotes() {
+        check(
+            "putln(\"two wo$0rds\")",
+            expect![[r#"
+            two words
+            "two words"
+            ("two words")
+            putln("two words")
+            <![CDATA[begin …
+            <Code><![CDATA[begin …
+            <Program name="start"> …
+            <Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2"> …
+            <?xml version="1.0" encoding="utf-8"?> …
+        "#]],
+        );
+        check(
+            "putln(\"op$0en",
+            expect![[r#"
+            open
+            "open
+            ("open
+            putln("open
+            <![CDATA[begin …
+            <Code><![CDATA[begin …
+            <Program name="start"> …
+            <Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2"> …
+            <?xml version="1.0" encoding="utf-8"?> …
+        "#]],
+        );
+    }
+
+    #[test]
+    fn attributes() {
+        check(
+            "cls()\n=== main/main.dtx\n<Database><Datas><Data name=\"n$0A\" type=\"num\" /></Datas></Database>",
+            expect![[r#"
+                nA
+                "nA"
+                name="nA"
+                <Data name="nA" type="num" />
+                <Datas><Data name="nA" type="num" /></Datas>
+                <Database><Datas><Data name="nA" type="num" /></Datas></Database>
+            "#]],
+        );
+    }
+
+    #[test]
+    fn each_holds_the_one_before() {
+        let marked = Marked::new("num nA\nif nA==1\n  nA=2*(n$0A+3)\nendIf");
+        let ranges = selections(marked.db(), marked.at());
+        assert!(ranges.windows(2).all(|pair| pair[1].contains_range(pair[0]) && pair[1] != pair[0]));
+    }
+}

@@ -1,8 +1,7 @@
 //! What each word of a file is, for colours.
 
 use rowan::NodeOrToken;
-use rustc_hash::FxHashMap;
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::items;
@@ -107,27 +106,25 @@ impl TokenModifier {
 
 /// The words of a file, or of a part of it, in the order of the text.
 pub fn semantic_tokens(db: &dyn Db, file: File, within: Option<TextRange>) -> Vec<SemanticToken> {
-    let mut collector = Collector { names: names(db, file), within, found: Vec::new() };
+    let project = owner(db, file);
+    let names = project.map_or(&[][..], |project| occurrences(db, project, file).as_slice());
+    let mut collector = Collector { db, project, names, within, found: Vec::new() };
     collector.walk(View::root(parse(db, file).green()), false);
     collector.found
 }
 
-/// The names of a file by where they start.
-fn names(db: &dyn Db, file: File) -> FxHashMap<TextRange, SemanticToken> {
-    let Some(project) = owner(db, file) else { return FxHashMap::default() };
-    let occurrences = occurrences(db, project, file).iter();
-    occurrences.map(|occurrence| (occurrence.range, token(db, project, occurrence))).collect()
-}
-
-struct Collector {
-    names: FxHashMap<TextRange, SemanticToken>,
+struct Collector<'db> {
+    db: &'db dyn Db,
+    project: Option<Project>,
+    /// The names of the file that were not passed yet, in the order of the text.
+    names: &'db [Occurrence],
     within: Option<TextRange>,
     found: Vec<SemanticToken>,
 }
 
-impl Collector {
+impl Collector<'_> {
     fn walk(&mut self, node: View<'_>, in_code: bool) {
-        if self.within.is_some_and(|within| within.intersect(node.range()).is_none()) {
+        if self.is_beyond(node.range()) {
             return;
         }
         let in_code = in_code || node.kind() == SyntaxKind::CODE;
@@ -139,14 +136,18 @@ impl Collector {
         }
     }
 
+    fn is_beyond(&self, range: TextRange) -> bool {
+        self.within.is_some_and(|within| within.intersect(range).is_none())
+    }
+
     fn token(&mut self, token: TokenView<'_>, in_code: bool) {
         let range = token.range();
-        if self.within.is_some_and(|within| within.intersect(range).is_none()) {
+        if self.is_beyond(range) {
             return;
         }
         match token.kind() {
-            SyntaxKind::IDENT => self.found.extend(self.names.get(&range)),
-            SyntaxKind::XML_STRING => self.names_in(range),
+            // An attribute holds names, as a whole or in a part.
+            SyntaxKind::IDENT | SyntaxKind::XML_STRING => self.names_in(range),
             kind if in_code => {
                 self.found.extend(plain(kind).map(|kind| SemanticToken { range, kind, modifiers: 0 }));
             }
@@ -154,12 +155,12 @@ impl Collector {
         }
     }
 
-    /// An attribute holds a name as a whole or at its start.
-    fn names_in(&mut self, value: TextRange) {
-        let mut inside: Vec<SemanticToken> =
-            self.names.values().filter(|token| value.contains_range(token.range)).copied().collect();
-        inside.sort_by_key(|token| token.range.start());
-        self.found.extend(inside);
+    fn names_in(&mut self, range: TextRange) {
+        let passed = self.names.partition_point(|name| name.range.start() < range.start());
+        self.names = self.names.get(passed..).unwrap_or(&[]);
+        let Some(project) = self.project else { return };
+        let inside = self.names.iter().take_while(|name| range.contains_range(name.range));
+        self.found.extend(inside.map(|name| token(self.db, project, name)));
     }
 }
 
@@ -176,7 +177,7 @@ fn plain(kind: SyntaxKind) -> Option<TokenKind> {
     })
 }
 
-fn token(db: &dyn Db, here: val3_analysis::db::Project, found: &Occurrence) -> SemanticToken {
+fn token(db: &dyn Db, here: Project, found: &Occurrence) -> SemanticToken {
     use TokenModifier as M;
     let (kind, mut modifiers) = match &found.symbol {
         Symbol::Local(..) => (TokenKind::Variable, M::Local.bit()),
@@ -184,12 +185,18 @@ fn token(db: &dyn Db, here: val3_analysis::db::Project, found: &Occurrence) -> S
             let by_reference = header(db, *file).params.iter().any(|param| param.name == *name && param.by_reference);
             (TokenKind::Parameter, if by_reference { M::ByReference.bit() } else { 0 })
         }
+        Symbol::Data(project, _) if is_field(db, here, *project) => (TokenKind::Field, 0),
         Symbol::Data(project, name) => {
             let public = items(db, *project).data.get(name).is_some_and(|item| item.decl.public);
             let of_library = if *project == here { 0 } else { M::OfLibrary.bit() };
             (TokenKind::Variable, M::Global.bit() | if public { M::Public.bit() } else { 0 } | of_library)
         }
-        Symbol::Program(project, _) => (TokenKind::Program, if *project == here { 0 } else { M::OfLibrary.bit() }),
+        Symbol::Program(project, name) => {
+            let file = items(db, *project).programs.get(name);
+            let public = file.is_some_and(|file| header(db, *file).public);
+            let of_library = if *project == here { 0 } else { M::OfLibrary.bit() };
+            (TokenKind::Program, if public { M::Public.bit() } else { 0 } | of_library)
+        }
         Symbol::Library(..) => (TokenKind::Library, 0),
         Symbol::Type(..) => (TokenKind::Type, 0),
         Symbol::BuiltinType(_) => (TokenKind::Type, M::DefaultLibrary.bit()),
@@ -204,6 +211,11 @@ fn token(db: &dyn Db, here: val3_analysis::db::Project, found: &Occurrence) -> S
         Usage::Read => 0,
     };
     SemanticToken { range: found.range, kind, modifiers }
+}
+
+/// The data of another project that is no library of this one are fields of a user type.
+fn is_field(db: &dyn Db, here: Project, project: Project) -> bool {
+    project != here && !items(db, here).libraries.values().any(|library| library.interface == Some(project))
 }
 
 fn instruction(name: &str) -> u32 {
@@ -222,6 +234,7 @@ mod tests {
 
     use super::*;
     use crate::testing::Marked;
+    use val3_syntax::TextSize;
 
     fn shown(listing: &str) -> String {
         let marked = Marked::new(listing);
@@ -235,6 +248,79 @@ mod tests {
             format!("{word} {}{modifiers}\n", TokenKind::NAMES[token.kind as usize])
         };
         tokens.iter().map(line).collect()
+    }
+
+    #[test]
+    fn data_files() {
+        expect![[r#"
+            fA variable.declaration.global.public
+            frame type.defaultLibrary
+            world variable.defaultLibrary
+            sA variable.declaration.global
+            Slot type
+            pA property.modification
+            pointRx type.defaultLibrary
+            fA variable.global.public
+        "#]].assert_eq(&shown(
+            "type Slot \"Disk://Slot/Slot.pjx\"\ncls()\n--- Slot\npublic point pA\n=== main/main.dtx\n<Database><Datas>$0<Data name=\"fA\" access=\"public\" type=\"frame\"><Value key=\"0\" fatherId=\"world[0]\" /></Data><Data name=\"sA\" type=\"Slot\"><Value key=\"0\"><Field name=\"pA\" type=\"pointRx\"><Value key=\"0\" fatherId=\"fA[0]\" /></Field></Value></Data></Datas></Database>",
+        ));
+    }
+
+    #[test]
+    fn project_files() {
+        expect![[r#"
+            start function
+            part namespace.declaration
+        "#]].assert_eq(&shown(
+            "cls()\n=== main/main.pjx\n<Project>$0<Programs><Program file=\"start.pgx\" /></Programs><Libraries><Library alias=\"part\" path=\"Disk://part/part.pjx\" /></Libraries></Project>",
+        ));
+    }
+
+    #[test]
+    fn instructions_of_add_ons_and_old_ones() {
+        expect![[r#"
+            start function.declaration
+            begin keyword
+            sA variable.modification.global
+            = operator
+            $exec method.defaultLibrary.addOn
+            "ls" string
+            $unheard method.defaultLibrary.addOn
+            end keyword
+        "#]]
+        .assert_eq(&shown("num nA\nstring sA\n$0sA=$exec(\"ls\")\n$unheard()"));
+    }
+
+    #[test]
+    fn escaped_code() {
+        expect![[r#"
+            start function.declaration
+            begin keyword
+            if keyword
+            nA variable.global
+            &lt; operator
+            3 number
+            // no comment
+            putln method.defaultLibrary
+            &quot;a&quot; string
+            ENDIF keyword
+            end keyword
+        "#]].assert_eq(&shown(
+            "num nA\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code>begin\n$0if nA&lt;3 // no\nputln(&quot;a&quot;)\nENDIF\nend</Code></Program></Programs>",
+        ));
+    }
+
+    #[test]
+    fn a_range_holds_what_all_hold_there() {
+        let marked = Marked::new("num nA\nnA=1\nif nA==2\n$0nA=3\nendIf\nputln(\"x\")");
+        let (db, at) = (marked.db(), marked.at());
+        let line = TextRange::at(at.offset, TextSize::of("nA=3"));
+        let all = semantic_tokens(db, at.file, None);
+        let expected: Vec<_> = all.iter().filter(|token| line.intersect(token.range).is_some()).copied().collect();
+        let touching = |token: &SemanticToken| token.range.end() > line.start() && token.range.start() < line.end();
+        let found: Vec<_> = semantic_tokens(db, at.file, Some(line)).into_iter().filter(touching).collect();
+        assert_eq!(found, expected.into_iter().filter(touching).collect::<Vec<_>>());
+        assert_eq!(found.len(), 3);
     }
 
     #[test]

@@ -1,15 +1,14 @@
 //! The parameters of the call around the cursor, with the form that fits so far.
 
-use val3_analysis::body::{Body, Expr, ExprId, body};
-use val3_analysis::db::{Db, Project};
-use val3_analysis::effects::Effects;
-use val3_analysis::infer::infer;
+use val3_analysis::db::Db;
+use val3_analysis::items::parse;
 use val3_analysis::ty::{Base, Ty, brackets};
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::{instructions, page};
-use val3_syntax::{TextRange, TextSize};
 
 use crate::FilePosition;
+use crate::hover::program_comment;
+use crate::line::{CallSite, Callee, Line, Names};
 use crate::owner::owner;
 
 /// The forms of a call.
@@ -37,91 +36,46 @@ pub struct Form {
 /// The call around a position.
 pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     let project = owner(db, at.file)?;
-    let body = body(db, at.file);
-    let text: &str = at.file.text(db);
-    let (callee, args) = call_around(body, text, at.offset)?;
-    let active_parameter = argument(text, body, callee, at.offset);
-    let types: Vec<Ty> = args.iter().map(|arg| infer(db, project, at.file).ty(*arg)).collect();
-    let (forms, active_form) = match body.expr(callee) {
-        Expr::Name(name) | Expr::Path { item: name, .. } if program(db, project, at, callee).is_none() => {
-            let found = instructions::find(name)?;
-            (instruction_forms(found), best_form(found, &types, active_parameter))
-        }
-        _ => (vec![program(db, project, at, callee)?], 0),
-    };
-    Some(SignatureHelp { forms, active_form, active_parameter })
-}
-
-/// The innermost call whose parentheses hold the position.
-pub(crate) fn call_around<'b>(body: &'b Body, text: &str, offset: TextSize) -> Option<(ExprId, &'b [ExprId])> {
-    let calls = body.exprs().filter_map(|(_, expr, range)| match expr {
-        Expr::Call(callee, args) => Some((*callee, &**args, range)),
-        _ => None,
-    });
-    let holds = |callee: ExprId, range: TextRange| {
-        let closed = text.get(..usize::from(range.end())).is_some_and(|text| text.ends_with(')'));
-        body.range(callee).end() < offset && (offset < range.end() || offset == range.end() && !closed)
-    };
-    let around = calls.filter(|(callee, _, range)| holds(*callee, *range));
-    around.min_by_key(|(_, _, range)| range.len()).map(|(callee, args, _)| (callee, args))
-}
-
-/// The number of commas of the call itself before the position.
-pub(crate) fn argument(text: &str, body: &Body, callee: ExprId, offset: TextSize) -> usize {
-    let written = text.get(usize::from(body.range(callee).end())..usize::from(offset)).unwrap_or("");
-    let (mut depth, mut commas, mut in_string) = (0, 0, false);
-    for letter in written.chars() {
-        match letter {
-            '"' => in_string = !in_string,
-            _ if in_string => {}
-            '(' | '[' | '{' => depth += 1,
-            ')' | ']' | '}' => depth -= 1,
-            ',' if depth == 1 => commas += 1,
-            _ => {}
-        }
+    let line = Line::around(&parse(db, at.file).root(), at.offset)?;
+    let call = CallSite::around(&line)?;
+    let names = Names::new(db, project, at.file);
+    let active_parameter = call.active;
+    if let Some(found) = instructions::find(&call.callee.name).filter(|_| !call.callee.is_program) {
+        let types: Vec<Ty> = call.arguments.iter().map(|argument| names.ty(argument)).collect();
+        let forms = found.overloads.iter().filter(|form| suits_place(form, found, &call.callee));
+        let forms: Vec<&Overload> = forms.collect();
+        let active_form = best_form(&forms, &types, active_parameter);
+        let forms = forms.into_iter().map(|form| instruction_form(found, form)).collect();
+        return Some(SignatureHelp { forms, active_form, active_parameter });
     }
-    commas
+    Some(SignatureHelp { forms: vec![program(&names, &call.callee)?], active_form: 0, active_parameter })
 }
 
-fn instruction_forms(found: &Instruction) -> Vec<Form> {
-    let documentation = page::summary(found.page);
-    let form = |overload: &Overload| {
-        let line = overload.signature(found.name);
-        Form { parameters: parameters(&line), line, documentation: documentation.clone() }
-    };
-    found.overloads.iter().map(form).collect()
+/// Forms on a library identifier are shown behind one, the others elsewhere; all where there are no such ones.
+fn suits_place(form: &Overload, found: &Instruction, callee: &Callee) -> bool {
+    let on_library = callee.library.is_some();
+    form.on_library == on_library || found.overloads.iter().all(|form| form.on_library != on_library)
 }
 
-/// Where the parameters stand between the parentheses of a line.
-fn parameters(line: &str) -> Vec<(u32, u32)> {
-    let (Some(open), Some(close)) = (line.find('('), line.rfind(')')) else { return Vec::new() };
-    let mut parameters = Vec::new();
-    let mut start = open + 1;
-    let inside = line.get(start..close).unwrap_or("");
-    let mut depth = 0;
-    for (at, letter) in inside.char_indices() {
-        match letter {
-            '[' | '(' => depth += 1,
-            ']' | ')' => depth -= 1,
-            ',' if depth == 0 => {
-                parameters.push((start, open + 1 + at));
-                start = open + 1 + at + 1;
-            }
-            _ => {}
-        }
-    }
-    if !inside.trim().is_empty() {
-        parameters.push((start, close));
-    }
-    let trimmed = |(from, to): (usize, usize)| {
-        let blanks = line.get(from..to).map_or(0, |text| text.len() - text.trim_start().len());
-        (u32::try_from(from + blanks).unwrap_or(0), u32::try_from(to).unwrap_or(0))
+fn instruction_form(found: &Instruction, form: &Overload) -> Form {
+    let line = form.signature(found.name);
+    let params = form.params.iter().map(ToString::to_string);
+    Form { parameters: places(&line, params), documentation: page::summary(found.page), line }
+}
+
+/// Where the parameters stand in a line, one behind the other.
+fn places(line: &str, params: impl Iterator<Item = String>) -> Vec<(u32, u32)> {
+    let mut from = line.find(['(', ' ']).map_or(0, |at| at + 1);
+    let place = |param: String| {
+        let start = from + line.get(from..)?.find(&param)?;
+        from = start + param.len();
+        Some((u32::try_from(start).ok()?, u32::try_from(from).ok()?))
     };
-    parameters.into_iter().map(trimmed).collect()
+    params.map_while(place).collect()
 }
 
 /// The form with room for the arguments whose types agree best.
-fn best_form(found: &Instruction, types: &[Ty], active: usize) -> usize {
+fn best_form(forms: &[&Overload], types: &[Ty], active: usize) -> usize {
     let fits = |form: &Overload| {
         let agreeing = form.params.iter().zip(types).filter(|(param, ty)| match (param.ty, ty.base) {
             (None, _) | (_, Base::Unknown) => false,
@@ -129,24 +83,24 @@ fn best_form(found: &Instruction, types: &[Ty], active: usize) -> usize {
         });
         (form.params.len() > active, form.params.len() >= types.len(), agreeing.count())
     };
-    let forms = found.overloads.iter().enumerate();
     // Of forms that fit alike the first stands.
-    forms.rev().max_by_key(|(_, form)| fits(form)).map_or(0, |(index, _)| index)
+    forms.iter().enumerate().rev().max_by_key(|(_, form)| fits(form)).map_or(0, |(index, _)| index)
 }
 
 /// The program that a callee names.
-fn program(db: &dyn Db, project: Project, at: FilePosition, callee: ExprId) -> Option<Form> {
-    let signature = Effects::new(db, project, at.file).program(callee)?;
+fn program(names: &Names<'_>, callee: &Callee) -> Option<Form> {
+    let signature = names.signature(callee)?;
     let params: Vec<String> = signature
         .params
         .iter()
         .map(|param| {
             let reference = if param.by_reference { "&" } else { "" };
-            format!("{}{reference} {}{}", param.base.display(db), param.name, brackets(param.container))
+            format!("{}{reference} {}{}", param.base.display(names.db), param.name, brackets(param.container))
         })
         .collect();
     let line = format!("{}({})", signature.name, params.join(", "));
-    Some(Form { parameters: parameters(&line), line, documentation: String::new() })
+    let documentation = names.program(callee).and_then(|(_, file)| program_comment(names.db, file)).unwrap_or_default();
+    Some(Form { parameters: places(&line, params.into_iter()), line, documentation })
 }
 
 #[cfg(test)]
@@ -164,7 +118,8 @@ mod tests {
                 let mark = if index == help.active_form { "> " } else { "  " };
                 let parameter = form.parameters.get(help.active_parameter);
                 let parameter = parameter.map_or("", |(from, to)| &form.line[*from as usize..*to as usize]);
-                shown += &format!("{mark}{} | {parameter}\n", form.line);
+                shown += format!("{mark}{} | {parameter}", form.line).trim_end();
+                shown.push('\n');
             }
             shown
         });
@@ -209,5 +164,80 @@ mod tests {
             > pick(num x_n, string& x_s, num& x_g[,]) | string& x_s
         "#]],
         );
+    }
+
+    #[test]
+    fn tasks() {
+        check(
+            "taskCreate \"a\",$0",
+            expect![[r#"
+            > taskCreate string sName, num nPriority, program(...) | num nPriority
+        "#]],
+        );
+        check(
+            "taskCreate \"a\",10,pick(1,$0)\nprogram pick(num x_n, string x_s)\nbegin\nend",
+            expect![[r#"
+            > pick(num x_n, string x_s) | string x_s
+        "#]],
+        );
+    }
+
+    #[test]
+    fn libraries() {
+        let library = "library part \"Disk://part/part.pjx\"\n";
+        let part = "\n--- part\npublic program pick(num x_n, bool& x_b)\nbegin\n  // Takes it.\nend";
+        check(
+            &format!("{library}call part:pick(1,$0{part}"),
+            expect![[r#"
+            > pick(num x_n, bool& x_b) | bool& x_b
+        "#]],
+        );
+        check(
+            &format!("{library}part:libLoad($0{part}"),
+            expect![[r#"
+            > num library:libLoad(string sPath) | string sPath
+              num library:libLoad(string sPath, string sPassword) | string sPath
+        "#]],
+        );
+        check(
+            &format!("{library}libSave($0{part}"),
+            expect![[r#"
+                  num libSave() |
+                > num libSave(string sPath) | string sPath
+            "#]],
+        );
+    }
+
+    #[test]
+    fn half_written_lines() {
+        check(
+            "point pA\nif pA. == sin($0\nelse\ncls()",
+            expect![[r#"
+            > num sin(num nAngle) | num nAngle
+        "#]],
+        );
+        check(
+            "num nA\nnA = = power(nA[1,2],$0",
+            expect![[r#"
+            > num power(num nX, num nY) | num nY
+        "#]],
+        );
+        check(
+            "num nA\nnA=max((1+2)*3,min({1,2},$0",
+            expect![[r#"
+            > num min(num nX, num nY) | num nY
+        "#]],
+        );
+        check(
+            "putln(\"a,(b\",$0",
+            expect![[r#"
+                  void putln(string sText) |
+                > void putln(screen scPage, string sText) | string sText
+                  void putln(num nValue) |
+                  void putln(screen scPage, num nValue) | num nValue
+            "#]],
+        );
+        check("num nA\nnA=power(1,\n$0cls()", expect![[""]]);
+        check("cls()\n// power($0\ncls()", expect![[""]]);
     }
 }

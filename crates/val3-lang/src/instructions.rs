@@ -274,6 +274,9 @@ pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", TASK_S
 /// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
 pub const TASK_STATUS: &str = "taskStatus";
 
+/// Explains a run-time error, given by its number (5.10).
+pub const HELP: &str = "help";
+
 /// Instructions that give the code of a key (4.3).
 pub const READ_KEYS: [&str; 2] = ["get", GET_KEY];
 

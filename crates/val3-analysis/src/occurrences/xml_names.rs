@@ -85,10 +85,11 @@ impl Names<'_> {
     /// The values of a variable or field: fathers, and the fields of user types.
     fn values(&mut self, element: Element<'_>, base: Base) {
         for value in element.elements() {
-            let father = value.attribute("fatherId");
-            let old = value.attribute("name").filter(|_| value.name().ends_with("Father"));
-            if let Some(father) = father.or(old) {
+            if let Some(father) = value.attribute("fatherId") {
                 self.father(father);
+            }
+            if value.name().ends_with("Father") {
+                self.old_father(value);
             }
             if let Base::User(project) = base {
                 value.elements().for_each(|field| self.field(field, project));
@@ -97,24 +98,47 @@ impl Names<'_> {
     }
 
     fn field(&mut self, element: Element<'_>, project: Project) {
+        self.type_of(element);
         let Some(name) = element.attribute("name") else { return };
         let Some(item) = fields(self.db, project).get(name.text().as_ref()) else { return };
         self.add(name.range, Symbol::Data(project, name.text().into()), Usage::Write);
         self.values(element, item.base);
     }
 
-    /// The name that a reference to a father starts with: `fTable` of `fTable[0]`.
-    fn father(&mut self, found: Attribute<'_>) {
-        let end = found.raw.find(['[', '.', ':']).unwrap_or(found.raw.len());
-        let Some(name) = found.raw.get(..end).filter(|name| !name.is_empty()) else { return };
-        let symbol = if self.items.data.contains_key(name) {
-            Symbol::Data(self.project, name.into())
-        } else if builtins::find(name).is_some() {
-            Symbol::Builtin(name.into())
-        } else {
-            return;
+    /// A father in s5 and s6, which may belong to a library: `<fFather alias="part" name="fTable" …/>`.
+    fn old_father(&mut self, element: Element<'_>) {
+        let Some(name) = element.attribute("name").filter(|name| !name.raw.is_empty()) else { return };
+        let Some(alias) = element.attribute("alias").filter(|alias| !alias.raw.is_empty()) else {
+            return self.father(name);
         };
-        self.add(TextRange::at(found.range.start(), TextSize::of(name)), symbol, Usage::Read);
+        let Some(library) = self.items.libraries.get(alias.raw) else { return };
+        self.add(alias.range, Symbol::Library(self.project, alias.raw.into()), Usage::Read);
+        let declares = |interface: &Project| items(self.db, *interface).data.contains_key(name.raw);
+        if let Some(interface) = library.interface.filter(declares) {
+            self.add(name.range, Symbol::Data(interface, name.raw.into()), Usage::Read);
+        }
+    }
+
+    /// The names in a reference to a father: `tSlot` and `fFrame` of `tSlot["a"].fFrame[0]`.
+    fn father(&mut self, found: Attribute<'_>) {
+        let mut owner: Option<Project> = None;
+        for (at, name) in steps(found.raw) {
+            let range = TextRange::at(found.range.start() + at, TextSize::of(name));
+            let item = match owner {
+                None => self.items.data.get(name),
+                Some(project) => fields(self.db, project).get(name),
+            };
+            let Some(item) = item else {
+                if owner.is_none() && builtins::find(name).is_some() {
+                    self.add(range, Symbol::Builtin(name.into()), Usage::Read);
+                }
+                return;
+            };
+            let base = item.base;
+            self.add(range, Symbol::Data(owner.unwrap_or(self.project), name.into()), Usage::Read);
+            let Base::User(next) = base else { return };
+            owner = Some(next);
+        }
     }
 
     fn manifest(&mut self, view: View<'_>) {
@@ -140,5 +164,38 @@ impl Names<'_> {
         let Some(stem) = stem.filter(|stem| self.items.programs.contains_key(*stem)) else { return };
         let from = file.range.start() + TextSize::of(file.raw.get(..start).unwrap_or(""));
         self.add(TextRange::at(from, TextSize::of(stem)), Symbol::Program(self.project, stem.into()), Usage::Read);
+    }
+}
+
+/// The names of a reference and where each starts: what stands in brackets is no name.
+fn steps(reference: &str) -> Vec<(TextSize, &str)> {
+    let mut steps = Vec::new();
+    let (mut at, mut rest) = (TextSize::new(0), reference);
+    loop {
+        let (name, behind) = rest.split_at(rest.find(['[', '.']).unwrap_or(rest.len()));
+        steps.push((at, name));
+        let next = match behind.chars().next() {
+            Some('.') => behind.get(1..),
+            _ => behind.find("].").and_then(|end| behind.get(end + 2..)),
+        };
+        let Some(next) = next else { return steps };
+        at += TextSize::of(rest) - TextSize::of(next);
+        rest = next;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::steps;
+
+    #[test]
+    fn references_to_fathers() {
+        let shown = |reference| {
+            let steps = steps(reference).into_iter();
+            steps.map(|(at, name)| format!("{}{name}", u32::from(at))).collect::<Vec<_>>()
+        };
+        assert_eq!(shown("fTable"), ["0fTable"]);
+        assert_eq!(shown("tSlot[&quot;a.b&quot;].fFrame[0]"), ["0tSlot", "23fFrame"]);
+        assert_eq!(shown("a.b[0].c"), ["0a", "2b", "7c"]);
     }
 }

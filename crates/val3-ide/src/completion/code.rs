@@ -1,170 +1,168 @@
-//! Completions in code.
+//! Completions in code: the places, and what each takes.
 
+use smol_str::SmolStr;
+use val3_analysis::db::{File, Project};
 use val3_analysis::items::program::header;
-use val3_analysis::items::project::{Items, fields, items, resolve_type};
+use val3_analysis::items::project::{fields, items};
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::ty::{Base, brackets};
-use val3_lang::instruction::{Class, Instruction};
-use val3_lang::types;
-use val3_lang::{builtins, enumerations, instructions};
+use val3_analysis::ty::Base;
+use val3_lang::instruction::{Class, Family, Instruction, Overload, Shape};
+use val3_lang::instructions;
+use val3_lang::keywords::{KEYWORDS, is_task_creation};
+use val3_lang::types::{self, BaseType};
 
-use super::{CompletionKind as Kind, Found, literals};
+use super::context::{Operators, Wanted};
+use super::names::{FITS, OWN, constants, fit, libraries, variables};
+use super::{CompletionKind as Kind, Found, literals, missing};
 use crate::hover::program_line;
+use crate::line::{Block, Expected};
 
-/// What a value of the expected type gains.
-const FITS: i32 = 60;
-/// What names of the program gain over those of the language.
-const OWN: i32 = 20;
+/// What the instructions gain that most programs use.
+const COMMON: i32 = 8;
+/// What an instruction loses that this controller has by an add-on or not at all.
+const RARE: i32 = -40;
 
 /// Blocks to fill in, as snippets; the editor indents what follows the first line.
-const BLOCKS: [(&str, &str); 8] = [
+const BLOCKS: [(&str, &str); 5] = [
     ("if", "if ${1:condition}\n  $0\nendIf"),
     ("while", "while ${1:condition}\n  $0\nendWhile"),
-    ("for", "for ${1:l_i}=${2:0} to ${3:size}-1\n  $0\nendFor"),
+    ("for", "for ${1:l_nIndex}=${2:0} to ${3:nLast}\n  $0\nendFor"),
     ("do", "do\n  $0\nuntil ${1:condition}"),
     ("switch", "switch ${1:value}\n  case ${2:0}\n    $0\n  break\nendSwitch"),
-    ("case", "case ${1:value}\n  $0\nbreak"),
-    ("taskCreate", "taskCreate \"${1:name}\",${2:10},${3:program}($4)"),
-    ("taskCreateSync", "taskCreateSync \"${1:name}\",${2:0.004},${3:bOverrun},${4:program}($5)"),
 ];
 
-const WORDS: [&str; 6] = ["call", "return", "else", "elseIf", "default", "?"];
+const CASES: [(&str, &str); 2] = [("case", "case ${1:value}\n  $0\nbreak"), ("default", "default\n  $0\nbreak")];
 
 /// The start of a line.
-pub(super) fn statement(found: &mut Found<'_>, closing: Option<&'static str>) {
-    if let Some(closing) = closing {
-        found.add(closing, Kind::Keyword, "ends the block").scored(FITS);
+pub(super) fn statement(found: &mut Found<'_>, blocks: &[Block]) {
+    if let Some(innermost) = blocks.last() {
+        continue_block(found, *innermost);
     }
     for (word, block) in BLOCKS {
-        found.add(word, Kind::Keyword, "").snippet(block).scored(OWN);
+        found.add(word, Kind::Keyword).snippet(|| block.to_owned()).scored(OWN);
     }
-    for word in WORDS {
-        found.add(word, Kind::Keyword, "").scored(OWN);
+    for keyword in KEYWORDS.into_iter().filter(|keyword| is_task_creation(keyword)) {
+        found.add(keyword, Kind::Keyword).snippet(|| task_creation(keyword)).scored(OWN);
     }
-    variables(found, None);
+    for word in ["call", "return"] {
+        found.add(word, Kind::Keyword).scored(OWN);
+    }
+    variables(found, &Expected::anything());
     libraries(found);
-    instructions_of(found, None, |instruction| {
-        instruction.overloads.iter().any(|form| form.class == Class::Modifier && !form.on_library)
-    });
+    calls(found);
+    instructions_of(found, &[], |form| form.class == Class::Modifier && !form.on_library);
+    missing::global(found, &Expected::anything());
+    missing::libraries(found);
+}
+
+/// The creation of a task with its values to fill in; they stand without parentheses.
+fn task_creation(keyword: &str) -> String {
+    let forms = instructions::find(keyword).map_or(&[][..], |instruction| instruction.overloads);
+    let params = (1..).zip(forms.first().map_or(&[][..], |form| form.params));
+    let places: Vec<String> = params
+        .map(|(place, param)| match (param.shape, param.ty) {
+            (Shape::ProgramCall, _) => format!("${{{place}:{}}}(${})", param.name, place + 1),
+            (_, Some(BaseType::String)) => format!("\"${{{place}:{}}}\"", param.name),
+            _ => format!("${{{place}:{}}}", param.name),
+        })
+        .collect();
+    format!("{keyword} {}", places.join(","))
+}
+
+/// The keywords that end the innermost block or go on with it.
+fn continue_block(found: &mut Found<'_>, innermost: Block) {
+    found.add(innermost.closing(), Kind::Keyword).detail(|| "ends the block".to_owned()).scored(FITS);
+    match innermost {
+        Block::If => {
+            found.add("elseIf", Kind::Keyword).snippet(|| "elseIf ${1:condition}\n  $0".to_owned()).scored(OWN);
+            found.add("else", Kind::Keyword).scored(OWN);
+        }
+        Block::Switch => {
+            for (word, clause) in CASES {
+                found.add(word, Kind::Keyword).snippet(|| clause.to_owned()).scored(FITS);
+            }
+        }
+        _ => {}
+    }
 }
 
 /// A value.
-pub(super) fn expression(found: &mut Found<'_>, expected: Option<Base>) {
+pub(super) fn expression(found: &mut Found<'_>, expected: &Expected) {
     variables(found, expected);
-    constants(found, expected);
     libraries(found);
-    literals::literals(found, expected);
-    instructions_of(found, expected, |instruction| {
-        instruction.overloads.iter().any(|form| form.result.is_some() && !form.on_library)
-    });
-    for word in ["and", "or", "xor", "to", "step"] {
-        found.add(word, Kind::Keyword, "").scored(-FITS);
+    if !expected.variable {
+        constants(found, &expected.bases);
+        literals::literals(found, &expected.bases);
+        instructions_of(found, &expected.bases, |form| form.result.is_some() && !form.on_library);
+    }
+    missing::global(found, expected);
+    missing::libraries(found);
+}
+
+/// The words that follow a value.
+pub(super) fn operators(found: &mut Found<'_>, operators: Operators) {
+    let words: &[&str] = match operators {
+        Operators::To => &["to"],
+        Operators::Step => &["step"],
+        Operators::Logical => &["and", "or", "xor"],
+    };
+    for word in words {
+        found.add(word, Kind::Keyword);
     }
 }
 
-fn fit(expected: Option<Base>, base: Base) -> i32 {
-    match expected {
-        Some(expected) if expected != Base::Unknown && base.same_as(expected) => FITS,
-        _ => 0,
-    }
-}
-
-fn variables(found: &mut Found<'_>, expected: Option<Base>) {
-    let (db, project, file) = (found.db, found.project, found.file);
-    let (items, header) = (items(db, project), header(db, file));
-    let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown);
-    for local in &header.locals {
-        let detail = format!("{}{}", local.type_name, if local.sizes == [1] { "" } else { brackets(local.container) });
-        let score = fit(expected, base(&local.type_name)) + OWN + 4;
-        found.add(local.name.as_str(), Kind::Local, detail).scored(score).of(Symbol::Local(file, local.name.clone()));
-    }
-    for param in &header.params {
-        let detail = format!("{}{}", param.type_name, brackets(param.container));
-        let score = fit(expected, base(&param.type_name)) + OWN + 4;
-        found
-            .add(param.name.as_str(), Kind::Parameter, detail)
-            .scored(score)
-            .of(Symbol::Param(file, param.name.clone()));
-    }
-    data(found, items, expected);
-}
-
-fn data(found: &mut Found<'_>, items: &Items, expected: Option<Base>) {
-    let project = found.project;
-    for (name, item) in &items.data {
-        let detail = format!(
-            "{}{}",
-            item.decl.type_name,
-            if item.decl.sizes == [1] { "" } else { brackets(item.decl.container) }
-        );
-        let score = fit(expected, item.base) + OWN;
-        found.add(name.as_str(), Kind::Data, detail).scored(score).of(Symbol::Data(project, name.clone()));
-    }
-}
-
-fn constants(found: &mut Found<'_>, expected: Option<Base>) {
-    for builtin in &builtins::BUILTINS {
-        let score = fit(expected, Base::of(builtin.ty));
-        found
-            .add(builtin.name, Kind::Constant, builtin.ty.name())
-            .scored(score)
-            .of(Symbol::Builtin(builtin.name.into()));
-    }
-    for enumerator in &enumerations::ENUMERATORS {
-        let score = fit(expected, Base::of(enumerator.ty));
-        // Enumerators mean something only where their type is asked for.
-        if score > 0 {
-            let symbol = Symbol::Enumerator(enumerator.name.into());
-            found.add(enumerator.name, Kind::Constant, enumerator.ty.name()).scored(score + OWN).of(symbol);
+fn instructions_of(found: &mut Found<'_>, expected: &[Base], suits: impl Fn(&Overload) -> bool) {
+    let version = items(found.db, found.project).version;
+    let fit_of = |form: &&Overload| form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
+    // A truth value is often found by comparing others.
+    let only_fitting = !expected.is_empty() && !expected.contains(&Base::of(BaseType::Bool)) && found.query.is_empty();
+    for instruction in instructions::all().iter().filter(|instruction| !is_task_creation(instruction.name)) {
+        let forms = instruction.overloads.iter().filter(|form| suits(form));
+        // Of forms that fit alike the first stands.
+        let Some(form) = forms.rev().max_by_key(fit_of) else { continue };
+        let prior = if !instruction.exists_in(version) {
+            RARE
+        } else if is_common(instruction.family) {
+            COMMON
+        } else {
+            0
+        };
+        let score = fit_of(&form) + prior;
+        if !only_fitting || fit_of(&form) > 0 {
+            add_instruction(found, instruction, form).scored(score);
         }
     }
-    let truth = fit(expected, Base::of(types::BaseType::Bool));
-    for word in ["true", "false"] {
-        found.add(word, Kind::Constant, "bool").scored(truth);
-    }
 }
 
-fn libraries(found: &mut Found<'_>) {
-    let project = found.project;
-    for name in items(found.db, project).libraries.keys() {
-        found.add(name.as_str(), Kind::Library, "library").scored(OWN).of(Symbol::Library(project, name.clone()));
-    }
+/// What programs of every kind use, rather than what sets up a controller or an option.
+fn is_common(family: Family) -> bool {
+    !matches!(family, Family::Controller | Family::Options | Family::Additions | Family::AddOns)
 }
 
-fn instructions_of(found: &mut Found<'_>, expected: Option<Base>, suits: impl Fn(&Instruction) -> bool) {
-    for instruction in instructions::all().iter().filter(|instruction| suits(instruction)) {
-        let results = instruction.overloads.iter().filter_map(|form| form.result);
-        let score = results.map(|ty| fit(expected, Base::of(ty)) / 2).max().unwrap_or(0);
-        let detail = instruction.signatures().into_iter().next().unwrap_or_default();
-        let symbol = Symbol::Instruction(instruction.name.into());
-        found.add(instruction.name, Kind::Instruction, detail).scored(score).snippet(call(instruction)).of(symbol);
-    }
+fn add_instruction<'f>(
+    found: &'f mut Found<'_>,
+    instruction: &'static Instruction,
+    form: &Overload,
+) -> super::Added<'f> {
+    let arguments = || form.params.iter().map(|param| param.name).collect();
+    let added = found.add_call(instruction.name, Kind::Instruction, arguments);
+    added.detail(|| form.signature(instruction.name)).of(|| Symbol::Instruction(instruction.name.into()))
 }
 
-/// A call with its parameters to fill in.
-fn call(instruction: &Instruction) -> String {
-    let name = instruction.name.replace('$', "\\$");
-    let Some(form) = instruction.overloads.first() else { return name };
-    let params: Vec<String> =
-        form.params.iter().enumerate().map(|(index, param)| format!("${{{}:{}}}", index + 1, param.name)).collect();
-    format!("{name}({})$0", params.join(","))
-}
-
-/// Behind a dot.
+/// Behind a dot, in the order in which they are declared.
 pub(super) fn members(found: &mut Found<'_>, base: Base) {
     match base {
         Base::Builtin(ty, arm) => {
             let arm = arm.or(items(found.db, found.project).arm);
-            for field in types::fields(ty, arm) {
-                let symbol = Symbol::Field(ty, field.name.into());
-                found.add(field.name, Kind::Field, field.ty.name()).of(symbol);
+            for (place, field) in (0..).zip(types::fields(ty, arm)) {
+                let added = found.add(field.name, Kind::Field).detail(|| field.ty.name().to_owned());
+                added.of(|| Symbol::Field(ty, field.name.into())).scored(-place);
             }
         }
         Base::User(project) => {
             for (name, item) in fields(found.db, project) {
-                found
-                    .add(name.as_str(), Kind::Field, item.decl.type_name.as_str())
-                    .of(Symbol::Data(project, name.clone()));
+                let added = found.add(name, Kind::Field).detail(|| super::names::data_detail(item));
+                added.of(|| Symbol::Data(project, name.clone()));
             }
         }
         Base::Unknown => {}
@@ -172,45 +170,84 @@ pub(super) fn members(found: &mut Found<'_>, base: Base) {
 }
 
 /// Behind the colon of a library identifier.
-pub(super) fn library_items(found: &mut Found<'_>, library: &str, programs_only: bool) {
+pub(super) fn library_items(found: &mut Found<'_>, library: &str, wanted: &Wanted) {
     let db = found.db;
-    let Some(library) = items(db, found.project).libraries.get(library) else { return };
-    if let Some(interface) = library.interface {
-        let offered = items(db, interface);
-        if !programs_only {
-            for (name, item) in offered.data.iter().filter(|(_, item)| item.decl.public) {
-                let symbol = Symbol::Data(interface, name.clone());
-                found.add(name.as_str(), Kind::Data, item.decl.type_name.as_str()).scored(OWN).of(symbol);
-            }
-        }
-        for (name, file) in offered.programs.iter().filter(|(_, file)| programs_only && header(db, **file).public) {
-            let symbol = Symbol::Program(interface, name.clone());
-            let detail = program_line(db, interface, *file);
-            found.add(name.as_str(), Kind::Program, detail).scored(OWN).of(symbol).snippet(format!("{name}($1)$0"));
+    let declared = items(db, found.project).libraries.get(library);
+    let interface = match declared {
+        Some(library) => library.interface,
+        None => missing::library_called(found, library),
+    };
+    let start = found.items.len();
+    if let Some(interface) = interface {
+        match wanted {
+            Wanted::Program => programs_of(found, interface),
+            Wanted::Statement => data_of(found, interface, &[]),
+            Wanted::Value(expected) => data_of(found, interface, &expected.bases),
         }
     }
-    if !programs_only {
-        instructions_on_library(found);
+    if declared.is_none() {
+        missing::declare_library(found, start, library, interface);
+    } else if *wanted != Wanted::Program {
+        on_library(found, wanted);
     }
 }
 
-fn instructions_on_library(found: &mut Found<'_>) {
+fn data_of(found: &mut Found<'_>, interface: Project, expected: &[Base]) {
+    for (name, item) in items(found.db, interface).data.iter().filter(|(_, item)| item.decl.public) {
+        let score = fit(expected, item.base) + OWN;
+        let added = found.add(name, Kind::Data).detail(|| super::names::data_detail(item));
+        added.scored(score).of(|| Symbol::Data(interface, name.clone()));
+    }
+}
+
+fn programs_of(found: &mut Found<'_>, interface: Project) {
+    let db = found.db;
+    for (name, file) in items(db, interface).programs.iter().filter(|(_, file)| header(db, **file).public) {
+        add_program(found, interface, name, *file);
+    }
+}
+
+fn add_program<'f>(found: &'f mut Found<'_>, project: Project, name: &SmolStr, file: File) -> super::Added<'f> {
+    let db = found.db;
+    let arguments = || header(db, file).params.iter().map(|param| param.name.as_str()).collect();
+    let added = found.add_call(name, Kind::Program, arguments).scored(OWN);
+    added.detail(|| program_line(db, project, file)).of(|| Symbol::Program(project, name.clone()))
+}
+
+/// Instructions that are called on a library identifier.
+fn on_library(found: &mut Found<'_>, wanted: &Wanted) {
+    let expected: &[Base] = if let Wanted::Value(expected) = wanted { &expected.bases } else { &[] };
     for instruction in instructions::all() {
-        let Some(form) = instruction.overloads.iter().find(|form| form.on_library) else { continue };
-        let symbol = Symbol::Instruction(instruction.name.into());
-        let detail = form.signature(instruction.name);
-        let name = instruction.name.replace('$', "\\$");
-        found.add(instruction.name, Kind::Instruction, detail).of(symbol).snippet(format!("{name}($1)$0"));
+        let suits = |form: &&Overload| {
+            form.on_library
+                && if *wanted == Wanted::Statement { form.class == Class::Modifier } else { form.result.is_some() }
+        };
+        if let Some(form) = instruction.overloads.iter().find(suits) {
+            let score = form.result.map_or(0, |ty| fit(expected, Base::of(ty)) / 2);
+            add_instruction(found, instruction, form).scored(score);
+        }
     }
 }
 
-/// Behind `call`.
+/// Behind `call`, and as the program of a task.
 pub(super) fn programs(found: &mut Found<'_>) {
-    let (db, project) = (found.db, found.project);
+    let (db, project, own) = (found.db, found.project, found.file);
     for (name, file) in &items(db, project).programs {
-        let symbol = Symbol::Program(project, name.clone());
-        let detail = program_line(db, project, *file);
-        found.add(name.as_str(), Kind::Program, detail).scored(OWN).of(symbol).snippet(format!("{name}($1)$0"));
+        let again = if *file == own { -OWN } else { 0 };
+        add_program(found, project, name, *file).scored(again);
     }
     libraries(found);
+    missing::libraries(found);
+}
+
+/// At the start of a line a program stands behind `call`, which is written as well.
+fn calls(found: &mut Found<'_>) {
+    let (db, project, own) = (found.db, found.project, found.file);
+    for (name, file) in items(db, project).programs.iter().filter(|(_, file)| **file != own) {
+        let added = add_program(found, project, name, *file).scored(-OWN);
+        added.with(|item| {
+            item.insert = format!("call {}", item.insert);
+            item.plain = format!("call {}", item.plain);
+        });
+    }
 }

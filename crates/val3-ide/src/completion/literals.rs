@@ -2,49 +2,73 @@
 
 use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
-use val3_lang::types::{BaseType, fields};
+use val3_lang::types::{Arm, BaseType, fields};
 
 use super::{CompletionKind, Found};
 
-/// `{…}` of the expected type.
-pub(super) fn literals(found: &mut Found<'_>, expected: Option<Base>) {
-    let Some(Base::Builtin(ty, arm)) = expected else { return };
-    if !ty.is_structured() {
-        return;
+/// What a literal gains: less than a variable of the type, more than one of another.
+const LITERAL: i32 = 40;
+
+/// `{…}` of the expected types.
+pub(super) fn literals(found: &mut Found<'_>, expected: &[Base]) {
+    for base in expected {
+        if let Base::Builtin(ty, arm) = *base
+            && ty.is_structured()
+        {
+            literal(found, ty, arm);
+        }
     }
-    let arm = arm.or(items(found.db, found.project).arm);
-    let (mut label, mut text, mut place) = (String::new(), String::new(), 0);
-    write(ty, arm, &mut label, &mut text, &mut place);
-    found.add(label, CompletionKind::Literal, ty.name()).snippet(text).scored(30);
 }
 
-/// Writes a literal as it is shown, and as a snippet.
-fn write(ty: BaseType, arm: Option<val3_lang::types::Arm>, label: &mut String, text: &mut String, place: &mut usize) {
-    let fields = fields(ty, arm);
-    if fields.is_empty() {
-        *place += 1;
-        let value = initial(ty);
-        label.push_str(value);
-        text.push_str(&format!("${{{place}:{value}}}"));
-        return;
-    }
-    label.push('{');
-    text.push('{');
-    for (index, field) in fields.iter().enumerate() {
-        if index > 0 {
-            label.push(',');
-            text.push(',');
+fn literal(found: &mut Found<'_>, ty: BaseType, arm: Option<Arm>) {
+    let arm = arm.or(items(found.db, found.project).arm);
+    let mut literal = Literal { arm, text: String::new(), snippet: String::new(), places: 0 };
+    literal.write(ty);
+    let Literal { text, snippet, .. } = literal;
+    found.add(&text, CompletionKind::Literal).detail(|| ty.name().to_owned()).snippet(|| snippet).scored(LITERAL);
+}
+
+/// A literal as it is shown, and as a snippet.
+struct Literal {
+    arm: Option<Arm>,
+    text: String,
+    snippet: String,
+    places: usize,
+}
+
+impl Literal {
+    fn write(&mut self, ty: BaseType) {
+        let fields = fields(ty, self.arm);
+        if fields.is_empty() {
+            self.places += 1;
+            let value = initial(ty);
+            self.text.push_str(value);
+            self.snippet.push_str(&format!("${{{}:{value}}}", self.places));
+            return;
         }
-        write(field.ty, arm, label, text, place);
+        self.push('{');
+        for (index, field) in fields.iter().enumerate() {
+            if index > 0 {
+                self.push(',');
+            }
+            self.write(field.ty);
+        }
+        self.push('}');
     }
-    label.push('}');
-    text.push('}');
+
+    /// In a snippet a `}` ends no place when it stands outside of one.
+    fn push(&mut self, letter: char) {
+        self.text.push(letter);
+        self.snippet.push(letter);
+    }
 }
 
 fn initial(ty: BaseType) -> &'static str {
     match ty {
         BaseType::Bool => "false",
-        BaseType::String => "\\\"\\\"",
+        BaseType::String => "\"\"",
+        // A value left out stands for no link (2.4.2).
+        ty if ty.is_linkable() => "",
         _ => val3_lang::enumerations::values(ty).next().map_or("0", |value| value.name),
     }
 }

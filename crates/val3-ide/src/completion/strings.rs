@@ -1,58 +1,123 @@
-//! Texts that instructions know: paths of libraries, items, names of tasks.
+//! Texts that instructions know: paths of libraries, names, formats, keys.
 
+use smol_str::SmolStr;
 use val3_analysis::application::application;
-use val3_analysis::db::Sources;
+use val3_analysis::db::{Project, Sources};
 use val3_analysis::items::project::items;
-use val3_lang::instruction::Family;
-use val3_lang::instructions;
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
+use val3_lang::arguments::{BINARY_FORMATS, DATE_KEYS, SERIAL_PARAMETERS, SerialParameter, SerialValue, TextForm};
+use val3_syntax::{TextRange, TextSize};
 
-use super::context::TextPlace;
+use super::names::data_detail;
+use super::text_place::TextPlace;
 use super::{CompletionKind, Found};
+use crate::hover::keys_of;
 
 /// What can stand in a string.
 pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
-    let Some(instruction) = instructions::find(&place.callee) else { return };
-    match (instruction.name, instruction.family) {
-        (instructions::LIB_EXIST, _) => library_items(found, place),
-        (_, Family::Libraries) => paths(found),
-        (_, Family::Tasks) if place.argument == 0 => tasks(found),
-        _ => {}
+    match place {
+        TextPlace::LibraryPath => paths(found),
+        TextPlace::LibraryItem(library) => library_items(found, library),
+        TextPlace::Task => tasks(found),
+        TextPlace::DataName(base) => data_names(found, *base),
+        TextPlace::Format(format) => formats(found, *format),
+        TextPlace::SerialParameter => words(found, SERIAL_PARAMETERS.iter().map(|row| row.name), "parameter"),
+        TextPlace::SerialValue(parameter) => {
+            if let Some(SerialValue::OneOf(values)) = SerialParameter::find(parameter).map(|row| row.value) {
+                words(found, values.iter().copied(), "value");
+            }
+        }
+        TextPlace::Key(name) => keys(found, name),
     }
+}
+
+fn words<'w>(found: &mut Found<'_>, words: impl Iterator<Item = &'w str>, detail: &str) {
+    for (place, word) in (0..).zip(words) {
+        found.add(word, CompletionKind::Text).detail(|| detail.to_owned()).scored(-place);
+    }
+}
+
+/// The path of a project's folder from the disk's root on.
+pub(super) fn disk_path(found: &Found<'_>, project: Project) -> Option<String> {
+    let folder = project.manifest(found.db).path(found.db).parent()?;
+    let relative = folder.strip_prefix(project.disk(found.db)?).ok()?;
+    Some(format!("Disk://{relative}"))
+}
+
+/// Every other project that was found, by path.
+pub(super) fn other_projects(found: &Found<'_>) -> Vec<Project> {
+    let db = found.db;
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.retain(|project| *project != found.project);
+    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    projects
 }
 
 /// The libraries of the cell.
 fn paths(found: &mut Found<'_>) {
-    let db = found.db;
-    let own = found.project;
-    let mut projects: Vec<_> = Sources::get(db).projects(db).values().copied().collect();
-    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
-    for project in projects.into_iter().filter(|project| *project != own) {
-        let Some(disk) = project.disk(db) else { continue };
-        let Some(folder) = project.manifest(db).path(db).parent() else { continue };
-        if let Ok(relative) = folder.strip_prefix(disk) {
-            found.add(format!("Disk://{relative}"), CompletionKind::Path, "library");
+    for project in other_projects(found) {
+        if let Some(path) = disk_path(found, project) {
+            found.add(&path, CompletionKind::Path).detail(|| "library".to_owned());
         }
     }
 }
 
 /// Data and programs of the library's interface.
-fn library_items(found: &mut Found<'_>, place: &TextPlace) {
-    let db = found.db;
-    let library = place.library.as_ref().and_then(|library| items(db, found.project).libraries.get(library));
-    let Some(interface) = library.and_then(|library| library.interface) else { return };
-    let offered = items(db, interface);
-    for name in offered.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name) {
-        found.add(name.as_str(), CompletionKind::Data, "data");
+fn library_items(found: &mut Found<'_>, library: &str) {
+    let Some(interface) = found.names().interface(library) else { return };
+    let offered = items(found.db, interface);
+    for (name, item) in offered.data.iter().filter(|(_, item)| item.decl.public) {
+        let added = found.add(name, CompletionKind::Data).detail(|| data_detail(item));
+        added.of(|| Symbol::Data(interface, name.clone()));
     }
     for name in offered.programs.keys() {
-        found.add(format!("{name}()"), CompletionKind::Program, "program");
+        let added = found.add(&format!("{name}()"), CompletionKind::Program).detail(|| "program".to_owned());
+        added.of(|| Symbol::Program(interface, name.clone()));
     }
 }
 
 /// The tasks that the application creates.
 fn tasks(found: &mut Found<'_>) {
     let application = application(found.db, found.project);
-    for name in application.tasks.iter().filter_map(|task| task.start.name.as_ref()) {
-        found.add(name.as_str(), CompletionKind::Text, "task");
+    for task in &application.tasks {
+        let Some(name) = &task.start.name else { continue };
+        found.add(name, CompletionKind::Text).detail(|| format!("task, runs {}", task.start.program.program));
+    }
+}
+
+/// Data by name: of the type that takes the value, if that is known.
+fn data_names(found: &mut Found<'_>, base: Option<Base>) {
+    let project = found.project;
+    let suits = |found: Base| base.is_none_or(|base| base.same_as(found));
+    for (name, item) in items(found.db, project).data.iter().filter(|(_, item)| suits(item.base)) {
+        let added = found.add(name, CompletionKind::Data).detail(|| data_detail(item));
+        added.of(|| Symbol::Data(project, name.clone()));
+    }
+}
+
+fn formats(found: &mut Found<'_>, format: TextForm) {
+    match format {
+        TextForm::Binary => words(found, BINARY_FORMATS.into_iter(), "binary format"),
+        TextForm::Number => words(found, [".0", ".1", ".2", ".3", "8.3"].into_iter(), "size.precision"),
+        TextForm::Date => {
+            last_key_alone(found);
+            words(found, DATE_KEYS.into_iter(), "part of the date");
+        }
+    }
+}
+
+/// A date holds many keys: the one that was begun before the cursor is replaced, and no other text.
+fn last_key_alone(found: &mut Found<'_>) {
+    let begun = found.query.rfind('%').filter(|at| found.query.len() - at <= 2).unwrap_or(found.query.len());
+    let cursor = found.range.start() + TextSize::of(found.query);
+    found.query = found.query.get(begun..).unwrap_or("");
+    found.range = TextRange::new(cursor - TextSize::of(found.query), cursor);
+}
+
+/// The keys that the data file gives a collection.
+fn keys(found: &mut Found<'_>, name: &SmolStr) {
+    for key in keys_of(found.db, found.project, name) {
+        found.add(&key, CompletionKind::Text).detail(|| "key".to_owned());
     }
 }

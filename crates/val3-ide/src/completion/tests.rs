@@ -1,48 +1,111 @@
+mod places;
+
 use expect_test::{Expect, expect};
 
 use super::*;
 use crate::testing::Marked;
 
+fn found(listing: &str) -> Vec<Completion> {
+    let marked = Marked::new(listing);
+    completions(marked.db(), marked.at())
+}
+
 /// The first completions.
 fn check(listing: &str, expected: Expect) {
+    let line =
+        |item: &Completion| format!("{} {:?} {}", item.label, item.kind, item.detail).trim_end().to_owned() + "\n";
+    expected.assert_eq(&found(listing).iter().take(6).map(line).collect::<String>());
+}
+
+/// What the completion called `label` puts there, with and without places, and what else it changes.
+fn check_insert(listing: &str, label: &str, expected: Expect) {
     let marked = Marked::new(listing);
     let found = completions(marked.db(), marked.at());
-    let shown: String =
-        found.iter().take(6).map(|item| format!("{} {:?} {}\n", item.label, item.kind, item.detail)).collect();
+    let item = found.iter().find(|item| item.label == label).unwrap();
+    let mut shown = format!("{}\n{}\n", item.insert, item.plain);
+    for edit in &item.additional {
+        shown += &format!("{}: {}\n", edit.file.path(marked.db()).file_name().unwrap(), edit.text.trim());
+    }
     expected.assert_eq(&shown);
+}
+
+fn check_nothing(listing: &str) {
+    let labels: Vec<String> = found(listing).into_iter().map(|item| item.label).collect();
+    assert!(labels.is_empty(), "{listing}: {labels:?}");
 }
 
 const LIBRARY: &str = "\n--- part\npublic num nWeight\nnum nInner\npublic program pick(num x_n)\nbegin\nend";
 
 #[test]
+fn blocks_are_closed() {
+    let closing = |code: &str| found(code).first().map(|item| item.label.clone()).unwrap_or_default();
+    assert_eq!(closing("if true\n  cls()\nen$0"), "endIf");
+    assert_eq!(closing("if true\n  cls()\nelse\nend$0"), "endIf");
+    assert_eq!(closing("while true\nx=(\n$0"), "endWhile");
+    assert_eq!(closing("do\nif true\nendIf\nu$0"), "until");
+    assert_eq!(closing("num nA\nfor nA=0 to 3\nEND$0"), "endFor");
+    assert_eq!(closing("num nA\nswitch nA\ncase 1\nb$0"), "break");
+    assert_eq!(closing("num nA\nswitch nA\ncase 1\nbreak\nca$0"), "case");
+    assert_eq!(closing("num nA\nswitch nA\ncase 1\nbreak\nend$0"), "endSwitch");
+    assert_ne!(closing("if true\nendIf\nen$0"), "endIf");
+}
+
+#[test]
 fn statements() {
-    check(
-        "num nCount\nif nCount==1\n  nCount=2\nen$0",
-        expect![[r#"
-        endIf Keyword ends the block
-        enablePower Instruction void enablePower()
-        waitEndMove Instruction void waitEndMove()
-        open Instruction void open(tool tTool)
-        append Instruction void append(T variable)
-        return Keyword 
-    "#]],
-    );
     check(
         "num nCount\nnC$0",
         expect![[r#"
-        nCount Data num
-        taskCreateSync Keyword 
-        $getJntSpeedCmd Instruction void $getJntSpeedCmd(num& nSpeed[])
-        taskCreateSync Instruction taskCreateSync string sName, num nPeriod, bool& bOverrun, program(...)
-        getJointForce Instruction void getJointForce(num& nForce[])
-        $computeJntFrc Instruction void $computeJntFrc(joint jPosition, num& nSpeed[], num& nAcceleration[], num& nForce[])
-    "#]],
+            nCount Data num
+            nC Data new global num
+        "#]],
     );
     check(
         "wai$0",
         expect![[r#"
         wait Instruction void wait(bool bCondition)
         waitEndMove Instruction void waitEndMove()
+    "#]],
+    );
+    check_insert(
+        "num nCount\nnC$0",
+        "nCount",
+        expect![[r#"
+        nCount
+        nCount
+    "#]],
+    );
+    check_insert(
+        "wai$0",
+        "wait",
+        expect![[r#"
+        wait(${1:bCondition})$0
+        wait
+    "#]],
+    );
+    check_insert(
+        "wai$0(true)",
+        "wait",
+        expect![[r#"
+        wait
+        wait
+    "#]],
+    );
+    check_insert(
+        "fo$0",
+        "for",
+        expect![[r#"
+        for ${1:l_nIndex}=${2:0} to ${3:nLast}
+          $0
+        endFor
+        for
+    "#]],
+    );
+    check_insert(
+        "pi$0\nprogram pick(num x_n)\nbegin\nend",
+        "pick",
+        expect![[r#"
+        call pick(${1:x_n})$0
+        call pick
     "#]],
     );
 }
@@ -56,48 +119,225 @@ fn values_of_the_expected_type() {
         {0,0,0,0,0,joint,0,0} Literal mdesc
         pA Data pointRx
         tGrip Data tool
-        $circleFind Instruction num $circleFind(trsf& trPositions[], trsf& trResult, num& nRadius)
-        $compile Instruction string $compile(string sCode)
+    "#]],
+    );
+    check(
+        "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,$0",
+        expect![[r#"
+        mFast Data mdesc
+        {0,0,0,0,0,joint,0,0} Literal mdesc
+        pA Data pointRx
+        tGrip Data tool
+    "#]],
+    );
+    check(
+        "joint jHome\npoint pA\nmovej($0",
+        expect![[r#"
+        jHome Data jointRx
+        pA Data pointRx
+        {0,0,0,0,0,0} Literal joint
+        {{0,0,0,0,0,0},{ssame,esame,wsame}} Literal point
+        abs Instruction joint abs(joint jPosition)
+        appro Instruction point appro(point pPosition, trsf trTransformation)
     "#]],
     );
     check(
         "trsf trA\nnum nA\ntrA=$0",
         expect![[r#"
-        nA Data num
         trA Data trsf
-        $circleFind Instruction num $circleFind(trsf& trPositions[], trsf& trResult, num& nRadius)
-        $compile Instruction string $compile(string sCode)
-        $copy Instruction bool $copy(string sFrom, string sTo)
-        $delete Instruction bool $delete(string sPath)
+        {0,0,0,0,0,0} Literal trsf
+        align Instruction trsf align(trsf trPosition, trsf trReference)
+        interpolateC Instruction trsf interpolateC(trsf trStart, trsf trIntermediate, trsf trEnd, num nPosition)
+        interpolateL Instruction trsf interpolateL(trsf trStart, trsf trEnd, num nPosition)
+        position Instruction trsf position(frame fFrame, frame fReference)
     "#]],
     );
     check(
         "string sA\nnum nA\nif sA==$0",
         expect![[r#"
         sA Data string
-        $compile Instruction string $compile(string sCode)
-        $exec Instruction string $exec(string sCode)
-        $getName Instruction string $getName(T variable)
         chr Instruction string chr(num nCodePoint)
-        delete Instruction bool delete(T variable)
+        delete Instruction string delete(string sText, num nSize, num nPosition)
+        first Instruction string first(T& variable[""])
+        getDate Instruction string getDate(string sFormat)
+        getLanguage Instruction string getLanguage()
     "#]],
     );
     check(
         "mdesc mA\nmA.blend=$0",
         expect![[r#"
+        Cartesian Constant blend
+        joint Constant blend
+        off Constant blend
         mA Data mdesc
-        $circleFind Instruction num $circleFind(trsf& trPositions[], trsf& trResult, num& nRadius)
-        $compile Instruction string $compile(string sCode)
-        $copy Instruction bool $copy(string sFrom, string sTo)
-        $delete Instruction bool $delete(string sPath)
-        $exec Instruction string $exec(string sCode)
+    "#]],
+    );
+    check(
+        "dio diDoor\nnum nA\nif $0",
+        expect![[r#"
+        diDoor Data dio
+        false Constant bool
+        true Constant bool
+        autoConnectMove Instruction bool autoConnectMove()
+        delete Instruction bool delete(T variable)
+        getLatch Instruction bool getLatch(joint& jPosition)
+    "#]],
+    );
+    check(
+        "num nA[4]\nstring sA\nnum nB\nnB=nA[$0",
+        expect![[r#"
+        nA Data num[]
+        nB Data num
+        abs Instruction num abs(num nValue)
+        acos Instruction num acos(num nValue)
+        aioGet Instruction num aioGet(aio aiInput)
+        aioSet Instruction num aioSet(aio aiOutput, num nValue)
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nswitch sA\ncase $0\nbreak\nendSwitch",
+        expect![[r#"
+        sA Data string
+        chr Instruction string chr(num nCodePoint)
+        delete Instruction string delete(string sText, num nSize, num nPosition)
+        first Instruction string first(T& variable[""])
+        getDate Instruction string getDate(string sFormat)
+        getLanguage Instruction string getLanguage()
+    "#]],
+    );
+    check(
+        "mdesc mA\nmA={0,0,0,0,0,$0",
+        expect![[r#"
+        Cartesian Constant blend
+        joint Constant blend
+        off Constant blend
+        mA Data mdesc
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\ncall pick($0\nprogram pick(string& x_s)\nbegin\nend",
+        expect![[r#"
+        sA Data string
+        nA Data num
     "#]],
     );
 }
 
 #[test]
+fn half_written_lines() {
+    check(
+        "point pA\nnum nA\nif pA.$0\nelse\n  nA=1\nendIf",
+        expect![[r#"
+        trsf Field trsf
+        config Field config
+    "#]],
+    );
+    check(
+        "mdesc mA\nnum nA\nnA = = mA.$0",
+        expect![[r#"
+        accel Field num
+        vel Field num
+        decel Field num
+        tvel Field num
+        rvel Field num
+        blend Field blend
+    "#]],
+    );
+    check(
+        "point pA\ntool tA\nmdesc mA\nmovej(pA,\nmovel(pA,tA,$0\nmovej(",
+        expect![[r#"
+        mA Data mdesc
+        {0,0,0,0,0,joint,0,0} Literal mdesc
+        pA Data pointRx
+        tA Data tool
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nwhile (nA<3 and ($0",
+        expect![[r#"
+        false Constant bool
+        true Constant bool
+        autoConnectMove Instruction bool autoConnectMove()
+        delete Instruction bool delete(T variable)
+        getLatch Instruction bool getLatch(joint& jPosition)
+        insert Instruction bool insert(T variable)
+    "#]],
+    );
+    check(
+        "num nA\nstring sA\nnA=nA+$0",
+        expect![[r#"
+            nA Data num
+            abs Instruction num abs(num nValue)
+            acos Instruction num acos(num nValue)
+            aioGet Instruction num aioGet(aio aiInput)
+            aioSet Instruction num aioSet(aio aiOutput, num nValue)
+            asc Instruction num asc(string sText, num nPosition)
+        "#]],
+    );
+    check(
+        "num nA\nstring sA\nnA=$0\nsA=\"a\"",
+        expect![[r#"
+            nA Data num
+            abs Instruction num abs(num nValue)
+            acos Instruction num acos(num nValue)
+            aioGet Instruction num aioGet(aio aiInput)
+            aioSet Instruction num aioSet(aio aiOutput, num nValue)
+            asc Instruction num asc(string sText, num nPosition)
+        "#]],
+    );
+    check(
+        "num nA\nnA$0",
+        expect![[r#"
+            nA Data num
+        "#]],
+    );
+}
+
+#[test]
+fn operators_follow_values() {
+    check(
+        "bool bA\nif bA $0",
+        expect![[r#"
+        and Keyword
+        or Keyword
+        xor Keyword
+    "#]],
+    );
+    check(
+        "num nA\nfor nA=0 $0",
+        expect![[r#"
+        to Keyword
+    "#]],
+    );
+    check(
+        "num nA\nfor nA=0 to 3 $0",
+        expect![[r#"
+        step Keyword
+    "#]],
+    );
+    check_nothing("num nA\nnA=nA $0");
+}
+
+#[test]
 fn members() {
-    check("point pA\npA.$0", expect![[r#""#]]);
+    check(
+        "point pA\npA.$0",
+        expect![[r#"
+        trsf Field trsf
+        config Field config
+    "#]],
+    );
+    check(
+        "point pA\nnum nA\nif pA.trsf.$0\nendIf\nnA=1",
+        expect![[r#"
+        x Field num
+        y Field num
+        z Field num
+        rx Field num
+        ry Field num
+        rz Field num
+    "#]],
+    );
     check(
         "point pA\npA.trsf.r$0=1",
         expect![[r#"
@@ -106,7 +346,28 @@ fn members() {
         rz Field num
     "#]],
     );
-    check("type Slot \"Disk://Slot/Slot.pjx\"\nSlot sA\nsA.$0\n--- Slot\npublic num nHeight", expect![[r#""#]]);
+    check(
+        "point pA[3]\nnum nA\nnA=pA[nA].config.$0",
+        expect![[r#"
+        shoulder Field shoulder
+        elbow Field elbow
+        wrist Field wrist
+    "#]],
+    );
+    check(
+        "point pA\ntool tA\nput(here(tA,world).$0",
+        expect![[r#"
+        trsf Field trsf
+        config Field config
+    "#]],
+    );
+    check(
+        "type Slot \"Disk://Slot/Slot.pjx\"\nSlot sA\nsA.$0\n--- Slot\npublic num nHeight",
+        expect![[r#"
+        nHeight Field num
+    "#]],
+    );
+    check_nothing("num nA\nnA.$0");
 }
 
 #[test]
@@ -116,11 +377,21 @@ fn libraries() {
         &with("nA=part:$0"),
         expect![[r#"
         nWeight Data num
+        libLoad Instruction num library:libLoad(string sPath)
+        libSave Instruction num library:libSave()
         $libClose Instruction bool library:$libClose()
         $libOpen Instruction bool library:$libOpen()
         libExist Instruction bool library:libExist(string sSymbolName)
+    "#]],
+    );
+    check(
+        &with("part:$0"),
+        expect![[r#"
+        nWeight Data num
+        $libClose Instruction bool library:$libClose()
+        $libOpen Instruction bool library:$libOpen()
         libLoad Instruction num library:libLoad(string sPath)
-        libPath Instruction string library:libPath()
+        libSave Instruction num library:libSave()
     "#]],
     );
     check(
@@ -137,21 +408,75 @@ fn libraries() {
     "#]],
     );
     check(
-        &with("nA=part:libLoad(\"$0\")"),
-        expect![[r#"
-        Disk://part Path library
-    "#]],
-    );
-    check(
         &with("taskCreate \"a\",10,p$0"),
         expect![[r#"
         part Library library
     "#]],
     );
+    check_insert(
+        &with("call part:$0"),
+        "pick",
+        expect![[r#"
+        pick(${1:x_n})$0
+        pick
+    "#]],
+    );
 }
 
 #[test]
-fn nothing_where_nothing_fits() {
-    check("// no$0", expect![[r#""#]]);
-    check("num nA\nnA=12$0", expect![[r#""#]]);
+fn what_is_not_declared_yet() {
+    check_insert(
+        "mdesc mFast\npoint pA\ntool tGrip\nmovej(pA,tGrip,mSlow$0)",
+        "mSlow",
+        expect![[r#"
+        mSlow
+        mSlow
+        main.dtx: <Data name="mSlow" access="private" xsi:type="array" type="mdesc" size="1" />
+    "#]],
+    );
+    check_insert(
+        "nNew$0=1",
+        "nNew",
+        expect![[r#"
+        nNew
+        nNew
+        main.dtx: <Datas>
+            <Data name="nNew" access="private" xsi:type="array" type="num" size="1" />
+          </Datas>
+    "#]],
+    );
+    let without = |line: &str| format!("{line}{LIBRARY}");
+    check_insert(
+        &without("call pa$0"),
+        "part",
+        expect![[r#"
+        part:
+        part:
+        main.pjx: <Libraries>
+            <Library alias="part" path="Disk://part/part.pjx" />
+          </Libraries>
+    "#]],
+    );
+    check_insert(
+        &without("call part:$0"),
+        "pick",
+        expect![[r#"
+        pick(${1:x_n})$0
+        pick
+        main.pjx: <Libraries>
+            <Library alias="part" path="Disk://part/part.pjx" />
+          </Libraries>
+    "#]],
+    );
+    check_insert(
+        &without("put(part:$0"),
+        "nWeight",
+        expect![[r#"
+        nWeight
+        nWeight
+        main.pjx: <Libraries>
+            <Library alias="part" path="Disk://part/part.pjx" />
+          </Libraries>
+    "#]],
+    );
 }

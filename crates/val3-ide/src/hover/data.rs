@@ -1,13 +1,18 @@
 //! Global data: its type, its initial value, and the chain of its fathers.
 
+use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::data;
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{DataItem, items};
-use val3_analysis::xml::Element;
+use val3_analysis::xml::{Attribute, Element};
+use val3_lang::types::{Arm, BaseType, attribute};
 use val3_syntax::view::View;
 
+use super::attributes::field_at;
+use super::units::sign;
 use super::{fenced, shape};
+use crate::placement::placement;
 
 /// Values of a container that are shown.
 const SHOWN: usize = 5;
@@ -19,7 +24,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
     let access = if item.decl.public { "public " } else { "" };
     let head = format!("{access}{} {name}{}", item.decl.type_name, shape(&item.decl.sizes, item.decl.container));
     let mut text = fenced(&head);
-    let values = values(db, item, name);
+    let values = values(db, project, item, name);
     if !values.is_empty() {
         text.push_str("\nstarts as\n");
         text.push_str(&fenced(&values.join("\n")));
@@ -41,53 +46,101 @@ fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(E
     elements.find(|element| element.value("name").as_deref() == Some(name)).map(read)
 }
 
-/// The initial values, one a line: key, then attributes as they are written.
-fn values(db: &dyn Db, item: &DataItem, name: &str) -> Vec<String> {
+/// The initial values, one a line: key, then attributes with their units.
+fn values(db: &dyn Db, project: Project, item: &DataItem, name: &str) -> Vec<String> {
     let single = item.decl.sizes == [1];
+    let line = Line { db, project, ty: item.base.builtin().map(|ty| (ty, items(db, project).arm)) };
     let read = |element: Element<'_>| {
-        let count = element.elements().count();
-        let mut lines: Vec<String> = element.elements().take(SHOWN).filter_map(|value| line(value, single)).collect();
-        if count > SHOWN {
-            lines.push(format!("… {} more", count - SHOWN));
+        let values: Vec<Element<'_>> = element.elements().filter(|value| !value.name().ends_with("Father")).collect();
+        let mut lines: Vec<String> = values.iter().take(SHOWN).filter_map(|value| line.value(*value, single)).collect();
+        if values.len() > SHOWN {
+            lines.push(format!("… {} more", values.len() - SHOWN));
         }
         lines
     };
     with_element(db, item, name, read).unwrap_or_default()
 }
 
-fn line(value: Element<'_>, single: bool) -> Option<String> {
-    let shown: Vec<String> = value
-        .attributes()
-        .filter(|attribute| attribute.name != "key")
-        .map(|attribute| match attribute.name {
-            "value" => attribute.text().into_owned(),
-            name => format!("{name}={}", attribute.text()),
-        })
-        .collect();
-    if shown.is_empty() {
-        return None;
-    }
-    let key = value.value("key").filter(|_| !single).map(|key| format!("[{key}] ")).unwrap_or_default();
-    Some(key + &shown.join(" "))
+/// The keys of the values that a data file writes, in its order.
+pub(crate) fn keys_of(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
+    let keys = |element: Element<'_>| {
+        element.elements().filter_map(|value| value.value("key")).map(|key| key.into_owned()).collect()
+    };
+    let item = items(db, project).data.get(name);
+    item.and_then(|item| with_element(db, item, name, keys)).unwrap_or_default()
 }
 
-/// The data and its fathers, by name, up to `world`, `flange` or what cannot be followed.
+/// How a value is shown.
+struct Line<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    ty: Option<(BaseType, Option<Arm>)>,
+}
+
+impl Line<'_> {
+    fn value(&self, value: Element<'_>, single: bool) -> Option<String> {
+        let mut shown: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
+        // In s5 and s6 the numbers stand one level deeper, as do the fields of user types.
+        for part in value.elements() {
+            match part.value("name").filter(|_| part.name() == "Field") {
+                Some(name) => shown.extend(part.elements().next().and_then(|inner| self.field(&name, inner))),
+                None => shown.extend(part.attributes().filter_map(|found| self.attribute(found))),
+            }
+        }
+        if shown.is_empty() {
+            return None;
+        }
+        let key = value.value("key").or_else(|| value.value("index")).filter(|_| !single);
+        Some(key.map(|key| format!("[{key}] ")).unwrap_or_default() + &shown.join(" "))
+    }
+
+    /// `nHeight=4`, `pPick=(x=1 y=2)`
+    fn field(&self, name: &str, value: Element<'_>) -> Option<String> {
+        let attributes: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
+        match attributes.as_slice() {
+            [] => None,
+            [only] if value.attribute("value").is_some() => Some(format!("{name}={only}")),
+            several => Some(format!("{name}=({})", several.join(" "))),
+        }
+    }
+
+    fn attribute(&self, found: Attribute<'_>) -> Option<String> {
+        let unit = || {
+            let (ty, arm) = self.ty?;
+            let path = attribute(ty, arm, found.name)?.field;
+            field_at(ty, arm, path).map(|(_, unit)| sign(self.db, self.project, unit))
+        };
+        match found.name {
+            // Fathers have a line of their own.
+            "key" | "index" | "fatherId" => None,
+            "value" => Some(found.text().into_owned()),
+            name => Some(format!("{name}={}{}", found.text(), unit().unwrap_or(""))),
+        }
+    }
+}
+
+/// The fathers of data, as the file names them, up to `world`, `flange` or what cannot be followed.
 fn fathers(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
-    let items = items(db, project);
     let mut chain = vec![name.to_owned()];
-    while let Some(item) = chain.last().and_then(|last| items.data.get(last.as_str()))
-        && chain.len() < LONGEST_CHAIN
-    {
-        let last = chain.last().map(String::as_str).unwrap_or_default();
-        let father = with_element(db, item, last, |element| {
-            element.elements().next().and_then(|value| value.value("fatherId").map(|father| father.into_owned()))
-        });
-        let Some(father) = father.flatten().filter(|father| !father.is_empty()) else { break };
-        let root = father.split(['[', '.']).next().unwrap_or("").to_owned();
-        if root.is_empty() || chain.contains(&root) {
+    let mut next = first_father(db, project, name);
+    while let Some(father) = next.filter(|_| chain.len() < LONGEST_CHAIN) {
+        let shown = father.strip_suffix("[0]").unwrap_or(&father).to_owned();
+        if chain.contains(&shown) {
             break;
         }
-        chain.push(root);
+        next = father.split_once('[').and_then(|(name, index)| {
+            let key = index.strip_suffix(']')?;
+            placement(db, project, name, key.trim_matches('"'))?.father.clone()
+        });
+        chain.push(shown);
     }
     chain
+}
+
+/// That of the first value; in a collection any of them.
+fn first_father(db: &dyn Db, project: Project, name: &str) -> Option<SmolStr> {
+    let item = items(db, project).data.get(name)?;
+    let key = keys_of(db, project, name).into_iter().next().unwrap_or_else(|| "0".to_owned());
+    item.base.builtin().filter(|ty| ty.has_father())?;
+    placement(db, project, name, &key)?.father.clone()
 }

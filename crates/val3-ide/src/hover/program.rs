@@ -1,11 +1,11 @@
 //! A program: its head, and the comment at the start of its code.
 
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::items::parse;
 use val3_analysis::items::project::{items, signature};
+use val3_analysis::items::{parse, program};
 use val3_analysis::ty::brackets;
-use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
+use val3_syntax::{SyntaxKind, decode_entities};
 
 use super::fenced;
 
@@ -35,39 +35,67 @@ pub(crate) fn line(db: &dyn Db, project: Project, file: File) -> String {
 }
 
 /// The comment at the head of a program, before its first statement, as Markdown: `//\brief`, `//\param x what` and
-/// the like are taken apart.
+/// the like are taken apart. Where there is none, the description in the header.
 pub(crate) fn comment(db: &dyn Db, file: File) -> Option<String> {
-    let parse = parse(db, file);
-    let code = val3_analysis::items::program::code(View::root(parse.green()))?;
-    let mut lines = Vec::new();
-    let pieces = code
-        .children_with_tokens()
-        .skip_while(|piece| piece.as_token().is_none_or(|token| token.kind() != SyntaxKind::BEGIN_KW));
-    for piece in pieces.skip(1) {
-        let Some(token) = piece.into_token() else { break };
-        match token.kind() {
-            SyntaxKind::COMMENT => lines.push(comment_line(token.text())),
-            SyntaxKind::NEWLINE | SyntaxKind::WHITESPACE => {}
-            _ => break,
-        }
-    }
+    let lines: Vec<String> = head_lines(db, file).iter().map(|line| comment_line(line)).collect();
     let text = lines.join("\n").trim().to_owned();
-    (!text.is_empty()).then_some(text)
+    Some(text).filter(|text| !text.is_empty()).or_else(|| description(db, file))
+}
+
+/// What the comment of a program says of a parameter.
+pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
+    let about = |line: &String| match tag(line)? {
+        ("param", rest) => {
+            let (named, about) = rest.split_once(char::is_whitespace)?;
+            (named == name).then(|| about.trim().to_owned())
+        }
+        _ => None,
+    };
+    head_lines(db, file).iter().find_map(about)
+}
+
+/// The comments between `begin` and the first statement.
+fn head_lines(db: &dyn Db, file: File) -> Vec<String> {
+    let parse = parse(db, file);
+    let Some(code) = program::code(View::root(parse.green())) else { return Vec::new() };
+    let pieces = code.children_with_tokens();
+    let tokens = pieces.skip_while(|piece| piece.as_token().is_none_or(|token| token.kind() != SyntaxKind::BEGIN_KW));
+    let tokens = tokens.skip(1).map_while(|piece| piece.into_token()).take_while(|token| token.kind().is_trivia());
+    let comments = tokens.filter(|token| token.kind() == SyntaxKind::COMMENT);
+    comments.map(|comment| decode_entities(comment.text()).into_owned()).collect()
+}
+
+/// The `<Description>` of a program, which some tools write as comment lines.
+fn description(db: &dyn Db, file: File) -> Option<String> {
+    let parse = parse(db, file);
+    let element = program::element(View::root(parse.green()))?.child(&["Description", "description"])?;
+    let range = std::ops::Range::<usize>::from(element.view().range());
+    let text = file.text(db).get(range)?;
+    let inside = text.split_once('>')?.1.rsplit_once("</")?.0.trim();
+    let inside = inside.strip_prefix("<![CDATA[").and_then(|text| text.strip_suffix("]]>")).unwrap_or(inside);
+    let lines: Vec<String> = decode_entities(inside).lines().map(|line| comment_line(line.trim())).collect();
+    Some(lines.join("\n").trim().to_owned()).filter(|text| !text.is_empty())
 }
 
 /// The text of a comment. A line of dashes or the like is a rule that somebody drew, and no text.
 fn comment_line(comment: &str) -> String {
     let text = comment.trim_start_matches('/').trim();
-    if !text.is_empty() && !text.contains(|letter: char| letter.is_alphanumeric()) {
+    if !text.contains(|letter: char| letter.is_alphanumeric()) {
         return String::new();
     }
-    match text.strip_prefix(['\\', '@']).and_then(|tag| tag.split_once(char::is_whitespace)) {
-        Some(("brief", rest)) => rest.trim().to_owned(),
+    match tag(comment) {
+        Some(("brief", rest)) => rest.to_owned(),
         Some(("param", rest)) => {
-            let (name, about) = rest.trim().split_once(char::is_whitespace).unwrap_or((rest.trim(), ""));
+            let (name, about) = rest.split_once(char::is_whitespace).unwrap_or((rest, ""));
             format!("- `{name}`: {}", about.trim())
         }
-        Some((tag, rest)) => format!("- {tag}: {}", rest.trim()),
+        Some((tag, rest)) => format!("- {tag}: {rest}"),
         None => text.to_owned(),
     }
+}
+
+/// `//\name rest`, `//@name rest`
+fn tag(comment: &str) -> Option<(&str, &str)> {
+    let text = comment.trim_start_matches('/').trim().strip_prefix(['\\', '@'])?;
+    text.split_once(char::is_whitespace).map(|(tag, rest)| (tag, rest.trim()))
 }

@@ -1,11 +1,13 @@
 //! What stands against a new name.
 
+use memchr::memmem;
 use smol_str::SmolStr;
 use val3_analysis::application::ENTRY_POINTS;
+use val3_analysis::body::{Expr, body};
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::program::header;
-use val3_analysis::items::project::items;
-use val3_analysis::occurrences::Symbol;
+use val3_analysis::items::project::{items, program_files};
+use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_lang::keywords;
 
 use super::RenameError;
@@ -16,11 +18,14 @@ fn refused(reason: String) -> Result<(), RenameError> {
 }
 
 /// The name is one that the files declare, and nobody else relies on it.
-pub(super) fn is_ours(symbol: &Symbol) -> Result<(), RenameError> {
+pub(super) fn is_ours(db: &dyn Db, symbol: &Symbol) -> Result<(), RenameError> {
     let name = text(symbol);
     match symbol {
         Symbol::Program(_, name) if ENTRY_POINTS.contains(&name.as_str()) => {
             refused(format!("the controller itself calls `{name}`"))
+        }
+        Symbol::Program(project, name) if is_called_from_outside(db, *project, name) => {
+            refused(format!("`{name}` is called from outside of the code, as `val3.toml` says"))
         }
         Symbol::Local(..)
         | Symbol::Param(..)
@@ -36,45 +41,85 @@ pub(super) fn is_ours(symbol: &Symbol) -> Result<(), RenameError> {
     }
 }
 
+/// The settings name the program as an entry point.
+fn is_called_from_outside(db: &dyn Db, project: Project, name: &str) -> bool {
+    project.config(db).is_some_and(|config| config.lint.entry_points.iter().any(|entry| entry == name))
+}
+
 /// The new name is one, is free, and means the same thing at every place.
-pub(super) fn check(db: &dyn Db, project: Project, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
+pub(super) fn check(db: &dyn Db, symbols: &[Symbol], new_name: &str) -> Result<(), RenameError> {
     if !keywords::is_identifier(new_name) {
         return refused(format!("`{new_name}` is no name: letters, digits and `_`, no digit first"));
     }
-    if let Some(word) = keywords::canonical(new_name) {
-        return refused(format!("`{word}` is a word of the language"));
+    if keywords::reserved(new_name).is_some() {
+        return refused(format!("`{}` is a word of the language", keywords::canonical(new_name).unwrap_or(new_name)));
     }
-    if let Some(limit) = items(db, project).version.identifier_limit().filter(|limit| new_name.len() > *limit) {
-        return refused(format!("names have at most {limit} characters in this version"));
+    symbols.iter().try_for_each(|symbol| {
+        short_enough(db, symbol, new_name)?;
+        free(db, symbol, new_name)
+    })
+}
+
+/// The project that a symbol belongs to.
+fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
+    match symbol {
+        Symbol::Local(file, _) | Symbol::Param(file, _) => crate::owner::owner(db, *file),
+        Symbol::Data(project, _) | Symbol::Program(project, _) => Some(*project),
+        Symbol::Library(project, _) | Symbol::Type(project, _) => Some(*project),
+        _ => None,
     }
-    symbols.iter().try_for_each(|symbol| free(db, symbol, new_name))
+}
+
+fn short_enough(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
+    let limit = project_of(db, symbol).and_then(|project| items(db, project).version.identifier_limit());
+    match limit.filter(|limit| new_name.len() > *limit) {
+        Some(limit) => refused(format!("names have at most {limit} characters in this version")),
+        None => Ok(()),
+    }
 }
 
 fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError> {
+    if let Some(project) = project_of(db, symbol)
+        && let Some(what) = other_item(db, project, symbol, new_name)
+    {
+        return refused(format!("there is {what} called `{new_name}` already"));
+    }
     match symbol {
         Symbol::Local(file, _) | Symbol::Param(file, _) => {
             not_declared_in(db, *file, new_name)?;
-            hides_no_data(db, *file, new_name)
+            hides_no_data(db, *file, new_name)?;
+            takes_no_unknown(db, *file, new_name)
         }
-        Symbol::Data(project, _) => {
-            if items(db, *project).data.contains_key(new_name) {
-                return refused(format!("there is data called `{new_name}` already"));
-            }
-            users(db, symbol).try_for_each(|file| not_declared_in(db, file, new_name))
-        }
-        Symbol::Program(project, _) => {
-            let taken = items(db, *project).programs.keys().any(|name| name.eq_ignore_ascii_case(new_name));
-            if taken { refused(format!("there is a program called `{new_name}` already")) } else { Ok(()) }
-        }
-        Symbol::Library(project, _) => {
-            let taken = items(db, *project).libraries.contains_key(new_name);
-            if taken { refused(format!("there is a library identifier `{new_name}` already")) } else { Ok(()) }
-        }
-        Symbol::Type(project, _) => {
-            let taken = items(db, *project).types.contains_key(new_name);
-            if taken { refused(format!("there is a user type called `{new_name}` already")) } else { Ok(()) }
+        // A local hides data of its own project alone: items of libraries and fields stand behind `:` and `.`.
+        Symbol::Data(project, _) | Symbol::Program(project, _) | Symbol::Library(project, _) => {
+            let own = |file: &File| crate::owner::projects_of(db, *file).contains(project);
+            users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))?;
+            program_files(db, *project).iter().try_for_each(|file| takes_no_unknown(db, *file, new_name))
         }
         _ => Ok(()),
+    }
+}
+
+/// What else in the project has the name. Files of programs are told apart without regard to letter case; a local
+/// variable may have the name of data, which it hides.
+fn other_item(db: &dyn Db, project: Project, symbol: &Symbol, new_name: &str) -> Option<&'static str> {
+    let items = items(db, project);
+    let is_own = |known: &SmolStr| matches!(symbol, Symbol::Program(_, old) if old == known);
+    let is_program = |known: &SmolStr| known.eq_ignore_ascii_case(new_name) && !is_own(known);
+    let is_local = matches!(symbol, Symbol::Local(..) | Symbol::Param(..));
+    let file = format!("{new_name}.pgx");
+    let has_file = |beside: &SmolStr| beside.eq_ignore_ascii_case(&file);
+    let moves = matches!(symbol, Symbol::Program(_, old) if !old.eq_ignore_ascii_case(new_name));
+    if items.data.contains_key(new_name) && !is_local {
+        Some("data")
+    } else if items.programs.keys().any(is_program) {
+        Some("a program")
+    } else if moves && project.beside(db).iter().any(has_file) {
+        Some("a file of a program")
+    } else if items.libraries.contains_key(new_name) {
+        Some("a library identifier")
+    } else {
+        items.types.contains_key(new_name).then_some("a user type")
     }
 }
 
@@ -105,6 +150,22 @@ fn hides_no_data(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameEr
         if items(db, *project).data.contains_key(new_name) && users(db, &data).any(|user| user == file) {
             return refused(format!("the program uses the global `{new_name}`, which the new name would hide"));
         }
+    }
+    Ok(())
+}
+
+/// The program does not use the name for something that is not known, which would then be what is renamed.
+fn takes_no_unknown(db: &dyn Db, file: File, new_name: &str) -> Result<(), RenameError> {
+    if memmem::find(file.text(db).as_bytes(), new_name.as_bytes()).is_none() {
+        return Ok(());
+    }
+    let Some(project) = crate::owner::owner(db, file) else { return Ok(()) };
+    let known = occurrences(db, project, file);
+    let is_known = |range| known.binary_search_by_key(&range, |found| found.range.start()).is_ok();
+    let is_unknown = |expr: &Expr, start| matches!(expr, Expr::Name(name) if name == new_name) && !is_known(start);
+    if body(db, file).exprs().any(|(_, expr, range)| is_unknown(expr, range.start())) {
+        let program = &header(db, file).name;
+        return refused(format!("the program `{program}` uses the name `{new_name}`, which is not declared yet"));
     }
     Ok(())
 }

@@ -2,12 +2,15 @@
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::manifest::{entries, spelling};
+use val3_analysis::items::program::Header;
 use val3_analysis::items::{data, parse, program};
 use val3_analysis::ty::brackets;
 use val3_analysis::xml::{self, Attribute, Element};
+use val3_lang::types::Container;
 use val3_syntax::view::View;
 
 use super::{OutlineItem, SymbolKind};
+use crate::hover::shape;
 
 /// What a file declares, in the order of the text.
 pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
@@ -16,7 +19,10 @@ pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
     match root.name() {
         "Project" | "project" => project(root),
         "Database" | "dataList" => data::elements(view).filter_map(datum).collect(),
-        _ => program::element(view).and_then(program_item).into_iter().collect(),
+        _ => program::element(view)
+            .and_then(|element| program_item(element, program::header(db, file)))
+            .into_iter()
+            .collect(),
     }
 }
 
@@ -50,29 +56,104 @@ fn project(root: Element<'_>) -> Vec<OutlineItem> {
 
 fn datum(element: Element<'_>) -> Option<OutlineItem> {
     let decl = data::declaration(element)?;
-    let sizes: Vec<String> = decl.sizes.iter().map(u32::to_string).collect();
-    let shape = match decl.sizes.as_slice() {
-        [1] => String::new(),
-        [] => brackets(decl.container).to_owned(),
-        _ => format!("[{}]", sizes.join(",")),
-    };
+    let shape = shape(&decl.sizes, decl.container);
     let access = if decl.public { "public " } else { "" };
     let detail = format!("{access}{}{shape}", decl.type_name);
     Some(item(element, element.attribute("name")?, detail, SymbolKind::Data))
 }
 
-fn program_item(element: Element<'_>) -> Option<OutlineItem> {
-    let params: Vec<OutlineItem> =
-        program::params(element).filter_map(|param| variable(param, SymbolKind::Parameter)).collect();
+fn program_item(element: Element<'_>, header: &Header) -> Option<OutlineItem> {
+    let params = program::params(element).filter_map(|param| {
+        let name = param.attribute("name")?;
+        let decl = header.params.iter().find(|decl| decl.name == *name.text())?;
+        // Containers are always passed by reference.
+        let reference = if decl.by_reference && decl.container == Container::Element { "&" } else { "" };
+        let detail = format!("{}{reference}{}", decl.type_name, brackets(decl.container));
+        Some(item(param, name, detail, SymbolKind::Parameter))
+    });
+    let params: Vec<OutlineItem> = params.collect();
+    let locals = program::locals(element).filter_map(|local| {
+        let name = local.attribute("name")?;
+        let decl = header.locals.iter().find(|decl| decl.name == *name.text())?;
+        let shape = shape(&decl.sizes, decl.container);
+        Some(item(local, name, format!("{}{shape}", decl.type_name), SymbolKind::Local))
+    });
     let signature: Vec<String> = params.iter().map(|param| format!("{} {}", param.detail, param.name)).collect();
-    let mut found =
-        item(element, element.attribute("name")?, format!("({})", signature.join(", ")), SymbolKind::Program);
+    let access = if header.public { "public " } else { "" };
+    let detail = format!("{access}({})", signature.join(", "));
+    let mut found = item(element, element.attribute("name")?, detail, SymbolKind::Program);
     found.children = params;
-    found.children.extend(program::locals(element).filter_map(|local| variable(local, SymbolKind::Local)));
+    found.children.extend(locals);
     Some(found)
 }
 
-fn variable(element: Element<'_>, kind: SymbolKind) -> Option<OutlineItem> {
-    let detail = data::readable_type(element).to_string();
-    Some(item(element, element.attribute("name")?, detail, kind))
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::Marked;
+
+    fn check(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let file = marked.at().file;
+        let mut shown = String::new();
+        show(&outline(marked.db(), file), 0, file.text(marked.db()), &mut shown);
+        expected.assert_eq(&shown);
+    }
+
+    fn show(items: &[OutlineItem], depth: usize, text: &str, shown: &mut String) {
+        for item in items {
+            let name = &text[std::ops::Range::<usize>::from(item.name_range)];
+            assert!(item.range.contains_range(item.name_range));
+            let line = format!("{}{:?} {name} {}", "  ".repeat(depth), item.kind, item.detail);
+            shown.push_str(line.trim_end());
+            shown.push('\n');
+            show(&item.children, depth + 1, text, shown);
+        }
+    }
+
+    #[test]
+    fn a_program() {
+        check(
+            "program pick(num& x_n, string x_s[])\n  num l_i\n  point l_p[3]\nbegin\n  cls()$0\nend",
+            expect![[r#"
+                Program pick (num& x_n, string[] x_s)
+                  Parameter x_n num&
+                  Parameter x_s string[]
+                  Local l_i num
+                  Local l_p point[3]
+            "#]],
+        );
+    }
+
+    #[test]
+    fn a_data_file() {
+        check(
+            "cls()\n=== main/main.dtx\n<Database><Datas><Data name=\"nA\" type=\"num\" size=\"3 4\" /><Data name=\"dIn$0\" access=\"public\" xsi:type=\"collection\" type=\"dio\" /></Datas></Database>",
+            expect![[r#"
+                Data nA num[3,4]
+                Data dIn public dio[""]
+            "#]],
+        );
+        check(
+            "cls()\n=== main/main.dtx\n<dataList><numSection><num name=\"nA$0\" public=\"true\" size=\"2\" /></numSection></dataList>",
+            expect![[r#"
+                Data nA public num[2]
+            "#]],
+        );
+    }
+
+    #[test]
+    fn a_project_file() {
+        check(
+            "cls()\n=== main/main.pjx\n<Project><Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"main.dtx\" /></Database><Libraries><Library alias=\"part$0\" path=\"Disk://part/part.pjx\" /></Libraries><Types><Type name=\"Slot\" path=\"Disk://Slot/Slot.pjx\" /></Types></Project>",
+            expect![[r#"
+                Program start.pgx
+                Data main.dtx
+                Library part Disk://part/part.pjx
+                Type Slot Disk://Slot/Slot.pjx
+            "#]],
+        );
+    }
 }

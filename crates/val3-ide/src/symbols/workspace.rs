@@ -12,19 +12,37 @@ use crate::navigate::declaration;
 
 /// The names that a few letters of `query` can stand for, the likeliest first. At most `limit`.
 pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<WorkspaceSymbol> {
-    let mut found: Vec<(i32, WorkspaceSymbol)> = Vec::new();
+    let mut found: Vec<Candidate> = Vec::new();
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
     for project in projects {
-        let container = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
         for (kind, symbol, name) in names(db, project) {
-            let Some(score) = score(query, &name) else { continue };
-            let Some(place) = place(db, &symbol, project) else { continue };
-            found.push((score, WorkspaceSymbol { name: name.into(), container: container.clone(), kind, place }));
+            if let Some(score) = score(query, &name) {
+                found.push(Candidate { score, name, kind, symbol, project });
+            }
         }
     }
-    found.sort_by(|(a, x), (b, y)| b.cmp(a).then_with(|| (&x.name, &x.container).cmp(&(&y.name, &y.container))));
-    found.into_iter().take(limit).map(|(_, symbol)| symbol).collect()
+    // Those that score alike stand in the order of their projects' paths.
+    found.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.name.cmp(&b.name)));
+    // Places are looked up for those that are shown alone.
+    found.into_iter().filter_map(|candidate| candidate.placed(db)).take(limit).collect()
+}
+
+struct Candidate {
+    score: i32,
+    name: String,
+    kind: SymbolKind,
+    /// `None` for the project itself.
+    symbol: Option<Symbol>,
+    project: Project,
+}
+
+impl Candidate {
+    fn placed(self, db: &dyn Db) -> Option<WorkspaceSymbol> {
+        let place = place(db, &self.symbol, self.project)?;
+        let container = self.project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
+        Some(WorkspaceSymbol { name: self.name.into(), container, kind: self.kind, place })
+    }
 }
 
 fn names(db: &dyn Db, project: Project) -> Vec<(SymbolKind, Option<Symbol>, String)> {

@@ -1,0 +1,85 @@
+//! Names in texts that instructions read as names: `getData("part:pTrack[0]", …)`, `part:libExist("pick()")`.
+
+use val3_lang::instructions::{GET_DATA, LIB_EXIST};
+use val3_syntax::{TextRange, TextSize};
+
+use super::{Occurrence, Symbol, Usage};
+use crate::body::{Body, Expr, ExprId};
+use crate::db::{Db, File, Project};
+use crate::items::project::{Items, items};
+
+pub(super) fn names(db: &dyn Db, project: Project, file: File, body: &Body) -> Vec<Occurrence> {
+    let texts = Texts { db, project, items: items(db, project), source: file.text(db), body };
+    let calls = body.exprs().filter_map(|(_, expr, _)| match expr {
+        Expr::Call(callee, arguments) => Some((*callee, *arguments.first()?)),
+        _ => None,
+    });
+    calls.flat_map(|(callee, argument)| texts.argument(callee, argument)).collect()
+}
+
+struct Texts<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    items: &'db Items,
+    source: &'db str,
+    body: &'db Body,
+}
+
+impl Texts<'_> {
+    fn argument(&self, callee: ExprId, argument: ExprId) -> Vec<Occurrence> {
+        if !matches!(self.body.expr(argument), Expr::String(_)) {
+            return Vec::new();
+        }
+        let (start, text) = self.inside(argument);
+        match self.body.expr(callee) {
+            Expr::Name(name) if name == GET_DATA => self.data(start, text),
+            Expr::Path { library, item } if item == LIB_EXIST => {
+                let interface = self.items.libraries.get(library).and_then(|library| library.interface);
+                interface.and_then(|interface| self.item(interface, start, text)).into_iter().collect()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Where the text between the quotes starts, and the text as it stands in the file.
+    fn inside(&self, string: ExprId) -> (TextSize, &str) {
+        let range = self.body.range(string);
+        let raw = self.source.get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+        let inner = raw.strip_prefix("&quot;").or_else(|| raw.strip_prefix('"')).unwrap_or(raw);
+        (range.end() - TextSize::of(inner), inner)
+    }
+
+    /// `name`, `library:name`, with or without an index.
+    fn data(&self, start: TextSize, text: &str) -> Vec<Occurrence> {
+        let first = identifier(text);
+        let Some(behind) = text.get(first.len()..).and_then(|behind| behind.strip_prefix(':')) else {
+            return self.item(self.project, start, text).into_iter().collect();
+        };
+        let Some(library) = self.items.libraries.get(first) else { return Vec::new() };
+        let range = TextRange::at(start, TextSize::of(first));
+        let identifier = Occurrence { range, symbol: Symbol::Library(self.project, first.into()), usage: Usage::Read };
+        let item_start = range.end() + TextSize::of(':');
+        let item = library.interface.and_then(|interface| self.item(interface, item_start, behind));
+        std::iter::once(identifier).chain(item).collect()
+    }
+
+    /// Data or a program of a project, by the name that a text starts with.
+    fn item(&self, project: Project, start: TextSize, text: &str) -> Option<Occurrence> {
+        let name = identifier(text);
+        let offered = items(self.db, project);
+        let is_program = text.get(name.len()..).is_some_and(|behind| behind.starts_with("()"));
+        let symbol = if is_program {
+            offered.programs.contains_key(name).then(|| Symbol::Program(project, name.into()))
+        } else {
+            offered.data.contains_key(name).then(|| Symbol::Data(project, name.into()))
+        };
+        let range = TextRange::at(start, TextSize::of(name));
+        symbol.map(|symbol| Occurrence { range, symbol, usage: Usage::Read })
+    }
+}
+
+/// The letters, digits and underscores at the start of a text.
+fn identifier(text: &str) -> &str {
+    let end = text.find(|letter: char| !(letter.is_ascii_alphanumeric() || letter == '_')).unwrap_or(text.len());
+    text.get(..end).unwrap_or("")
+}

@@ -1,0 +1,83 @@
+//! Names that are not declared yet: taking one declares it.
+
+use val3_analysis::db::Project;
+use val3_analysis::items::project::items;
+use val3_config::Options;
+use val3_lang::keywords;
+use val3_lang::types::BaseType;
+
+use super::strings::{disk_path, other_projects};
+use super::{CompletionKind as Kind, Found};
+use crate::declare;
+use crate::line::Expected;
+
+/// What is not there yet comes last.
+const MISSING: i32 = -120;
+
+/// New global data with the name that was typed.
+pub(super) fn global(found: &mut Found<'_>, expected: &Expected) {
+    let (db, project) = (found.db, found.project);
+    let name = found.query;
+    let is_free = keywords::is_identifier(name) && keywords::reserved(name).is_none();
+    let names = found.names();
+    if !is_free || names.is_declared(name) {
+        return;
+    }
+    let default = Options::default();
+    let options = project.config(db).map_or(&default, |config| &config.lint);
+    let Some(ty) = expected.bases.first().and_then(|base| base.builtin()).or_else(|| type_by_prefix(options, name))
+    else {
+        return;
+    };
+    let Some(edit) = declare::global(db, project, name, ty) else { return };
+    let added = found.add(name, Kind::Data).scored(MISSING).adding(|| vec![edit]);
+    added.detail(|| format!("new global {}", ty.name()));
+}
+
+/// The type whose names begin as this one does: `nCount` is a `num`.
+fn type_by_prefix(options: &Options, name: &str) -> Option<BaseType> {
+    let prefix = name.find(|letter: char| !letter.is_ascii_lowercase()).and_then(|end| name.get(..end))?;
+    let (ty, _) = options.prefixes.iter().find(|(_, known)| known.as_str() == prefix)?;
+    BaseType::from_name(ty)
+}
+
+/// Projects of the cell that are not among the libraries yet.
+pub(super) fn libraries(found: &mut Found<'_>) {
+    if found.query.is_empty() {
+        return;
+    }
+    let (db, project) = (found.db, found.project);
+    let declared = items(db, project);
+    let is_used = |other: Project| {
+        declared.libraries.values().any(|library| library.interface == Some(other))
+            || declared.types.values().any(|ty| *ty == Some(other))
+    };
+    for other in other_projects(found) {
+        let alias = other.manifest(db).path(db).file_stem().unwrap_or("");
+        if is_used(other) || !keywords::is_identifier(alias) || found.names().is_declared(alias) {
+            continue;
+        }
+        let Some(path) = disk_path(found, other).map(|folder| format!("{folder}/{alias}.pjx")) else { continue };
+        let added = found.add(alias, Kind::Library).scored(MISSING).detail(|| format!("new library, {path}"));
+        added.adding(|| declare::library(db, project, alias, &path).into_iter().collect()).with(|item| {
+            item.insert = format!("{alias}:");
+            item.plain = format!("{alias}:");
+        });
+    }
+}
+
+/// The project of the cell that has the name of an identifier that is not declared.
+pub(super) fn library_called(found: &Found<'_>, alias: &str) -> Option<Project> {
+    let db = found.db;
+    other_projects(found).into_iter().find(|project| project.manifest(db).path(db).file_stem() == Some(alias))
+}
+
+/// The completions from `start` on need a library identifier that is not declared.
+pub(super) fn declare_library(found: &mut Found<'_>, start: usize, alias: &str, interface: Option<Project>) {
+    let folder = interface.and_then(|interface| disk_path(found, interface));
+    let path = folder.map(|folder| format!("{folder}/{alias}.pjx"));
+    let edit = path.and_then(|path| declare::library(found.db, found.project, alias, &path));
+    for item in found.items.iter_mut().skip(start) {
+        item.additional.extend(edit.clone());
+    }
+}

@@ -1,0 +1,109 @@
+//! Completions that are names: variables, constants, libraries.
+
+use val3_analysis::items::project::{DataItem, items, resolve_type};
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::{Base, brackets};
+use val3_lang::builtins::{self, Builtin};
+use val3_lang::enumerations;
+use val3_lang::types::{self, BaseType};
+
+use super::{CompletionKind as Kind, Found};
+use crate::line::Expected;
+
+/// What a value of the expected type gains.
+pub(super) const FITS: i32 = 60;
+/// What a value gains that has a field of the expected type.
+const LEADS_ON: i32 = 10;
+/// What names of the program gain over those of the language.
+pub(super) const OWN: i32 = 20;
+/// What locals and parameters gain over data.
+const NEAR: i32 = 4;
+
+/// What a value of type `base` gains where one of type `expected` is wanted.
+pub(super) fn fit(expected: &[Base], base: Base) -> i32 {
+    expected.iter().map(|expected| fit_one(*expected, base)).max().unwrap_or(0)
+}
+
+fn fit_one(expected: Base, base: Base) -> i32 {
+    match (expected, base) {
+        (_, Base::Unknown) => 0,
+        (expected, base) if base.same_as(expected) => FITS,
+        // Inputs and outputs are read as values (3.5, 3.6).
+        (Base::Builtin(BaseType::Bool, _), Base::Builtin(BaseType::Dio, _)) => FITS,
+        (Base::Builtin(BaseType::Num, _), Base::Builtin(BaseType::Aio, _)) => FITS,
+        (expected, Base::Builtin(ty, arm)) => {
+            let has_field = |ty, arm| types::fields(ty, arm).iter().any(|field| Base::of(field.ty).same_as(expected));
+            if has_field(ty, arm) { LEADS_ON } else { 0 }
+        }
+        _ => 0,
+    }
+}
+
+/// `num[]`, `pointRx`
+pub(super) fn data_detail(item: &DataItem) -> String {
+    let shape = if item.decl.sizes == [1] { "" } else { brackets(item.decl.container) };
+    format!("{}{shape}", item.decl.type_name)
+}
+
+/// Locals, parameters and global data.
+pub(super) fn variables(found: &mut Found<'_>, expected: &Expected) {
+    let (project, file, names) = (found.project, found.file, found.names());
+    let base = |name: &str| resolve_type(&names.items.types, name).unwrap_or(Base::Unknown);
+    for local in &names.header.locals {
+        let shape = if local.sizes == [1] { "" } else { brackets(local.container) };
+        let added = found.add(&local.name, Kind::Local).detail(|| format!("{}{shape}", local.type_name));
+        let score = fit(&expected.bases, base(&local.type_name)) + OWN + NEAR;
+        added.scored(score).of(|| Symbol::Local(file, local.name.clone()));
+    }
+    for param in &names.header.params {
+        let added = found.add(&param.name, Kind::Parameter);
+        let score = fit(&expected.bases, base(&param.type_name)) + OWN + NEAR;
+        let added = added.detail(|| format!("{}{}", param.type_name, brackets(param.container)));
+        added.scored(score).of(|| Symbol::Param(file, param.name.clone()));
+    }
+    let is_hidden = |name: &str| {
+        names.header.locals.iter().any(|local| local.name == name)
+            || names.header.params.iter().any(|param| param.name == name)
+    };
+    for (name, item) in names.items.data.iter().filter(|(name, _)| !is_hidden(name)) {
+        let added = found.add(name, Kind::Data).detail(|| data_detail(item));
+        added.scored(fit(&expected.bases, item.base) + OWN).of(|| Symbol::Data(project, name.clone()));
+    }
+    for builtin in builtins::BUILTINS.iter().filter(|builtin| builtin.is_variable) {
+        add_builtin(found, builtin, &expected.bases);
+    }
+}
+
+/// A name that is built in, where it fits or its letters are typed.
+fn add_builtin(found: &mut Found<'_>, builtin: &Builtin, expected: &[Base]) {
+    let score = fit(expected, Base::of(builtin.ty));
+    if score > 0 || expected.is_empty() || !found.query.is_empty() {
+        let added = found.add(builtin.name, Kind::Constant).detail(|| builtin.ty.name().to_owned());
+        added.scored(score).of(|| Symbol::Builtin(builtin.name.into()));
+    }
+}
+
+/// Values that have a name.
+pub(super) fn constants(found: &mut Found<'_>, expected: &[Base]) {
+    for builtin in builtins::BUILTINS.iter().filter(|builtin| !builtin.is_variable) {
+        add_builtin(found, builtin, expected);
+    }
+    // Enumerators mean something only where their type is asked for.
+    let wanted = expected.iter().filter_map(|base| base.builtin()).filter(|ty| ty.is_enumeration());
+    for enumerator in wanted.flat_map(enumerations::values) {
+        let added = found.add(enumerator.name, Kind::Constant).detail(|| enumerator.ty.name().to_owned());
+        added.scored(FITS + OWN + NEAR).of(|| Symbol::Enumerator(enumerator.name.into()));
+    }
+}
+
+/// Library identifiers, with the colon that follows them.
+pub(super) fn libraries(found: &mut Found<'_>) {
+    let project = found.project;
+    for name in items(found.db, project).libraries.keys() {
+        let added = found.add(name, Kind::Library).detail(|| "library".to_owned()).scored(OWN);
+        added.of(|| Symbol::Library(project, name.clone())).with(|item| {
+            item.insert = format!("{name}:");
+            item.plain = format!("{name}:");
+        });
+    }
+}

@@ -1,0 +1,70 @@
+//! What reads the string that the cursor is in.
+
+use smol_str::SmolStr;
+use val3_analysis::ty::Base;
+use val3_lang::arguments::TextForm;
+use val3_lang::instruction::Family;
+use val3_lang::instructions;
+use val3_lang::types::Container;
+use val3_syntax::SyntaxKind::*;
+
+use crate::line::{CallSite, Line, Names, string_text};
+
+/// What can stand in a string.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum TextPlace {
+    /// The path of a library.
+    LibraryPath,
+    /// A name of a library's interface.
+    LibraryItem(SmolStr),
+    /// A task of the application.
+    Task,
+    /// Data of this type, by name.
+    DataName(Option<Base>),
+    /// A format.
+    Format(TextForm),
+    /// A parameter of a serial line.
+    SerialParameter,
+    /// A value of this parameter of a serial line.
+    SerialValue(String),
+    /// A key of the collection that has this name.
+    Key(SmolStr),
+}
+
+/// What the string around the cursor is for, if anything is known of it.
+pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
+    if let Some(key) = key(names, line) {
+        return Some(key);
+    }
+    let call = CallSite::around(line).filter(|call| !call.callee.is_program)?;
+    let instruction = instructions::find(&call.callee.name)?;
+    let form = names.form(&call, call.active)?;
+    let parameter = form.params.get(call.active)?;
+    if let Some(format) = val3_lang::arguments::text_form(instruction.name, parameter.name) {
+        return Some(TextPlace::Format(format));
+    }
+    match instruction.name {
+        instructions::LIB_EXIST => call.callee.library.clone().map(TextPlace::LibraryItem),
+        instructions::GET_DATA if call.active == 0 => {
+            let target = call.arguments.get(1).map(|target| names.ty(target).base);
+            Some(TextPlace::DataName(target.filter(|base| *base != Base::Unknown)))
+        }
+        instructions::SIO_CTRL if call.active == 1 => Some(TextPlace::SerialParameter),
+        instructions::SIO_CTRL => {
+            let parameter = call.arguments.get(1).and_then(|argument| argument.first())?;
+            (parameter.kind() == STRING).then(|| TextPlace::SerialValue(string_text(parameter)))
+        }
+        name if instructions::ON_TASKS.contains(&name) => Some(TextPlace::Task),
+        _ if instruction.family == Family::Libraries && parameter.name == "sPath" => Some(TextPlace::LibraryPath),
+        _ => None,
+    }
+}
+
+/// `dIn["…"]`
+fn key(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
+    let (_, head) = line.before().split_last().filter(|(bracket, _)| bracket.kind() == L_BRACK)?;
+    let (name, before) = head.split_last().filter(|(name, _)| name.kind() == IDENT)?;
+    let alone = before.last().is_none_or(|before| !matches!(before.kind(), DOT | COLON));
+    let is_collection = names.ty(head).container == Container::Collection;
+    (alone && is_collection).then(|| TextPlace::Key(name.text().into()))
+}

@@ -1,0 +1,53 @@
+//! The attributes of a value in a data file: the field that each gives.
+
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::project::items;
+use val3_analysis::items::{data, parse};
+use val3_analysis::xml::{Attribute, Element};
+use val3_lang::enumerations::find_in_file;
+use val3_lang::types::{Arm, AttributeValue, BaseType, Unit, attribute, field};
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use super::{Hover, fenced, units};
+use crate::FilePosition;
+
+pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
+    let parse = parse(db, at.file);
+    let holds = |range: TextRange| range.contains_inclusive(at.offset);
+    let mut element = data::elements(View::root(parse.green())).find(|found| holds(found.view().range()))?;
+    // A field of a user type has a type of its own.
+    let mut ty = type_of(element);
+    while let Some(inner) = element.elements().find(|inner| holds(inner.view().range())) {
+        element = inner;
+        ty = type_of(element).or(ty);
+    }
+    let (ty, arm) = ty?;
+    let found = element.attributes().find(|found| holds(found.name_range) || holds(found.range))?;
+    let arm = arm.or(items(db, project).arm);
+    let markdown = about(db, project, ty, arm, found)?;
+    Some(Hover { range: found.name_range.cover(found.range), markdown })
+}
+
+fn type_of(element: Element<'_>) -> Option<(BaseType, Option<Arm>)> {
+    BaseType::from_file_name(&element.value("type")?)
+}
+
+fn about(db: &dyn Db, project: Project, ty: BaseType, arm: Option<Arm>, found: Attribute<'_>) -> Option<String> {
+    let known = attribute(ty, arm, found.name).filter(|known| !known.field.is_empty())?;
+    let (doc, unit) = field_at(ty, arm, known.field)?;
+    let unit = units::word(db, project, unit).map(|unit| format!(" ({unit})")).unwrap_or_default();
+    let choice = match known.value {
+        AttributeValue::Choice(choice) => find_in_file(choice, &found.text()),
+        _ => None,
+    };
+    let choice = choice.map(|choice| format!("\n\n`{}`: {}", choice.name, choice.doc)).unwrap_or_default();
+    Some(fenced(&format!("{}.{}", ty.name(), known.field)) + &format!("\n{doc}{unit}{choice}"))
+}
+
+/// What the field `trsf.x` of a type means, and its unit.
+pub(super) fn field_at(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<(&'static str, Unit)> {
+    let (first, rest) = path.split_once('.').unwrap_or((path, ""));
+    let found = field(ty, arm, first)?;
+    if rest.is_empty() { Some((found.doc, found.unit)) } else { field_at(found.ty, arm, rest) }
+}

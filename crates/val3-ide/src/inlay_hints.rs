@@ -1,0 +1,353 @@
+//! Short remarks between the words of the code: what an editor shows and a file does not hold.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::infer::{Inference, infer};
+use val3_analysis::items::project::items;
+use val3_analysis::ty::Base;
+use val3_lang::instruction::{Instruction, Overload};
+use val3_lang::motion::{MotionRole, descriptor, role, target};
+use val3_lang::types::BaseType;
+use val3_lang::{instructions, keywords};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::owner::owner;
+use crate::placement::{Placement, placement};
+
+/// Which hints are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct InlayHintSettings {
+    /// Names of parameters before literal arguments.
+    pub parameter_names: bool,
+    /// Types before `{…}`.
+    pub literal_types: bool,
+    /// The frame behind the target of a move.
+    pub point_frames: bool,
+    /// The blend behind the motion descriptor of a move.
+    pub blends: bool,
+}
+
+impl Default for InlayHintSettings {
+    fn default() -> Self {
+        Self { parameter_names: true, literal_types: true, point_frames: true, blends: true }
+    }
+}
+
+/// A remark.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct InlayHint {
+    /// The word it is about begins here (a parameter name, a type) or ends here (a frame, a blend).
+    pub offset: TextSize,
+    /// What is shown.
+    pub label: String,
+    /// What it tells.
+    pub kind: InlayHintKind,
+    /// More about it; may be empty.
+    pub tooltip: String,
+}
+
+/// The kinds of remarks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum InlayHintKind {
+    /// The name of a parameter: `nSeconds:`.
+    Parameter,
+    /// The type of a `{…}`: `trsf`.
+    Type,
+    /// The frame of a point: `in fTable[0]`.
+    Frame,
+    /// The blend of a move: `joint, leave 50, reach 50`.
+    Blend,
+}
+
+impl InlayHintKind {
+    /// The remark stands before the word it is about.
+    pub fn is_before(self) -> bool {
+        matches!(self, Self::Parameter | Self::Type)
+    }
+}
+
+/// The remarks within a range, in the order of the text.
+pub fn inlay_hints(db: &dyn Db, file: File, within: TextRange, settings: &InlayHintSettings) -> Vec<InlayHint> {
+    let Some(project) = owner(db, file) else { return Vec::new() };
+    let (body, inference) = (body(db, file), infer(db, project, file));
+    let effects = Effects::new(db, project, file);
+    let mut hints = Hints { db, project, body, inference, effects, settings, written: None, found: Vec::new() };
+    for (id, expr, range) in body.exprs().filter(|(_, _, range)| within.intersect(*range).is_some()) {
+        match expr {
+            Expr::Call(callee, arguments) => hints.call(id, *callee, arguments),
+            Expr::Struct(values) if settings.literal_types => hints.literal(id, range, values),
+            _ => {}
+        }
+    }
+    for stmt in body.stmts().into_iter().filter(|stmt| within.intersect(stmt.range).is_some()) {
+        if let StmtKind::TaskCreate { synchronous, arguments } = &stmt.kind {
+            hints.task_creation(*synchronous, arguments);
+        }
+    }
+    let mut found = hints.found;
+    found.retain(|hint| within.contains_inclusive(hint.offset));
+    found.sort_by_key(|hint| (hint.offset, hint.kind));
+    found
+}
+
+struct Hints<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    body: &'db Body,
+    inference: &'db Inference,
+    effects: Effects<'db>,
+    settings: &'db InlayHintSettings,
+    /// The variables that the program changes, once they were asked for: what files say of them may no longer hold.
+    written: Option<FxHashSet<Root>>,
+    found: Vec<InlayHint>,
+}
+
+impl Hints<'_> {
+    fn call(&mut self, id: ExprId, callee: ExprId, arguments: &[ExprId]) {
+        if let Some(call) = self.inference.call(id) {
+            if let Some(form) = call.form {
+                self.instruction(call.instruction, form, arguments);
+            }
+        } else if let Some(signature) = self.effects.program(callee) {
+            for (param, argument) in signature.params.iter().zip(arguments) {
+                self.parameter(&param.name, *argument);
+            }
+        }
+    }
+
+    fn instruction(&mut self, instruction: &'static Instruction, form: &'static Overload, arguments: &[ExprId]) {
+        // What the only argument is for, the name of the instruction tells.
+        if form.params.len() > 1 {
+            for (param, argument) in form.params.iter().zip(arguments) {
+                self.parameter(param.name, *argument);
+            }
+        }
+        if matches!(role(instruction), Some(MotionRole::Move(_))) {
+            if let Some(target) = target(form).and_then(|at| arguments.get(at)).filter(|_| self.settings.point_frames) {
+                self.frame(*target);
+            }
+            if let Some(mdesc) = descriptor(form).and_then(|at| arguments.get(at)).filter(|_| self.settings.blends) {
+                self.blend(*mdesc);
+            }
+        }
+    }
+
+    fn task_creation(&mut self, synchronous: bool, arguments: &[ExprId]) {
+        let mut names = keywords::KEYWORDS.into_iter().filter(|keyword| keywords::is_task_creation(keyword));
+        let form = names.nth(usize::from(synchronous)).and_then(instructions::find);
+        let Some(form) = form.and_then(|instruction| instruction.overloads.first()) else { return };
+        for (param, argument) in form.params.iter().zip(arguments) {
+            self.parameter(param.name, *argument);
+        }
+    }
+
+    fn parameter(&mut self, name: &str, argument: ExprId) {
+        if self.settings.parameter_names && is_literal(self.body, argument) {
+            self.add(self.body.range(argument).start(), format!("{name}:"), InlayHintKind::Parameter, String::new());
+        }
+    }
+
+    /// Of literals in each other the outer one alone: it tells what the inner ones are.
+    fn literal(&mut self, id: ExprId, range: TextRange, values: &[Option<ExprId>]) {
+        let base = self.inference.ty(id).base;
+        let name = base.builtin().map_or_else(|| base.display(self.db), |ty| ty.name().into());
+        if base != Base::Unknown {
+            let is_inner = |offset| values.iter().flatten().any(|value| self.body.range(*value).start() == offset);
+            self.found.retain(|hint| hint.kind != InlayHintKind::Type || !is_inner(hint.offset));
+            self.add(range.start(), name.to_string(), InlayHintKind::Type, String::new());
+        }
+    }
+
+    fn frame(&mut self, target: ExprId) {
+        if self.inference.ty(target).base.builtin() != Some(BaseType::Point) {
+            return;
+        }
+        if let Some(father) = self.placement(target).and_then(|found| found.father.clone()) {
+            let tooltip = "the frame it hangs on at the start, as the data file says".to_owned();
+            self.add(self.body.range(target).end(), format!("in {father}"), InlayHintKind::Frame, tooltip);
+        }
+    }
+
+    fn blend(&mut self, mdesc: ExprId) {
+        if let Some(blend) = self.placement(mdesc).and_then(|found| found.blend.clone()) {
+            let tooltip = "the blend of the motion descriptor at the start, as the data file says".to_owned();
+            self.add(self.body.range(mdesc).end(), blend.to_string(), InlayHintKind::Blend, tooltip);
+        }
+    }
+
+    /// What the data file says of a variable or an element of it, unless this program changes it.
+    fn placement(&mut self, id: ExprId) -> Option<&Placement> {
+        let key = key(self.body, id)?;
+        let root = self.effects.root(id)?;
+        if self.is_written(&root) {
+            return None;
+        }
+        match root {
+            Root::Data(name) => placement(self.db, self.project, &name, &key),
+            Root::Item(library, name) => {
+                let interface = items(self.db, self.project).libraries.get(&library)?.interface?;
+                placement(self.db, interface, &name, &key)
+            }
+            Root::Local(_) | Root::Param(_) => None,
+        }
+    }
+
+    fn is_written(&mut self, root: &Root) -> bool {
+        let effects = &self.effects;
+        let written = self.written.get_or_insert_with(|| {
+            let changes = effects.all().iter().filter(|access| access.kind != AccessKind::Read);
+            changes.map(|access| access.root.clone()).collect()
+        });
+        written.contains(root)
+    }
+
+    fn add(&mut self, offset: TextSize, label: String, kind: InlayHintKind, tooltip: String) {
+        self.found.push(InlayHint { offset, label, kind, tooltip });
+    }
+}
+
+/// A number, a text, a truth value or `{…}`, with or without a sign or parentheses.
+fn is_literal(body: &Body, id: ExprId) -> bool {
+    match body.expr(id) {
+        Expr::Number(_) | Expr::String(_) | Expr::Bool(_) | Expr::Struct(_) => true,
+        Expr::Unary(_, inner) | Expr::Paren(inner) => is_literal(body, *inner),
+        _ => false,
+    }
+}
+
+/// The key of a variable that holds one value, or of an element whose index is a constant.
+fn key(body: &Body, id: ExprId) -> Option<SmolStr> {
+    match body.expr(body.peel(id)) {
+        Expr::Name(_) | Expr::Path { .. } => Some("0".into()),
+        Expr::Index(_, indexes) => {
+            let indexes: Option<Vec<String>> = indexes.iter().map(|index| index_text(body, *index)).collect();
+            indexes.map(|indexes| indexes.join(",").into())
+        }
+        _ => None,
+    }
+}
+
+fn index_text(body: &Body, index: ExprId) -> Option<String> {
+    body.number(index).map(|number| number.to_string()).or_else(|| body.string(index).map(|text| text.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::Marked;
+
+    /// The code with the hints in it.
+    fn check_with(listing: &str, settings: InlayHintSettings, expected: Expect) {
+        let marked = Marked::new(listing);
+        let (db, file) = (marked.db(), marked.at().file);
+        let mut text = file.text(db).to_string();
+        let whole = TextRange::up_to(TextSize::of(text.as_str()));
+        for hint in inlay_hints(db, file, whole, &settings).into_iter().rev() {
+            let label =
+                if hint.kind.is_before() { format!("‹{}›", hint.label) } else { format!(" ‹{}›", hint.label) };
+            text.insert_str(usize::from(hint.offset), &label);
+        }
+        let code = text.split("begin\n").nth(1).unwrap().split("\nend").next().unwrap();
+        expected.assert_eq(&format!("{code}\n"));
+    }
+
+    fn check(listing: &str, expected: Expect) {
+        check_with(listing, InlayHintSettings::default(), expected);
+    }
+
+    #[test]
+    fn parameters_at_literals() {
+        check(
+            "num nA\nnA=limit(nA,0,-10)$0\nnA=sin(30)\nputln(\"a\")",
+            expect![[r#"
+            nA=limit(nA,‹nMin:›0,‹nMax:›-10)
+            nA=sin(30)
+            putln("a")
+        "#]],
+        );
+        check(
+            "call pick(1,\"a\",nA)$0\nnum nA\nprogram pick(num x_n, string x_s, num x_m)\nbegin\nend",
+            expect![[r#"
+            call pick(‹x_n:›1,‹x_s:›"a",nA)
+        "#]],
+        );
+        check(
+            "taskCreate \"reader\",10,run(2)$0\nprogram run(num x_nStep)\nbegin\nend",
+            expect![[r#"
+            taskCreate ‹sName:›"reader",‹nPriority:›10,run(‹x_nStep:›2)
+        "#]],
+        );
+    }
+
+    #[test]
+    fn types_of_literals() {
+        check(
+            "point pA\npA=appro(pA,{0,0,-100,0,0,0})$0\npA={{0,0,0,0,0,0},{sfree,efree,wfree}}",
+            expect![[r#"
+            pA=appro(pA,‹trTransformation:›‹trsf›{0,0,-100,0,0,0})
+            pA=‹point›{{0,0,0,0,0,0},{sfree,efree,wfree}}
+        "#]],
+        );
+    }
+
+    const MOVES: &str = "cls()$0\nmovej(pA,tGrip,mFast)\nmovel(pA,tGrip,mSlow)\nmovel(pB,tGrip,part:mCarry)\nmovej({0,0,0,0,0,0},tGrip,mMine)\nmMine.vel=3\ntool tGrip\nmdesc mMine\nlibrary part \"Disk://part/part.pjx\"\n--- part\npublic mdesc mCarry\n=== main/main.dtx\n<Database><Datas>\n<Data name=\"pA\" xsi:type=\"array\" type=\"pointRx\" size=\"1\"><Value key=\"0\" fatherId=\"fTable[0]\" /></Data>\n<Data name=\"pB\" xsi:type=\"array\" type=\"pointRx\" size=\"1\" />\n<Data name=\"fTable\" xsi:type=\"array\" type=\"frame\" size=\"1\" />\n<Data name=\"tGrip\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n<Data name=\"mFast\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" blend=\"cartesian\" leave=\"12.5\" /></Data>\n<Data name=\"mSlow\" xsi:type=\"array\" type=\"mdesc\" size=\"1\"><Value key=\"0\" blend=\"off\" /></Data>\n<Data name=\"mMine\" xsi:type=\"array\" type=\"mdesc\" size=\"1\" />\n</Datas></Database>";
+
+    #[test]
+    fn frames_and_blends_of_moves() {
+        check(
+            MOVES,
+            expect![[r#"
+            cls()
+            movej(pA ‹in fTable[0]›,tGrip,mFast ‹Cartesian, leave 12.5, reach 50›)
+            movel(pA ‹in fTable[0]›,tGrip,mSlow ‹off›)
+            movel(pB,tGrip,part:mCarry ‹joint, leave 50, reach 50›)
+            movej(‹jPosition:›‹joint›{0,0,0,0,0,0},tGrip,mMine)
+            mMine.vel=3
+        "#]],
+        );
+    }
+
+    #[test]
+    fn each_kind_can_be_switched_off() {
+        let none =
+            InlayHintSettings { parameter_names: false, literal_types: false, point_frames: false, blends: false };
+        check_with(
+            MOVES,
+            none,
+            expect![[r#"
+            cls()
+            movej(pA,tGrip,mFast)
+            movel(pA,tGrip,mSlow)
+            movel(pB,tGrip,part:mCarry)
+            movej({0,0,0,0,0,0},tGrip,mMine)
+            mMine.vel=3
+        "#]],
+        );
+        check_with(
+            MOVES,
+            InlayHintSettings { blends: true, ..none },
+            expect![[r#"
+            cls()
+            movej(pA,tGrip,mFast ‹Cartesian, leave 12.5, reach 50›)
+            movel(pA,tGrip,mSlow ‹off›)
+            movel(pB,tGrip,part:mCarry ‹joint, leave 50, reach 50›)
+            movej({0,0,0,0,0,0},tGrip,mMine)
+            mMine.vel=3
+        "#]],
+        );
+    }
+
+    #[test]
+    fn only_what_is_asked_for() {
+        let marked = Marked::new("num nA\nnA=limit(nA,0,1)\nnA=limit(nA,2,3)$0");
+        let at = marked.at();
+        let line = TextRange::new(at.offset - TextSize::of("nA=limit(nA,2,3)"), at.offset);
+        let hints = inlay_hints(marked.db(), at.file, line, &InlayHintSettings::default());
+        assert_eq!(hints.len(), 2);
+    }
+}

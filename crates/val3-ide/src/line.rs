@@ -1,0 +1,181 @@
+//! The line of code around the cursor, token by token.
+//!
+//! A line that is being written is rarely whole. What stands before the cursor means the same whether or not the rest
+//! is there, so completion and signature help read the tokens of the line and not its tree.
+
+mod blocks;
+mod call;
+mod expected;
+mod types;
+
+pub(crate) use blocks::{Block, open_blocks};
+pub(crate) use call::{CallSite, Callee, takes_program};
+pub(crate) use expected::{Expected, ends_value, expected};
+pub(crate) use types::Names;
+
+use rowan::TokenAtOffset;
+use val3_syntax::SyntaxKind::{self, *};
+use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
+
+/// The tokens of a line of code, without trivia.
+#[derive(Debug, Clone)]
+pub(crate) struct Line {
+    tokens: Vec<SyntaxToken>,
+    /// How many of them stand wholly before the cursor and do not touch it as a word or a string.
+    before: usize,
+    /// The word, number or string that the cursor is in or behind; it follows those before.
+    current: Option<SyntaxToken>,
+}
+
+impl Line {
+    /// The line around `offset`; `None` outside of code, and in a comment.
+    pub(crate) fn around(root: &SyntaxNode, offset: TextSize) -> Option<Self> {
+        if !root.text_range().contains_inclusive(offset) {
+            return None;
+        }
+        let (left, right) = match root.token_at_offset(offset) {
+            TokenAtOffset::None => return None,
+            TokenAtOffset::Single(token) => (token.clone(), token),
+            TokenAtOffset::Between(left, right) => (left, right),
+        };
+        let code = left.parent_ancestors().find(|node| node.kind() == CODE)?;
+        if left.kind() == COMMENT || !holds_statements(&code, offset) {
+            return None;
+        }
+        let current = touches_cursor(left.kind()).then(|| left.clone());
+        let mut tokens = before(&left, offset, current.is_some());
+        let before = tokens.len();
+        tokens.extend(current.clone());
+        tokens.extend(after(&right, offset, current.as_ref()));
+        Some(Self { tokens, before, current })
+    }
+
+    /// The tokens before the cursor, without the word or string it is in.
+    pub(crate) fn before(&self) -> &[SyntaxToken] {
+        self.tokens.get(..self.before).unwrap_or(&[])
+    }
+
+    /// All tokens of the line.
+    pub(crate) fn tokens(&self) -> &[SyntaxToken] {
+        &self.tokens
+    }
+
+    /// The word, number or string that the cursor is in or behind.
+    pub(crate) fn current(&self) -> Option<&SyntaxToken> {
+        self.current.as_ref()
+    }
+}
+
+/// The cursor stands behind `begin` and not behind `end`, as far as they are there.
+fn holds_statements(code: &SyntaxNode, offset: TextSize) -> bool {
+    let token = |kind| {
+        let mut tokens = code.children_with_tokens().filter_map(|child| child.into_token());
+        tokens.find(|token| token.kind() == kind).map(|token| token.text_range())
+    };
+    token(BEGIN_KW).is_none_or(|begin| begin.end() < offset) && token(END_KW).is_none_or(|end| offset <= end.end())
+}
+
+fn touches_cursor(kind: SyntaxKind) -> bool {
+    matches!(kind, IDENT | NUMBER | STRING) || kind.is_keyword()
+}
+
+fn ends_line(kind: SyntaxKind) -> bool {
+    matches!(kind, NEWLINE | CDATA_OPEN | CDATA_CLOSE | BEGIN_KW) || (L_ANGLE..=ENTITY_REF).contains(&kind)
+}
+
+fn before(left: &SyntaxToken, offset: TextSize, skip: bool) -> Vec<SyntaxToken> {
+    // The cursor stands in or behind a line end, or inside of a token that is none of its own.
+    let whole = left.text_range().end() <= offset && !skip;
+    let first = if whole { Some(left.clone()) } else { left.prev_token() };
+    if left.kind() == NEWLINE {
+        return Vec::new();
+    }
+    let tokens = std::iter::successors(first, SyntaxToken::prev_token);
+    let mut tokens: Vec<SyntaxToken> =
+        tokens.take_while(|token| !ends_line(token.kind())).filter(|token| !token.kind().is_trivia()).collect();
+    tokens.reverse();
+    tokens
+}
+
+fn after(right: &SyntaxToken, offset: TextSize, current: Option<&SyntaxToken>) -> Vec<SyntaxToken> {
+    let mut first = if Some(right) == current { right.next_token() } else { Some(right.clone()) };
+    if right.kind() == NEWLINE && right.text_range().start() < offset {
+        let rest = right.text().get(usize::from(offset - right.text_range().start())..).unwrap_or("");
+        first = if rest.contains(['\n', '\r']) { None } else { right.next_token() };
+    }
+    let tokens = std::iter::successors(first, SyntaxToken::next_token);
+    tokens.take_while(|token| !ends_line(token.kind())).filter(|token| !token.kind().is_trivia()).collect()
+}
+
+/// The bytes of a quote at the start of a string, which may be written as a character reference.
+fn quote(text: &str) -> u32 {
+    match text.strip_prefix('&').and_then(|rest| rest.find(';')) {
+        Some(end) => u32::try_from(end + 2).unwrap_or(0),
+        None => 1,
+    }
+}
+
+/// The inside of a string, without its quotes.
+pub(crate) fn inside(string: &SyntaxToken) -> TextRange {
+    let (range, text) = (string.text_range(), string.text());
+    let open = quote(text).min(u32::from(range.len()));
+    let rest = text.get(open as usize..).unwrap_or("");
+    let close = match rest.rfind('&').filter(|_| rest.ends_with(';')) {
+        Some(at)
+            if val3_syntax::resolve_entity(rest.get(at..).unwrap_or("")).is_some_and(|(found, _)| found == '"') =>
+        {
+            rest.len() - at
+        }
+        _ => usize::from(rest.ends_with('"')),
+    };
+    let start = range.start() + TextSize::new(open);
+    let end = range.end() - TextSize::new(u32::try_from(close).unwrap_or(0));
+    TextRange::new(start, end.max(start))
+}
+
+/// The text of a string as the program reads it.
+pub(crate) fn string_text(string: &SyntaxToken) -> String {
+    let inside = inside(string) - string.text_range().start();
+    let raw = string.text().get(std::ops::Range::<usize>::from(inside)).unwrap_or("");
+    if string.text().starts_with('&') { val3_syntax::decode_entities(raw).into_owned() } else { raw.to_owned() }
+}
+
+/// The bracket that is open at the end of `tokens`.
+fn open_bracket(tokens: &[SyntaxToken]) -> Option<usize> {
+    let mut closed = 0usize;
+    tokens.iter().enumerate().rev().find_map(|(index, token)| match token.kind() {
+        R_PAREN | R_BRACK | R_CURLY => {
+            closed += 1;
+            None
+        }
+        L_PAREN | L_BRACK | L_CURLY if closed == 0 => Some(index),
+        L_PAREN | L_BRACK | L_CURLY => {
+            closed -= 1;
+            None
+        }
+        _ => None,
+    })
+}
+
+/// The pieces between the commas that stand in no bracket, up to a bracket that closes more than it opens here.
+fn pieces(tokens: &[SyntaxToken]) -> Vec<&[SyntaxToken]> {
+    let (mut depth, mut start, mut end) = (0usize, 0, tokens.len());
+    let mut found = Vec::new();
+    for (index, token) in tokens.iter().enumerate() {
+        match token.kind() {
+            L_PAREN | L_BRACK | L_CURLY => depth += 1,
+            R_PAREN | R_BRACK | R_CURLY if depth == 0 => {
+                end = index;
+                break;
+            }
+            R_PAREN | R_BRACK | R_CURLY => depth -= 1,
+            COMMA if depth == 0 => {
+                found.extend(tokens.get(start..index));
+                start = index + 1;
+            }
+            _ => {}
+        }
+    }
+    found.extend(tokens.get(start..end));
+    found
+}

@@ -1,0 +1,121 @@
+//! The blocks that are open at the cursor, by their keywords alone: a line that cannot be read, or an end that is
+//! missing further down, changes nothing above.
+
+use rowan::NodeOrToken;
+use val3_syntax::SyntaxKind::{self, *};
+use val3_syntax::TextSize;
+use val3_syntax::view::View;
+
+/// A block that is open.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Block {
+    /// `if` and `elseIf`.
+    If,
+    /// `else`
+    Else,
+    /// `while`
+    While,
+    /// `do`
+    Do,
+    /// `for`
+    For,
+    /// `switch`
+    Switch,
+    /// `case` and `default`
+    Case,
+}
+
+impl Block {
+    /// The keyword that ends it.
+    pub(crate) fn closing(self) -> &'static str {
+        match self {
+            Self::If | Self::Else => "endIf",
+            Self::While => "endWhile",
+            Self::Do => "until",
+            Self::For => "endFor",
+            Self::Switch => "endSwitch",
+            Self::Case => "break",
+        }
+    }
+
+    fn opened_by(keyword: SyntaxKind) -> Option<Self> {
+        Some(match keyword {
+            IF_KW => Self::If,
+            WHILE_KW => Self::While,
+            DO_KW => Self::Do,
+            FOR_KW => Self::For,
+            SWITCH_KW => Self::Switch,
+            CASE_KW | DEFAULT_KW => Self::Case,
+            _ => return None,
+        })
+    }
+}
+
+/// The blocks that are open before `offset`, outer ones first.
+pub(crate) fn open_blocks(root: View<'_>, offset: TextSize) -> Vec<Block> {
+    let mut scan = Scan { offset, line_starts: true, open: Vec::new() };
+    scan.walk(root);
+    scan.open
+}
+
+struct Scan {
+    offset: TextSize,
+    /// No token of the line has been seen.
+    line_starts: bool,
+    open: Vec<Block>,
+}
+
+impl Scan {
+    fn walk(&mut self, node: View<'_>) {
+        for child in node.children_with_tokens() {
+            match child {
+                NodeOrToken::Node(child) if child.range().start() < self.offset => self.walk(child),
+                NodeOrToken::Token(token) if token.range().end() < self.offset => self.token(token.kind()),
+                _ => return,
+            }
+        }
+    }
+
+    fn token(&mut self, kind: SyntaxKind) {
+        if kind == NEWLINE || kind == BEGIN_KW {
+            self.line_starts = true;
+        } else if !kind.is_trivia() {
+            if self.line_starts {
+                self.keyword(kind);
+            }
+            self.line_starts = false;
+        }
+    }
+
+    fn keyword(&mut self, kind: SyntaxKind) {
+        match kind {
+            CASE_KW | DEFAULT_KW => self.pop_if(&[Block::Case]),
+            ELSE_KW | ELSE_IF_KW => {
+                self.pop_if(&[Block::If]);
+                self.open.push(if kind == ELSE_KW { Block::Else } else { Block::If });
+            }
+            BREAK_KW => self.pop_if(&[Block::Case]),
+            END_IF_KW => self.pop_to(&[Block::If, Block::Else]),
+            END_WHILE_KW => self.pop_to(&[Block::While]),
+            UNTIL_KW => self.pop_to(&[Block::Do]),
+            END_FOR_KW => self.pop_to(&[Block::For]),
+            END_SWITCH_KW => self.pop_to(&[Block::Switch]),
+            _ => {}
+        }
+        self.open.extend(Block::opened_by(kind));
+    }
+
+    /// Ends the innermost block if it is one of these.
+    fn pop_if(&mut self, blocks: &[Block]) {
+        if self.open.last().is_some_and(|last| blocks.contains(last)) {
+            self.open.pop();
+        }
+    }
+
+    /// Ends the innermost of these blocks with all that is open in it; without one nothing.
+    fn pop_to(&mut self, blocks: &[Block]) {
+        if let Some(at) = self.open.iter().rposition(|block| blocks.contains(block)) {
+            self.open.truncate(at);
+        }
+    }
+}

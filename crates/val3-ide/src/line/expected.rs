@@ -1,0 +1,147 @@
+//! What type of value the next token should begin.
+
+use val3_analysis::items::project::Param;
+use val3_analysis::ty::{Base, Ty};
+use val3_lang::instruction::Shape;
+use val3_lang::types::{BaseType, Container, fields};
+use val3_syntax::SyntaxKind::{self, *};
+use val3_syntax::SyntaxToken;
+
+use super::call::CallSite;
+use super::{Names, open_bracket, pieces};
+
+/// What a place takes.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(crate) struct Expected {
+    /// The types that the value can have, as far as the place tells; none where it does not.
+    pub(crate) bases: Vec<Base>,
+    /// Only a variable will do.
+    pub(crate) variable: bool,
+}
+
+impl Expected {
+    /// The place takes anything.
+    pub(crate) fn anything() -> Self {
+        Self::default()
+    }
+
+    fn value(base: Base) -> Self {
+        Self { bases: Some(base).filter(|base| *base != Base::Unknown).into_iter().collect(), variable: false }
+    }
+
+    /// What can be compared with the value of an operand, computed with it or assigned to it. Inputs, outputs and
+    /// lines stand for what is read from them or written to them (3.5 to 3.7).
+    fn like(ty: Ty) -> Self {
+        match ty.base {
+            Base::Builtin(BaseType::Dio, _) => Self::of(BaseType::Bool),
+            Base::Builtin(BaseType::Aio, _) => Self::of(BaseType::Num),
+            Base::Builtin(BaseType::Sio, _) => {
+                Self { bases: vec![Base::of(BaseType::String), Base::of(BaseType::Num)], variable: false }
+            }
+            base => Self::value(base),
+        }
+    }
+
+    fn variable(base: Base) -> Self {
+        Self { variable: true, ..Self::value(base) }
+    }
+
+    fn of(ty: BaseType) -> Self {
+        Self::value(Base::of(ty))
+    }
+}
+
+/// What may follow the tokens of a line.
+pub(crate) fn expected(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
+    let Some((last, head)) = before.split_last() else { return Expected::anything() };
+    match last.kind() {
+        IF_KW | ELSE_IF_KW | WHILE_KW | UNTIL_KW | AND_KW | OR_KW | XOR_KW | BANG => Expected::of(BaseType::Bool),
+        TO_KW | STEP_KW => Expected::of(BaseType::Num),
+        FOR_KW => Expected::variable(Base::of(BaseType::Num)),
+        EQ => Expected::like(names.ty(head)),
+        CASE_KW => selector(names, last),
+        TASK_CREATE_KW | TASK_CREATE_SYNC_KW => Expected::of(BaseType::String),
+        kind if is_operator(kind) && ends_value(head) => Expected::like(names.ty(head)),
+        kind if is_operator(kind) => expected(names, head),
+        L_PAREN | L_BRACK | L_CURLY | COMMA => within_brackets(names, before),
+        _ => Expected::anything(),
+    }
+}
+
+fn is_operator(kind: SyntaxKind) -> bool {
+    (EQ2..=PERCENT).contains(&kind)
+}
+
+/// A value ends the tokens: what follows is an operator.
+pub(crate) fn ends_value(tokens: &[SyntaxToken]) -> bool {
+    tokens.last().is_some_and(|last| {
+        matches!(last.kind(), IDENT | NUMBER | STRING | R_PAREN | R_BRACK | R_CURLY | TRUE_KW | FALSE_KW)
+    })
+}
+
+/// The type of the value that the `switch` around a `case` compares.
+fn selector(names: &Names<'_>, case: &SyntaxToken) -> Expected {
+    let Some(switch) = case.parent_ancestors().find(|node| node.kind() == SWITCH_STMT) else {
+        return Expected::anything();
+    };
+    let tokens = std::iter::successors(switch.first_token(), SyntaxToken::next_token);
+    let line: Vec<SyntaxToken> =
+        tokens.take_while(|token| token.kind() != NEWLINE).filter(|token| !token.kind().is_trivia()).collect();
+    Expected::like(names.ty(&line))
+}
+
+/// Behind an opening bracket, or a comma.
+fn within_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
+    let Some(open) = open_bracket(before) else { return without_brackets(names, before) };
+    let (head, inside) = (before.get(..open).unwrap_or(&[]), before.get(open + 1..).unwrap_or(&[]));
+    let index = pieces(inside).len().saturating_sub(1);
+    match before.get(open).map(SyntaxToken::kind) {
+        Some(L_CURLY) => literal_field(names, expected(names, head).bases.first().copied(), index),
+        Some(L_BRACK) if names.ty(head).container == Container::Collection => Expected::of(BaseType::String),
+        Some(L_BRACK) => Expected::of(BaseType::Num),
+        _ => match CallSite::at_bracket(before, open) {
+            Some(call) => argument(names, &call, index),
+            None => expected(names, head),
+        },
+    }
+}
+
+/// A value of `taskCreate` or of `case`.
+fn without_brackets(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
+    let Some((first, rest)) = before.split_first() else { return Expected::anything() };
+    match (first.kind(), pieces(rest).len()) {
+        (CASE_KW, _) => selector(names, first),
+        (TASK_CREATE_KW | TASK_CREATE_SYNC_KW, 2) => Expected::of(BaseType::Num),
+        (TASK_CREATE_SYNC_KW, 3) => Expected::variable(Base::of(BaseType::Bool)),
+        _ => Expected::anything(),
+    }
+}
+
+/// The `index`th value of a `{…}`.
+fn literal_field(names: &Names<'_>, whole: Option<Base>, index: usize) -> Expected {
+    let Some(Base::Builtin(ty, arm)) = whole else { return Expected::anything() };
+    fields(ty, arm.or(names.items.arm)).get(index).map_or(Expected::anything(), |field| Expected::of(field.ty))
+}
+
+/// The `index`th argument of a call: of each form that the arguments before it suit.
+fn argument(names: &Names<'_>, call: &CallSite<'_>, index: usize) -> Expected {
+    let is_program = call.callee.is_program || val3_lang::instructions::find(&call.callee.name).is_none();
+    if is_program {
+        let param = names.signature(&call.callee).and_then(|signature| signature.params.get(index));
+        return param.map_or(Expected::anything(), program_parameter);
+    }
+    let forms = names.forms(call, index);
+    let params: Vec<_> = forms.iter().filter_map(|form| form.params.get(index)).collect();
+    let mut bases: Vec<Base> =
+        params.iter().filter_map(|param| param.ty).map(|ty| Base::of(ty).on_arm(names.items.arm)).collect();
+    if bases.len() < params.len() {
+        bases.clear();
+    }
+    bases.dedup();
+    let is_value = |shape| matches!(shape, Shape::Value | Shape::ProgramCall);
+    Expected { bases, variable: !params.is_empty() && !params.iter().any(|param| is_value(param.shape)) }
+}
+
+fn program_parameter(param: &Param) -> Expected {
+    if param.by_reference { Expected::variable(param.base) } else { Expected::value(param.base) }
+}

@@ -1,0 +1,154 @@
+//! The type of what a few tokens say.
+
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::program::{Header, header};
+use val3_analysis::items::project::{Items, Signature, fields, items, resolve_type, signature};
+use val3_analysis::ty::{Base, Ty};
+use val3_lang::instruction::{Overload, Param};
+use val3_lang::types::{BaseType, Container, field};
+use val3_lang::{builtins, enumerations, instructions};
+use val3_syntax::SyntaxKind::*;
+use val3_syntax::SyntaxToken;
+
+use super::call::{CallSite, Callee};
+use super::open_bracket;
+
+/// The names that a program can use.
+pub(crate) struct Names<'db> {
+    pub(crate) db: &'db dyn Db,
+    pub(crate) project: Project,
+    pub(crate) items: &'db Items,
+    pub(crate) header: &'db Header,
+}
+
+impl<'db> Names<'db> {
+    /// Those of the program in `file` as a part of `project`.
+    pub(crate) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+        Self { db, project, items: items(db, project), header: header(db, file) }
+    }
+
+    /// The type of the operand that ends the tokens: a variable with its indexes and fields, a call, a literal.
+    pub(crate) fn ty(&self, tokens: &[SyntaxToken]) -> Ty {
+        let Some((last, before)) = tokens.split_last() else { return Ty::UNKNOWN };
+        match last.kind() {
+            NUMBER => Ty::of(BaseType::Num),
+            STRING => Ty::of(BaseType::String),
+            TRUE_KW | FALSE_KW => Ty::of(BaseType::Bool),
+            IDENT => self.name(before, last.text()),
+            R_BRACK => {
+                let base = open_bracket(before).and_then(|open| before.get(..open)).map(|base| self.ty(base).base);
+                Ty::element(base.unwrap_or(Base::Unknown))
+            }
+            R_PAREN => open_bracket(before).map_or(Ty::UNKNOWN, |open| self.parentheses(tokens, open)),
+            _ => Ty::UNKNOWN,
+        }
+    }
+
+    /// `field` of `base.field`, `item` of `library:item`, or a name.
+    fn name(&self, before: &[SyntaxToken], name: &str) -> Ty {
+        match before.split_last() {
+            Some((dot, base)) if dot.kind() == DOT => self.field(self.ty(base).base, name),
+            Some((colon, library)) if colon.kind() == COLON => {
+                library.last().map_or(Ty::UNKNOWN, |library| self.library_item(library.text(), name))
+            }
+            _ => self.variable(name),
+        }
+    }
+
+    fn field(&self, base: Base, name: &str) -> Ty {
+        match base {
+            Base::Builtin(ty, arm) => {
+                let arm = arm.or(self.items.arm);
+                field(ty, arm, name).map_or(Ty::UNKNOWN, |field| Ty::element(Base::of(field.ty).on_arm(arm)))
+            }
+            Base::User(project) => fields(self.db, project).get(name).map_or(Ty::UNKNOWN, |item| Ty {
+                base: item.base,
+                container: shape(item.decl.container, &item.decl.sizes),
+            }),
+            Base::Unknown => Ty::UNKNOWN,
+        }
+    }
+
+    fn library_item(&self, library: &str, name: &str) -> Ty {
+        let interface = self.interface(library).map(|interface| items(self.db, interface));
+        let item = interface.and_then(|items| items.data.get(name));
+        item.map_or(Ty::UNKNOWN, |item| Ty { base: item.base, container: shape(item.decl.container, &item.decl.sizes) })
+    }
+
+    /// The type of the variable, constant or enumerator called `name`.
+    pub(crate) fn variable(&self, name: &str) -> Ty {
+        let base = |name: &str| resolve_type(&self.items.types, name).unwrap_or(Base::Unknown).on_arm(self.items.arm);
+        if let Some(local) = self.header.locals.iter().find(|local| local.name == name) {
+            return Ty { base: base(&local.type_name), container: shape(local.container, &local.sizes) };
+        }
+        if let Some(param) = self.header.params.iter().find(|param| param.name == name) {
+            return Ty { base: base(&param.type_name), container: param.container };
+        }
+        if let Some(item) = self.items.data.get(name) {
+            return Ty { base: item.base, container: shape(item.decl.container, &item.decl.sizes) };
+        }
+        let builtin = builtins::find(name).map(|builtin| Ty::of(builtin.ty));
+        builtin.or_else(|| enumerations::find(name).map(|found| Ty::of(found.ty))).unwrap_or(Ty::UNKNOWN)
+    }
+
+    /// `( … )` or the call of an instruction.
+    fn parentheses(&self, tokens: &[SyntaxToken], open: usize) -> Ty {
+        let Some(call) = CallSite::at_bracket(tokens, open) else {
+            return self.ty(tokens.get(open + 1..tokens.len() - 1).unwrap_or(&[]));
+        };
+        let result = self.form(&call, usize::MAX).and_then(|form| form.result);
+        result.map_or(Ty::UNKNOWN, |result| Ty::element(Base::of(result).on_arm(self.items.arm)))
+    }
+
+    /// The form of an instruction that suits the arguments before the `index`th.
+    pub(crate) fn form(&self, call: &CallSite<'_>, index: usize) -> Option<&'static Overload> {
+        self.forms(call, index).first().copied()
+    }
+
+    /// The forms of an instruction that suit the arguments before the `index`th and have one there; of those that
+    /// suit in no way the first with that many.
+    pub(crate) fn forms(&self, call: &CallSite<'_>, index: usize) -> Vec<&'static Overload> {
+        let Some(instruction) = instructions::find(&call.callee.name) else { return Vec::new() };
+        let types: Vec<Ty> = call.arguments.iter().take(index).map(|argument| self.ty(argument)).collect();
+        let agrees = |(param, ty): (&Param, &Ty)| param.ty.is_none_or(|wanted| ty.base.same_as(Base::of(wanted)));
+        let has_room = |form: &&Overload| index == usize::MAX || form.params.len() > index;
+        let placed = |form: &&Overload| form.on_library == call.callee.library.is_some();
+        let forms = || instruction.overloads.iter().filter(placed).filter(has_room);
+        let suiting: Vec<&Overload> = forms().filter(|form| form.params.iter().zip(&types).all(agrees)).collect();
+        if suiting.is_empty() { forms().take(1).collect() } else { suiting }
+    }
+
+    /// Something is called `name`: a variable, a program, a library identifier or a user type.
+    pub(crate) fn is_declared(&self, name: &str) -> bool {
+        self.header.locals.iter().any(|local| local.name == name)
+            || self.header.params.iter().any(|param| param.name == name)
+            || self.items.data.contains_key(name)
+            || self.items.programs.contains_key(name)
+            || self.items.libraries.contains_key(name)
+            || self.items.types.contains_key(name)
+    }
+
+    /// The project that gives the interface of a library identifier.
+    pub(crate) fn interface(&self, library: &str) -> Option<Project> {
+        self.items.libraries.get(library)?.interface
+    }
+
+    /// The program that a callee names, with the project it belongs to.
+    pub(crate) fn program(&self, callee: &Callee) -> Option<(Project, File)> {
+        let project = match &callee.library {
+            Some(library) => self.interface(library)?,
+            None => self.project,
+        };
+        Some((project, *items(self.db, project).programs.get(callee.name.as_str())?))
+    }
+
+    /// The signature of the program that a callee names.
+    pub(crate) fn signature(&self, callee: &Callee) -> Option<&'db Signature> {
+        self.program(callee).map(|(project, file)| signature(self.db, project, file))
+    }
+}
+
+/// A single value is declared as an array of size 1.
+fn shape(container: Container, sizes: &[u32]) -> Container {
+    if sizes == [1] { Container::Element } else { container }
+}

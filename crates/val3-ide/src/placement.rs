@@ -1,0 +1,96 @@
+//! What the data files say of positions and motion descriptors at the start: fathers and blends.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::project::items;
+use val3_analysis::items::{data, parse};
+use val3_analysis::xml::Element;
+use val3_lang::enumerations::{Enumerator, find_in_file, values};
+use val3_lang::motion::is_blend;
+use val3_lang::types::{AttributeValue, BaseType, DefaultValue, Unit, attributes, field};
+use val3_syntax::view::View;
+
+/// One value of a position or of a motion descriptor.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub(crate) struct Placement {
+    /// The frame or tool it is relative to, as the file names it: `fTable[0]`.
+    pub(crate) father: Option<SmolStr>,
+    /// How a move with this descriptor is rounded: `joint, leave 50, reach 50`.
+    pub(crate) blend: Option<SmolStr>,
+}
+
+/// The value of global data under a key, as its file says.
+pub(crate) fn placement<'db>(db: &'db dyn Db, project: Project, name: &str, key: &str) -> Option<&'db Placement> {
+    let file = items(db, project).data.get(name)?.file;
+    placements(db, file).get(name)?.get(key)
+}
+
+/// By name and key.
+#[salsa::tracked(lru = 64)]
+fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, Placement>> {
+    let parse = parse(db, file);
+    data::elements(View::root(parse.green())).filter_map(of_data).collect()
+}
+
+fn of_data(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Placement>)> {
+    let decl = data::declaration(element)?;
+    let (ty, _) = BaseType::from_file_name(&decl.type_name)?;
+    if !ty.has_father() && ty != BaseType::Mdesc {
+        return None;
+    }
+    let mut placements: FxHashMap<SmolStr, Placement> =
+        element.elements().filter_map(|value| of_value(element, value, ty)).collect();
+    if ty == BaseType::Mdesc && decl.sizes == [1] {
+        // A value that is all defaults is not written.
+        placements.entry("0".into()).or_insert_with(|| Placement { father: None, blend: blend(|_| None) });
+    }
+    Some((decl.name, placements))
+}
+
+fn of_value(element: Element<'_>, value: Element<'_>, ty: BaseType) -> Option<(SmolStr, Placement)> {
+    let key = value.value("key").or_else(|| value.value("index"))?;
+    let written = |name: &str| {
+        let inner = || value.elements().find_map(|part| part.value(name));
+        value.value(name).or_else(inner).map(SmolStr::from)
+    };
+    let father = written("fatherId").filter(|father| !father.is_empty()).or_else(|| old_father(element));
+    let blend = (ty == BaseType::Mdesc).then(|| blend(written)).flatten();
+    Some((key.into(), Placement { father, blend }))
+}
+
+/// In s5 and s6 all values have one father.
+fn old_father(element: Element<'_>) -> Option<SmolStr> {
+    let father = element.elements().find(|inner| inner.name().ends_with("Father"))?;
+    let name = father.value("name").filter(|name| !name.is_empty())?;
+    Some(format!("{name}[{}]", father.value("fatherIndex").unwrap_or("0".into())).into())
+}
+
+/// The kind of the blend, and its distances where there is one.
+fn blend(written: impl Fn(&str) -> Option<SmolStr>) -> Option<SmolStr> {
+    let mut kind: Option<&Enumerator> = None;
+    let mut distances = String::new();
+    for attribute in attributes(BaseType::Mdesc, None) {
+        match attribute.value {
+            AttributeValue::Choice(ty) => {
+                let named = written(attribute.name);
+                kind = named.map_or_else(|| values(ty).next(), |name| find_in_file(ty, &name));
+            }
+            AttributeValue::Number if is_distance(attribute.field) => {
+                let number = written(attribute.name).or_else(|| default(attribute.default))?;
+                distances.push_str(&format!(", {} {number}", attribute.field));
+            }
+            _ => {}
+        }
+    }
+    let kind = kind?;
+    Some(if is_blend(kind) { format!("{}{distances}", kind.name).into() } else { kind.name.into() })
+}
+
+fn is_distance(name: &str) -> bool {
+    field(BaseType::Mdesc, None, name).is_some_and(|field| field.unit == Unit::Length)
+}
+
+fn default(value: DefaultValue) -> Option<SmolStr> {
+    if let DefaultValue::Number(number) = value { Some(number.to_string().into()) } else { None }
+}

@@ -1,0 +1,131 @@
+//! Keys of collections, where the code spells them out: `dIn["door"]`.
+
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::project::items;
+use val3_analysis::items::{data, parse};
+use val3_analysis::occurrences::{Occurrence, Symbol, occurrences};
+use val3_analysis::xml::{Attribute, Element};
+use val3_lang::types::Container;
+use val3_syntax::view::View;
+use val3_syntax::{TextRange, TextSize, decode_entities};
+
+use super::RenameError;
+use crate::FilePosition;
+use crate::edit::{FileEdit, SourceChange};
+use crate::hover::keys_of;
+use crate::owner::owner;
+use crate::references::uses;
+
+/// A key of a collection, and where it stands.
+pub(super) struct Key {
+    project: Project,
+    data: SmolStr,
+    pub(super) key: String,
+    pub(super) range: TextRange,
+}
+
+/// What stands behind the name of a collection.
+enum Index {
+    /// A text: the key and its place between the quotes.
+    Literal(String, TextRange),
+    /// Something that is computed.
+    Computed,
+    /// No index.
+    None,
+}
+
+/// The key of a collection at a position, in code or in a data file.
+pub(super) fn key_at(db: &dyn Db, at: FilePosition) -> Option<Key> {
+    let project = owner(db, at.file)?;
+    key_in_data(db, project, at).or_else(|| key_behind_name(db, project, at))
+}
+
+fn key_in_data(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
+    let parse = parse(db, at.file);
+    let holds = |element: &Element<'_>| element.view().range().contains_inclusive(at.offset);
+    let element = data::elements(View::root(parse.green())).find(holds)?;
+    let decl = data::declaration(element).filter(|decl| decl.container == Container::Collection)?;
+    let found = key_attributes(element).find(|found| found.range.contains_inclusive(at.offset))?;
+    Some(Key { project, data: decl.name, key: found.text().into_owned(), range: found.range })
+}
+
+fn key_attributes<'g>(element: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
+    element.elements().filter_map(|value| value.attribute("key"))
+}
+
+fn key_behind_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
+    let text: &str = at.file.text(db);
+    // The name that the cursor stands behind.
+    let before = occurrences(db, project, at.file).iter().rev().find(|found| found.range.end() <= at.offset)?;
+    let (owner, name) = collection(db, before)?;
+    match index(text, before.range.end()) {
+        Index::Literal(key, range) if range.contains_inclusive(at.offset) => {
+            Some(Key { project: owner, data: name.clone(), key, range })
+        }
+        _ => None,
+    }
+}
+
+fn collection<'o>(db: &dyn Db, found: &'o Occurrence) -> Option<(Project, &'o SmolStr)> {
+    let Symbol::Data(project, name) = &found.symbol else { return None };
+    let item = items(db, *project).data.get(name)?;
+    (item.decl.container == Container::Collection).then_some((*project, name))
+}
+
+/// What stands in brackets behind a name, in code or in a reference to a father.
+fn index(text: &str, end: TextSize) -> Index {
+    let rest = text.get(usize::from(end)..).unwrap_or("");
+    let is_blank = [' ', '\t'];
+    let Some(inside) = rest.trim_start_matches(is_blank).strip_prefix('[') else { return Index::None };
+    let inside = inside.trim_start_matches(is_blank);
+    let quote = ["\"", "&quot;"].into_iter().find(|quote| inside.starts_with(quote));
+    let literal = quote.and_then(|quote| {
+        let (key, behind) = inside.strip_prefix(quote)?.split_once(quote)?;
+        behind.trim_start_matches(is_blank).starts_with(']').then_some((quote, key))
+    });
+    let Some((quote, key)) = literal else { return Index::Computed };
+    let start = end + TextSize::of(rest) - TextSize::of(inside) + TextSize::of(quote);
+    let shown = if quote == "\"" { key.to_owned() } else { decode_entities(key).into_owned() };
+    Index::Literal(shown, TextRange::at(start, TextSize::of(key)))
+}
+
+/// Calls a key `new_key` wherever it is spelt out.
+pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceChange, RenameError> {
+    check(db, found, new_key)?;
+    let mut change = SourceChange::default();
+    let mut edit = |file: File, range| change.edits.push(FileEdit { file, range, text: new_key.to_owned() });
+    let symbol = Symbol::Data(found.project, found.data.clone());
+    for (file, _, occurrence) in uses(db, &symbol) {
+        match index(file.text(db), occurrence.range.end()) {
+            Index::Literal(key, range) if key == found.key => edit(file, range),
+            Index::Computed => {
+                let reason = format!("`{}` is also asked for keys that are computed", found.data);
+                return Err(RenameError(reason));
+            }
+            Index::Literal(..) | Index::None => {}
+        }
+    }
+    if let Some(item) = items(db, found.project).data.get(&found.data) {
+        let parse = parse(db, item.file);
+        let is_it = |element: &Element<'_>| element.value("name").as_deref() == Some(&*found.data);
+        let element = data::elements(View::root(parse.green())).find(is_it);
+        let keys = element.into_iter().flat_map(key_attributes);
+        keys.filter(|key| key.text() == found.key).for_each(|key| edit(item.file, key.range));
+    }
+    change.edits.sort_by_key(|edit| (edit.file.path(db).clone(), edit.range.start()));
+    change.edits.dedup();
+    Ok(change)
+}
+
+fn check(db: &dyn Db, found: &Key, new_key: &str) -> Result<(), RenameError> {
+    if new_key.is_empty() || new_key.contains(['"', '\'', '&', '<', '>', ']', '\r', '\n']) {
+        return Err(RenameError(format!(
+            "`{new_key}` is no key: some text without quotes, brackets, `&`, `<` and `>`"
+        )));
+    }
+    if keys_of(db, found.project, &found.data).iter().any(|key| key == new_key) {
+        return Err(RenameError(format!("`{}` has the key `{new_key}` already", found.data)));
+    }
+    Ok(())
+}
