@@ -61,10 +61,12 @@ impl Checks {
 impl World {
     /// Begins to check what changed since the last time.
     pub(crate) fn check(&mut self) {
-        if self.checks.started == self.checks.generation || self.session.is_asked_for_findings() {
+        let is_checked = self.checks.started == self.checks.generation;
+        if is_checked || !self.is_ready || self.session.is_asked_for_findings() {
             return;
         }
         self.checks.started = self.checks.generation;
+        self.publish_what_is_known();
         let edited = std::mem::take(&mut self.checks.edited);
         let db = self.database();
         let owners: FxHashSet<Project> =

@@ -28,7 +28,7 @@ pub(crate) enum ScanProgress {
 impl World {
     /// The first check begins.
     pub(crate) fn begin_progress(&mut self) {
-        if self.progress != ScanProgress::Before || !self.is_ready || self.projects().is_empty() {
+        if self.progress != ScanProgress::Before || self.projects().is_empty() {
             return;
         }
         if !self.session.client.shows_progress {

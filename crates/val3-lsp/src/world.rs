@@ -77,6 +77,10 @@ pub(crate) struct World {
     edits: u64,
     /// Documents outside of every project have a project of their own.
     loose: Vec<Utf8PathBuf>,
+    /// What is wrong with configurations.
+    faults: Vec<ConfigError>,
+    /// What the user was told about already.
+    complained: FxHashSet<String>,
     log: Log,
 }
 
@@ -106,6 +110,8 @@ impl World {
             stale: None,
             edits: 0,
             loose: Vec::new(),
+            faults: Vec::new(),
+            complained: FxHashSet::default(),
             log,
         }
     }
@@ -215,11 +221,6 @@ impl World {
         Sources::try_get(&self.workspace.db)?.files(&self.workspace.db).get(&path_key(path.as_str())).copied()
     }
 
-    /// The text of a file.
-    pub(crate) fn text_of(&self, file: File) -> Arc<str> {
-        Arc::clone(file.text(&self.workspace.db))
-    }
-
     /// An edit of a document: whatever is being computed stops.
     pub(crate) fn edited(&mut self, file: Option<File>, text: &Arc<str>) {
         self.edits += 1;
@@ -261,11 +262,7 @@ impl World {
         }
         self.projects = Arc::new(self.workspace.projects.clone());
         errors.extend(self.configure());
-        if !self.session.is_asked_for_findings() {
-            self.published.keep(&self.projects, &self.documents, &self.outbox);
-            let faults = convert::configuration_faults(&self.snapshot(), &errors);
-            self.published.project(faults, &self.documents, &self.outbox);
-        }
+        self.faults = errors;
         self.checks.all();
     }
 
@@ -295,14 +292,24 @@ impl World {
         errors
     }
 
+    /// Sends what needs no check: faults of configurations, and that projects which are gone have no findings.
+    pub(crate) fn publish_what_is_known(&mut self) {
+        self.published.keep(&self.projects, &self.documents, &self.outbox);
+        let faults = convert::configuration_faults(&self.snapshot(), &self.faults);
+        self.published.project(faults, &self.documents, &self.outbox);
+    }
+
     /// Frees trees that nobody needs at the moment.
     pub(crate) fn forget_trees(&mut self) {
         self.workspace.db.trigger_lru_eviction();
     }
 
-    /// Tells the user that something went wrong in the server, which goes on.
+    /// Tells the user that something went wrong in the server, which goes on; once is enough.
     pub(crate) fn complain(&mut self, what: &str, reason: &str) {
         self.log(&format!("{what} failed: {reason}"));
+        if !self.complained.insert(what.to_owned()) {
+            return;
+        }
         let message = format!("val3: {what} failed because of a fault in the language server, which goes on");
         self.outbox.show(MessageType::ERROR, &message);
     }

@@ -1,7 +1,12 @@
 //! The server as its clients see it.
 
+#![allow(unreachable_pub, missing_docs, reason = "the tests use it all")]
+
 mod cell;
 mod client;
+mod disk;
+mod findings;
+mod requests;
 mod session;
 
 /// The codes of findings.

@@ -58,7 +58,10 @@ fn before_initialize_and_after_shutdown() {
     assert_eq!(client.ask_in_vain("initialize", json!({ "capabilities": {} })), -32600);
     assert_eq!(client.ask_in_vain("val3/nothing", json!({})), -32601);
     assert_eq!(client.ask_in_vain("textDocument/hover", json!({ "position": 3 })), -32602);
-    client.ask("shutdown", Value::Null);
+    // Many clients say that there are no parameters.
+    client.send(&json!({ "jsonrpc": "2.0", "id": "down", "method": "shutdown", "params": null }));
+    let down = client.wait_for("an answer", |message| message["id"] == "down");
+    assert_eq!(down, json!({ "jsonrpc": "2.0", "id": "down", "result": null }));
     assert_eq!(client.ask_in_vain("textDocument/hover", at("/a/b.pgx", 0, 0)), -32600);
     client.notify("exit", Value::Null);
     assert_eq!(client.exit_code(), 0);
