@@ -134,6 +134,26 @@ impl Client {
         message["params"]["diagnostics"].as_array().unwrap().clone()
     }
 
+    /// The last findings that come for a version of a file.
+    pub fn latest_findings(&mut self, path: &str, version: i64) -> Vec<Value> {
+        let mut latest = self.findings(path, Some(version));
+        let uri = uri(path);
+        let is_meant = |message: &Value| {
+            message["method"] == "textDocument/publishDiagnostics"
+                && message["params"]["uri"] == *uri
+                && message["params"]["version"] == version
+        };
+        loop {
+            // What is asked behind it is answered behind it; what is checked then is not.
+            while let Ok(message) = self.from_server.recv_timeout(Duration::from_millis(400)) {
+                self.passed.push_back(message);
+            }
+            let Some(at) = self.passed.iter().position(is_meant) else { return latest };
+            let message = self.passed.remove(at).unwrap();
+            latest.clone_from(message["params"]["diagnostics"].as_array().unwrap());
+        }
+    }
+
     pub fn open(&mut self, path: &str, text: &str) {
         let language = if path.ends_with("dtx") { "val3-data" } else { "val3" };
         let document = json!({ "uri": uri(path), "languageId": language, "version": 1, "text": text });

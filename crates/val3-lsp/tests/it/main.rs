@@ -1,6 +1,6 @@
 //! The server as its clients see it.
 
-#![allow(unreachable_pub, missing_docs, reason = "the tests use it all")]
+#![allow(unreachable_pub, missing_docs, dead_code, reason = "the tests use it all")]
 
 mod cell;
 mod client;
@@ -8,6 +8,7 @@ mod disk;
 mod findings;
 mod requests;
 mod session;
+mod torture;
 
 /// The codes of findings.
 fn codes(findings: &[serde_json::Value]) -> Vec<&str> {
