@@ -166,4 +166,3 @@ fn work(batch: &Batch, snapshot: &Snapshot) {
         snapshot.inbox.post(move |world| world.found(generation, found));
     }
 }
-

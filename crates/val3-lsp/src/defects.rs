@@ -169,7 +169,8 @@ fn a_client_that_does_not_read_holds_up_nobody() {
     let server = std::thread::spawn(move || probed(input, output));
     let mut write = |message: &Value| {
         let text = message.to_string();
-        std::io::Write::write_all(&mut to_server, format!("Content-Length: {}\r\n\r\n{text}", text.len()).as_bytes()).unwrap();
+        std::io::Write::write_all(&mut to_server, format!("Content-Length: {}\r\n\r\n{text}", text.len()).as_bytes())
+            .unwrap();
     };
     write(&json!({ "jsonrpc": "2.0", "id": 0, "method": "initialize", "params": { "capabilities": {} } }));
     for id in 1..4_000 {

@@ -149,12 +149,13 @@ impl<S: LanguageServer> Router<S> {
             self.life = if begins { Life::Running } else { Life::Down };
         }
         let id = request.id().cloned();
-        let mut answer = AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
-            Ok(match result {
-                Ok(response) => response.ok().flatten(),
-                Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
-            })
-        });
+        let mut answer =
+            AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
+                Ok(match result {
+                    Ok(response) => response.ok().flatten(),
+                    Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
+                })
+            });
         match (&mut answer).now_or_never() {
             Some(result) => {
                 if begins && matches!(&result, Ok(Some(response)) if response.is_error()) {

@@ -40,7 +40,11 @@ impl World {
         self.outbox.ask::<WorkDoneProgressCreate>(params, |world, agreed| {
             if agreed.is_some() && world.progress == ScanProgress::Asked {
                 world.progress = ScanProgress::Shown;
-                let begin = WorkDoneProgressBegin { title: "Checking VAL 3".to_owned(), percentage: Some(0), ..Default::default() };
+                let begin = WorkDoneProgressBegin {
+                    title: "Checking VAL 3".to_owned(),
+                    percentage: Some(0),
+                    ..Default::default()
+                };
                 world.tell(WorkDoneProgress::Begin(begin));
             }
         });
@@ -70,7 +74,8 @@ impl World {
     }
 
     fn tell(&self, progress: WorkDoneProgress) {
-        self.outbox.notify::<Progress>(ProgressParams { token: token(), value: ProgressParamsValue::WorkDone(progress) });
+        self.outbox
+            .notify::<Progress>(ProgressParams { token: token(), value: ProgressParamsValue::WorkDone(progress) });
     }
 }
 

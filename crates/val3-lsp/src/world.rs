@@ -43,8 +43,11 @@ pub(crate) struct Job {
     /// What happens when the text changes meanwhile.
     pub(crate) on_edit: OnEdit,
     /// Gives the answer.
-    pub(crate) compute: Arc<dyn Fn(&Snapshot) -> Result<Value> + Send + Sync>,
+    pub(crate) compute: Compute,
 }
+
+/// The computation of an answer.
+pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<Value> + Send + Sync>;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {

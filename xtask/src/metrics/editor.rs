@@ -31,7 +31,10 @@ impl Editor {
         let mut editor = Self { server, to, from, next: 1 };
         let folders = json!([{ "uri": uri(folder), "name": "measured" }]);
         let capabilities = json!({ "general": { "positionEncodings": ["utf-16"] } });
-        editor.ask("initialize", &json!({ "processId": null, "capabilities": capabilities, "workspaceFolders": folders }))?;
+        editor.ask(
+            "initialize",
+            &json!({ "processId": null, "capabilities": capabilities, "workspaceFolders": folders }),
+        )?;
         editor.notify("initialized", &json!({}))?;
         Ok(editor)
     }
@@ -51,14 +54,14 @@ impl Editor {
     /// Asks and waits for the whole answer.
     pub(super) fn ask(&mut self, method: &str, params: &Value) -> anyhow::Result<Value> {
         let id = self.request(method, params)?;
-        self.wait_for(|message| message["id"] == id && message.get("method").is_none())
+        self.wait_for(|message| message.get("id").is_some_and(|found| *found == id) && message.get("method").is_none())
     }
 
     /// Asks and gives the time until the answer; one without a result is a fault of the measurement.
     pub(super) fn time(&mut self, method: &str, params: &Value) -> anyhow::Result<Duration> {
         let started = Instant::now();
         let answer = self.ask(method, params)?;
-        if answer["result"].is_null() {
+        if answer.get("result").is_none_or(Value::is_null) {
             bail!("{method} has no result: {answer}");
         }
         Ok(started.elapsed())
@@ -67,11 +70,11 @@ impl Editor {
     /// Waits for the findings of a version of a document.
     pub(super) fn findings(&mut self, uri: &str, version: i64) -> anyhow::Result<Value> {
         let found = self.wait_for(|message| {
-            message["method"] == "textDocument/publishDiagnostics"
-                && message["params"]["uri"] == uri
-                && message["params"]["version"] == version
+            message.get("method").is_some_and(|found| found == "textDocument/publishDiagnostics")
+                && message.pointer("/params/uri").is_some_and(|found| found == uri)
+                && message.pointer("/params/version").is_some_and(|found| *found == version)
         })?;
-        Ok(found["params"]["diagnostics"].clone())
+        found.pointer("/params/diagnostics").cloned().context("no findings")
     }
 
     /// Reads until a message is the one that is meant.

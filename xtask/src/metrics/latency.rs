@@ -108,7 +108,8 @@ impl<'e> Open<'e> {
             let document = json!({ "uri": self.uri, "version": self.version });
             let changes = json!([{ "range": range, "text": text }]);
             let started = Instant::now();
-            self.editor.notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
+            self.editor
+                .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
             let found = self.editor.findings(&self.uri, self.version)?;
             times.push(started.elapsed());
             if found.to_string().contains("nUnknown") != (round % 2 == 0) {
@@ -131,11 +132,9 @@ impl<'e> Open<'e> {
         self.repeat("signature help", "textDocument/signatureHelp", &in_call, TIMES)?;
         self.repeat("semantic tokens of the whole program", "textDocument/semanticTokens/full", &document, TIMES)?;
         if self.text.contains(NAME) {
-            let mut references = self.place(&[NAME])?;
-            references["context"] = json!({ "includeDeclaration": true });
+            let references = with(self.place(&[NAME])?, "context", json!({ "includeDeclaration": true }));
             self.repeat("references of a name used 1,000 times", "textDocument/references", &references, TIMES / 10)?;
-            let mut rename = self.place(&[NAME])?;
-            rename["newName"] = json!("nOther");
+            let rename = with(self.place(&[NAME])?, "newName", json!("nOther"));
             self.repeat("rename of a name used 1,000 times", "textDocument/rename", &rename, TIMES / 10)?;
         }
         Ok(())
@@ -151,7 +150,8 @@ impl<'e> Open<'e> {
             self.version += 1;
             let document = json!({ "uri": self.uri, "version": self.version });
             let changes = json!([{ "range": { "start": place, "end": place }, "text": " " }]);
-            self.editor.notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
+            self.editor
+                .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
             self.editor.findings(&self.uri, self.version)?;
             durations.push(self.editor.time(method, params)?);
         }
@@ -159,7 +159,10 @@ impl<'e> Open<'e> {
         let text = &self.text;
         self.version += 1;
         let document = json!({ "uri": self.uri, "version": self.version });
-        self.editor.notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": [{ "text": text }] }))
+        self.editor.notify(
+            "textDocument/didChange",
+            &json!({ "textDocument": document, "contentChanges": [{ "text": text }] }),
+        )
     }
 
     /// The place behind the first of these texts that stands in the code.
@@ -180,18 +183,28 @@ impl<'e> Open<'e> {
             self.version += 1;
             let document = json!({ "uri": self.uri, "version": self.version });
             let changes = json!([{ "text": self.text }]);
-            self.editor.notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
-            let mut references = self.place(&[NAME, "n"])?;
-            references["context"] = json!({ "includeDeclaration": true });
+            self.editor
+                .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
+            let references = with(self.place(&[NAME, "n"])?, "context", json!({ "includeDeclaration": true }));
             let id = self.editor.request("textDocument/references", &references)?;
             let started = Instant::now();
             self.editor.notify("$/cancelRequest", &json!({ "id": id }))?;
-            self.editor.wait_for(|message| message["id"] == id && message.get("method").is_none())?;
+            self.editor.wait_for(|message| {
+                message.get("id").is_some_and(|found| *found == id) && message.get("method").is_none()
+            })?;
             times.push(started.elapsed());
         }
         print("cancel to answer", times);
         Ok(())
     }
+}
+
+/// The object with one more entry.
+fn with(mut object: Value, key: &str, value: Value) -> Value {
+    if let Some(entries) = object.as_object_mut() {
+        entries.insert(key.to_owned(), value);
+    }
+    object
 }
 
 fn print(what: &str, mut times: Vec<Duration>) {

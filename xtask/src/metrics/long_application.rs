@@ -22,7 +22,9 @@ pub(super) fn files() -> [(&'static str, String); 4] {
         <Program file=\"start.pgx\" />\n    <Program file=\"stop.pgx\" />\n  </Programs>\n  <Database>\n    \
         <Data file=\"long.dtx\" />\n  </Database>\n  <Libraries />\n</Project>";
     let data = |name: &str, of: &str, size: usize, values: &str| {
-        format!("    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{of}\" size=\"{size}\">{values}</Data>\n")
+        format!(
+            "    <Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"{of}\" size=\"{size}\">{values}</Data>\n"
+        )
     };
     let database = ["<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n".to_owned(),
         data("bReady", "bool", 1, "<Value key=\"0\" value=\"true\" />"),
@@ -32,7 +34,9 @@ pub(super) fn files() -> [(&'static str, String); 4] {
         data("tGripper", "tool", 1, ""),
         "  </Datas>\n</Database>".to_owned()].concat();
     let program = |name: &str, locals: &str, code: &str| {
-        format!("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"{name}\">\n{locals}    <Code><![CDATA[begin\n{code}end]]></Code>\n  </Program>\n</Programs>")
+        format!(
+            "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"{name}\">\n{locals}    <Code><![CDATA[begin\n{code}end]]></Code>\n  </Program>\n</Programs>"
+        )
     };
     let locals = "    <Locals>\n      <Local name=\"l_i\" type=\"num\" xsi:type=\"array\" size=\"1\" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" />\n    </Locals>\n";
     [

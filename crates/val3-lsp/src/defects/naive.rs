@@ -71,13 +71,12 @@ pub(super) fn serve(mut input: PipeReader, output: PipeWriter) -> u8 {
         }
     });
     let pump = Pump::start(output).unwrap();
-    let (service, socket) =
-        LspService::build(|client| Naive { client, versions: Mutex::default() })
-            .custom_method("test/version", Naive::version)
-            .custom_method("test/panic", Naive::panic)
-            .custom_method("test/busy", Naive::busy)
-            .custom_method("test/askClient", Naive::ask_client)
-            .finish();
+    let (service, socket) = LspService::build(|client| Naive { client, versions: Mutex::default() })
+        .custom_method("test/version", Naive::version)
+        .custom_method("test/panic", Naive::panic)
+        .custom_method("test/busy", Naive::busy)
+        .custom_method("test/askClient", Naive::ask_client)
+        .finish();
     let runtime = tokio::runtime::Builder::new_current_thread().build().unwrap();
     runtime.block_on(Server::new(intake, PumpWriter(pump), socket).serve(service));
     0

@@ -54,8 +54,7 @@ impl Client {
     /// Sends the first messages.
     pub fn begin(mut self, folders: &[&str], capabilities: Value, options: Value) -> Self {
         let client = &mut self;
-        let folders: Vec<Value> =
-            folders.iter().map(|folder| json!({ "uri": uri(folder), "name": folder })).collect();
+        let folders: Vec<Value> = folders.iter().map(|folder| json!({ "uri": uri(folder), "name": folder })).collect();
         let answer = client.ask(
             "initialize",
             json!({
@@ -163,7 +162,10 @@ impl Client {
     /// Replaces the whole text.
     pub fn change(&mut self, path: &str, version: i64, text: &str) {
         let document = json!({ "uri": uri(path), "version": version });
-        self.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [{ "text": text }] }));
+        self.notify(
+            "textDocument/didChange",
+            json!({ "textDocument": document, "contentChanges": [{ "text": text }] }),
+        );
     }
 
     /// Ends the session as the protocol wants it and gives the exit code.

@@ -135,7 +135,9 @@ fn columns_in_utf8_and_utf16() {
     let text = cell.text("usrapp/main/start.pgx");
     let (line, in_utf16) = place(text, "nWrong");
     let in_utf8 = in_utf16 + 1 + 2;
-    for (offered, column) in [(json!(["utf-16", "utf-8"]), in_utf8), (json!(["utf-16"]), in_utf16), (json!([]), in_utf16)] {
+    for (offered, column) in
+        [(json!(["utf-16", "utf-8"]), in_utf8), (json!(["utf-16"]), in_utf16), (json!([]), in_utf16)]
+    {
         let abilities = json!({ "general": { "positionEncodings": offered } });
         let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
         let found = client.findings(&start, None);

@@ -81,7 +81,8 @@ fn writing() {
 
 #[test]
 fn renaming() {
-    let abilities = json!({ "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["rename"] } } });
+    let abilities =
+        json!({ "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["rename"] } } });
     let mut session = Session::new(abilities);
     let prepared = session.ask_at("textDocument/prepareRename", "other(nA)");
     assert_eq!(prepared["placeholder"], "other");
@@ -101,7 +102,8 @@ fn renaming() {
 
 #[test]
 fn structure() {
-    let mut session = Session::new(json!({ "textDocument": { "documentSymbol": { "hierarchicalDocumentSymbolSupport": true } } }));
+    let mut session =
+        Session::new(json!({ "textDocument": { "documentSymbol": { "hierarchicalDocumentSymbolSupport": true } } }));
     let symbols = session.ask("textDocument/documentSymbol");
     assert!(symbols.to_string().contains("\"name\":\"start\""), "{symbols}");
     let folds = session.ask("textDocument/foldingRange");
@@ -125,7 +127,7 @@ fn colours() {
     let path = session.cell.path(START);
     let full = session.ask("textDocument/semanticTokens/full");
     let before: Vec<u64> = serde_json::from_value(full["data"].clone()).unwrap();
-    assert!(!before.is_empty() && before.len() % 5 == 0);
+    assert!(!before.is_empty() && before.len().is_multiple_of(5));
     session.client.change(&path, 2, &session.cell.text(START).replace("// two", "// two\n  put(3)"));
     let params = json!({ "textDocument": { "uri": uri(&path) }, "previousResultId": full["resultId"] });
     let delta = session.client.ask("textDocument/semanticTokens/full/delta", params.clone());
@@ -141,10 +143,9 @@ fn colours() {
     let whole = session.client.ask("textDocument/semanticTokens/full/delta", params);
     assert_eq!(whole["data"], json!(after));
     let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 2, "character": 0 } });
-    let part = session.client.ask(
-        "textDocument/semanticTokens/range",
-        json!({ "textDocument": { "uri": uri(&path) }, "range": range }),
-    );
+    let part = session
+        .client
+        .ask("textDocument/semanticTokens/range", json!({ "textDocument": { "uri": uri(&path) }, "range": range }));
     assert!(part["data"].as_array().unwrap().len() < after.len());
     assert_eq!(session.client.end(), 0);
 }

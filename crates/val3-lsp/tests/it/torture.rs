@@ -23,8 +23,22 @@ const FILES: [&str; 5] = [
 
 /// What is put in.
 const PIECES: [&str; 16] = [
-    "", "x", "\n", "endIf\n", "if nA>1\n", "\"", "//", "é😀", "]]>", "<", "</Program>", "call pick()\n", "&quot;", "nA=",
-    "<Program file=\"pick.pgx\" />", "\r\n",
+    "",
+    "x",
+    "\n",
+    "endIf\n",
+    "if nA>1\n",
+    "\"",
+    "//",
+    "é😀",
+    "]]>",
+    "<",
+    "</Program>",
+    "call pick()\n",
+    "&quot;",
+    "nA=",
+    "<Program file=\"pick.pgx\" />",
+    "\r\n",
 ];
 
 const REQUESTS: [&str; 8] = [
