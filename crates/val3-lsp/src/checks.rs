@@ -52,6 +52,12 @@ impl Checks {
         self.generation += 1;
     }
 
+    /// The files and projects are no more.
+    pub(crate) fn forget(&mut self) {
+        self.edited.clear();
+        self.open.clear();
+    }
+
     /// Projects that are left, for those who watch.
     pub(crate) fn left(&self) -> usize {
         self.open.len()

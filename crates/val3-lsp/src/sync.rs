@@ -27,7 +27,7 @@ pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
     world.edited(file, &text);
     match file {
         // What an editor shows of a stored file lacks its byte order mark; that alone moves no reference.
-        Some(file) if !shapes_workspace(&path) => world.checks.edited(file),
+        Some(file) if !shapes_workspace(&path) && !world.is_unreadable(file) => world.checks.edited(file),
         _ => world.is_stale(path),
     }
 }

@@ -8,8 +8,9 @@ use rustc_hash::FxHashSet;
 use salsa::{Cancelled, Database as _, Setter as _};
 use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, Result};
-use tower_lsp::lsp_types::MessageType;
-use val3_analysis::db::{Database, File, Project, Sources, path_key};
+use tower_lsp::lsp_types::notification::LogTrace;
+use tower_lsp::lsp_types::{LogTraceParams, MessageType};
+use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::load::Workspace;
 use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
@@ -30,7 +31,7 @@ use crate::published::Published;
 use crate::reply::Reply;
 use crate::router::OnEdit;
 use crate::scan_progress::ScanProgress;
-use crate::session::Session;
+use crate::session::{Session, Trace};
 use crate::snapshot::Snapshot;
 
 /// A request, read and ready to be computed; more than once, if edits come in between.
@@ -151,6 +152,7 @@ impl World {
     /// Computes a request on the state as it is at this place in the order of messages.
     pub(crate) fn ask(&mut self, job: Job, reply: Reply) {
         self.bring_up_to_date();
+        self.trace(job.method);
         let snapshot = self.snapshot();
         if !reply.begins(snapshot.db.cancellation_token()) {
             return;
@@ -224,6 +226,11 @@ impl World {
         Sources::try_get(&self.workspace.db)?.files(&self.workspace.db).get(&path_key(path.as_str())).copied()
     }
 
+    /// A file could not be read.
+    pub(crate) fn is_unreadable(&self, file: File) -> bool {
+        matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
+    }
+
     /// An edit of a document: whatever is being computed stops.
     pub(crate) fn edited(&mut self, file: Option<File>, text: &Arc<str>) {
         self.edits += 1;
@@ -257,16 +264,35 @@ impl World {
             Stale::Paths(paths) => paths.contains(path),
             Stale::Everything => true,
         };
-        let mut errors = self.refresh(&is_stale);
+        match contained(|| self.read_again(&is_stale)) {
+            Ok(faults) => self.faults = faults,
+            Err(reason) => {
+                self.forget_everything();
+                self.complain("reading the workspace", &reason);
+            }
+        }
+        self.checks.all();
+    }
+
+    fn read_again(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
+        let mut errors = self.refresh(is_stale);
         let loose = loose::documents(&self.documents, &self.workspace.db, &self.loose);
         if loose != self.loose {
             self.loose = loose;
-            errors = self.refresh(&is_stale);
+            errors = self.refresh(is_stale);
         }
         self.projects = Arc::new(self.workspace.projects.clone());
         errors.extend(self.configure());
-        self.faults = errors;
-        self.checks.all();
+        errors
+    }
+
+    /// A database that was left half changed cannot be asked. The next change begins with a new one.
+    fn forget_everything(&mut self) {
+        self.workspace = Workspace::empty();
+        self.projects = Arc::default();
+        self.settings = None;
+        self.loose.clear();
+        self.checks.forget();
     }
 
     fn refresh(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
@@ -315,6 +341,13 @@ impl World {
         }
         let message = format!("val3: {what} failed because of a fault in the language server, which goes on");
         self.outbox.show(MessageType::ERROR, &message);
+    }
+
+    /// Tells a client that wants to know it what is computed.
+    fn trace(&mut self, method: &str) {
+        if self.session.trace == Trace::On {
+            self.outbox.notify::<LogTrace>(LogTraceParams { message: format!("computes {method}"), verbose: None });
+        }
     }
 
     /// Writes a line for whoever looks for the cause of something.

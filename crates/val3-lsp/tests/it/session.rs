@@ -118,3 +118,36 @@ fn an_untitled_document_and_one_without_a_project() {
     assert_eq!(client.findings(&loose, None), Vec::<Value>::new());
     assert_eq!(client.end(), 0);
 }
+
+#[test]
+fn a_client_can_watch_the_server() {
+    let mut client = Client::start(&[]);
+    client.notify("$/setTrace", json!({ "value": "messages" }));
+    client.ask("textDocument/hover", at("/a/b.pgx", 0, 0));
+    let told = client.told("$/logTrace");
+    assert!(told["params"]["message"].as_str().unwrap().contains("textDocument/hover"), "{told}");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_version_that_comes_late_changes_nothing() {
+    let cell = Cell::new("num nA\nnA=1\nput(nA)");
+    let start = cell.path("usrapp/main/start.pgx");
+    let mut client = Client::start(&[&cell.folder()]);
+    client.open(&start, cell.text("usrapp/main/start.pgx"));
+    client.change(&start, 1, "");
+    let symbols = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": uri(&start) } }));
+    assert!(!symbols.as_array().unwrap().is_empty());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_client_whose_process_cannot_be_seen() {
+    // A process that has ended already cannot be told from one that cannot be seen: it is not waited for.
+    let mut gone = std::process::Command::new("true").spawn().unwrap();
+    let process = gone.id();
+    gone.wait().unwrap();
+    let mut client = Client::fresh();
+    client.ask("initialize", json!({ "processId": process, "capabilities": {} }));
+    assert_eq!(client.end(), 0);
+}
