@@ -33,6 +33,11 @@ pub trait System: Send + Sync + Debug {
         paths.iter().map(|path| Content::of(self.read(path))).collect()
     }
 
+    /// The text of a file that is being edited, which counts instead of the stored one.
+    fn edited(&self, _path: &Utf8Path) -> Option<Arc<str>> {
+        None
+    }
+
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
     ///
     /// # Errors
@@ -51,8 +56,8 @@ pub trait System: Send + Sync + Debug {
 pub struct Content {
     /// Its text; empty where it cannot be read.
     pub text: Arc<str>,
-    /// How the reading went.
-    pub status: FileStatus,
+    /// How it was read; `None` where an editor has the text, which does not tell how it will be stored.
+    pub status: Option<FileStatus>,
 }
 
 /// The largest file that is read, in bytes: offsets have 32 bits.
@@ -67,7 +72,7 @@ impl Content {
             Ok(bytes) => {
                 let decoded = decode(bytes);
                 let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
-                Some(Self { text: decoded.text.into(), status })
+                Some(Self { text: decoded.text.into(), status: Some(status) })
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,
             Err(error) => Some(Self::unreadable(error.to_string())),
@@ -75,7 +80,7 @@ impl Content {
     }
 
     fn unreadable(reason: String) -> Self {
-        Self { text: "".into(), status: FileStatus::Unreadable(reason) }
+        Self { text: "".into(), status: Some(FileStatus::Unreadable(reason)) }
     }
 }
 

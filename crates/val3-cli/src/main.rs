@@ -14,6 +14,7 @@ mod fixing;
 mod fmt;
 mod format;
 mod line_index;
+mod lsp;
 mod markdown;
 mod opening;
 mod output;
@@ -56,6 +57,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        Command::Lsp(lsp) => lsp::run(lsp),
         Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }
 }

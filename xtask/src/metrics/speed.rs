@@ -36,7 +36,7 @@ pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn write_workspace(folder: &Utf8Path, lines: usize) -> anyhow::Result<usize> {
+pub(super) fn write_workspace(folder: &Utf8Path, lines: usize) -> anyhow::Result<usize> {
     if folder.exists() {
         std::fs::remove_dir_all(folder).with_context(|| format!("cannot clear {folder}"))?;
     }
@@ -71,7 +71,7 @@ fn watch(child: &mut Child) -> anyhow::Result<(ExitStatus, Option<u64>)> {
 }
 
 /// The `VmHWM` of a running process (Linux).
-fn peak_kilobytes(process: u32) -> Option<u64> {
+pub(super) fn peak_kilobytes(process: u32) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.trim().strip_suffix(" kB")?.parse().ok()

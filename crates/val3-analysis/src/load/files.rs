@@ -11,7 +11,7 @@ use crate::system::Content;
 impl Loader<'_> {
     /// Reads several files at once. What is not there under its exact name is left for `found_file`.
     pub(super) fn read_ahead(&mut self, mut paths: Vec<Utf8PathBuf>) {
-        paths.retain(|path| !self.files.contains_key(&path_key(path.as_str())));
+        paths.retain(|path| !self.files.contains_key(&path_key(path.as_str())) && !self.is_at_hand(path));
         let contents = self.system.read_all(&paths);
         for (path, content) in paths.iter().zip(contents) {
             self.add(path, content);
@@ -27,22 +27,35 @@ impl Loader<'_> {
     }
 
     fn file(&mut self, path: &Utf8Path) -> Option<File> {
-        match self.files.get(&path_key(path.as_str())) {
-            Some(file) => Some(*file),
+        let key = path_key(path.as_str());
+        if let Some(file) = self.files.get(&key) {
+            return Some(*file);
+        }
+        if let Some(text) = self.system.edited(path) {
+            return Some(self.file_input(key, path, Content { text, status: None }));
+        }
+        match self.known.files.get(&key).filter(|_| !(self.is_stale)(path)) {
+            Some(file) => {
+                self.files.insert(key, *file);
+                Some(*file)
+            }
             None => self.add(path, Content::of(self.system.read(path))),
         }
+    }
+
+    /// The file need not be read: its text is known, or an editor has it.
+    fn is_at_hand(&self, path: &Utf8Path) -> bool {
+        let known = self.known.files.contains_key(&path_key(path.as_str()));
+        known && !(self.is_stale)(path) || self.system.edited(path).is_some()
     }
 
     /// Makes an input of what was read; `None` where there is no file.
     fn add(&mut self, path: &Utf8Path, content: Option<Content>) -> Option<File> {
         let key = path_key(path.as_str());
-        if let Some(file) = self.files.get(&key) {
-            return Some(*file);
+        match self.files.get(&key) {
+            Some(file) => Some(*file),
+            None => Some(self.file_input(key, path, content?)),
         }
-        let Content { text, status } = content?;
-        let file = File::builder(path.to_owned(), text, status).path_durability(salsa::Durability::HIGH).new(&self.db);
-        self.files.insert(key, file);
-        Some(file)
     }
 
     /// The path as the disk spells it: references are written without regard to letter case.
