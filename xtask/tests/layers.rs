@@ -95,6 +95,11 @@ fn analysis_stands_on_syntax_lang_and_config() {
 }
 
 #[test]
+fn layout_knows_trees_and_settings() {
+    check_only("val3-fmt", &["val3-syntax", "val3-config"], &["salsa", "clap", "tokio"]);
+}
+
+#[test]
 fn vm_and_motion_do_not_know_each_other() {
     check_only("val3-vm", &["val3-lang", "val3-bytecode"], &["salsa", "rowan", "tokio"]);
     check_only("val3-motion", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "tokio"]);

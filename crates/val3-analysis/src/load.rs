@@ -15,6 +15,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use val3_config::ConfigError;
 use val3_syntax::view::View;
 
+pub use self::configuration::nearest_configuration;
+pub use self::discover::files;
 pub use self::error::LoadError;
 use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project, Sources, path_key};

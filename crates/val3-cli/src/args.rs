@@ -17,6 +17,17 @@ Exit codes:
   1  findings; with --diff, something to change
   2  wrong usage, or a file that cannot be read or written";
 
+const FMT_EXIT_CODES: &str = "\
+Exit codes:
+  0  done, or nothing to do
+  1  with --check or --diff, something to change
+  2  wrong usage, or a file that cannot be read or written";
+
+const FMT_SETTINGS: &str = "\
+Settings:
+  [format] in the nearest val3.toml, then .editorconfig (indent_style, indent_size).
+  Comments, strings, lines that cannot be read and everything outside of the code stay as they are.";
+
 const CONFIGURATION: &str = "\
 Settings:
   The nearest val3.toml above an application counts for it.
@@ -47,6 +58,9 @@ pub(crate) enum Command {
     /// Check applications, libraries or whole cells
     #[command(after_help = EXIT_CODES, after_long_help = format!("{CONFIGURATION}\n\n{EXIT_CODES}"))]
     Check(CheckArgs),
+    /// Give the code of programs its layout
+    #[command(after_help = FMT_EXIT_CODES, after_long_help = format!("{FMT_SETTINGS}\n\n{FMT_EXIT_CODES}"))]
+    Fmt(FmtArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
     /// Print the JSON schema of val3.toml, for editors that help to write it
@@ -122,6 +136,23 @@ impl CheckArgs {
             _ => Mode::Use,
         }
     }
+}
+
+/// Arguments of `val3 fmt`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct FmtArgs {
+    /// Programs (.pgx), or folders that hold some; `-` reads one program and writes it to the standard output
+    #[arg(value_name = "PATH", default_value = ".")]
+    pub(crate) paths: Vec<Utf8PathBuf>,
+    /// Write nothing; list the programs that would change, and exit with 1 if there are any
+    #[arg(long)]
+    pub(crate) check: bool,
+    /// Write nothing; show what would change, and exit with 1 if there is something
+    #[arg(long)]
+    pub(crate) diff: bool,
+    /// With `-`: where the program lies, so that its settings are found
+    #[arg(long, value_name = "PATH")]
+    pub(crate) stdin_path: Option<Utf8PathBuf>,
 }
 
 /// Arguments of `val3 explain`.

@@ -84,14 +84,14 @@ pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), Us
 }
 
 /// The bytes of the text; `None` where they would not be read as the same text.
-fn encoded(encoding: Encoding, text: &str) -> Option<Vec<u8>> {
+pub(crate) fn encoded(encoding: Encoding, text: &str) -> Option<Vec<u8>> {
     let bytes = encoding.encode(text);
     let read = decode(bytes.clone());
     (read.text == text && read.encoding == encoding).then_some(bytes)
 }
 
-fn unencodable(path: &str) -> UserError {
-    UserError::new(format!("cannot write `{path}`: its encoding lacks a character of the fix"))
+pub(crate) fn unencodable(path: &str) -> UserError {
+    UserError::new(format!("cannot write `{path}`: its encoding lacks a character of the new text"))
         .with_help("save it as UTF-8")
 }
 

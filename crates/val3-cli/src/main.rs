@@ -11,6 +11,7 @@ mod explain;
 mod explain_config;
 mod fingerprint;
 mod fixing;
+mod fmt;
 mod format;
 mod line_index;
 mod markdown;
@@ -53,6 +54,7 @@ fn main() -> ExitCode {
 fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
+        Command::Fmt(fmt) => fmt::run(fmt, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }

@@ -69,14 +69,16 @@ fn configuration_refused(errors: Vec<ConfigError>, paths: &Paths) -> UserError {
     UserError::new(errors.into_iter().map(shown).collect::<Vec<_>>().join("\nerror: "))
 }
 
-fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
+/// Threads with a stack for the deepest nesting.
+pub(crate) fn threads(jobs: Option<u16>) -> Result<ThreadPool, UserError> {
     let threads = jobs.map_or(0, usize::from);
     ThreadPoolBuilder::new().num_threads(threads).stack_size(STACK_SIZE).build().map_err(|error| {
         UserError::new(format!("cannot start threads: {error}")).with_help("ask for fewer with --jobs")
     })
 }
 
-fn current_folder() -> Result<Utf8PathBuf, UserError> {
+/// The current folder, absolute.
+pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
     let path = std::env::current_dir().map_err(|error| UserError::new(format!("no current folder: {error}")))?;
     Utf8PathBuf::from_path_buf(path)
         .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))

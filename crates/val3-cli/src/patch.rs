@@ -12,7 +12,8 @@ pub(crate) fn write(files: &[FixedFile], out: &mut dyn WriteColor) -> io::Result
     files.iter().try_for_each(|file| write_diff(&file.path, &file.before, &file.after, out))
 }
 
-fn write_diff(path: &str, before: &str, after: &str, out: &mut dyn WriteColor) -> io::Result<()> {
+/// Writes the diff of one file.
+pub(crate) fn write_diff(path: &str, before: &str, after: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     let diff = TextDiff::from_lines(before, after);
     let text = diff.unified_diff().header(&format!("a/{path}"), &format!("b/{path}")).to_string();
     for line in text.split_inclusive('\n') {

@@ -64,8 +64,8 @@ mod tests {
     #[test]
     fn every_setting_is_described() {
         let schema = schema();
-        let lint = property(&schema, "lint").unwrap();
-        for (table, key) in keys(&schema).map(|key| (&schema, key)).chain(keys(lint).map(|key| (lint, key))) {
+        let tables = [&schema, property(&schema, "lint").unwrap(), property(&schema, "format").unwrap()];
+        for (table, key) in tables.into_iter().flat_map(|table| keys(table).map(move |key| (table, key))) {
             assert!(property(table, key).unwrap().get("description").is_some(), "{key}");
         }
     }

@@ -90,6 +90,12 @@ mod tests {
                 disk =
                 exclude = []
                 version = "s8.12" (line 1)
+                format.blank-after-comma = false
+                format.blank-lines = 2
+                format.blanks-around-assignment = false
+                format.blanks-around-operators = false
+                format.indent-size =
+                format.indent-style =
                 lint.complexity = 9 (line 6)
                 lint.entry-points = ["start","stop"]
                 lint.entry-prefixes = []

@@ -21,7 +21,8 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
             *slot = Some(level);
         }
         if piece.kind != COMMENT {
-            next = Some(Line { level, column, closes: closes(piece.kind) });
+            // A line that stays where it is tells nothing about the lines that move.
+            next = Some(Line { level, column, closes: closes(piece.kind) && !piece.frozen });
         }
     }
     levels

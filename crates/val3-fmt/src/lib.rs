@@ -4,14 +4,16 @@
 //! comments, and lines that could not be read stay as they are, to the byte.
 
 mod indentation;
+mod on_type;
 mod pieces;
 mod spacing;
 mod style;
 mod unchanged;
 
-pub use style::{Indent, Style};
+pub use on_type::{TRIGGERS, on_type};
+pub use style::{Elsewhere, Indent, Style};
 
-use rowan::TextRange;
+use rowan::{TextRange, TextSize};
 use val3_syntax::Parse;
 
 use pieces::Piece;
@@ -25,32 +27,55 @@ pub struct Edit {
     pub text: String,
 }
 
-/// The edits that give the code of a file with `text` its layout, in order and without overlap; none where it has it already,
-/// or where its blocks do not match up.
+/// The edits that give the code of a file with `text` its layout, in order and without overlap; none where it has it
+/// already.
 ///
-/// Formatting twice is formatting once, and the program stays the same, token for token.
+/// Formatting twice is formatting once, and the program stays the same, token for token. Where blocks do not match up,
+/// the indentation shows what was meant, so that program keeps its line starts; where the XML is broken, everything
+/// stays.
 pub fn format(text: &str, parse: &Parse, style: &Style) -> Vec<Edit> {
-    if parse.errors().iter().any(|error| error.kind.is_about_blocks() || error.kind.breaks_structure()) {
+    if parse.errors().iter().any(|error| error.kind.breaks_structure()) {
         return Vec::new();
     }
     let mut edits: Vec<Edit> =
-        pieces::codes(parse, text).iter().flat_map(|pieces| format_code(pieces, text, style)).collect();
+        pieces::codes(parse, text).iter().flat_map(|pieces| format_code(pieces, parse, text, style)).collect();
     edits.sort_by_key(|edit| edit.range.start());
     if unchanged::is_same_program(parse, &apply(text, &edits)) { edits } else { Vec::new() }
 }
 
-fn format_code(pieces: &[Piece<'_>], text: &str, style: &Style) -> Vec<Edit> {
-    let levels = indentation::levels(pieces, text);
+fn format_code(pieces: &[Piece<'_>], parse: &Parse, text: &str, style: &Style) -> Vec<Edit> {
+    let levels = if blocks_match(pieces, parse) { indentation::levels(pieces, text) } else { vec![None; pieces.len()] };
     let pairs = pieces.iter().zip(pieces.iter().skip(1)).zip(levels.iter().skip(1));
     let gaps = pairs.filter_map(|((before, after), level)| spacing::gap(before, after, *level, text, style));
     gaps.chain(pieces.iter().filter_map(spacing::keyword)).collect()
 }
 
-/// As [`format`], for the lines that `range` touches.
+/// No fault in the stretch of these pieces leaves it open which line belongs to which block.
+fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
+    let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return true };
+    let code = TextRange::new(first.range.start(), last.range.end());
+    let mut faults = parse.errors().iter().filter(|error| error.kind.is_about_blocks());
+    !faults.any(|error| error.range.intersect(code).is_some())
+}
+
+/// As [`format`], for the lines that `range` touches. A range that ends where a line starts does not touch it.
 pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) -> Vec<Edit> {
+    let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);
-    edits.retain(|edit| edit.range.intersect(range).is_some());
+    // The blanks at the start of a line are replaced together with the line end before them.
+    edits.retain(|edit| lines.contains_inclusive(edit.range.end()));
     edits
+}
+
+fn whole_lines(text: &str, range: TextRange) -> TextRange {
+    let (start, end) = (usize::from(range.start()), usize::from(range.end()));
+    let selected = text.get(start..end).unwrap_or("");
+    let end = end - (selected.len() - selected.strip_suffix('\n').unwrap_or(selected).len());
+    let first = text.get(..start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
+    let rest = text.get(end..).unwrap_or("");
+    let last = end + rest.find(['\n', '\r']).unwrap_or(rest.len());
+    let offset = |at: usize| TextSize::try_from(at).unwrap_or(range.end());
+    TextRange::new(offset(first), offset(last))
 }
 
 /// The text with the edits made. They must be in order and lie within it.

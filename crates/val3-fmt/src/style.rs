@@ -1,5 +1,7 @@
 //! What a user may choose.
 
+use val3_config::{Format, IndentStyle};
+
 /// The layout of code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Style {
@@ -24,22 +26,42 @@ pub enum Indent {
     Tab,
 }
 
-/// What most programs look like, and what the vendor's editor writes.
-impl Default for Style {
-    fn default() -> Self {
+impl Style {
+    /// The style that `format` asks for; `elsewhere` says what it leaves open about the indentation.
+    pub fn new(format: &Format, elsewhere: Elsewhere) -> Self {
+        let indent = match format.indent_style.or(elsewhere.style) {
+            Some(IndentStyle::Tab) => Indent::Tab,
+            _ => Indent::Blanks(format.indent_size.or(elsewhere.size).unwrap_or(2)),
+        };
         Self {
-            indent: Indent::Blanks(2),
-            around_assignment: false,
-            around_operators: false,
-            after_comma: false,
-            blank_lines: 2,
+            indent,
+            around_assignment: format.blanks_around_assignment,
+            around_operators: format.blanks_around_operators,
+            after_comma: format.blank_after_comma,
+            blank_lines: format.blank_lines,
         }
     }
 }
 
+/// What most programs look like, and what the vendor's editor writes.
+impl Default for Style {
+    fn default() -> Self {
+        Self::new(&Format::default(), Elsewhere::default())
+    }
+}
+
+/// What something other than `val3.toml` says about the indentation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Elsewhere {
+    /// Blanks or tabs.
+    pub style: Option<IndentStyle>,
+    /// Blanks of one level.
+    pub size: Option<u8>,
+}
+
 impl Indent {
     /// The blanks before a line that stands `levels` deep.
-    pub(crate) fn text(self, levels: usize) -> String {
+    pub fn text(self, levels: usize) -> String {
         match self {
             Self::Blanks(width) => " ".repeat(levels * usize::from(width)),
             Self::Tab => "\t".repeat(levels),

@@ -1,8 +1,10 @@
 //! What the layout of code looks like.
 
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
+
 use expect_test::{Expect, expect};
-use val3_fmt::{Indent, Style, apply, format};
-use val3_syntax::parse;
+use val3_fmt::{Indent, Style, apply, format, format_range};
+use val3_syntax::{TextRange, TextSize, parse};
 
 fn formatted(text: &str, style: &Style) -> String {
     let parse = parse(text);
@@ -148,11 +150,11 @@ fn blocks_that_do_not_match_stay() {
     check(
         "begin\nif a\n b = 1\nend",
         expect![[r#"
-        begin
-        if a
-         b = 1
-        end
-    "#]],
+            begin
+            if a
+             b=1
+            end
+        "#]],
     );
 }
 
@@ -201,4 +203,17 @@ fn the_way_into_the_code_stays() {
     let expected =
         "<Programs><Program name=\"a\"><Code><![CDATA[ \n begin\n  a=1\nend \n\n]]></Code></Program></Programs>";
     assert_eq!(formatted(text, &Style::default()), expected);
+}
+
+#[test]
+fn lines_of_a_range() {
+    let text = "<Programs><Program name=\"a\"><Code><![CDATA[begin\n a = 1\n b = 2\n c = 3\nend]]></Code></Program></Programs>";
+    let formatted = |part: &str| {
+        let start = TextSize::try_from(text.find(part).unwrap()).unwrap();
+        let edits = format_range(text, &parse(text), &Style::default(), TextRange::at(start, TextSize::of(part)));
+        apply(text, &edits).split_once("CDATA[").unwrap().1.replace("]]></Code></Program></Programs>", "")
+    };
+    assert_eq!(formatted("2"), "begin\n a = 1\n  b=2\n c = 3\nend");
+    assert_eq!(formatted(" b = 2\n"), "begin\n a = 1\n  b=2\n c = 3\nend");
+    assert_eq!(formatted("1\n b"), "begin\n  a=1\n  b=2\n c = 3\nend");
 }

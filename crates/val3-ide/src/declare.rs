@@ -1,196 +1,315 @@
-//! Declaring something new: edits that add an entry to a list of a data file or project file.
+//! Declarations that come into a file: locals, parameters, global data, programs.
 
+use camino::Utf8Path;
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::items::manifest::spelling;
-use val3_analysis::items::parse;
-use val3_analysis::items::project::{data_files, items};
-use val3_analysis::xml::{self, Element};
-use val3_lang::builtins;
-use val3_lang::types::BaseType;
+use val3_analysis::items::manifest::{Spelling, spelling};
+use val3_analysis::items::project::{data_files, folder};
+use val3_analysis::items::{declarations, parse, program};
+use val3_analysis::xml;
+use val3_lang::types::Container;
+use val3_syntax::TextRange;
 use val3_syntax::view::View;
-use val3_syntax::{TextRange, TextSize};
 
-use crate::edit::FileEdit;
+use crate::edit::{FileEdit, SourceChange};
+use crate::xml_list::{List, escaped};
 
-/// Global data of a single value, in the first data file of a project. `None` where there is none, or where the old
-/// dialect writes values of the type in a longer form.
-pub(crate) fn global(db: &dyn Db, project: Project, name: &str, ty: BaseType) -> Option<FileEdit> {
+/// What a variable is declared as.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Variable {
+    pub(crate) name: String,
+    /// As files write it.
+    pub(crate) type_name: String,
+    pub(crate) container: Container,
+    /// Sizes of the dimensions; one value where there are none.
+    pub(crate) sizes: Vec<u32>,
+}
+
+impl Variable {
+    /// A single value.
+    pub(crate) fn single(name: &str, type_name: &str) -> Self {
+        let container = Container::Array { dims: 1 };
+        Self { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: vec![1] }
+    }
+
+    fn is_single(&self) -> bool {
+        self.container != Container::Collection && matches!(self.sizes.as_slice(), [] | [1])
+    }
+
+    fn size(&self) -> String {
+        let sizes: Vec<String> = self.sizes.iter().map(u32::to_string).collect();
+        if sizes.is_empty() { "1".to_owned() } else { sizes.join(" ") }
+    }
+}
+
+/// The program in a file has the form of s5 and s6.
+pub(crate) fn is_old_program(db: &dyn Db, file: File) -> bool {
+    program::element(View::root(parse(db, file).green())).is_some_and(|program| program.name() == "program")
+}
+
+/// Local variables of the program in `file`; `None` where there are none like them.
+pub(crate) fn locals(db: &dyn Db, file: File, variables: &[&Variable]) -> Option<FileEdit> {
+    if variables.iter().any(|variable| variable.container == Container::Collection) {
+        return None;
+    }
+    let old = is_old_program(db, file);
+    let entries: Vec<String> = variables.iter().map(|variable| local_entry(old, variable)).collect();
+    match old {
+        true => into_program(db, file, "localSection", "", &["source"], &entries),
+        false => into_program(db, file, "Locals", "", &["Code"], &entries),
+    }
+}
+
+fn local_entry(old: bool, variable: &Variable) -> String {
+    let (name, ty, size) = (&variable.name, &variable.type_name, variable.size());
+    if old {
+        return format!("<local name=\"{name}\" type=\"{ty}\" size=\"{size}\" />");
+    }
+    format!("<Local name=\"{name}\" type=\"{ty}\" xsi:type=\"array\" size=\"{size}\" />")
+}
+
+/// A parameter of the program in `file`, behind the others.
+pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
+    let old = is_old_program(db, file);
+    let entry = parameter_entry(old, variable, by_reference);
+    match old {
+        true => into_program(db, file, "paramSection", "", &["localSection", "source"], &[entry]),
+        false => into_program(db, file, "Parameters", PARAMETERS, &["Locals", "Code"], &[entry]),
+    }
+}
+
+const PARAMETERS: &str = " xmlns=\"http://www.staubli.com/robotics/VAL3/Param/1\"";
+
+fn parameter_entry(old: bool, variable: &Variable, by_reference: bool) -> String {
+    let (name, ty) = (&variable.name, &variable.type_name);
+    if old {
+        let by_value = !by_reference && variable.is_single();
+        return format!("<param name=\"{name}\" type=\"{ty}\" byVal=\"{by_value}\" />");
+    }
+    let (kind, dims) = match variable.container {
+        Container::Collection => ("collection", String::new()),
+        _ if variable.is_single() => ("element", String::new()),
+        _ if variable.sizes.len() > 1 => ("array", format!(" dimensions=\"{}\"", variable.sizes.len())),
+        _ => ("array", String::new()),
+    };
+    let passing = if by_reference || kind != "element" { " use=\"reference\"" } else { "" };
+    format!("<Parameter name=\"{name}\" type=\"{ty}\" xsi:type=\"{kind}\"{passing}{dims} />")
+}
+
+fn into_program(
+    db: &dyn Db,
+    file: File,
+    name: &str,
+    attributes: &str,
+    followers: &[&str],
+    entries: &[String],
+) -> Option<FileEdit> {
+    let parse = parse(db, file);
+    let parent = program::element(View::root(parse.green()))?;
+    let list = List { text: file.text(db), parent, name, attributes, followers };
+    let (range, text) = list.append(entries)?;
+    Some(FileEdit { file, range, text })
+}
+
+/// Private global data of a project, with a value where its type is written as an attribute; `None` where the project
+/// has no data file, or one of s5 or s6 whose types are written otherwise.
+pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let root = xml::root(View::root(parse.green()))?;
-    if root.name() == "dataList" {
-        let section = root.child(&[format!("{}Section", ty.name()).as_str()])?;
-        return Some(entry(db, file, section, &old_datum(name, ty)?));
-    }
-    let arm = items(db, project).arm.unwrap_or(val3_lang::types::Arm::SixAxis);
-    Some(entry(db, file, root.child(&["Datas"])?, &datum(name, &ty.file_name(arm), ty)))
-}
-
-/// The lines of a `<Data>`; what hangs on something hangs on what is built in.
-fn datum(name: &str, type_name: &str, ty: BaseType) -> Vec<String> {
-    let head = format!(r#"<Data name="{name}" access="private" xsi:type="array" type="{type_name}" size="1""#);
-    let father = ty.father().and_then(|father| builtins::BUILTINS.iter().find(|builtin| builtin.ty == father));
-    match father {
-        Some(father) => {
-            let value = format!(r#"  <Value key="0" fatherId="{}[0]" />"#, father.name);
-            vec![head + ">", value, "</Data>".to_owned()]
-        }
-        None => vec![head + " />"],
-    }
-}
-
-/// The lines of an entry of a section of s5 and s6.
-fn old_datum(name: &str, ty: BaseType) -> Option<Vec<String>> {
-    let value = match ty {
-        BaseType::Num => r#"<valueNum index="0" value="0" />"#,
-        BaseType::Bool => r#"<valueBool index="0" value="false" />"#,
-        BaseType::String => r#"<valueString index="0" value="" />"#,
-        ty if ty.is_linkable() => {
-            return Some(vec![format!(r#"<{} name="{name}" public="false" size="1" />"#, ty.name())]);
-        }
+    let section = format!("{}Section", variable.type_name);
+    let (name, entry) = match root.name() {
+        "Database" => ("Datas", new_data(variable, value, false)),
+        "dataList" => (section.as_str(), old_data(variable, value, false)?),
         _ => return None,
     };
-    let ty = ty.name();
-    Some(vec![format!(r#"<{ty} name="{name}" public="false">"#), format!("  {value}"), format!("</{ty}>")])
+    let list = List { text: file.text(db), parent: root, name, attributes: "", followers: &[] };
+    let (range, text) = list.append(&entry)?;
+    Some(FileEdit { file, range, text })
 }
 
-/// A library identifier with the path of its interface.
+/// Public data of a project of s7 or s8, several at once.
+pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
+    let file = *data_files(db, project).first()?;
+    let parse = parse(db, file);
+    let parent = xml::root(View::root(parse.green())).filter(|root| root.name() == "Database")?;
+    let list = List { text: file.text(db), parent, name: "Datas", attributes: "", followers: &[] };
+    let entries: Vec<String> = variables.iter().flat_map(|variable| new_data(variable, None, true)).collect();
+    let (range, text) = list.append(&entries)?;
+    Some(FileEdit { file, range, text })
+}
+
+fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<String> {
+    let (name, ty) = (&variable.name, &variable.type_name);
+    let access = if public { "public" } else { "private" };
+    let shape = match variable.container {
+        Container::Collection => format!("xsi:type=\"collection\" type=\"{ty}\""),
+        _ => format!("xsi:type=\"array\" type=\"{ty}\" size=\"{}\"", variable.size()),
+    };
+    let start = format!("<Data name=\"{name}\" access=\"{access}\" {shape}");
+    let father = match ty.as_str() {
+        "frame" => Some("world[0]"),
+        "tool" => Some("flange[0]"),
+        point if point.starts_with("point") => Some("world[0]"),
+        _ => None,
+    };
+    let attribute = match (value, father) {
+        (Some(value), _) => format!("value=\"{}\"", escaped(value)),
+        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}\""),
+        _ => return vec![format!("{start} />")],
+    };
+    vec![format!("{start}>"), format!("  <Value key=\"0\" {attribute} />"), "</Data>".to_owned()]
+}
+
+/// In s5 and s6 every value is written.
+fn old_data(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
+    let (name, ty) = (&variable.name, variable.type_name.as_str());
+    let [size] = variable.sizes.as_slice() else { return None };
+    let start = format!("<{ty} name=\"{name}\" public=\"{public}\"");
+    let (element, default) = match ty {
+        "num" => ("valueNum", "0"),
+        "bool" => ("valueBool", "false"),
+        "string" => ("valueString", ""),
+        "dio" | "aio" | "sio" => return Some(vec![format!("{start} size=\"{size}\" />")]),
+        _ => return None,
+    };
+    let written = |index: u32| {
+        let value = value.filter(|_| index == 0).unwrap_or(default);
+        format!("  <{element} index=\"{index}\" value=\"{}\" />", escaped(value))
+    };
+    let mut lines = vec![format!("{start} >")];
+    lines.extend((0..*size).map(written));
+    lines.push(format!("</{ty}>"));
+    Some(lines)
+}
+
+/// A program that does not exist yet.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NewProgram {
+    pub(crate) name: String,
+    pub(crate) public: bool,
+    /// With whether each is passed by reference.
+    pub(crate) params: Vec<(Variable, bool)>,
+    pub(crate) locals: Vec<Variable>,
+    /// The lines between `begin` and `end`, in plain characters, with their indentation.
+    pub(crate) code: Vec<String>,
+    /// How lines end.
+    pub(crate) line_end: &'static str,
+}
+
+/// New programs of a project: their files, and their entries in the `.pjx`; `None` where that has no place for them.
+pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
+    let old = declarations::is_old(db, project);
+    let file = |new: &NewProgram| {
+        let path = folder(db, project).join(&new.name).with_extension("pgx");
+        (path, if old { old_program(new) } else { new_program(new) })
+    };
+    let names: Vec<String> = new.iter().map(|new| format!("{}.pgx", new.name)).collect();
+    let entries = program_entries(db, project, &names)?;
+    Some(SourceChange { creates: new.iter().map(file).collect(), ..SourceChange::of([entries]) })
+}
+
+/// The entries of program files in a `.pjx`.
+pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    manifest_entries(db, project, |spelling| (spelling.programs, files(spelling.programs.1, references)))
+}
+
+/// The entries of data files in a `.pjx`.
+pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    manifest_entries(db, project, |spelling| (spelling.data, files(spelling.data.1, references)))
+}
+
+fn files(item: &str, references: &[String]) -> Vec<String> {
+    references.iter().map(|reference| format!("<{item} file=\"{}\" />", escaped(reference))).collect()
+}
+
+/// The entry of a library identifier with the path of its interface in a `.pjx`.
 pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) -> Option<FileEdit> {
+    manifest_entries(db, project, |spelling| {
+        let (name, place) = (spelling.library_name, spelling.library_path);
+        let entry = format!("<{} {name}=\"{alias}\" {place}=\"{}\" />", spelling.libraries.1, escaped(path));
+        (spelling.libraries, vec![entry])
+    })
+}
+
+fn manifest_entries(
+    db: &dyn Db,
+    project: Project,
+    entries: impl Fn(&Spelling) -> ((&'static str, &'static str), Vec<String>),
+) -> Option<FileEdit> {
     let file = project.manifest(db);
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()))?;
-    let spelling = spelling(root);
-    let (list, item) = spelling.libraries;
-    let line = format!(r#"<{item} {}="{alias}" {}="{path}" />"#, spelling.library_name, spelling.library_path);
-    match root.child(&[list]) {
-        Some(list) => Some(entry(db, file, list, &[line])),
-        None => Some(entry(db, file, root, &[format!("<{list}>"), format!("  {line}"), format!("</{list}>")])),
-    }
+    let parent = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(parent);
+    let ((name, _), entries) = entries(spelling);
+    let behind = [spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let followers: Vec<&str> = behind.into_iter().filter(|follower| *follower != name).collect();
+    let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
+    let (range, text) = list.append(&entries)?;
+    Some(FileEdit { file, range, text })
 }
 
-/// Adds an entry behind the last one of a list, indented as that one is.
-fn entry(db: &dyn Db, file: File, list: Element<'_>, lines: &[String]) -> FileEdit {
-    let text: &str = file.text(db);
-    let end = if text.contains("\r\n") { "\r\n" } else { "\n" };
-    let outer = indent(text, list.view().range().start());
-    let last = list.elements().last().map(|last| last.view().range());
-    let inner = last.map_or_else(|| format!("{outer}  "), |last| indent(text, last.start()).to_owned());
-    let added: String = lines.iter().map(|line| format!("{end}{inner}{line}")).collect();
-    let tag = list.tag_range();
-    let head = text.get(std::ops::Range::<usize>::from(tag)).unwrap_or("");
-    match (last, head.strip_suffix("/>")) {
-        (Some(last), _) => FileEdit { file, range: TextRange::empty(last.end()), text: added },
-        (None, Some(open)) => {
-            let text = format!("{}>{added}{end}{outer}</{}>", open.trim_end(), list.name());
-            FileEdit { file, range: tag, text }
-        }
-        (None, None) => {
-            let rest = text.get(usize::from(tag.end())..).unwrap_or("").trim_start_matches([' ', '\t']);
-            let behind = if rest.starts_with(['\r', '\n']) { String::new() } else { format!("{end}{outer}") };
-            FileEdit { file, range: TextRange::empty(tag.end()), text: added + &behind }
-        }
+fn new_program(new: &NewProgram) -> String {
+    let access = if new.public { " access=\"public\"" } else { "" };
+    let mut lines = vec![
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>".to_owned(),
+        "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">".to_owned(),
+        format!("  <Program name=\"{}\"{access}>", new.name),
+    ];
+    if !new.params.is_empty() {
+        lines.push(format!("    <Parameters{PARAMETERS}>"));
+        let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(false, variable, *by_reference);
+        lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
+        lines.push("    </Parameters>".to_owned());
     }
+    if !new.locals.is_empty() {
+        lines.push("    <Locals>".to_owned());
+        lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(false, local))));
+        lines.push("    </Locals>".to_owned());
+    }
+    lines.push("    <Code><![CDATA[begin".to_owned());
+    lines.extend(new.code.iter().cloned());
+    lines.extend(["end]]></Code>", "  </Program>", "</Programs>", ""].map(str::to_owned));
+    lines.join(new.line_end)
 }
 
-/// The blanks at the start of the line of an offset.
-fn indent(text: &str, offset: TextSize) -> &str {
-    let before = text.get(..usize::from(offset)).unwrap_or("");
-    let line = before.rsplit(['\n', '\r']).next().unwrap_or("");
-    let blanks = line.len() - line.trim_start_matches([' ', '\t']).len();
-    line.get(..blanks).unwrap_or("")
+fn old_program(new: &NewProgram) -> String {
+    let mut lines = vec![
+        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>".to_owned(),
+        "<programList xmlns=\"ProgramNameSpace\" >".to_owned(),
+        format!("  <program name=\"{}\" public=\"{}\" >", new.name, new.public),
+        "    <description></description>".to_owned(),
+        "    <paramSection>".to_owned(),
+    ];
+    let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(true, variable, *by_reference);
+    lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
+    lines.extend(["    </paramSection>", "    <localSection>"].map(str::to_owned));
+    lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(true, local))));
+    lines.extend(["    </localSection>", "    <source>", "      <code>begin"].map(str::to_owned));
+    lines.extend(new.code.iter().map(|line| escaped(line)));
+    lines.extend(["end</code>", "    </source>", "  </program>", "</programList>", ""].map(str::to_owned));
+    lines.join(new.line_end)
 }
 
-#[cfg(test)]
-mod tests {
-    use expect_test::{Expect, expect};
+/// A name that no program of the project has, and no file beside it: `stem`, else `stem2` and so on.
+pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
+    let items = val3_analysis::items::project::items(db, project);
+    let taken = |name: &str| {
+        let same = |other: &str| other.eq_ignore_ascii_case(name);
+        items.programs.keys().any(|other| same(other))
+            || project.beside(db).iter().any(|file| Utf8Path::new(file.as_str()).file_stem().is_some_and(same))
+    };
+    free(stem, taken)
+}
 
-    use super::*;
-    use crate::testing::Marked;
-
-    fn check(listing: &str, edit: impl FnOnce(&dyn Db, Project) -> Option<FileEdit>, expected: Expect) {
-        let marked = Marked::new(listing);
-        let db = marked.db();
-        let project = crate::owner(db, marked.at().file).unwrap();
-        let shown = edit(db, project).map_or_else(String::new, |edit| {
-            let mut text = edit.file.text(db).to_string();
-            text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
-            assert!(val3_syntax::parse(&text).errors().is_empty());
-            text.lines().skip(2).map(|line| format!("{line}\n")).collect()
-        });
-        expected.assert_eq(&shown);
+/// `stem`, or `stem` with the first number that makes it free.
+pub(crate) fn free(stem: &str, taken: impl Fn(&str) -> bool) -> String {
+    if !taken(stem) {
+        return stem.to_owned();
     }
+    (2u32..).map(|number| format!("{stem}{number}")).find(|name| !taken(name)).unwrap_or_default()
+}
 
-    #[test]
-    fn data() {
-        let num = |db: &dyn Db, project| global(db, project, "nA", BaseType::Num);
-        let point = |db: &dyn Db, project| global(db, project, "pA", BaseType::Point);
-        check(
-            "cls()$0",
-            num,
-            expect![[r#"
-              <Datas>
-                <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
-              </Datas>
-            </Database>
-        "#]],
-        );
-        check(
-            "num nB\ncls()$0",
-            point,
-            expect![[r#"
-              <Datas>
-                <Data name="nB" access="private" xsi:type="array" type="num" size="1" />
-                <Data name="pA" access="private" xsi:type="array" type="pointRx" size="1">
-                  <Value key="0" fatherId="world[0]" />
-                </Data>
-              </Datas>
-            </Database>
-        "#]],
-        );
-        check(
-            "cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<Database>\n<Datas></Datas>\n</Database>",
-            num,
-            expect![[r#"
-            <Datas>
-              <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
-            </Datas>
-            </Database>
-        "#]],
-        );
-        check(
-            "cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<dataList>\n<numSection />\n</dataList>",
-            num,
-            expect![[r#"
-                <numSection>
-                  <num name="nA" public="false">
-                    <valueNum index="0" value="0" />
-                  </num>
-                </numSection>
-                </dataList>
-            "#]],
-        );
-    }
-
-    #[test]
-    fn libraries() {
-        let part = |db: &dyn Db, project| library(db, project, "part", "Disk://part/part.pjx");
-        check(
-            "cls()$0",
-            part,
-            expect![[r#"
-              <Parameters version="s7.11" stackSize="5000" millimeterUnit="true" />
-              <Programs>
-                <Program file="start.pgx" />
-              </Programs>
-              <Database>
-                <Data file="main.dtx" />
-              </Database>
-              <Libraries>
-                <Library alias="part" path="Disk://part/part.pjx" />
-              </Libraries>
-              <Types />
-            </Project>
-        "#]],
-        );
-    }
+/// An edit that takes out the entry at `range`, with its line.
+pub(crate) fn without(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
+    FileEdit { file, range: crate::xml_list::whole_line(file.text(db), range), text: String::new() }
 }

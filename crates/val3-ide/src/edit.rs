@@ -1,16 +1,20 @@
 //! Changes of files, as values.
 
 use camino::Utf8PathBuf;
-use val3_analysis::db::File;
+use val3_analysis::db::{Db, File};
 use val3_syntax::TextRange;
 
-/// What a refactoring does: edits of texts, then files that get another name.
+/// What a refactoring does: new files, then edits of texts, then files that get another name, then files that go.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct SourceChange {
+    /// Files that are created, with their text. None of them exists.
+    pub creates: Vec<(Utf8PathBuf, String)>,
     /// Edits; those of one file do not overlap and stand in order.
     pub edits: Vec<FileEdit>,
     /// Files that move: from where to where.
     pub moves: Vec<(Utf8PathBuf, Utf8PathBuf)>,
+    /// Files that go.
+    pub deletes: Vec<Utf8PathBuf>,
 }
 
 /// Replaces a range of a file.
@@ -22,4 +26,23 @@ pub struct FileEdit {
     pub range: TextRange,
     /// What stands there afterwards, as it is written in the file.
     pub text: String,
+}
+
+impl SourceChange {
+    /// A change of texts alone.
+    pub(crate) fn of(edits: impl IntoIterator<Item = FileEdit>) -> Self {
+        Self { edits: edits.into_iter().collect(), ..Self::default() }
+    }
+
+    /// The same with its edits in order of file and place, each once.
+    pub(crate) fn sorted(mut self, db: &dyn Db) -> Self {
+        self.edits.sort_by(|a, b| (a.file.path(db), a.range.start()).cmp(&(b.file.path(db), b.range.start())));
+        self.edits.dedup();
+        self
+    }
+
+    /// It changes nothing.
+    pub fn is_empty(&self) -> bool {
+        *self == Self::default()
+    }
 }

@@ -3,15 +3,22 @@
 //! Positions are byte offsets of the file as the editor shows it, XML and all. Nothing here knows lines, URIs or a
 //! protocol, and no tree leaves this crate.
 
+mod assists;
+mod call_hierarchy;
+mod code_lens;
 mod completion;
 mod declare;
+mod document_links;
 mod edit;
+mod file_operations;
 mod folding;
+mod formatting;
 mod fuzzy;
 mod highlight;
 mod hover;
 mod inlay_hints;
 mod line;
+mod linked_editing;
 mod navigate;
 mod owner;
 mod placement;
@@ -21,13 +28,22 @@ mod selection;
 mod semantic_tokens;
 mod signature_help;
 mod symbols;
+mod type_hierarchy;
+mod xml_list;
 
+pub use assists::{Assist, AssistKind, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
+pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
+pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{Completion, CompletionKind, completion_documentation, completions, documentation};
+pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
+pub use file_operations::{will_create_files, will_delete_files, will_rename_files};
 pub use folding::{Fold, FoldKind, folds};
+pub use formatting::{FORMATTING_TRIGGERS, format_file, format_on_type, format_range, style};
 pub use highlight::{Highlight, highlights};
 pub use hover::{Hover, hover, type_at};
 pub use inlay_hints::{InlayHint, InlayHintKind, InlayHintSettings, inlay_hints};
+pub use linked_editing::linked_names;
 pub use navigate::{Target, declarations, definition, implementations, type_definition};
 pub use owner::{owner, projects_of};
 pub use references::references;
@@ -36,6 +52,7 @@ pub use selection::selections;
 pub use semantic_tokens::{SemanticToken, TokenKind, TokenModifier, semantic_tokens};
 pub use signature_help::{Form, SignatureHelp, signature_help};
 pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_symbols};
+pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
 
 use val3_analysis::db::File;
 use val3_syntax::{TextRange, TextSize};

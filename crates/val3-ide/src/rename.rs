@@ -308,12 +308,20 @@ mod tests {
             refused: the program uses the global `nA`, which the new name would hide
         "#]],
         );
-        check("num nA\nn$0A=nB", "nB", expect![[r#"
+        check(
+            "num nA\nn$0A=nB",
+            "nB",
+            expect![[r#"
             refused: the program `start` uses the name `nB`, which is not declared yet
-        "#]]);
-        check("num nA\nnA=nO$0ther", "nB", expect![[r#"
+        "#]],
+        );
+        check(
+            "num nA\nnA=nO$0ther",
+            "nB",
+            expect![[r#"
             refused: there is no name here that can be changed
-        "#]]);
+        "#]],
+        );
         check(
             "num nA\nnA=si$0n(1)",
             "x",

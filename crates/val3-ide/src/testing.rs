@@ -4,7 +4,7 @@ use camino::Utf8PathBuf;
 use val3_analysis::db::{Database, Db, File, Sources};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
-use val3_syntax::TextSize;
+use val3_syntax::{TextRange, TextSize};
 use val3_test::{Fixture, ROOT};
 
 use crate::{FilePosition, FileRange};
@@ -13,6 +13,8 @@ use crate::{FilePosition, FileRange};
 pub(crate) struct Marked {
     pub(crate) workspace: Workspace,
     pub(crate) position: Option<FilePosition>,
+    /// What stands between two `$0`.
+    pub(crate) selected: Option<TextRange>,
 }
 
 impl Marked {
@@ -20,18 +22,19 @@ impl Marked {
         let mut fixture = Fixture::parse(listing);
         let mut cursor = None;
         for (path, text) in &mut fixture.files {
-            if let Some(offset) = text.find("$0") {
+            while let Some(offset) = text.find("$0") {
                 text.replace_range(offset..offset + 2, "");
-                cursor = Some((path.clone(), offset));
+                let first = cursor.take().map_or(offset, |(_, first, _)| first);
+                cursor = Some((path.clone(), first, offset));
             }
         }
         let files = fixture.files.iter().map(|(path, text)| (full(path), text.clone().into_bytes()));
         let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
-        let position = cursor.map(|(path, offset)| FilePosition {
-            file: file(&workspace.db, &path),
-            offset: TextSize::try_from(offset).unwrap(),
-        });
-        Self { workspace, position }
+        let size = |at: usize| TextSize::try_from(at).unwrap();
+        let selected = cursor.as_ref().map(|(_, first, last)| TextRange::new(size(*first), size(*last)));
+        let position =
+            cursor.map(|(path, first, _)| FilePosition { file: file(&workspace.db, &path), offset: size(first) });
+        Self { workspace, position, selected: selected.filter(|range| !range.is_empty()) }
     }
 
     pub(crate) fn db(&self) -> &Database {

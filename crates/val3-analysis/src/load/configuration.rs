@@ -20,6 +20,29 @@ fn inside(file: &ConfigFile, path: &Utf8Path) -> Utf8PathBuf {
     normalise(&file.folder().join(path))
 }
 
+/// The nearest `val3.toml` from `folder` upwards.
+///
+/// # Errors
+/// If it cannot be read, or says something that it may not.
+pub fn nearest_configuration(system: &dyn System, folder: &Utf8Path) -> Result<Option<ConfigFile>, ConfigError> {
+    folder.ancestors().find_map(|folder| read(system, &folder.join(FILE_NAME))).transpose()
+}
+
+/// Reads a configuration; `None` where there is no such file.
+fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, ConfigError>> {
+    if system.kind(path) != Some(Kind::File) {
+        return None;
+    }
+    let bytes = match system.read(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return Some(Err(unreadable(path, &format!("cannot be read: {error}")))),
+    };
+    let Ok(text) = String::from_utf8(bytes) else {
+        return Some(Err(unreadable(path, "is not UTF-8")));
+    };
+    Some(ConfigFile::parse(path, &text))
+}
+
 impl Loader<'_> {
     /// The nearest `val3.toml` from `folder` upwards.
     pub(super) fn configuration(&mut self, folder: &Utf8Path) -> Option<Configuration> {
@@ -39,17 +62,7 @@ impl Loader<'_> {
 
     /// Reads a configuration; a faulty one counts as one that says nothing, and keeps the workspace from loading.
     fn read_configuration(&mut self, path: &Utf8Path) -> Option<ConfigFile> {
-        if self.system.kind(path) != Some(Kind::File) {
-            return None;
-        }
-        let bytes = match self.system.read(path) {
-            Ok(bytes) => bytes,
-            Err(error) => return Some(self.faulty(unreadable(path, &format!("cannot be read: {error}")))),
-        };
-        let Ok(text) = String::from_utf8(bytes) else {
-            return Some(self.faulty(unreadable(path, "is not UTF-8")));
-        };
-        let file = match ConfigFile::parse(path, &text) {
+        let file = match read(self.system, path)? {
             Ok(file) => file,
             Err(error) => return Some(self.faulty(error)),
         };

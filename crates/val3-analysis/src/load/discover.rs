@@ -18,11 +18,7 @@ pub(super) fn manifests(
     let found = match system.kind(path) {
         None => return Err(error(path, "there is no such file or folder")),
         Some(Kind::File) => of_file(system, path)?,
-        Some(Kind::Folder) => {
-            let mut search = Search { system, found: Vec::new(), seen: FxHashSet::default(), unreadable };
-            search.folder(path, 0);
-            search.found
-        }
+        Some(Kind::Folder) => files(system, path, "pjx", unreadable),
     };
     if found.is_empty() {
         let reason = "no VAL 3 application (`.pjx`) lies here or in a folder below; name an application folder, \
@@ -57,11 +53,29 @@ fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, Loa
 }
 
 fn is_manifest(path: &Utf8Path) -> bool {
-    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"))
+    has_extension(path, "pjx")
+}
+
+fn has_extension(path: &Utf8Path, extension: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
+}
+
+/// The files with an extension in `folder` and the folders below, hidden ones aside. Folders that cannot be listed go
+/// into `unreadable`, with the reason.
+pub fn files(
+    system: &dyn System,
+    folder: &Utf8Path,
+    extension: &'static str,
+    unreadable: &mut Vec<(Utf8PathBuf, String)>,
+) -> Vec<Utf8PathBuf> {
+    let mut search = Search { system, extension, found: Vec::new(), seen: FxHashSet::default(), unreadable };
+    search.folder(folder, 0);
+    search.found
 }
 
 struct Search<'s> {
     system: &'s dyn System,
+    extension: &'static str,
     found: Vec<Utf8PathBuf>,
     /// Folders already searched, so that links in a circle end.
     seen: FxHashSet<Utf8PathBuf>,
@@ -79,7 +93,7 @@ impl Search<'_> {
         };
         for name in names.iter().filter(|name| !name.starts_with('.')) {
             let entry = path.join(name);
-            if is_manifest(&entry) && self.system.kind(&entry) == Some(Kind::File) {
+            if has_extension(&entry, self.extension) && self.system.kind(&entry) == Some(Kind::File) {
                 self.found.push(entry);
             } else if may_be_folder(name) && self.system.kind(&entry) == Some(Kind::Folder) {
                 self.folder(&entry, depth + 1);

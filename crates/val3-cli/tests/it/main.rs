@@ -9,6 +9,7 @@ mod configuration;
 mod explain;
 mod faulty_cell;
 mod fixes;
+mod fmt;
 mod formats;
 mod statistics;
 mod support;

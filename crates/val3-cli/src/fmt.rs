@@ -1,0 +1,100 @@
+//! `val3 fmt`: gives the code of programs its layout.
+
+mod program;
+mod search;
+
+use std::io::Read as _;
+use std::process::ExitCode;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rayon::prelude::*;
+use val3_analysis::system::Disk;
+
+use crate::args::{Color, FmtArgs};
+use crate::opening::{current_folder, threads};
+use crate::output::{to_stderr, to_stdout};
+use crate::patch;
+use crate::paths::Paths;
+use crate::user_error::UserError;
+use program::Formatted;
+use search::Found;
+
+/// Runs the command; the exit code says whether something would change.
+pub(crate) fn run(args: &FmtArgs, color: Color) -> Result<ExitCode, UserError> {
+    let current = current_folder()?;
+    let paths = Paths::new(&[], &current);
+    if args.paths.iter().any(|path| path == "-") {
+        return stream(args, color, &current);
+    }
+    if args.stdin_path.is_some() {
+        return Err(UserError::new("--stdin-path says where the program `-` lies, and there is no `-`"));
+    }
+    let found = search::programs(&Disk, &args.paths, &current, &paths)?;
+    let format = || found.par_iter().map(|found| format(found, &paths)).collect::<Result<Vec<_>, _>>();
+    let formatted = threads(None)?.install(format)?;
+    let writes = !args.check && !args.diff;
+    if writes {
+        formatted.iter().try_for_each(Formatted::write)?;
+    }
+    show(args, color, &formatted)?;
+    summarise(&formatted, writes);
+    Ok(exit_code(args, formatted.iter().any(Formatted::changes)))
+}
+
+fn format(found: &Found, paths: &Paths) -> Result<Formatted, UserError> {
+    let shown = paths.shown(&found.path);
+    let bytes =
+        std::fs::read(&found.path).map_err(|error| UserError::new(format!("cannot read `{shown}`: {error}")))?;
+    Ok(Formatted::new(found.path.clone(), shown, bytes, &found.style))
+}
+
+/// One program from the standard input to the standard output.
+fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, UserError> {
+    if args.paths.len() > 1 {
+        return Err(UserError::new("`-` stands for the standard input; it cannot be asked for with other paths"));
+    }
+    let mut bytes = Vec::new();
+    std::io::stdin()
+        .read_to_end(&mut bytes)
+        .map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
+    let path = current.join(args.stdin_path.as_deref().unwrap_or(Utf8Path::new("program.pgx")));
+    let style = search::style(&Disk, &path)?;
+    let shown = args.stdin_path.as_ref().map_or_else(|| "program.pgx".to_owned(), Utf8PathBuf::to_string);
+    let formatted = Formatted::new(path, shown, bytes, &style);
+    if args.check || args.diff {
+        show(args, color, std::slice::from_ref(&formatted))?;
+    } else {
+        let bytes = formatted.bytes()?;
+        to_stdout(Color::Never, |out| out.write_all(&bytes))?;
+    }
+    Ok(exit_code(args, formatted.changes()))
+}
+
+/// What is asked to be shown of the programs that change.
+fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), UserError> {
+    let mut changing = formatted.iter().filter(|program| program.changes());
+    to_stdout(color, |out| {
+        changing.try_for_each(|program| match (args.diff, args.check) {
+            (true, _) => patch::write_diff(&program.shown, &program.before, &program.after, out),
+            (_, true) => writeln!(out, "{}", program.shown),
+            _ => Ok(()),
+        })
+    })
+}
+
+fn summarise(formatted: &[Formatted], written: bool) {
+    for program in formatted.iter().filter(|program| program.left_alone) {
+        to_stderr(|out| writeln!(out, "{}: code that cannot be read keeps its layout; see val3 check", program.shown));
+    }
+    let changed = formatted.iter().filter(|program| program.changes()).count();
+    let verb = if written { "changed" } else { "would change" };
+    to_stderr(|out| writeln!(out, "{changed} of {} {verb}", programs(formatted.len())));
+}
+
+fn programs(count: usize) -> String {
+    if count == 1 { "1 program".to_owned() } else { format!("{count} programs") }
+}
+
+fn exit_code(args: &FmtArgs, changes: bool) -> ExitCode {
+    if changes && (args.check || args.diff) { ExitCode::FAILURE } else { ExitCode::SUCCESS }
+}

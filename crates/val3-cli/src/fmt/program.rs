@@ -1,0 +1,63 @@
+//! One program with its layout.
+
+use camino::Utf8PathBuf;
+use val3_fmt::{Style, apply, format};
+use val3_syntax::encoding::{Encoding, decode};
+
+use crate::fixing::{encoded, unencodable};
+use crate::output::replace_file;
+use crate::user_error::UserError;
+
+/// A program before and after.
+pub(super) struct Formatted {
+    path: Utf8PathBuf,
+    /// The path as people open it.
+    pub(super) shown: String,
+    /// The text as it was read.
+    pub(super) before: String,
+    /// The text with its layout.
+    pub(super) after: String,
+    /// Some of the code cannot be read.
+    pub(super) left_alone: bool,
+    bytes: Vec<u8>,
+    encoding: Encoding,
+}
+
+impl Formatted {
+    /// The layout of the program in `bytes`, in memory.
+    pub(super) fn new(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Self {
+        let decoded = decode(bytes.clone());
+        let parse = val3_syntax::parse(&decoded.text);
+        let after = apply(&decoded.text, &format(&decoded.text, &parse, style));
+        let left_alone = !parse.errors().is_empty();
+        Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding }
+    }
+
+    /// The layout is another than before.
+    pub(super) fn changes(&self) -> bool {
+        self.before != self.after
+    }
+
+    /// The program as the file holds it.
+    ///
+    /// # Errors
+    /// If its encoding cannot be written.
+    pub(super) fn bytes(&self) -> Result<Vec<u8>, UserError> {
+        if !self.changes() {
+            return Ok(self.bytes.clone());
+        }
+        encoded(self.encoding, &self.after).ok_or_else(|| unencodable(&self.shown))
+    }
+
+    /// Replaces the file where it changes.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub(super) fn write(&self) -> Result<(), UserError> {
+        if !self.changes() {
+            return Ok(());
+        }
+        replace_file(&self.path, &self.bytes, &self.bytes()?)
+            .map_err(|reason| UserError::new(format!("cannot write `{}`: {reason}", self.shown)))
+    }
+}

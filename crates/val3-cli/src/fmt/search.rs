@@ -1,0 +1,78 @@
+//! Which programs lie under the paths, and the style of each.
+
+use std::collections::BTreeMap;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::load::{files, nearest_configuration};
+use val3_analysis::system::{Kind, System};
+use val3_config::{ConfigError, ConfigFile, Format};
+use val3_fmt::Style;
+
+use crate::paths::Paths;
+use crate::user_error::UserError;
+
+/// A program to be formatted.
+pub(super) struct Found {
+    pub(super) path: Utf8PathBuf,
+    pub(super) style: Style,
+}
+
+/// The programs under the paths, each once, without those that a `val3.toml` excludes from a search.
+pub(super) fn programs(
+    system: &dyn System,
+    asked: &[Utf8PathBuf],
+    current: &Utf8Path,
+    paths: &Paths,
+) -> Result<Vec<Found>, UserError> {
+    let mut found = BTreeMap::new();
+    for asked in asked {
+        let path = val3_analysis::paths::normalise(&current.join(asked));
+        for program in under(system, &path, paths)? {
+            let file = configuration(system, &program)?;
+            // Who names a program or an excluded folder wants it.
+            let excluded = |file: &ConfigFile| program != path && file.excludes(&program) && !file.excludes(&path);
+            if !file.as_ref().is_some_and(excluded) {
+                found.insert(program.clone(), style_in(system, file.as_ref(), &program));
+            }
+        }
+    }
+    Ok(found.into_iter().map(|(path, style)| Found { path, style }).collect())
+}
+
+fn under(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8PathBuf>, UserError> {
+    let refused = |reason: &str| UserError::new(format!("`{}`: {reason}", paths.shown(path)));
+    let is = |extension: &str| path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension));
+    match system.kind(path) {
+        None => Err(refused("there is no such file or folder")),
+        Some(Kind::File) if is("pgx") => Ok(vec![path.to_owned()]),
+        Some(Kind::File) if is("pjx") => folder(system, path.parent().unwrap_or(path), paths),
+        Some(Kind::File) => Err(refused("this is no VAL 3 program; give a `.pgx`, or a folder that holds some")),
+        Some(Kind::Folder) => folder(system, path, paths),
+    }
+}
+
+fn folder(system: &dyn System, path: &Utf8Path, paths: &Paths) -> Result<Vec<Utf8PathBuf>, UserError> {
+    let mut unreadable = Vec::new();
+    let found = files(system, path, "pgx", &mut unreadable);
+    match unreadable.first() {
+        Some((folder, reason)) => {
+            Err(UserError::new(format!("the folder `{}` cannot be read: {reason}", paths.shown(folder))))
+        }
+        None => Ok(found),
+    }
+}
+
+/// The style of the program at `path`.
+pub(super) fn style(system: &dyn System, path: &Utf8Path) -> Result<Style, UserError> {
+    Ok(style_in(system, configuration(system, path)?.as_ref(), path))
+}
+
+fn style_in(system: &dyn System, file: Option<&ConfigFile>, path: &Utf8Path) -> Style {
+    let default = Format::default();
+    val3_ide::style(system, file.map_or(&default, |file| &file.config.format), path)
+}
+
+fn configuration(system: &dyn System, program: &Utf8Path) -> Result<Option<ConfigFile>, UserError> {
+    let folder = program.parent().unwrap_or(program);
+    nearest_configuration(system, folder).map_err(|error: ConfigError| UserError::new(error.to_string()))
+}

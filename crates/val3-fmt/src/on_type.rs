@@ -1,0 +1,213 @@
+//! Layout while somebody types.
+//!
+//! The program is seldom whole at that moment, so a line is placed by the lines above it alone, as they stand.
+
+use rowan::{TextRange, TextSize};
+use val3_syntax::Parse;
+use val3_syntax::SyntaxKind::{self, *};
+
+use crate::pieces::{self, Piece};
+use crate::{Edit, Style, spacing};
+
+/// The characters after which [`on_type`] has something to say: the line end, and the last letters of the words that
+/// end a block or a part of one.
+pub const TRIGGERS: [char; 7] = ['\n', 'e', 'f', 'h', 'k', 'l', 'r'];
+
+/// The edits after `typed` was put in before `offset`. After a line end, the line above gets its layout and the new
+/// line its indentation; after the last letter of a word such as `endIf`, the line that is this word gets its own.
+pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed: char) -> Vec<Edit> {
+    let codes = pieces::codes(parse, text);
+    let Some(pieces) = codes.iter().find(|pieces| contains(pieces, offset)) else { return Vec::new() };
+    let lines = lines(text, pieces);
+    let Some(index) = lines.iter().rposition(|line| line.start <= offset) else { return Vec::new() };
+    match typed {
+        '\n' => after_line_end(text, &lines, index, style),
+        _ => after_letter(text, &lines, index, style, offset),
+    }
+}
+
+/// A line of code.
+#[derive(Debug)]
+struct Line<'p, 't> {
+    start: TextSize,
+    /// The blanks it starts with; none where the XML before the code stands on it.
+    indent: &'t str,
+    /// Its tokens; none in a blank line.
+    pieces: &'p [Piece<'t>],
+}
+
+impl Line<'_, '_> {
+    /// The token it starts with.
+    fn first(&self) -> Option<SyntaxKind> {
+        self.code().map(|piece| piece.kind)
+    }
+
+    fn code(&self) -> Option<&Piece<'_>> {
+        self.pieces.iter().find(|piece| piece.kind != CDATA_OPEN)
+    }
+
+    fn starts_in_xml(&self) -> bool {
+        self.pieces.first().is_some_and(|piece| piece.kind == CDATA_OPEN)
+    }
+}
+
+fn contains(pieces: &[Piece<'_>], offset: TextSize) -> bool {
+    match (pieces.first(), pieces.last()) {
+        (Some(first), Some(last)) => first.range.end() <= offset && offset <= last.range.end(),
+        _ => false,
+    }
+}
+
+/// The lines from the first piece to the last.
+fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<Line<'p, 't>> {
+    let mut lines = Vec::new();
+    let mut rest = pieces;
+    let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return lines };
+    let before = text.get(..usize::from(first.range.start())).unwrap_or("");
+    let mut start = before.rfind('\n').map_or(0, |at| at + 1);
+    while start <= usize::from(last.range.end()) {
+        let line = text.get(start..).and_then(|rest| rest.split_inclusive('\n').next()).unwrap_or("");
+        let end = start + line.len();
+        let own = rest.partition_point(|piece| usize::from(piece.range.start()) < end);
+        let (pieces, others) = rest.split_at(own);
+        let blanks = line.len() - line.trim_start_matches([' ', '\t']).len();
+        let indent = line.get(..blanks).filter(|_| is_first(pieces, start + blanks)).unwrap_or("");
+        lines.push(Line { start: TextSize::try_from(start).unwrap_or_default(), indent, pieces });
+        if line.is_empty() {
+            break;
+        }
+        (start, rest) = (end, others);
+    }
+    lines
+}
+
+/// Nothing but blanks stands before the first piece of a line.
+fn is_first(pieces: &[Piece<'_>], at: usize) -> bool {
+    pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
+}
+
+fn after_line_end(text: &str, lines: &[Line<'_, '_>], index: usize, style: &Style) -> Vec<Edit> {
+    let Some(line) = lines.get(index) else { return Vec::new() };
+    let Some(above) = index.checked_sub(1) else { return Vec::new() };
+    let mut edits = Vec::new();
+    let closed = lines.get(above).filter(|line| line.code().is_some());
+    let moved = closed.filter(|line| line.first().is_some_and(|kind| opener(kind).is_some()));
+    let indent = moved.map(|_| indentation(lines, above, style));
+    edits.extend(moved.zip(indent.as_deref()).and_then(|(line, indent)| indented(text, line, indent)));
+    edits.extend(closed.into_iter().flat_map(|line| within(text, line, style)));
+    // The line above may just have moved.
+    let own = match indent.filter(|_| line.first().and_then(opener).is_none()) {
+        Some(moved) => below(lines.get(above), &moved, style),
+        None => indentation(lines, index, style),
+    };
+    edits.extend(indented(text, line, &own));
+    edits
+}
+
+fn after_letter(text: &str, lines: &[Line<'_, '_>], index: usize, style: &Style, offset: TextSize) -> Vec<Edit> {
+    let Some(line) = lines.get(index) else { return Vec::new() };
+    let Some(word) = line.code().filter(|word| word.range.end() == offset && opener(word.kind).is_some()) else {
+        return Vec::new();
+    };
+    // The word `end` is also the start of others: it waits for its line end.
+    if line.pieces.len() > 1 || word.kind == END_KW {
+        return Vec::new();
+    }
+    let indent = indented(text, line, &indentation(lines, index, style));
+    indent.into_iter().chain(spacing::keyword(word)).collect()
+}
+
+/// Blanks and keywords within a line.
+fn within(text: &str, line: &Line<'_, '_>, style: &Style) -> Vec<Edit> {
+    let pairs = line.pieces.iter().zip(line.pieces.iter().skip(1));
+    let gaps = pairs.filter_map(|(before, after)| spacing::gap(before, after, None, text, style));
+    let mut edits: Vec<Edit> = gaps.chain(line.pieces.iter().filter_map(spacing::keyword)).collect();
+    edits.sort_by_key(|edit| edit.range.start());
+    edits
+}
+
+/// Gives a line these blanks to start with.
+fn indented(text: &str, line: &Line<'_, '_>, indent: &str) -> Option<Edit> {
+    if line.starts_in_xml() {
+        return None;
+    }
+    let rest = text.get(usize::from(line.start)..)?;
+    let found = rest.get(..rest.len() - rest.trim_start_matches([' ', '\t']).len())?;
+    let range = TextRange::at(line.start, TextSize::of(found));
+    (found != indent).then(|| Edit { range, text: indent.to_owned() })
+}
+
+/// The blanks that a line should start with, as the lines above it stand.
+fn indentation(lines: &[Line<'_, '_>], index: usize, style: &Style) -> String {
+    let above = lines.get(..index).unwrap_or_default();
+    let first = lines.get(index).and_then(Line::first);
+    if let Some((words, deeper)) = first.and_then(opener)
+        && let Some(line) = opening(above, first, words)
+    {
+        return line.indent.to_owned() + &style.indent.text(deeper);
+    }
+    let before = above.iter().rfind(|line| line.first().is_some_and(|kind| kind != COMMENT));
+    below(before, before.map_or("", |line| line.indent), style)
+}
+
+/// The blanks of a line below one that starts with `indent`.
+fn below(line: Option<&Line<'_, '_>>, indent: &str, style: &Style) -> String {
+    let deeper = line.and_then(Line::first).is_some_and(opens);
+    indent.to_owned() + &style.indent.text(usize::from(deeper))
+}
+
+/// The line with the word that the block of `closer` begins with.
+fn opening<'l, 'p, 't>(
+    above: &'l [Line<'p, 't>],
+    closer: Option<SyntaxKind>,
+    words: &[SyntaxKind],
+) -> Option<&'l Line<'p, 't>> {
+    let end = closer.and_then(end_of);
+    let mut inner = 0usize;
+    above.iter().rev().find(|line| match line.first() {
+        Some(first) if Some(first) == end => {
+            inner += 1;
+            false
+        }
+        Some(first) if words.contains(&first) => match inner.checked_sub(1) {
+            Some(less) => {
+                inner = less;
+                false
+            }
+            None => true,
+        },
+        _ => false,
+    })
+}
+
+/// The words that the block or part ended by a word begins with, and how much deeper than they the word stands.
+fn opener(kind: SyntaxKind) -> Option<(&'static [SyntaxKind], usize)> {
+    Some(match kind {
+        END_KW => (&[BEGIN_KW], 0),
+        ELSE_KW | ELSE_IF_KW | END_IF_KW => (&[IF_KW], 0),
+        END_WHILE_KW => (&[WHILE_KW], 0),
+        UNTIL_KW => (&[DO_KW], 0),
+        END_FOR_KW => (&[FOR_KW], 0),
+        END_SWITCH_KW => (&[SWITCH_KW], 0),
+        CASE_KW | DEFAULT_KW => (&[SWITCH_KW], 1),
+        BREAK_KW => (&[CASE_KW, DEFAULT_KW], 0),
+        _ => return None,
+    })
+}
+
+/// The word that ends the whole block of which `kind` ends a part.
+fn end_of(kind: SyntaxKind) -> Option<SyntaxKind> {
+    Some(match kind {
+        ELSE_KW | ELSE_IF_KW | END_IF_KW => END_IF_KW,
+        CASE_KW | DEFAULT_KW | END_SWITCH_KW => END_SWITCH_KW,
+        other => other,
+    })
+}
+
+/// What follows a line that starts with this word is one level deeper.
+fn opens(kind: SyntaxKind) -> bool {
+    matches!(
+        kind,
+        BEGIN_KW | IF_KW | ELSE_IF_KW | ELSE_KW | WHILE_KW | DO_KW | FOR_KW | SWITCH_KW | CASE_KW | DEFAULT_KW
+    )
+}

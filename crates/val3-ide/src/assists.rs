@@ -1,0 +1,144 @@
+//! Code actions: what a person may want done at a place, offered where it can be done. One a file.
+
+mod context;
+mod create_global;
+mod create_local;
+mod create_parameter;
+mod create_program;
+mod expected;
+mod extract_program;
+mod fixes;
+mod if_to_switch;
+mod inline_program;
+mod lines;
+mod missing_items;
+mod name_number;
+mod sort_programs;
+mod surround;
+mod switch_to_if;
+mod toggle_access;
+mod wait_for_arm;
+
+#[cfg(test)]
+mod testing;
+#[cfg(test)]
+pub(crate) use testing::shown;
+
+use val3_analysis::db::Db;
+
+use crate::FileRange;
+use crate::edit::SourceChange;
+use context::Context;
+
+pub use fixes::{QuickFix, fix_all, quick_fixes};
+
+/// What sort of thing an assist does; editors group by it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum AssistKind {
+    /// It mends a finding.
+    QuickFix,
+    /// It takes something out into a thing of its own.
+    Extract,
+    /// It puts something in where it is used.
+    Inline,
+    /// It writes something otherwise.
+    Rewrite,
+    /// It puts a list in order.
+    Organise,
+}
+
+/// Something that can be done.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Assist {
+    /// Which one, for [`resolve_assist`].
+    pub id: &'static str,
+    /// What sort.
+    pub kind: AssistKind,
+    /// What it does, as an order.
+    pub title: String,
+    /// Assists with the same words here are shown as one with choices.
+    pub group: Option<&'static str>,
+}
+
+/// Offers its assists for a place. What each changes is computed only when it is asked for.
+type Handler = fn(&Context<'_>, &mut Assists<'_>) -> Option<()>;
+
+/// Every assist, those first that mend something.
+const HANDLERS: &[Handler] = &[
+    create_local::offer,
+    create_parameter::offer,
+    create_global::offer,
+    create_program::offer,
+    missing_items::offer,
+    wait_for_arm::offer,
+    name_number::offer,
+    extract_program::offer,
+    inline_program::offer,
+    if_to_switch::offer,
+    switch_to_if::offer,
+    surround::offer,
+    toggle_access::offer,
+    sort_programs::offer,
+];
+
+/// What is collected: all offers, or the change of one.
+pub(crate) struct Assists<'a> {
+    only: Option<&'a [AssistKind]>,
+    wanted: Option<&'a str>,
+    found: Vec<Assist>,
+    change: Option<SourceChange>,
+}
+
+impl Assists<'_> {
+    /// Offers an assist.
+    pub(crate) fn add(
+        &mut self,
+        id: &'static str,
+        kind: AssistKind,
+        title: impl Into<String>,
+        change: impl FnOnce() -> Option<SourceChange>,
+    ) {
+        self.add_in(None, id, kind, title, change);
+    }
+
+    /// Offers an assist as one of a group.
+    pub(crate) fn add_in(
+        &mut self,
+        group: Option<&'static str>,
+        id: &'static str,
+        kind: AssistKind,
+        title: impl Into<String>,
+        change: impl FnOnce() -> Option<SourceChange>,
+    ) {
+        match self.wanted {
+            Some(wanted) if wanted == id && self.change.is_none() => self.change = change(),
+            Some(_) => {}
+            None if self.only.is_none_or(|only| only.contains(&kind)) => {
+                self.found.push(Assist { id, kind, title: title.into(), group });
+            }
+            None => {}
+        }
+    }
+}
+
+/// What can be done at a place: at the cursor if the range is empty, else with what is selected. `only` leaves out
+/// other kinds.
+pub fn assists(db: &dyn Db, at: FileRange, only: Option<&[AssistKind]>) -> Vec<Assist> {
+    collect(db, at, Assists { only, wanted: None, found: Vec::new(), change: None }).found
+}
+
+/// What an assist of this place changes; `None` if it is not offered there, or cannot be done after all.
+pub fn resolve_assist(db: &dyn Db, id: &str, at: FileRange) -> Option<SourceChange> {
+    let found = collect(db, at, Assists { only: None, wanted: Some(id), found: Vec::new(), change: None });
+    Some(found.change?.sorted(db))
+}
+
+fn collect<'a>(db: &dyn Db, at: FileRange, mut found: Assists<'a>) -> Assists<'a> {
+    if let Some(context) = Context::new(db, at) {
+        for handler in HANDLERS {
+            // A handler that ends early has nothing more to offer.
+            let _ = handler(&context, &mut found);
+        }
+    }
+    found
+}

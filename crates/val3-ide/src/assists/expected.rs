@@ -1,0 +1,236 @@
+//! What an unknown name would have to be, as the place where it stands tells.
+
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
+use val3_analysis::db::Db;
+use val3_analysis::infer::Inference;
+use val3_analysis::items::project::{items, signature};
+use val3_analysis::ty::{Base, Ty};
+use val3_lang::instructions;
+use val3_lang::operators::{BinaryOp, UnaryOp};
+use val3_lang::types::{Arm, BaseType, Container, fields};
+use val3_syntax::SyntaxKind;
+
+use super::context::Context;
+use crate::declare::Variable;
+
+/// A name in the code that stands for nothing.
+pub(super) struct Unknown {
+    pub(super) name: SmolStr,
+    /// What it would have to be.
+    variable: Ty,
+}
+
+/// The unknown variable at the place.
+pub(super) fn unknown(context: &Context<'_>) -> Option<Unknown> {
+    let token = context.token().filter(|token| token.kind() == SyntaxKind::IDENT)?;
+    let range = token.text_range();
+    let id = context.expr_at(range)?;
+    let Expr::Name(name) = context.body().expr(id) else { return None };
+    let known = context.header().locals.iter().any(|local| local.name == *name)
+        || context.header().params.iter().any(|param| param.name == *name)
+        || context.items().data.contains_key(name)
+        || val3_lang::builtins::find(name).is_some()
+        || val3_lang::enumerations::find(name).is_some();
+    if known || is_called(context.body(), id) {
+        return None;
+    }
+    let place = Place { context, body: context.body(), inference: context.inference() };
+    let ty = match (place.expected(id), by_prefix(context, name)) {
+        (Some(expected), Some(named)) if stands_in(expected.base, named.base) => Ty { base: named.base, ..expected },
+        (expected, named) => expected.or(named).unwrap_or(Ty::of(BaseType::Num)),
+    };
+    Some(Unknown { name: name.clone(), variable: ty })
+}
+
+/// Where one type is expected, the other is taken as well.
+fn stands_in(expected: Base, named: Base) -> bool {
+    use BaseType::{Aio, Bool, Dio, Joint, Num, Point};
+    matches!(
+        (expected.builtin(), named.builtin()),
+        (Some(Bool), Some(Dio)) | (Some(Num), Some(Aio)) | (Some(Joint), Some(Point)) | (Some(Point), Some(Joint))
+    )
+}
+
+/// The name stands before brackets with arguments: an instruction or a program.
+pub(super) fn is_called(body: &Body, id: ExprId) -> bool {
+    body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Call(callee, _) if *callee == id))
+}
+
+impl Unknown {
+    /// Its declaration. Positions of data are bound to an arm.
+    pub(super) fn variable(&self, context: &Context<'_>, bound: bool) -> Variable {
+        let sizes = match self.variable.container {
+            Container::Array { dims } => vec![1; usize::from(dims.max(1))],
+            _ => vec![1],
+        };
+        let type_name = type_name(context, self.variable.base, bound);
+        let container = match self.variable.container {
+            Container::Element => Container::Array { dims: 1 },
+            other => other,
+        };
+        Variable { name: self.name.to_string(), type_name, container, sizes }
+    }
+
+    /// It would have to be an input, an output or a serial line.
+    pub(super) fn is_linkable(&self) -> bool {
+        self.variable.base.builtin().is_some_and(BaseType::is_linkable)
+    }
+
+    /// The type as it is called in a title.
+    pub(super) fn shown(&self, db: &dyn Db) -> SmolStr {
+        Ty::element(self.variable.base).display(db)
+    }
+}
+
+/// A type as files of the project write it; `bound` where it has to name the arm.
+pub(super) fn type_name(context: &Context<'_>, base: Base, bound: bool) -> String {
+    let arm = context.items().arm.unwrap_or(Arm::SixAxis);
+    match base {
+        Base::Builtin(ty, own) if ty.depends_on_arm() && (bound || own.is_some()) => ty.file_name(own.unwrap_or(arm)),
+        Base::User(project) => {
+            let mut names = context.items().types.iter().filter(|(_, found)| **found == Some(project));
+            names.next().map_or_else(|| base.display(context.db).to_string(), |(name, _)| name.to_string())
+        }
+        other => other.display(context.db).to_string(),
+    }
+}
+
+/// The type that the project's convention gives to names that begin so.
+fn by_prefix(context: &Context<'_>, name: &str) -> Option<Ty> {
+    let options = context.options();
+    let own = [&options.local_prefix, &options.parameter_prefix];
+    let name =
+        own.iter().find_map(|prefix| name.strip_prefix(prefix.as_str()).filter(|_| !prefix.is_empty())).unwrap_or(name);
+    let fits = |prefix: &str| {
+        name.strip_prefix(prefix).is_some_and(|rest| rest.starts_with(|letter: char| !letter.is_ascii_lowercase()))
+    };
+    let known = options.prefixes.iter().filter(|(_, prefix)| fits(prefix));
+    let (ty, _) = known.max_by_key(|(_, prefix)| prefix.len())?;
+    val3_analysis::items::project::resolve_type(&context.items().types, ty).map(Ty::element)
+}
+
+struct Place<'c, 'db> {
+    context: &'c Context<'db>,
+    body: &'db Body,
+    inference: &'db Inference,
+}
+
+impl Place<'_, '_> {
+    /// The type that `id` would have to be of; `None` where nothing tells.
+    fn expected(&self, id: ExprId) -> Option<Ty> {
+        let parent = self.body.exprs().find(|(_, expr, _)| holds(expr, id));
+        match parent {
+            Some((parent, expr, _)) => self.in_expr(id, parent, expr),
+            None => self.body.stmts().into_iter().find_map(|stmt| self.in_stmt(id, &stmt.kind)),
+        }
+    }
+
+    fn known(&self, id: ExprId) -> Option<Ty> {
+        let ty = self.inference.ty(id);
+        (!ty.is_unknown()).then(|| Ty::element(ty.base))
+    }
+
+    fn in_expr(&self, id: ExprId, parent: ExprId, expr: &Expr) -> Option<Ty> {
+        match expr {
+            Expr::Paren(_) => self.expected(parent),
+            Expr::Unary(UnaryOp::Not, _) => Some(Ty::of(BaseType::Bool)),
+            Expr::Unary(..) => Some(Ty::of(BaseType::Num)),
+            Expr::Binary(BinaryOp::And | BinaryOp::Or | BinaryOp::Xor, ..) => Some(Ty::of(BaseType::Bool)),
+            Expr::Binary(_, left, right) => self.known(if *left == id { *right } else { *left }),
+            Expr::Assign(target, value) => self.known(if *target == id { *value } else { *target }),
+            Expr::Index(base, indexes) if *base == id => self.indexed(parent, indexes),
+            Expr::Index(base, _) => Some(Ty::of(match self.inference.ty(*base).container {
+                Container::Collection => BaseType::String,
+                _ => BaseType::Num,
+            })),
+            Expr::Field { field, .. } => with_field(field),
+            Expr::Call(callee, arguments) => {
+                let position = arguments.iter().position(|argument| *argument == id)?;
+                self.argument(parent, *callee, arguments, position)
+            }
+            _ => None,
+        }
+    }
+
+    /// What stands before brackets is an array, or a collection where a text stands in them.
+    fn indexed(&self, whole: ExprId, indexes: &[ExprId]) -> Option<Ty> {
+        let element = self.expected(whole).unwrap_or(Ty::of(BaseType::Num));
+        let text = indexes.first().is_some_and(|index| self.known(*index) == Some(Ty::of(BaseType::String)));
+        let dims = u8::try_from(indexes.len()).ok()?;
+        let container = if text { Container::Collection } else { Container::Array { dims } };
+        Some(Ty { base: element.base, container })
+    }
+
+    fn argument(&self, call: ExprId, callee: ExprId, arguments: &[ExprId], position: usize) -> Option<Ty> {
+        if let Some(param) = self.program(callee).and_then(|signature| signature.params.get(position)) {
+            return Some(Ty { base: param.base, container: param.container });
+        }
+        let name = match self.body.expr(callee) {
+            Expr::Name(name) => name,
+            Expr::Path { item, .. } => item,
+            _ => return None,
+        };
+        let forms = instructions::find(name)?.overloads.iter().filter(|form| form.params.len() == arguments.len());
+        let fits = |position: usize, ty: Option<BaseType>| {
+            let found =
+                arguments.get(position).and_then(|argument| self.known(*argument)).and_then(|ty| ty.base.builtin());
+            ty.is_none() || found.is_none() || found == ty
+        };
+        let mut suitable = forms.filter(|form| form.params.iter().enumerate().all(|(at, param)| fits(at, param.ty)));
+        let own = self.inference.call(call).and_then(|call| call.form);
+        own.or_else(|| suitable.next())?.params.get(position)?.ty.map(Ty::of)
+    }
+
+    fn program(&self, callee: ExprId) -> Option<&val3_analysis::items::project::Signature> {
+        let context = self.context;
+        let (project, name) = match self.body.expr(callee) {
+            Expr::Name(name) => (context.project, name),
+            Expr::Path { library, item } => (context.items().libraries.get(library)?.interface?, item),
+            _ => return None,
+        };
+        Some(signature(context.db, project, *items(context.db, project).programs.get(name)?))
+    }
+
+    fn in_stmt(&self, id: ExprId, stmt: &StmtKind) -> Option<Ty> {
+        match stmt {
+            StmtKind::If { arms, .. } => {
+                arms.iter().any(|(condition, _)| *condition == Some(id)).then_some(Ty::of(BaseType::Bool))
+            }
+            StmtKind::While { condition, .. } | StmtKind::Do { condition, .. } => {
+                (*condition == Some(id)).then_some(Ty::of(BaseType::Bool))
+            }
+            StmtKind::For { counter, start, stop, step, .. } => {
+                [counter, start, stop, step].contains(&&Some(id)).then_some(Ty::of(BaseType::Num))
+            }
+            StmtKind::Switch { selector, cases } => {
+                let values = || cases.iter().flat_map(|(values, _)| values);
+                if *selector == Some(id) {
+                    return values().find_map(|value| self.known(*value));
+                }
+                values().find(|value| **value == id).and_then(|_| self.known((*selector)?))
+            }
+            StmtKind::Assign { target, value } if *target == id => self.known(*value),
+            StmtKind::Assign { target, value } if *value == id => self.known(*target),
+            _ => None,
+        }
+    }
+}
+
+/// `expr` has `id` directly in it.
+fn holds(expr: &Expr, id: ExprId) -> bool {
+    match expr {
+        Expr::Paren(inner) | Expr::Unary(_, inner) | Expr::Field { base: inner, .. } => *inner == id,
+        Expr::Binary(_, left, right) | Expr::Assign(left, right) => *left == id || *right == id,
+        Expr::Index(base, parts) | Expr::Call(base, parts) => *base == id || parts.contains(&id),
+        Expr::Struct(parts) => parts.contains(&Some(id)),
+        _ => false,
+    }
+}
+
+/// The first of the types that programs declare most, and that has such a field.
+fn with_field(name: &str) -> Option<Ty> {
+    let types = [BaseType::Point, BaseType::Trsf, BaseType::Joint, BaseType::Mdesc, BaseType::Config, BaseType::Frame];
+    let arm = Some(Arm::SixAxis);
+    types.into_iter().find(|ty| fields(*ty, arm).iter().any(|field| field.name == name)).map(Ty::of)
+}

@@ -1,0 +1,200 @@
+//! Turns a chain of `if` that compares one value into a `switch`.
+
+use val3_syntax::ast::{AstNode, BinExpr, Block, Expr, IfStmt};
+use val3_syntax::{SyntaxKind, TextRange};
+
+use super::context::Context;
+use super::lines::relaid;
+use super::switch_to_if::is_pure;
+use super::{AssistKind, Assists};
+use crate::edit::SourceChange;
+
+pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
+    let chain = context.node::<IfStmt>().filter(|chain| is_at_head(context, chain))?;
+    chain.end_if_token()?;
+    let mut arms = vec![(chain.condition()?, chain.block()?)];
+    for clause in chain.else_if_clauses() {
+        arms.push((clause.condition()?, clause.block()?));
+    }
+    let mut selector = None;
+    let mut cases = Vec::new();
+    for (condition, block) in arms {
+        let mut values = Vec::new();
+        compared(context, condition, &mut selector, &mut values)?;
+        cases.push((values, block));
+    }
+    let selector = selector.filter(|selector: &Expr| is_pure(selector) && is_comparable(context, selector))?;
+    let otherwise = match chain.else_clause() {
+        Some(clause) => Some(clause.block()?),
+        None => None,
+    };
+    assists.add("if-to-switch", AssistKind::Rewrite, "Replace `if` with `switch`", || {
+        let text = written(context, &chain, &selector, &cases, otherwise.as_ref());
+        Some(SourceChange::of([context.replace(chain.syntax().text_range(), text)]))
+    });
+    Some(())
+}
+
+/// The cursor is on a line with a word of the chain itself, not deep in one of its blocks.
+fn is_at_head(context: &Context<'_>, chain: &IfStmt) -> bool {
+    let inside = |block: Option<Block>| {
+        block.is_some_and(|block| {
+            let mut stmts = block.stmts();
+            stmts.any(|stmt| stmt.syntax().text_range().contains_range(context.range))
+        })
+    };
+    let clauses = chain.else_if_clauses().map(|clause| clause.block());
+    ![chain.block(), chain.else_clause().and_then(|clause| clause.block())].into_iter().chain(clauses).any(inside)
+}
+
+/// Collects the constants that one value is compared with; `None` where the condition is anything else.
+fn compared(
+    context: &Context<'_>,
+    condition: Expr,
+    selector: &mut Option<Expr>,
+    values: &mut Vec<TextRange>,
+) -> Option<()> {
+    match condition {
+        Expr::ParenExpr(inner) => compared(context, inner.expr()?, selector, values),
+        Expr::BinExpr(or) if or.op_token()?.kind() == SyntaxKind::OR_KW => {
+            compared(context, or.lhs()?, selector, values)?;
+            compared(context, or.rhs()?, selector, values)
+        }
+        Expr::BinExpr(equal) if equal.op_token()?.kind() == SyntaxKind::EQ2 => {
+            let (value, constant) = sides(&equal)?;
+            let text = |expr: &Expr| context.slice(expr.syntax().text_range()).replace([' ', '\t'], "");
+            let same = selector.as_ref().is_none_or(|known| text(known) == text(&value));
+            if !same {
+                return None;
+            }
+            values.push(constant.syntax().text_range());
+            *selector = Some(value);
+            Some(())
+        }
+        _ => None,
+    }
+}
+
+/// `switch` takes no inputs, outputs or serial lines, and no user types (2.2.5).
+fn is_comparable(context: &Context<'_>, selector: &Expr) -> bool {
+    let id = context.expr_at(selector.syntax().text_range());
+    let ty = id.and_then(|id| context.inference().ty(id).base.builtin());
+    ty.is_some_and(|ty| !ty.is_linkable())
+}
+
+/// The value and the constant of a comparison.
+fn sides(equal: &BinExpr) -> Option<(Expr, Expr)> {
+    let (left, right) = (equal.lhs()?, equal.rhs()?);
+    match (is_constant(&left), is_constant(&right)) {
+        (false, true) => Some((left, right)),
+        (true, false) => Some((right, left)),
+        _ => None,
+    }
+}
+
+fn is_constant(expr: &Expr) -> bool {
+    match expr {
+        Expr::Literal(_) => true,
+        Expr::PrefixExpr(minus) => matches!(minus.expr(), Some(Expr::Literal(_))),
+        _ => false,
+    }
+}
+
+fn written(
+    context: &Context<'_>,
+    chain: &IfStmt,
+    selector: &Expr,
+    cases: &[(Vec<TextRange>, Block)],
+    otherwise: Option<&Block>,
+) -> String {
+    let outer = context.indentation(chain.syntax().text_range().start());
+    let (line_end, level) = (context.line_end(), context.level());
+    let mut text = format!("switch {}", context.slice(selector.syntax().text_range()));
+    let mut part = |head: String, block: &Block| {
+        let inner = relaid(context, block, &format!("{outer}{level}{level}"));
+        text += &format!("{line_end}{outer}{level}{head}{inner}{line_end}{outer}{level}break");
+    };
+    for (values, block) in cases {
+        let values: Vec<&str> = values.iter().map(|range| context.slice(*range)).collect();
+        part(format!("case {}", values.join(",")), block);
+    }
+    if let Some(block) = otherwise {
+        part("default".to_owned(), block);
+    }
+    text + &format!("{line_end}{outer}endSwitch")
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use crate::assists::testing::{check, offered};
+
+    const ID: &str = "if-to-switch";
+
+    #[test]
+    fn a_chain() {
+        check(
+            ID,
+            "num nA[2]\n  i$0f nA[0]==1\n    // one\n    nA[1]=1\n  elseIf nA[ 0 ]==2 or (-3==nA[0])\n    if true\n\n      nA[1]=2\n    endIf\n  else\n    // other\n  endIf\n  nA=0",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -  if nA[0]==1
+                -    // one
+                -    nA[1]=1
+                -  elseIf nA[ 0 ]==2 or (-3==nA[0])
+                -    if true
+                -
+                -      nA[1]=2
+                -    endIf
+                -  else
+                -    // other
+                -  endIf
+                +  switch nA[0]
+                +    case 1
+                +      // one
+                +      nA[1]=1
+                +    break
+                +    case 2,-3
+                +      if true
+                +
+                +        nA[1]=2
+                +      endIf
+                +    break
+                +    default
+                +      // other
+                +    break
+                +  endSwitch
+            "#]],
+        );
+        check(
+            ID,
+            "string sA\nif$0 sA==\"a\"\nendIf",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -if sA=="a"
+            -endIf
+            +switch sA
+            +  case "a"
+            +  break
+            +endSwitch
+        "#]],
+        );
+    }
+
+    #[test]
+    fn no_chain_of_comparisons() {
+        for listing in [
+            "num nA\ni$0f nA==1\nelseIf nA<2\nendIf",
+            "num nA\ni$0f nA==1 and nA==2\nendIf",
+            "num nA\nnum nB\ni$0f nA==1\nelseIf nB==2\nendIf",
+            "num nA\ni$0f nA==nA\nendIf",
+            "i$0f get()==1\nelseIf get()==2\nendIf",
+            "num nA\nif nA==1\n  nA=$02\nendIf",
+            "aio aiA\ni$0f aiA==1\nendIf",
+            "num nA\ni$0f nA==1\n  nA=2\n",
+        ] {
+            assert_eq!(offered(listing, ID), None, "{listing}");
+        }
+    }
+}

@@ -1,0 +1,267 @@
+//! Puts the code of a program where it is called.
+
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
+use val3_analysis::db::File;
+use val3_analysis::effects::{AccessKind, Effects, Root};
+use val3_analysis::items::program::{Header, header};
+use val3_lang::types::Container;
+use val3_syntax::ast::{AstNode as _, CallStmt, Code};
+use val3_syntax::{TextRange, TextSize};
+
+use super::context::Context;
+use super::lines::{dedented, plain_with, with_comments};
+use super::{AssistKind, Assists};
+use crate::declare::{self, Variable, free};
+use crate::edit::SourceChange;
+use crate::xml_list::whole_line;
+
+pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
+    let call = context.node::<CallStmt>()?;
+    let range = call.syntax().text_range();
+    let id = context.expr_at(call.call_expr()?.syntax().text_range())?;
+    let Expr::Call(callee, arguments) = context.body().expr(id) else { return None };
+    let Expr::Name(name) = context.body().expr(*callee) else { return None };
+    let file = *context.items().programs.get(name)?;
+    let inlined = Inlined { context, file, body: body(context.db, file), header: header(context.db, file) };
+    let names = inlined.names(range, arguments)?;
+    assists.add("inline-program", AssistKind::Inline, format!("Inline program `{name}`"), || {
+        inlined.change(range, &names)
+    });
+    Some(())
+}
+
+/// The program that is put in.
+struct Inlined<'c, 'db> {
+    context: &'c Context<'db>,
+    file: File,
+    body: &'db Body,
+    header: &'db Header,
+}
+
+/// What a name of the inlined program becomes, in plain characters.
+struct NewName {
+    old: SmolStr,
+    new: String,
+    /// It has to be declared where it comes to stand.
+    local: Option<Variable>,
+}
+
+impl Inlined<'_, '_> {
+    /// What parameters and locals become; `None` where the code would not do the same.
+    fn names(&self, call: TextRange, arguments: &[ExprId]) -> Option<Vec<NewName>> {
+        let is_self = self.file == self.context.file;
+        let plain = |kind: &StmtKind| !matches!(kind, StmtKind::Return | StmtKind::Error);
+        if is_self || !self.header.complete || arguments.len() != self.header.params.len() {
+            return None;
+        }
+        if !self.body.stmts().iter().all(|stmt| plain(&stmt.kind)) || self.hides_globals() {
+            return None;
+        }
+        // A local starts anew with each call, and would keep its value in a loop.
+        if !self.header.locals.is_empty() && self.is_repeated(call) {
+            return None;
+        }
+        let params = self.header.params.iter().zip(arguments);
+        let mut names: Vec<NewName> = params
+            .map(|(param, argument)| {
+                let new = self.argument(&param.name, param.by_reference, *argument)?;
+                Some(NewName { old: param.name.clone(), new, local: None })
+            })
+            .collect::<Option<_>>()?;
+        for local in &self.header.locals {
+            let taken = |name: &str| {
+                let again = names.iter().any(|other| other.local.is_some() && other.new.eq_ignore_ascii_case(name));
+                again || self.context.is_taken(name)
+            };
+            let new = free(&local.name, taken);
+            let variable = Variable {
+                name: new.clone(),
+                type_name: local.type_name.to_string(),
+                container: Container::Array { dims: 1 },
+                sizes: local.sizes.clone(),
+            };
+            names.push(NewName { old: local.name.clone(), new, local: Some(variable) });
+        }
+        Some(names)
+    }
+
+    /// The text that stands for a parameter; `None` where more than a name or a constant would be computed again.
+    fn argument(&self, param: &str, by_reference: bool, argument: ExprId) -> Option<String> {
+        let own = self.context.body();
+        let text = self.context.plain(own.range(argument));
+        let effects = Effects::new(self.context.db, self.context.project, self.file);
+        let is_param = |root: &Root| matches!(root, Root::Param(name) if name == param);
+        let written = effects.all().iter().any(|access| is_param(&access.root) && access.kind != AccessKind::Read);
+        let simple = match own.expr(own.peel(argument)) {
+            Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => !by_reference,
+            // A copy stays what it was; a name may change meanwhile.
+            Expr::Name(_) => by_reference || !written && !self.changes_anything(),
+            _ => false,
+        };
+        (simple && (by_reference || !written)).then_some(text)
+    }
+
+    /// The program writes a variable other than its locals, or calls something that may.
+    fn changes_anything(&self) -> bool {
+        let effects = Effects::new(self.context.db, self.context.project, self.file);
+        let outer = |root: &Root| !matches!(root, Root::Local(_));
+        let calls = |kind: &StmtKind| matches!(kind, StmtKind::Call(_) | StmtKind::TaskCreate { .. });
+        effects.all().iter().any(|access| access.kind != AccessKind::Read && outer(&access.root))
+            || self.body.stmts().iter().any(|stmt| calls(&stmt.kind))
+            || effects.may_wait()
+    }
+
+    /// A global that the program uses means something else where it comes to stand.
+    fn hides_globals(&self) -> bool {
+        let caller = self.context.header();
+        let hidden = |name: &SmolStr| {
+            caller.locals.iter().any(|local| local.name == *name)
+                || caller.params.iter().any(|param| param.name == *name)
+        };
+        let own = |name: &SmolStr| {
+            self.header.locals.iter().any(|local| local.name == *name)
+                || self.header.params.iter().any(|param| param.name == *name)
+        };
+        self.body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Name(name) if !own(name) && hidden(name)))
+    }
+
+    fn is_repeated(&self, call: TextRange) -> bool {
+        let repeats =
+            |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
+        let stmts = self.context.body().stmts();
+        stmts.iter().any(|stmt| stmt.range.contains_range(call) && repeats(&stmt.kind))
+    }
+
+    fn change(&self, call: TextRange, names: &[NewName]) -> Option<SourceChange> {
+        let context = self.context;
+        let (outer, line_end) = (context.indentation(call.start()), context.line_end());
+        let lines = self.lines(names)?;
+        let written = lines.iter().enumerate().map(|(index, line)| match (index, line.as_str()) {
+            (0, line) => context.written(line),
+            (_, "") => line_end.to_owned(),
+            (_, line) => format!("{line_end}{outer}{}", context.written(line)),
+        });
+        let replaced = match written.collect::<String>() {
+            nothing if nothing.is_empty() => context.replace(whole_line(context.text, call), ""),
+            code => context.replace(call, code),
+        };
+        let locals: Vec<&Variable> = names.iter().filter_map(|name| name.local.as_ref()).collect();
+        let declared = match locals.as_slice() {
+            [] => None,
+            locals => Some(declare::locals(context.db, context.file, locals)?),
+        };
+        Some(SourceChange::of(declared.into_iter().chain([replaced])))
+    }
+
+    /// The code of the program with the new names, in plain characters, without indentation of its own.
+    fn lines(&self, names: &[NewName]) -> Option<Vec<String>> {
+        let root = val3_analysis::items::parse(self.context.db, self.file).root();
+        let code = root.descendants().find_map(Code::cast)?;
+        let text: &str = self.file.text(self.context.db);
+        let range = with_comments(&code.block()?);
+        // The blanks before the first line are a part of its indentation.
+        let blanks = text.get(..usize::from(range.start()))?;
+        let blanks = TextSize::of(blanks) - TextSize::of(blanks.trim_end_matches([' ', '\t']));
+        let range = TextRange::new(range.start() - blanks, range.end());
+        let plain = plain_with(&code, text, range, &self.uses(names));
+        Some(dedented(&plain, TextRange::up_to(TextSize::of(plain.as_str()))))
+    }
+
+    /// Where the program uses the names, in order.
+    fn uses<'n>(&self, names: &'n [NewName]) -> Vec<(TextRange, &'n str)> {
+        let mut uses: Vec<(TextRange, &str)> = self
+            .body
+            .exprs()
+            .filter_map(|(_, expr, range)| match expr {
+                Expr::Name(name) => {
+                    let new = names.iter().find(|new| new.old == *name)?;
+                    Some((range, new.new.as_str()))
+                }
+                _ => None,
+            })
+            .collect();
+        uses.sort_by_key(|(range, _)| range.start());
+        uses
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use crate::assists::testing::{check, offered};
+
+    const ID: &str = "inline-program";
+
+    #[test]
+    fn names_become_those_of_the_caller() {
+        check(
+            ID,
+            "num nG\nprogram start()\n  num l_i\n  num l_a\nbegin\n  if true\n    ca$0ll pick(l_a,2)\n  endIf\nend\nprogram pick(num& x_a, num x_b)\n  num l_i\n  num l_k[3]\nbegin\n  // counts\n  for l_i=0 to x_b\n    x_a=x_a+l_i+l_k[0]\n\n    putln(\"x_a\")\n  endFor\n  // done\nend",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -    </Locals>
+                -    <Code><![CDATA[begin
+                -  if true
+                -    call pick(l_a,2)
+                +      <Local name="l_i2" type="num" xsi:type="array" size="1" />
+                +      <Local name="l_k" type="num" xsi:type="array" size="3" />
+                +    </Locals>
+                +    <Code><![CDATA[begin
+                +  if true
+                +    // counts
+                +    for l_i2=0 to 2
+                +      l_a=l_a+l_i2+l_k[0]
+                +
+                +      putln("x_a")
+                +    endFor
+                +    // done
+            "#]],
+        );
+    }
+
+    #[test]
+    fn an_empty_program_goes_with_its_line() {
+        check(
+            ID,
+            "num nA\nnA=1\ncall ot$0her()\nprogram other()\nbegin\nend",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -call other()
+        "#]],
+        );
+    }
+
+    #[test]
+    fn escaped_code() {
+        check(
+            ID,
+            "num nA\nprogram other()\nbegin\n  if nA<1\n    nA=2\n  endIf\nend\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <source><code>begin\r\n  call ot$0her()\r\nend</code></source>\n  </program>\n</programList>\n",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -  call other()
+                +  if nA&lt;1
+                +    nA=2
+                +  endIf
+            "#]],
+        );
+    }
+
+    #[test]
+    fn not_where_it_would_change_something() {
+        let other = |head: &str, code: &str| format!("program other({head})\nbegin\n{code}\nend");
+        for listing in [
+            format!("call ot$0her()\n{}", other("", "return")),
+            format!("num nA\ncall ot$0her(nA)\n{}", other("num x_a", "x_a=1")),
+            format!("num nA\ncall ot$0her(nA)\n{}", other("num x_a", "nA=x_a\nnA=x_a")),
+            format!("num nA\ncall ot$0her(nA+1)\n{}", other("num x_a", "put(x_a)")),
+            format!("num nA\nprogram start()\n  num nA\nbegin\n  call ot$0her()\nend\n{}", other("", "nA=1")),
+            "while true\n  call ot$0her()\nendWhile\nprogram other()\n  num l_i\nbegin\n  l_i=l_i+1\nend".to_owned(),
+            "program other()\nbegin\n  call ot$0her()\nend".to_owned(),
+            "call miss$0ing()".to_owned(),
+        ] {
+            assert_eq!(offered(&listing, ID), None, "{listing}");
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! Lines of code that move to another place.
+
+use rowan::NodeOrToken;
+use val3_syntax::ast::{AstNode as _, Block, Code};
+use val3_syntax::{SyntaxKind, SyntaxToken, TextRange, TextSize, decode_entities};
+
+use super::context::Context;
+
+/// The lines of a block with the comments around its statements, each behind a line end and `indent`. What stands
+/// deeper stays deeper.
+pub(super) fn relaid(context: &Context<'_>, block: &Block, indent: &str) -> String {
+    let range = with_comments(block);
+    if range.is_empty() {
+        return String::new();
+    }
+    let line_end = context.line_end();
+    let lines = dedented(context.text, range);
+    let relay = |line: String| match line.is_empty() {
+        true => line_end.to_owned(),
+        false => format!("{line_end}{indent}{line}"),
+    };
+    lines.into_iter().map(relay).collect()
+}
+
+/// The lines of a range, without line ends and without the blanks that all of them start with.
+pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
+    let start =
+        text.get(..usize::from(range.start())).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |at| at + 1);
+    let whole = text.get(start..usize::from(range.end())).unwrap_or("");
+    let first = text.get(start..usize::from(range.start())).unwrap_or("");
+    // Where XML stands before the first line, that line starts with the code.
+    let whole = if first.trim().is_empty() { whole } else { whole.get(first.len()..).unwrap_or("") };
+    let lines: Vec<&str> = whole.lines().map(|line| line.strip_suffix("&#13;").unwrap_or(line)).collect();
+    let blanks = |line: &&str| line.len() - line.trim_start_matches([' ', '\t']).len();
+    let common = lines.iter().filter(|line| !line.trim().is_empty()).map(blanks).min().unwrap_or(0);
+    lines.iter().map(|line| line.get(common..).unwrap_or("").trim_end().to_owned()).collect()
+}
+
+/// From the first comment or statement of a block to the last: comments at its ends stand beside it in the tree.
+pub(super) fn with_comments(block: &Block) -> TextRange {
+    let is_trivia = |kind| matches!(kind, SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE | SyntaxKind::COMMENT);
+    let comment = |element: NodeOrToken<_, SyntaxToken>| {
+        element.into_token().filter(|token| token.kind() == SyntaxKind::COMMENT).map(|token| token.text_range())
+    };
+    let element = NodeOrToken::Node(block.syntax().clone());
+    let before = std::iter::successors(element.prev_sibling_or_token(), |it| it.prev_sibling_or_token());
+    let behind = std::iter::successors(element.next_sibling_or_token(), |it| it.next_sibling_or_token());
+    let before = before.take_while(|it| is_trivia(it.kind())).filter_map(comment);
+    let behind = behind.take_while(|it| is_trivia(it.kind())).filter_map(comment);
+    let inside = block.syntax().children_with_tokens();
+    let inside = inside.filter(|it| it.kind() == SyntaxKind::COMMENT || !is_trivia(it.kind()));
+    let all = before.chain(behind).chain(inside.map(|it| it.text_range()));
+    all.reduce(TextRange::cover).unwrap_or(TextRange::empty(block.syntax().text_range().start()))
+}
+
+/// The code is not in a CDATA section: some characters are written as references.
+pub(super) fn is_escaped(code: &Code) -> bool {
+    !code.syntax().children_with_tokens().any(|it| it.kind() == SyntaxKind::CDATA_OPEN)
+}
+
+/// A part of code in plain characters, with other texts in some places, which lie in it and stand in order.
+pub(super) fn plain_with(code: &Code, text: &str, range: TextRange, places: &[(TextRange, &str)]) -> String {
+    let escaped = is_escaped(code);
+    let plain = |start: TextSize, end: TextSize| {
+        let part = text.get(usize::from(start)..usize::from(end)).unwrap_or("");
+        if escaped { decode_entities(part).into_owned() } else { part.to_owned() }
+    };
+    let mut new = String::new();
+    let mut done = range.start();
+    for (place, other) in places {
+        new += &plain(done, place.start());
+        new += other;
+        done = place.end();
+    }
+    new + &plain(done, range.end())
+}

@@ -1,0 +1,167 @@
+//! Puts a block around statements.
+
+use super::context::Context;
+use super::{AssistKind, Assists};
+use crate::declare::{self, Variable, free};
+use crate::edit::{FileEdit, SourceChange};
+
+const GROUP: &str = "Surround";
+
+pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
+    context.code()?;
+    let (_, range) = context.stmts()?;
+    let around = |head: &str, tail: &str| block(context, range, head, tail);
+    let kind = AssistKind::Rewrite;
+    assists.add_in(Some(GROUP), "surround-if", kind, "Surround with `if`", || {
+        Some(SourceChange::of([around("if true", "endIf")]))
+    });
+    assists.add_in(Some(GROUP), "surround-while", kind, "Surround with `while`", || {
+        Some(SourceChange::of([around("while true", "endWhile")]))
+    });
+    assists.add_in(Some(GROUP), "surround-for", kind, "Surround with `for`", || {
+        let counter = Variable::single(&counter(context), "num");
+        let local = declare::locals(context.db, context.file, &[&counter])?;
+        Some(SourceChange::of([local, around(&format!("for {}=0 to 1", counter.name), "endFor")]))
+    });
+    Some(())
+}
+
+fn counter(context: &Context<'_>) -> String {
+    let options = context.options();
+    let number = options.prefixes.get("num").map_or("", String::as_str);
+    free(&format!("{}{number}Index", options.local_prefix), |name| context.is_taken(name))
+}
+
+/// The statements one level deeper, between two lines.
+fn block(context: &Context<'_>, range: val3_syntax::TextRange, head: &str, tail: &str) -> FileEdit {
+    let outer = context.indentation(range.start());
+    let line_end = context.line_end();
+    let inner = indented(context.slice(range), &context.level());
+    let text = format!("{head}{line_end}{outer}{}{inner}{line_end}{outer}{tail}", context.level());
+    context.replace(range, text)
+}
+
+/// The lines but the first one level deeper; blank lines stay blank.
+pub(super) fn indented(text: &str, level: &str) -> String {
+    let mut lines = text.split_inclusive('\n');
+    let mut new = lines.next().unwrap_or("").to_owned();
+    for line in lines {
+        if !line.trim().is_empty() {
+            new += level;
+        }
+        new += line;
+    }
+    new
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use crate::assists::testing::{check, offered};
+
+    #[test]
+    fn the_statement_at_the_cursor() {
+        check(
+            "surround-if",
+            "num nA\n  nA=1\n$0  nA=2",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -  nA=2
+            +  if true
+            +    nA=2
+            +  endIf
+        "#]],
+        );
+        check(
+            "surround-while",
+            "num nA\nif nA==1\n  nA=$02\nendIf",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -  nA=2
+            +  while true
+            +    nA=2
+            +  endWhile
+        "#]],
+        );
+    }
+
+    #[test]
+    fn what_is_selected() {
+        check(
+            "surround-if",
+            "num nA\n$0// first\nnA=1\n\nif nA==2\n  nA=3\nendIf\n$0nA=4",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -// first
+            -nA=1
+            -
+            -if nA==2
+            -  nA=3
+            +if true
+            +  // first
+            +  nA=1
+            +
+            +  if nA==2
+            +    nA=3
+            +  endIf
+        "#]],
+        );
+        check(
+            "surround-if",
+            "num nA\nif nA==1\n  $0// why\n  nA=2$0\nendIf",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -  // why
+            -  nA=2
+            +  if true
+            +    // why
+            +    nA=2
+            +  endIf
+        "#]],
+        );
+        check(
+            "surround-for",
+            "program start()\n  num l_nIndex\nbegin\n  $0l_nIndex=1$0\nend",
+            expect![[r#"
+            usrapp/main/start.pgx
+            -    </Locals>
+            -    <Code><![CDATA[begin
+            -  l_nIndex=1
+            +      <Local name="l_nIndex2" type="num" xsi:type="array" size="1" />
+            +    </Locals>
+            +    <Code><![CDATA[begin
+            +  for l_nIndex2=0 to 1
+            +    l_nIndex=1
+            +  endFor
+        "#]],
+        );
+    }
+
+    #[test]
+    fn no_part_of_a_statement() {
+        for listing in [
+            "num nA\n$0if nA==1\n  nA$0=2\nendIf",
+            "num nA\nif nA==1\n  $0nA=2\nend$0If\nnA=1",
+            "num nA\nif $0nA==1$0\nendIf",
+            "num nA\n$0// nothing$0\nnA=1",
+        ] {
+            assert_eq!(offered(listing, "surround-if"), None, "{listing}");
+        }
+    }
+
+    #[test]
+    fn escaped_code() {
+        check(
+            "surround-if",
+            "num nA\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <source><code>begin\r\n  put(\"&lt;$0\")\r\nend</code></source>\n  </program>\n</programList>\n",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -  put("&lt;")
+                +  if true
+                +    put("&lt;")
+                +  endIf
+            "#]],
+        );
+    }
+}

@@ -1,0 +1,77 @@
+//! For tests of assists: what is offered at `$0` (or between two `$0`), and what the files look like afterwards.
+
+use camino::Utf8Path;
+use expect_test::Expect;
+use val3_analysis::db::{Db, Sources};
+use val3_syntax::TextRange;
+use val3_test::ROOT;
+
+use super::{assists, resolve_assist};
+use crate::FileRange;
+use crate::edit::SourceChange;
+use crate::testing::Marked;
+
+/// The title under which an assist is offered.
+pub(super) fn offered(listing: &str, id: &str) -> Option<String> {
+    let marked = Marked::new(listing);
+    let found = assists(marked.db(), place(&marked), None);
+    found.into_iter().find(|assist| assist.id == id).map(|assist| assist.title)
+}
+
+/// The assist is offered, and changes the files so.
+pub(super) fn check(id: &str, listing: &str, expected: Expect) {
+    let marked = Marked::new(listing);
+    let place = place(&marked);
+    let found = assists(marked.db(), place, None);
+    assert!(found.iter().any(|assist| assist.id == id), "`{id}` is not offered: {found:?}");
+    let change = resolve_assist(marked.db(), id, place).expect("what is offered can be done");
+    expected.assert_eq(&shown(marked.db(), &change));
+}
+
+fn place(marked: &Marked) -> FileRange {
+    let at = marked.at();
+    let range = marked.selected.unwrap_or(TextRange::empty(at.offset));
+    FileRange { file: at.file, range }
+}
+
+/// The lines that change, with `-` and `+`; whole files that come, move or go.
+pub(crate) fn shown(db: &dyn Db, change: &SourceChange) -> String {
+    let mut shown = String::new();
+    for (path, text) in &change.creates {
+        shown += &format!("new {}\n", name(path));
+        shown += &text.lines().map(|line| format!("+{line}\n")).collect::<String>();
+    }
+    let mut files: Vec<_> = Sources::get(db).files(db).values().copied().collect();
+    files.sort_by_key(|file| file.path(db).clone());
+    for file in files {
+        let edits: Vec<_> = change.edits.iter().filter(|edit| edit.file == file).collect();
+        if edits.is_empty() {
+            continue;
+        }
+        let before = file.text(db);
+        let mut after = before.to_string();
+        for edit in edits.iter().rev() {
+            after.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
+        }
+        shown += &format!("{}\n{}", name(file.path(db)), difference(before, &after));
+    }
+    for (from, to) in &change.moves {
+        shown += &format!("{} becomes {}\n", name(from), name(to));
+    }
+    change.deletes.iter().for_each(|path| shown += &format!("{} goes\n", name(path)));
+    shown
+}
+
+fn name(path: &Utf8Path) -> &str {
+    path.strip_prefix(ROOT).unwrap_or(path).as_str()
+}
+
+/// The lines between the first and the last that differ.
+fn difference(before: &str, after: &str) -> String {
+    let (before, after): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());
+    let same = before.iter().zip(&after).take_while(|(a, b)| a == b).count();
+    let rest = before[same..].iter().rev().zip(after[same..].iter().rev()).take_while(|(a, b)| a == b).count();
+    let gone = before[same..before.len() - rest].iter().map(|line| format!("-{line}\n"));
+    let come = after[same..after.len() - rest].iter().map(|line| format!("+{line}\n"));
+    gone.chain(come).collect()
+}

@@ -1,0 +1,182 @@
+//! Who calls a program, and what it calls; tasks that it starts count as calls.
+
+use smol_str::SmolStr;
+use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::project::{items, program_files};
+use val3_analysis::occurrences::{Symbol, occurrences};
+use val3_syntax::TextRange;
+
+use crate::navigate::{declaration, name_at};
+use crate::owner::owner;
+use crate::references::uses;
+use crate::{FilePosition, FileRange};
+
+/// A program in the hierarchy.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CallItem {
+    /// Its name.
+    pub name: SmolStr,
+    /// The project it belongs to, by the name of its `.pjx`.
+    pub project: String,
+    /// Its file.
+    pub file: File,
+    /// Where its name stands in the file.
+    pub range: TextRange,
+}
+
+/// A program that calls or is called, and where.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Call {
+    /// The program at the other end.
+    pub item: CallItem,
+    /// The names in the calls, in the caller's file.
+    pub places: Vec<TextRange>,
+    /// One of the calls runs in a task of its own.
+    pub in_task: bool,
+}
+
+/// The program at a position: the one that is named there, else the one in whose code it is.
+pub fn call_item(db: &dyn Db, at: FilePosition) -> Option<CallItem> {
+    if let Some((_, found)) = name_at(db, at)
+        && let Symbol::Program(project, name) = &found.symbol
+    {
+        return item(db, *project, name);
+    }
+    item_of(db, owner(db, at.file)?, at.file)
+}
+
+/// The programs that call the one in `file`, by path.
+pub fn incoming_calls(db: &dyn Db, file: File) -> Vec<Call> {
+    let Some(project) = owner(db, file) else { return Vec::new() };
+    let Some(callee) = item_of(db, project, file) else { return Vec::new() };
+    let mut calls: Vec<Call> = Vec::new();
+    for (caller, from, found) in uses(db, &Symbol::Program(project, callee.name)) {
+        let Some(call) = called(body(db, caller), found.range) else { continue };
+        let Some(item) = item_of(db, from, caller) else { continue };
+        add(&mut calls, item, found.range, call.in_task);
+    }
+    calls.sort_by(|a, b| a.item.file.path(db).cmp(b.item.file.path(db)));
+    calls
+}
+
+/// The programs that the one in `file` calls, in the order of the first call.
+pub fn outgoing_calls(db: &dyn Db, file: File) -> Vec<Call> {
+    let Some(project) = owner(db, file) else { return Vec::new() };
+    let own = body(db, file);
+    let mut calls: Vec<Call> = Vec::new();
+    for found in occurrences(db, project, file) {
+        let Symbol::Program(of, name) = &found.symbol else { continue };
+        let Some(call) = called(own, found.range) else { continue };
+        let Some(item) = item(db, *of, name) else { continue };
+        add(&mut calls, item, found.range, call.in_task);
+    }
+    calls
+}
+
+fn add(calls: &mut Vec<Call>, item: CallItem, place: TextRange, in_task: bool) {
+    match calls.iter_mut().find(|call| call.item == item) {
+        Some(call) => {
+            call.places.push(place);
+            call.in_task |= in_task;
+        }
+        None => calls.push(Call { item, places: vec![place], in_task }),
+    }
+}
+
+struct Called {
+    in_task: bool,
+}
+
+/// The call whose program is named at `range`; `None` where the name is not called.
+fn called(body: &Body, range: TextRange) -> Option<Called> {
+    let names = |id: ExprId| match body.expr(id) {
+        Expr::Call(callee, _) => body.range(*callee).contains_range(range),
+        _ => false,
+    };
+    body.stmts().into_iter().find_map(|stmt| match &stmt.kind {
+        StmtKind::Call(id) => names(*id).then_some(Called { in_task: false }),
+        StmtKind::TaskCreate { arguments, .. } => {
+            arguments.last().is_some_and(|id| names(*id)).then_some(Called { in_task: true })
+        }
+        _ => None,
+    })
+}
+
+fn item(db: &dyn Db, project: Project, name: &str) -> Option<CallItem> {
+    item_of(db, project, *items(db, project).programs.get(name)?)
+}
+
+fn item_of(db: &dyn Db, project: Project, file: File) -> Option<CallItem> {
+    if !program_files(db, project).contains(&file) {
+        return None;
+    }
+    let name = val3_analysis::items::program::header(db, file).name.clone();
+    let place: FileRange = declaration(db, &Symbol::Program(project, name.clone()))?;
+    // Of two programs with one name the first counts.
+    let counts = place.file == file;
+    let project = project.manifest(db).path(db).file_stem().unwrap_or("").to_owned();
+    counts.then_some(CallItem { name, project, file, range: place.range })
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::{Marked, shown};
+
+    const LISTING: &str = "library part \"Disk://part/part.pjx\"\ncall pick()\ncall part:weigh()\ntaskCreate \"t\",10,pick()\nif true\n  call pick()\nendIf\nprogram pick()\nbegin\n  call part:weigh()\nend\n--- part\npublic program weigh()\nbegin\nend\n";
+
+    /// The calls, with their places in the file of the caller that `caller` picks.
+    fn check(calls: &[Call], caller: impl Fn(&Call) -> File, db: &dyn Db, expected: Expect) {
+        let line = |call: &Call| {
+            let place = |range: &TextRange| shown(db, FileRange { file: caller(call), range: *range });
+            let places: Vec<String> = call.places.iter().map(place).collect();
+            let task = if call.in_task { " in a task" } else { "" };
+            format!("{}:{}{task}: {}\n", call.item.project, call.item.name, places.join(", "))
+        };
+        expected.assert_eq(&calls.iter().map(line).collect::<String>());
+    }
+
+    #[test]
+    fn outgoing() {
+        let marked = Marked::new(&LISTING.replacen("call pick", "ca$0ll pick", 1));
+        let item = call_item(marked.db(), marked.at()).unwrap();
+        assert_eq!(item.name, "start");
+        let calls = outgoing_calls(marked.db(), item.file);
+        check(
+            &calls,
+            |_| item.file,
+            marked.db(),
+            expect![[r#"
+            main:pick in a task: main/start.pgx:5 pick, main/start.pgx:7 pick, main/start.pgx:9 pick
+            part:weigh: main/start.pgx:6 weigh
+        "#]],
+        );
+    }
+
+    fn incoming(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let item = call_item(marked.db(), marked.at()).unwrap();
+        let calls = incoming_calls(marked.db(), item.file);
+        check(&calls, |call| call.item.file, marked.db(), expected);
+    }
+
+    #[test]
+    fn incoming_from_all_projects() {
+        incoming(
+            &LISTING.replacen("call pick", "call pi$0ck", 1),
+            expect![[r#"
+            main:start in a task: main/start.pgx:5 pick, main/start.pgx:7 pick, main/start.pgx:9 pick
+        "#]],
+        );
+        incoming(
+            &LISTING.replacen("part:weigh", "part:we$0igh", 1),
+            expect![[r#"
+            main:pick: main/pick.pgx:5 weigh
+            main:start: main/start.pgx:6 weigh
+        "#]],
+        );
+    }
+}

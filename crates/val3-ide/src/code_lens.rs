@@ -1,0 +1,134 @@
+//! What editors show above programs and declarations: how often they are used, and that an application can be run.
+
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::declarations;
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::{data_files, program_files};
+use val3_analysis::occurrences::Symbol;
+use val3_syntax::TextRange;
+
+use crate::FileRange;
+use crate::navigate::declaration;
+use crate::owner::owner;
+use crate::references::uses;
+
+/// A line above a declaration.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct CodeLens {
+    /// The name it stands above.
+    pub range: TextRange,
+    /// What it offers.
+    pub kind: LensKind,
+}
+
+/// What a line above a declaration offers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LensKind {
+    /// Running the application of this `.pjx`.
+    Run(File),
+    /// Debugging it.
+    Debug(File),
+    /// The number of uses, which [`lens_references`] finds.
+    References,
+}
+
+/// The program that the controller starts an application with.
+const START: &str = "start";
+
+/// The lines above the declarations of a file, without what takes a search to find out.
+pub fn code_lenses(db: &dyn Db, file: File) -> Vec<CodeLens> {
+    let Some(project) = owner(db, file) else { return Vec::new() };
+    if program_files(db, project).contains(&file) {
+        return of_program(db, project, file);
+    }
+    if !data_files(db, project).contains(&file) {
+        return Vec::new();
+    }
+    let names = declarations::all_data(db, file);
+    names.into_iter().map(|found| CodeLens { range: found.range, kind: LensKind::References }).collect()
+}
+
+fn of_program(db: &dyn Db, project: Project, file: File) -> Vec<CodeLens> {
+    let name = header(db, file).name.clone();
+    let Some(place) = declarations::program(db, file) else { return Vec::new() };
+    let lens = |kind| CodeLens { range: place.range, kind };
+    let manifest = project.manifest(db);
+    let mut lenses = Vec::new();
+    if name == START {
+        lenses.extend([lens(LensKind::Run(manifest)), lens(LensKind::Debug(manifest))]);
+    }
+    lenses.push(lens(LensKind::References));
+    lenses
+}
+
+/// The uses of what is declared at the range of a [`LensKind::References`], by path and place.
+pub fn lens_references(db: &dyn Db, at: FileRange) -> Vec<FileRange> {
+    let Some(project) = owner(db, at.file) else { return Vec::new() };
+    let name = at.file.text(db).get(std::ops::Range::<usize>::from(at.range)).unwrap_or("");
+    let symbol = match program_files(db, project).contains(&at.file) {
+        true => Symbol::Program(project, name.into()),
+        false => Symbol::Data(project, name.into()),
+    };
+    if declaration(db, &symbol) != Some(at) {
+        return Vec::new();
+    }
+    // The entry of a program in its `.pjx` is no use of it.
+    let places = uses(db, &symbol).map(|(file, _, found)| FileRange { file, range: found.range });
+    let mut found: Vec<FileRange> = places.filter(|place| *place != at && place.file != project.manifest(db)).collect();
+    found.sort_unstable_by_key(|place| (place.file.path(db), place.range.start()));
+    found.dedup();
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+
+    use super::*;
+    use crate::testing::{Marked, shown};
+
+    fn check(listing: &str, expected: Expect) {
+        let marked = Marked::new(listing);
+        let (db, file) = (marked.db(), marked.at().file);
+        let line = |lens: CodeLens| {
+            let place = FileRange { file, range: lens.range };
+            let what = match lens.kind {
+                LensKind::Run(file) => format!("run {}", file.path(db).file_name().unwrap()),
+                LensKind::Debug(file) => format!("debug {}", file.path(db).file_name().unwrap()),
+                LensKind::References => format!("{} references", lens_references(db, place).len()),
+            };
+            format!("{}: {what}\n", shown(db, place))
+        };
+        expected.assert_eq(&code_lenses(db, file).into_iter().map(line).collect::<String>());
+    }
+
+    #[test]
+    fn programs() {
+        check(
+            "pu$0t(1)",
+            expect![[r#"
+            main/start.pgx:3 start: run main.pjx
+            main/start.pgx:3 start: debug main.pjx
+            main/start.pgx:3 start: 0 references
+        "#]],
+        );
+        check(
+            "call other()\ncall other()\nprogram other()\nbegin\n  call oth$0er()\nend",
+            expect![[r#"
+            main/other.pgx:3 other: 3 references
+        "#]],
+        );
+    }
+
+    #[test]
+    fn data() {
+        let data = "<Database xmlns:xsi=\"i\"><Datas><Data name=\"n$0A\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" />\n<Data name=\"nB\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
+        check(
+            &format!("num nA\nnA=nA+1\n=== main/main.dtx\n{data}\n"),
+            expect![[r#"
+            main/main.dtx:1 nA: 2 references
+            main/main.dtx:2 nB: 0 references
+        "#]],
+        );
+    }
+}

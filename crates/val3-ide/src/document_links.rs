@@ -1,0 +1,105 @@
+//! Paths in files that lead to other files.
+
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::interfaces::{LoadedPath, uses};
+use val3_analysis::items::manifest::{entries, spelling};
+use val3_analysis::items::parse;
+use val3_analysis::items::project::{find_file, find_project, program_files};
+use val3_analysis::xml::{self, Element};
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use crate::owner::owner;
+
+/// A path that leads somewhere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DocumentLink {
+    /// The path, without quotes.
+    pub range: TextRange,
+    /// Where it leads.
+    pub target: File,
+}
+
+/// The paths of a file, in order: those of a `.pjx`, and those that a program loads libraries by.
+pub fn document_links(db: &dyn Db, file: File) -> Vec<DocumentLink> {
+    let Some(project) = owner(db, file) else { return Vec::new() };
+    let mut links = if file == project.manifest(db) { of_manifest(db, project) } else { Vec::new() };
+    if program_files(db, project).contains(&file) {
+        links.extend(of_program(db, project, file));
+    }
+    links.sort_by_key(|link| link.range.start());
+    links
+}
+
+fn of_manifest(db: &dyn Db, project: Project) -> Vec<DocumentLink> {
+    let parse = parse(db, project.manifest(db));
+    let Some(root) = xml::root(View::root(parse.green())) else { return Vec::new() };
+    let spelling = spelling(root);
+    let files = entries(root, spelling.programs).chain(entries(root, spelling.data));
+    let files = files.filter_map(|entry| link(entry, "file", |path| find_file(db, project, path)));
+    let manifest = |path: &str| find_project(db, project, path).map(|found| found.manifest(db));
+    let libraries = entries(root, spelling.libraries).filter_map(|entry| link(entry, spelling.library_path, manifest));
+    let types = entries(root, spelling.types).filter_map(|entry| link(entry, "path", manifest));
+    files.chain(libraries).chain(types).collect()
+}
+
+fn link(entry: Element<'_>, attribute: &str, find: impl Fn(&str) -> Option<File>) -> Option<DocumentLink> {
+    let path = entry.attribute(attribute)?;
+    Some(DocumentLink { range: path.range, target: find(&path.text())? })
+}
+
+fn of_program(db: &dyn Db, project: Project, file: File) -> impl Iterator<Item = DocumentLink> {
+    uses(db, file).loads.iter().filter_map(move |load| {
+        let LoadedPath::Whole(path) = &load.path else { return None };
+        let target = find_project(db, project, path)?.manifest(db);
+        Some(DocumentLink { range: without_quotes(file.text(db), load.range), target })
+    })
+}
+
+/// A text is written in quotes, which in escaped code are references.
+pub(crate) fn without_quotes(text: &str, range: TextRange) -> TextRange {
+    let written = text.get(std::ops::Range::<usize>::from(range)).unwrap_or("");
+    let quote = ["\"", "&quot;", "&#34;"]
+        .into_iter()
+        .find(|quote| written.len() >= 2 * quote.len() && written.starts_with(quote) && written.ends_with(quote));
+    let len = val3_syntax::TextSize::of(quote.unwrap_or(""));
+    TextRange::new(range.start() + len, range.end() - len)
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::FileRange;
+    use crate::testing::{Marked, shown};
+
+    fn links(listing: &str, of: impl Fn(&Marked) -> File) -> String {
+        let marked = Marked::new(listing);
+        let db = marked.db();
+        let file = of(&marked);
+        let line = |link: DocumentLink| {
+            let place = shown(db, FileRange { file, range: link.range });
+            format!("{place} -> {}\n", link.target.path(db).file_name().unwrap())
+        };
+        document_links(db, file).into_iter().map(line).collect()
+    }
+
+    const LISTING: &str = "library part \"Disk://part/part.pjx\" autoload=false\nlibrary gone \"Disk://gone/gone.pjx\"\ntype Slot \"Disk://Slot/Slot.pjx\"\nputln(par$0t:libLoad(\"Disk://part\"))\nputln(part:libLoad(\"Disk://nowhere\"))\n--- part\n--- Slot\n";
+
+    #[test]
+    fn of_code_and_projects() {
+        expect![[r#"
+            main/start.pgx:5 Disk://part -> part.pjx
+        "#]]
+        .assert_eq(&links(LISTING, |marked| marked.at().file));
+        let manifest = |marked: &Marked| owner(marked.db(), marked.at().file).unwrap().manifest(marked.db());
+        expect![[r#"
+            main/main.pjx:5 start.pgx -> start.pgx
+            main/main.pjx:8 main.dtx -> main.dtx
+            main/main.pjx:11 Disk://part/part.pjx -> part.pjx
+            main/main.pjx:15 Disk://Slot/Slot.pjx -> Slot.pjx
+        "#]]
+        .assert_eq(&links(LISTING, manifest));
+    }
+}

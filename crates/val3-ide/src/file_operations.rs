@@ -1,0 +1,339 @@
+//! Files that are renamed, created or deleted in the editor: what the other files have to say about it.
+//!
+//! Each gives the edits to make before the files themselves change, which the editor does.
+
+mod references;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::{Db, File, Project, Sources, path_key};
+use val3_analysis::items::manifest::{Spelling, entries, spelling};
+use val3_analysis::items::parse;
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::{find_file, folder};
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::paths::normalise;
+use val3_analysis::xml::{self, Attribute, Element};
+use val3_lang::keywords::is_identifier;
+use val3_syntax::view::View;
+
+use crate::declare::{data_entries, program_entries, without};
+use crate::edit::{FileEdit, SourceChange};
+use crate::references::uses;
+use crate::xml_list::escaped;
+
+/// Files and folders get other paths: from, to. A program takes the name of its file along, with every call; entries
+/// of `.pjx` files follow, and so do the paths by which projects use libraries and types.
+pub fn will_rename_files(db: &dyn Db, renames: &[(Utf8PathBuf, Utf8PathBuf)]) -> SourceChange {
+    let mut edits = Vec::new();
+    for (from, to) in renames {
+        match find(db, from) {
+            Some(file) => edits.extend(renamed_file(db, file, from, to)),
+            None => edits.extend(references::of_folder(db, from, to)),
+        }
+    }
+    SourceChange::of(edits).sorted(db)
+}
+
+/// Files come: programs and data are listed in the `.pjx` beside them.
+pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
+    let mut edits = Vec::new();
+    for project in projects(db) {
+        let own = |path: &&Utf8PathBuf| path.parent() == Some(folder(db, project)) && find(db, path).is_none();
+        let names = |extension: &str| -> Vec<String> {
+            let fits = |path: &&Utf8PathBuf| has_extension(path, extension) && !is_listed(db, project, path);
+            let new = paths.iter().filter(own).filter(fits);
+            new.filter_map(|path| path.file_name()).map(str::to_owned).collect()
+        };
+        let (programs, data) = (names("pgx"), names("dtx"));
+        if !programs.is_empty() {
+            edits.extend(program_entries(db, project, &programs));
+        }
+        if !data.is_empty() {
+            edits.extend(data_entries(db, project, &data));
+        }
+    }
+    SourceChange::of(edits).sorted(db)
+}
+
+/// Files go: the `.pjx` files list them no more.
+pub fn will_delete_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
+    let files: Vec<File> = paths.iter().filter_map(|path| find(db, path)).collect();
+    let mut edits = Vec::new();
+    for project in projects(db) {
+        each_entry(db, project, |entry, path| {
+            let named = find_file(db, project, &path.text());
+            if named.is_some_and(|file| files.contains(&file)) {
+                edits.push(without(db, project.manifest(db), entry.view().range()));
+            }
+        });
+    }
+    SourceChange::of(edits).sorted(db)
+}
+
+fn renamed_file(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
+    if has_extension(from, "pjx") {
+        return references::of_manifest(db, file, to);
+    }
+    let mut edits = entry_edits(db, file, to);
+    if has_extension(from, "pgx") {
+        edits.extend(program_edits(db, file, from, to));
+    }
+    edits
+}
+
+/// The entries of the file in each `.pjx` that has it; where it comes to another project, that one lists it instead.
+fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
+    let mut edits = Vec::new();
+    let target = projects(db).into_iter().find(|project| Some(folder(db, *project)) == to.parent());
+    let mut listed = false;
+    for project in projects(db) {
+        let manifest = project.manifest(db);
+        each_entry(db, project, |entry, path| {
+            if find_file(db, project, &path.text()) != Some(file) {
+                return;
+            }
+            listed = true;
+            if target.is_some_and(|target| target != project) {
+                edits.push(without(db, manifest, entry.view().range()));
+            } else if let Some(reference) = references::relative(folder(db, project), to) {
+                edits.push(FileEdit { file: manifest, range: path.range, text: escaped(&reference) });
+            }
+        });
+    }
+    let is_new = |project: &Project| Some(folder(db, *project)) != file.path(db).parent();
+    if let Some(target) = target.filter(is_new).filter(|_| listed) {
+        let name = vec![to.file_name().unwrap_or("").to_owned()];
+        edits.extend(match has_extension(to, "pgx") {
+            true => program_entries(db, target, &name),
+            false => data_entries(db, target, &name),
+        });
+    }
+    edits
+}
+
+/// The program's name and its calls, where the file was called like it.
+fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
+    let name = &header(db, file).name;
+    let new = to.file_stem().unwrap_or("");
+    if from.file_stem() != Some(name.as_str()) || name == new || !is_identifier(new) {
+        return Vec::new();
+    }
+    let mut edits = Vec::new();
+    for project in crate::owner::projects_of(db, file) {
+        let symbol = Symbol::Program(*project, name.clone());
+        let manifest = project.manifest(db);
+        let places = uses(db, &symbol).filter(|(file, ..)| *file != manifest);
+        edits.extend(places.map(|(file, _, found)| FileEdit { file, range: found.range, text: new.to_owned() }));
+    }
+    edits
+}
+
+/// The elements of a `.pjx` that list files, with the attribute that names the file.
+fn each_entry(db: &dyn Db, project: Project, mut see: impl FnMut(Element<'_>, Attribute<'_>)) {
+    let parse = parse(db, project.manifest(db));
+    let Some(root) = xml::root(View::root(parse.green())) else { return };
+    let Spelling { programs, data, .. } = spelling(root);
+    for entry in entries(root, *programs).chain(entries(root, *data)) {
+        if let Some(path) = entry.attribute("file") {
+            see(entry, path);
+        }
+    }
+}
+
+fn is_listed(db: &dyn Db, project: Project, path: &Utf8Path) -> bool {
+    let mut listed = false;
+    each_entry(db, project, |_, entry| {
+        let named = val3_analysis::paths::file_in(folder(db, project), &entry.text());
+        listed |= path_key(named.as_str()) == path_key(path.as_str());
+    });
+    listed
+}
+
+fn projects(db: &dyn Db) -> Vec<Project> {
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    projects
+}
+
+fn find(db: &dyn Db, path: &Utf8Path) -> Option<File> {
+    Sources::get(db).files(db).get(&path_key(normalise(path).as_str())).copied()
+}
+
+fn has_extension(path: &Utf8Path, extension: &str) -> bool {
+    path.extension().is_some_and(|found| found.eq_ignore_ascii_case(extension))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+    use val3_test::ROOT;
+
+    use super::*;
+    use crate::assists::shown;
+    use crate::testing::Marked;
+
+    const CELL: &str = "library part \"Disk://part/part.pjx\"\nlibrary near \"./tray/tray.pjx\"\ntype Slot \"Disk://types/Slot\"\nSlot sA\ncall pick()\nputln(part:libLoad(\"Disk://part\"))\ncall part:weigh()\nprogram pick()\nbegin\n  call pick()\nend\n--- part\npublic program weigh()\nbegin\nend\n--- main/tray\nlibrary part \"../../part/part.pjx\"\npublic num nA\n--- types/Slot\npublic num nHeight\n";
+
+    fn path(name: &str) -> Utf8PathBuf {
+        Utf8PathBuf::from(format!("{ROOT}/usrapp/{name}"))
+    }
+
+    #[track_caller]
+    fn renamed(from: &str, to: &str, expected: Expect) {
+        let marked = Marked::new(CELL);
+        let change = will_rename_files(marked.db(), &[(path(from), path(to))]);
+        expected.assert_eq(&shown(marked.db(), &change));
+    }
+
+    #[test]
+    fn a_program() {
+        renamed(
+            "main/pick.pgx",
+            "main/grip.pgx",
+            expect![[r#"
+            usrapp/main/main.pjx
+            -    <Program file="pick.pgx" />
+            +    <Program file="grip.pgx" />
+            usrapp/main/pick.pgx
+            -  <Program name="pick">
+            -    <Code><![CDATA[begin
+            -  call pick()
+            +  <Program name="grip">
+            +    <Code><![CDATA[begin
+            +  call grip()
+            usrapp/main/start.pgx
+            -call pick()
+            +call grip()
+        "#]],
+        );
+        renamed(
+            "main/pick.pgx",
+            "main/not a name.pgx",
+            expect![[r#"
+            usrapp/main/main.pjx
+            -    <Program file="pick.pgx" />
+            +    <Program file="not a name.pgx" />
+        "#]],
+        );
+        renamed(
+            "part/weigh.pgx",
+            "part/sub/weigh.pgx",
+            expect![[r#"
+            usrapp/part/part.pjx
+            -    <Program file="weigh.pgx" />
+            +    <Program file="sub/weigh.pgx" />
+        "#]],
+        );
+        renamed(
+            "part/weigh.pgx",
+            "main/weigh.pgx",
+            expect![[r#"
+            usrapp/main/main.pjx
+            +    <Program file="weigh.pgx" />
+            usrapp/part/part.pjx
+            -    <Program file="weigh.pgx" />
+        "#]],
+        );
+    }
+
+    #[test]
+    fn data_and_projects() {
+        renamed(
+            "part/part.dtx",
+            "part/data.dtx",
+            expect![[r#"
+            usrapp/part/part.pjx
+            -    <Data file="part.dtx" />
+            +    <Data file="data.dtx" />
+        "#]],
+        );
+        renamed(
+            "part/part.pjx",
+            "part/unit.pjx",
+            expect![[r#"
+            usrapp/main/main.pjx
+            -    <Library alias="part" path="Disk://part/part.pjx" />
+            +    <Library alias="part" path="Disk://part/unit.pjx" />
+            usrapp/main/start.pgx
+            -putln(part:libLoad("Disk://part"))
+            +putln(part:libLoad("Disk://part/unit.pjx"))
+            usrapp/main/tray/tray.pjx
+            -    <Library alias="part" path="../../part/part.pjx" />
+            +    <Library alias="part" path="../../part/unit.pjx" />
+        "#]],
+        );
+    }
+
+    #[test]
+    fn folders() {
+        renamed(
+            "part",
+            "unit",
+            expect![[r#"
+            usrapp/main/main.pjx
+            -    <Library alias="part" path="Disk://part/part.pjx" />
+            +    <Library alias="part" path="Disk://unit/part.pjx" />
+            usrapp/main/start.pgx
+            -putln(part:libLoad("Disk://part"))
+            +putln(part:libLoad("Disk://unit/part.pjx"))
+            usrapp/main/tray/tray.pjx
+            -    <Library alias="part" path="../../part/part.pjx" />
+            +    <Library alias="part" path="../../unit/part.pjx" />
+        "#]],
+        );
+        renamed(
+            "main",
+            "deep/app",
+            expect![[r#"
+            usrapp/main/tray/tray.pjx
+            -    <Library alias="part" path="../../part/part.pjx" />
+            +    <Library alias="part" path="../../../part/part.pjx" />
+        "#]],
+        );
+        renamed(
+            "types",
+            "kinds",
+            expect![[r#"
+            usrapp/main/main.pjx
+            -    <Type name="Slot" path="Disk://types/Slot" />
+            +    <Type name="Slot" path="Disk://kinds/Slot" />
+        "#]],
+        );
+    }
+
+    #[test]
+    fn files_that_come_and_go() {
+        let marked = Marked::new(CELL);
+        let db = marked.db();
+        let new = ["main/b.pgx", "main/a.pgx", "main/more.dtx", "main/notes.txt", "part/x.pgx"].map(path);
+        expect![[r#"
+            usrapp/main/main.pjx
+            -  </Programs>
+            -  <Database>
+            -    <Data file="main.dtx" />
+            +    <Program file="b.pgx" />
+            +    <Program file="a.pgx" />
+            +  </Programs>
+            +  <Database>
+            +    <Data file="main.dtx" />
+            +    <Data file="more.dtx" />
+            usrapp/part/part.pjx
+            +    <Program file="x.pgx" />
+        "#]]
+        .assert_eq(&shown(db, &will_create_files(db, &new)));
+        let gone = ["main/pick.pgx", "main/main.dtx", "main/none.pgx"].map(path);
+        expect![[r#"
+            usrapp/main/main.pjx
+            -    <Program file="pick.pgx" />
+            -    <Program file="start.pgx" />
+            -  </Programs>
+            -  <Database>
+            -    <Data file="main.dtx" />
+            +    <Program file="start.pgx" />
+            +  </Programs>
+            +  <Database>
+        "#]]
+        .assert_eq(&shown(db, &will_delete_files(db, &gone)));
+        assert!(will_create_files(db, &[path("main/pick.pgx")]).is_empty());
+    }
+}

@@ -1,0 +1,117 @@
+//! The paths by which projects use libraries and types, when these or they themselves move.
+
+use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::interfaces::{LoadedPath, uses};
+use val3_analysis::items::manifest::{entries, spelling};
+use val3_analysis::items::parse;
+use val3_analysis::items::project::{find_project, folder, program_files};
+use val3_analysis::paths::{self, Roots, Target};
+use val3_analysis::xml;
+use val3_syntax::TextRange;
+use val3_syntax::view::View;
+
+use super::projects;
+use crate::document_links::without_quotes;
+use crate::edit::FileEdit;
+use crate::xml_list::escaped;
+
+/// The edits when everything below the folder `from` comes to lie below `to`.
+pub(super) fn of_folder(db: &dyn Db, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
+    all(db, |path| match path.strip_prefix(from) {
+        Ok(rest) => to.join(rest),
+        Err(_) => path.to_owned(),
+    })
+}
+
+/// The edits when the project file `manifest` gets the path `to`.
+pub(super) fn of_manifest(db: &dyn Db, manifest: File, to: &Utf8Path) -> Vec<FileEdit> {
+    let from = manifest.path(db);
+    all(db, |path| if path == from { to.to_owned() } else { path.to_owned() })
+}
+
+fn all(db: &dyn Db, moved: impl Fn(&Utf8Path) -> Utf8PathBuf) -> Vec<FileEdit> {
+    projects(db).into_iter().flat_map(|project| of_project(db, project, &moved)).collect()
+}
+
+/// The references of one project that have to be written otherwise.
+fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8PathBuf) -> Vec<FileEdit> {
+    let own = folder(db, project);
+    let new_folder = moved(project.manifest(db).path(db)).parent().map(Utf8Path::to_owned).unwrap_or_default();
+    let written = |reference: &str| {
+        let target = find_project(db, project, reference)?;
+        let from = target.manifest(db).path(db);
+        let to = moved(from);
+        let stays = to == *from && new_folder == own;
+        let roots = project.roots(db);
+        let still = paths::project(&new_folder, roots, reference) == Target::Path(to.clone());
+        (!stays && !still).then(|| rewritten(&new_folder, roots, reference, &to)).flatten()
+    };
+    let mut edits = Vec::new();
+    for (file, range, reference) in references(db, project) {
+        if let Some(new) = written(&reference) {
+            let plain = file != project.manifest(db) && file.text(db).contains("<![CDATA[");
+            edits.push(FileEdit { file, range, text: if plain { new } else { escaped(&new) } });
+        }
+    }
+    edits
+}
+
+/// Every reference of a project to another: where it stands, and as it is meant.
+fn references(db: &dyn Db, project: Project) -> Vec<(File, TextRange, String)> {
+    let mut found = Vec::new();
+    let manifest = project.manifest(db);
+    let parse = parse(db, manifest);
+    if let Some(root) = xml::root(View::root(parse.green())) {
+        let spelling = spelling(root);
+        let libraries = entries(root, spelling.libraries).filter_map(|entry| entry.attribute(spelling.library_path));
+        let types = entries(root, spelling.types).filter_map(|entry| entry.attribute("path"));
+        found.extend(libraries.chain(types).map(|path| (manifest, path.range, path.text().into_owned())));
+    }
+    for file in program_files(db, project) {
+        for load in &uses(db, *file).loads {
+            if let LoadedPath::Whole(path) = &load.path {
+                found.push((*file, without_quotes(file.text(db), load.range), path.to_string()));
+            }
+        }
+    }
+    found
+}
+
+/// A reference to the project file `to`, in the form of `old`: with the same root, and with the name of the `.pjx`
+/// where it has it. `None` where that root does not lead there.
+fn rewritten(folder: &Utf8Path, roots: &Roots, old: &str, to: &Utf8Path) -> Option<String> {
+    let plain = old.trim().replace('\\', "/");
+    let (root, rest) = match plain.split_once("://") {
+        Some((root, rest)) => (format!("{root}://"), rest),
+        None => (String::new(), plain.as_str()),
+    };
+    let path = if root.is_empty() && (rest.starts_with("./") || rest.starts_with("../")) {
+        let path = relative(folder, to)?;
+        if path.starts_with("../") { path } else { format!("./{path}") }
+    } else {
+        let Target::Path(probe) = paths::project(folder, roots, &format!("{root}x.pjx")) else { return None };
+        relative(probe.parent()?, to).filter(|path| !path.starts_with("../"))?
+    };
+    let has_manifest = rest.to_lowercase().ends_with(".pjx");
+    let named_alike = to.parent().and_then(Utf8Path::file_name) == to.file_stem();
+    let path = match path.rsplit_once('/') {
+        Some((folder, _)) if !has_manifest && named_alike => folder.to_owned(),
+        _ => path,
+    };
+    let path = if old.contains('\\') && !rest.is_empty() && !old.replace("://", "").contains('/') {
+        path.replace('/', "\\")
+    } else {
+        path
+    };
+    Some(format!("{root}{path}"))
+}
+
+/// `to` seen from `folder`, with `/`; `None` where they have nothing in common.
+pub(super) fn relative(folder: &Utf8Path, to: &Utf8Path) -> Option<String> {
+    let (from, to): (Vec<Utf8Component<'_>>, Vec<_>) = (folder.components().collect(), to.components().collect());
+    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    let up = std::iter::repeat_n("..", from.len() - common);
+    let down = to.iter().skip(common).map(|component| component.as_str());
+    (common > 0).then(|| up.chain(down).collect::<Vec<_>>().join("/"))
+}

@@ -1,0 +1,129 @@
+//! Layout of a file of the workspace, and where the style of it comes from.
+
+use camino::Utf8Path;
+use ec4rs::property::{IndentSize, IndentStyle as Named, TabWidth};
+use ec4rs::{ConfigParser, Properties, PropertiesSource as _};
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::parse;
+use val3_analysis::system::System;
+use val3_config::{Format, IndentStyle};
+use val3_fmt::{Edit, Elsewhere, Style};
+use val3_syntax::{TextRange, TextSize};
+
+use crate::FilePosition;
+use crate::edit::FileEdit;
+
+/// The characters after which [`format_on_type`] is worth asking.
+pub const FORMATTING_TRIGGERS: [char; 7] = val3_fmt::TRIGGERS;
+
+/// The style of the file at `path`: what the `[format]` of its `val3.toml` says; what that leaves open about the
+/// indentation, the `.editorconfig` files above it say. What an editor is set to does not count, so that the command
+/// line and all editors agree.
+pub fn style(system: &dyn System, format: &Format, path: &Utf8Path) -> Style {
+    let properties = editorconfig(system, path);
+    let style = properties.get::<Named>().ok().map(|style| match style {
+        Named::Tabs => IndentStyle::Tab,
+        Named::Spaces => IndentStyle::Space,
+    });
+    let size = match properties.get::<IndentSize>() {
+        Ok(IndentSize::Value(size)) => Some(size),
+        Ok(IndentSize::UseTabWidth) => match properties.get::<TabWidth>() {
+            Ok(TabWidth::Value(width)) => Some(width),
+            Err(_) => None,
+        },
+        Err(_) => None,
+    };
+    Style::new(format, Elsewhere { style, size: size.and_then(|size| u8::try_from(size).ok()) })
+}
+
+/// What the `.editorconfig` files from the folder of `path` upwards say about it. A file says nothing from
+/// the section on that cannot be read.
+fn editorconfig(system: &dyn System, path: &Utf8Path) -> Properties {
+    let mut sections = Vec::new();
+    for folder in path.ancestors().skip(1) {
+        let Ok(text) = system.read(&folder.join(".editorconfig")) else { continue };
+        let Ok(parser) = ConfigParser::new(text.as_slice()) else { continue };
+        let is_root = parser.is_root;
+        let inside = path.strip_prefix(folder).unwrap_or(path).as_std_path().to_owned();
+        sections.push((inside, parser.map_while(Result::ok).collect::<Vec<_>>()));
+        if is_root {
+            break;
+        }
+    }
+    let mut properties = Properties::new();
+    // What stands nearer to the file comes later, and wins.
+    for (inside, sections) in sections.iter().rev() {
+        for section in sections.iter().filter(|section| section.applies_to(inside)) {
+            // Adding a section cannot fail.
+            let _ = section.apply_to(&mut properties, inside);
+        }
+    }
+    properties
+}
+
+/// The edits that give a file its layout.
+pub fn format_file(db: &dyn Db, file: File, style: &Style) -> Vec<FileEdit> {
+    of_file(file, val3_fmt::format(file.text(db), parse(db, file), style))
+}
+
+/// The edits that give the lines of a range their layout.
+pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &Style) -> Vec<FileEdit> {
+    of_file(file, val3_fmt::format_range(file.text(db), parse(db, file), style, range))
+}
+
+/// The edits that follow from typing a character, which now stands before the position.
+pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style) -> Vec<FileEdit> {
+    let text: &str = at.file.text(db);
+    if at.offset > TextSize::of(text) {
+        return Vec::new();
+    }
+    of_file(at.file, val3_fmt::on_type(text, parse(db, at.file), style, at.offset, typed))
+}
+
+fn of_file(file: File, edits: Vec<Edit>) -> Vec<FileEdit> {
+    edits.into_iter().map(|edit| FileEdit { file, range: edit.range, text: edit.text }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_analysis::system::Memory;
+    use val3_fmt::Indent;
+
+    use super::*;
+
+    fn indent(format: &Format, files: &[(&str, &str)]) -> Indent {
+        let system = Memory::new(files.iter().map(|(path, text)| (*path, text.as_bytes())));
+        style(&system, format, Utf8Path::new("/cell/app/start.pgx")).indent
+    }
+
+    #[test]
+    fn the_nearest_editorconfig_wins_and_val3_toml_over_all() {
+        let outer = ("/.editorconfig", "root=true\n[*]\nindent_style=tab\n");
+        let inner =
+            ("/cell/.editorconfig", "[*.{pgx,dtx}]\nindent_style=space\nindent_size=4\n[*.py]\nindent_size=8\n");
+        assert_eq!(indent(&Format::default(), &[]), Indent::Blanks(2));
+        assert_eq!(indent(&Format::default(), &[outer]), Indent::Tab);
+        assert_eq!(indent(&Format::default(), &[outer, inner]), Indent::Blanks(4));
+        let own = Format { indent_size: Some(3), ..Format::default() };
+        assert_eq!(indent(&own, &[outer, inner]), Indent::Blanks(3));
+        let own = Format { indent_style: Some(IndentStyle::Space), ..Format::default() };
+        assert_eq!(indent(&own, &[outer]), Indent::Blanks(2));
+    }
+
+    #[test]
+    fn nothing_is_read_above_a_root() {
+        let root = ("/cell/.editorconfig", "root=true\n[*]\nindent_size=5\n");
+        assert_eq!(
+            indent(&Format::default(), &[("/.editorconfig", "[*]\nindent_style=tab\n"), root]),
+            Indent::Blanks(5)
+        );
+    }
+
+    #[test]
+    fn sizes_that_refer_to_the_tab() {
+        let file = ("/.editorconfig", "[*.pgx]\nindent_style=space\nindent_size=tab\ntab_width=3\n");
+        assert_eq!(indent(&Format::default(), &[file]), Indent::Blanks(3));
+        let broken = ("/.editorconfig", "[*.pgx]\nindent_size=6\n[*.py]\n[[[\n");
+        assert_eq!(indent(&Format::default(), &[broken]), Indent::Blanks(6));
+    }
+}

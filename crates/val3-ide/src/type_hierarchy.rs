@@ -1,0 +1,104 @@
+//! User types: which types a type has fields of, and which have fields of it.
+
+use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::items::project::{fields, items, resolve_type};
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
+
+use crate::FilePosition;
+use crate::navigate::name_at;
+
+/// A user type.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TypeItem {
+    /// Its name, that of its `.pjx`.
+    pub name: String,
+    /// The `.pjx`.
+    pub file: File,
+}
+
+/// The user type at a position: the one that is named there or is the type of what is named, else the project's own if
+/// it is one.
+pub fn type_item(db: &dyn Db, at: FilePosition) -> Option<TypeItem> {
+    let (project, found) = name_at(db, at)?;
+    let of = match &found.symbol {
+        Symbol::Type(owner, name) => items(db, *owner).types.get(name).copied().flatten(),
+        Symbol::Data(owner, name) => items(db, *owner).data.get(name).and_then(|item| user(item.base)),
+        _ => crate::navigate::type_definition(db, at).first().and_then(|target| project_of(db, target.to.file)),
+    };
+    of.or_else(|| is_type(db, project).then_some(project)).map(|project| item(db, project))
+}
+
+/// The types that contain a type: those with fields of it.
+pub fn supertypes(db: &dyn Db, of: File) -> Vec<TypeItem> {
+    let Some(own) = project_of(db, of) else { return Vec::new() };
+    let holds = |project: &Project| {
+        is_type(db, *project) && fields(db, *project).values().any(|field| user(field.base) == Some(own))
+    };
+    projects(db).into_iter().filter(holds).map(|project| item(db, project)).collect()
+}
+
+/// The types of a type's fields.
+pub fn subtypes(db: &dyn Db, of: File) -> Vec<TypeItem> {
+    let Some(own) = project_of(db, of) else { return Vec::new() };
+    let mut found: Vec<Project> = fields(db, own).values().filter_map(|field| user(field.base)).collect();
+    found.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    found.dedup();
+    found.into_iter().map(|project| item(db, project)).collect()
+}
+
+fn user(base: Base) -> Option<Project> {
+    if let Base::User(project) = base { Some(project) } else { None }
+}
+
+/// Some project uses it as a type.
+fn is_type(db: &dyn Db, project: Project) -> bool {
+    projects(db).into_iter().any(|other| {
+        let types = &items(db, other).types;
+        types.keys().any(|name| resolve_type(types, name) == Some(Base::User(project)))
+    })
+}
+
+fn project_of(db: &dyn Db, manifest: File) -> Option<Project> {
+    projects(db).into_iter().find(|project| project.manifest(db) == manifest)
+}
+
+fn projects(db: &dyn Db) -> Vec<Project> {
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    projects
+}
+
+fn item(db: &dyn Db, project: Project) -> TypeItem {
+    let file = project.manifest(db);
+    TypeItem { name: file.path(db).file_stem().unwrap_or("").to_owned(), file }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Marked;
+
+    const LISTING: &str = "type Rack \"Disk://Rack/Rack.pjx\"\nRack rA\nputln(r$0A.sName)\n--- Rack\ntype Slot \"Disk://Slot/Slot.pjx\"\npublic string sName\npublic Slot sSlot[3]\npublic Slot sOther\n--- Slot\npublic num nHeight\n";
+
+    fn names(items: Vec<TypeItem>) -> Vec<String> {
+        items.into_iter().map(|item| item.name).collect()
+    }
+
+    #[test]
+    fn up_and_down() {
+        let marked = Marked::new(LISTING);
+        let rack = type_item(marked.db(), marked.at()).unwrap();
+        assert_eq!(rack.name, "Rack");
+        assert_eq!(names(subtypes(marked.db(), rack.file)), ["Slot"]);
+        assert_eq!(names(supertypes(marked.db(), rack.file)), [] as [&str; 0]);
+        let slot = subtypes(marked.db(), rack.file).remove(0);
+        assert_eq!(names(supertypes(marked.db(), slot.file)), ["Rack"]);
+    }
+
+    #[test]
+    fn what_is_no_type() {
+        let marked = Marked::new("num nA\nn$0A=1");
+        assert_eq!(type_item(marked.db(), marked.at()), None);
+    }
+}

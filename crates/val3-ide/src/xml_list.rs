@@ -1,0 +1,157 @@
+//! Entries of the lists in XML: `<Locals>`, `<Datas>`, `<Programs>`.
+
+use val3_analysis::xml::Element;
+use val3_syntax::{TextRange, TextSize};
+
+/// One level of indentation in the XML that the tools write.
+const LEVEL: &str = "  ";
+
+/// A list and how an entry gets into it.
+pub(crate) struct List<'a> {
+    /// The text of the file.
+    pub(crate) text: &'a str,
+    /// What the list stands in.
+    pub(crate) parent: Element<'a>,
+    /// The name of the list.
+    pub(crate) name: &'a str,
+    /// What its start tag holds besides, with a blank before it, where it has to be made.
+    pub(crate) attributes: &'a str,
+    /// The elements it has to stand before, where it has to be made.
+    pub(crate) followers: &'a [&'a str],
+}
+
+impl List<'_> {
+    /// Where and what to write so that the list ends with the lines of `entry`; `None` where the file has no place
+    /// for the list.
+    pub(crate) fn append(&self, entry: &[String]) -> Option<(TextRange, String)> {
+        match self.parent.child(&[self.name]) {
+            Some(list) => Some(self.with_entry(list, entry)),
+            None => self.with_list(entry),
+        }
+    }
+
+    fn with_entry(&self, list: Element<'_>, entry: &[String]) -> (TextRange, String) {
+        let tag = list.tag_range();
+        let outer = self.indentation(tag.start());
+        let slot = list.elements().last().map(|last| last.view().range());
+        if let Some(last) = slot {
+            let inner = self.indentation(last.start()).or(outer.map(|_| "")).map(str::to_owned);
+            return (TextRange::empty(last.end()), self.lines(entry, inner.as_deref()));
+        }
+        let inner = outer.map(|outer| format!("{outer}{LEVEL}"));
+        let entry = self.lines(entry, inner.as_deref());
+        let end = outer.map_or_else(String::new, |outer| format!("{}{outer}", self.line_end()));
+        let start = self.slice(tag);
+        if let Some(start) = start.strip_suffix("/>") {
+            return (tag, format!("{}>{entry}{end}</{}>", start.trim_end(), self.name));
+        }
+        let has_line = self.text.get(usize::from(tag.end())..).is_some_and(|rest| rest.starts_with(['\r', '\n']));
+        (TextRange::empty(tag.end()), entry + if has_line { "" } else { &end })
+    }
+
+    fn with_list(&self, entry: &[String]) -> Option<(TextRange, String)> {
+        let follower = self.parent.elements().find(|element| self.followers.contains(&element.name()))?;
+        let at = follower.tag_range().start();
+        let outer = self.indentation(at);
+        let inner = outer.map(|outer| format!("{outer}{LEVEL}"));
+        let entry = self.lines(entry, inner.as_deref());
+        let end = outer.map_or_else(String::new, |outer| format!("{}{outer}", self.line_end()));
+        let (name, attributes) = (self.name, self.attributes);
+        Some((TextRange::empty(at), format!("<{name}{attributes}>{entry}{end}</{name}>{end}")))
+    }
+
+    /// The lines of an entry, each on a line of its own where the list is written so.
+    fn lines(&self, entry: &[String], indentation: Option<&str>) -> String {
+        match indentation {
+            Some(blanks) => entry.iter().map(|line| format!("{}{blanks}{line}", self.line_end())).collect(),
+            None => entry.iter().map(|line| line.trim()).collect(),
+        }
+    }
+
+    /// The blanks before what stands at `at`, if nothing else stands before it on its line.
+    fn indentation(&self, at: TextSize) -> Option<&str> {
+        let before = self.text.get(..usize::from(at))?;
+        let line = before.rsplit(['\r', '\n']).next()?;
+        (line.len() < before.len() && line.trim().is_empty()).then_some(line)
+    }
+
+    fn line_end(&self) -> &'static str {
+        if self.text.contains("\r\n") { "\r\n" } else { "\n" }
+    }
+
+    fn slice(&self, range: TextRange) -> &str {
+        self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
+    }
+}
+
+/// The range of an entry with the line it stands on, if it has it for itself.
+pub(crate) fn whole_line(text: &str, range: TextRange) -> TextRange {
+    let (start, end) = (usize::from(range.start()), usize::from(range.end()));
+    let before = text.get(..start).unwrap_or("");
+    let rest = text.get(end..).unwrap_or("");
+    let blanks = before.len() - before.trim_end_matches([' ', '\t']).len();
+    let own = before.get(..start - blanks).is_some_and(|before| before.ends_with(['\n', '\r']))
+        && rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']);
+    if !own {
+        return range;
+    }
+    let line = before.get(..start - blanks).unwrap_or("");
+    let line_end = if line.ends_with("\r\n") { 2 } else { 1 };
+    let from = start - blanks - line_end;
+    TextSize::try_from(from).map_or(range, |from| TextRange::new(from, range.end()))
+}
+
+/// A text as an attribute in double quotes holds it, or as code outside of a CDATA section.
+pub(crate) fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_analysis::xml::root;
+    use val3_syntax::view::View;
+
+    use super::*;
+
+    fn check(text: &str, expected: &str) {
+        let parse = val3_syntax::parse(text);
+        let parent = root(View::root(parse.green())).unwrap();
+        let list = List { text, parent, name: "L", attributes: " a=\"1\"", followers: &["C"] };
+        let (range, new) = list.append(&["<e>".to_owned(), "</e>".to_owned()]).unwrap();
+        let mut changed = text.to_owned();
+        changed.replace_range(std::ops::Range::<usize>::from(range), &new);
+        assert_eq!(changed, expected);
+    }
+
+    #[test]
+    fn behind_the_last_entry() {
+        check("<P>\n  <L>\n    <e/>\n  </L>\n</P>", "<P>\n  <L>\n    <e/>\n    <e>\n    </e>\n  </L>\n</P>");
+        check("<P>\r\n<L>\r\n <e/>\r\n</L></P>", "<P>\r\n<L>\r\n <e/>\r\n <e>\r\n </e>\r\n</L></P>");
+        check("<P><L><e/></L></P>", "<P><L><e/><e></e></L></P>");
+    }
+
+    #[test]
+    fn into_an_empty_list() {
+        check("<P>\n  <L b='2' />\n</P>", "<P>\n  <L b='2'>\n    <e>\n    </e>\n  </L>\n</P>");
+        check("<P>\n  <L></L>\n</P>", "<P>\n  <L>\n    <e>\n    </e>\n  </L>\n</P>");
+        check("<P>\n  <L>\n  </L>\n</P>", "<P>\n  <L>\n    <e>\n    </e>\n  </L>\n</P>");
+        check("<P><L/></P>", "<P><L><e></e></L></P>");
+    }
+
+    #[test]
+    fn with_a_list_of_its_own() {
+        check("<P>\n  <C/>\n</P>", "<P>\n  <L a=\"1\">\n    <e>\n    </e>\n  </L>\n  <C/>\n</P>");
+        check("<P><C/></P>", "<P><L a=\"1\"><e></e></L><C/></P>");
+    }
+
+    #[test]
+    fn the_line_of_an_entry() {
+        let text = "<L>\r\n  <e/>\r\n  <f/></L>";
+        let line = |part: &str| {
+            let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
+            &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
+        };
+        assert_eq!(line("<e/>"), "\r\n  <e/>");
+        assert_eq!(line("<f/>"), "<f/>");
+    }
+}
