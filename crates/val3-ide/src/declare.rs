@@ -3,11 +3,10 @@
 use camino::Utf8Path;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::manifest::{Spelling, spelling};
-use val3_analysis::items::project::{data_files, folder, items};
+use val3_analysis::items::project::{data_files, folder};
 use val3_analysis::items::{declarations, parse, program};
 use val3_analysis::xml;
-use val3_lang::builtins;
-use val3_lang::types::{Arm, BaseType, Container};
+use val3_lang::types::Container;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
@@ -128,13 +127,6 @@ pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Op
     Some(FileEdit { file, range, text })
 }
 
-/// A private global variable of a built-in type that holds one value, in the form of the cell's arm; `None` as for
-/// [`data`].
-pub(crate) fn global(db: &dyn Db, project: Project, name: &str, ty: BaseType) -> Option<FileEdit> {
-    let arm = items(db, project).arm.unwrap_or(Arm::SixAxis);
-    data(db, project, &Variable::single(name, &ty.file_name(arm)), None)
-}
-
 /// Public data of a project of s7 or s8, several at once.
 pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
@@ -154,19 +146,18 @@ fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<Strin
         _ => format!("xsi:type=\"array\" type=\"{ty}\" size=\"{}\"", variable.size()),
     };
     let start = format!("<Data name=\"{name}\" access=\"{access}\" {shape}");
-    let attribute = match (value, built_in_father(ty)) {
+    let father = match ty.as_str() {
+        "frame" => Some("world[0]"),
+        "tool" => Some("flange[0]"),
+        point if point.starts_with("point") => Some("world[0]"),
+        _ => None,
+    };
+    let attribute = match (value, father) {
         (Some(value), _) => format!("value=\"{}\"", escaped(value)),
-        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}[0]\""),
+        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}\""),
         _ => return vec![format!("{start} />")],
     };
     vec![format!("{start}>"), format!("  <Value key=\"0\" {attribute} />"), "</Data>".to_owned()]
-}
-
-/// What a new point, frame or tool hangs on.
-fn built_in_father(type_name: &str) -> Option<&'static str> {
-    let (ty, _) = BaseType::from_file_name(type_name)?;
-    let father = ty.father()?;
-    builtins::BUILTINS.iter().find(|builtin| builtin.ty == father).map(|builtin| builtin.name)
 }
 
 /// In s5 and s6 every value is written.
@@ -219,50 +210,40 @@ pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Opt
 
 /// The entries of program files in a `.pjx`.
 pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
-    file_entries(db, project, references, |spelling| spelling.programs)
+    manifest_entries(db, project, |spelling| (spelling.programs, files(spelling.programs.1, references)))
 }
 
 /// The entries of data files in a `.pjx`.
 pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
-    file_entries(db, project, references, |spelling| spelling.data)
+    manifest_entries(db, project, |spelling| (spelling.data, files(spelling.data.1, references)))
 }
 
-fn file_entries(
-    db: &dyn Db,
-    project: Project,
-    references: &[String],
-    list: fn(&Spelling) -> (&'static str, &'static str),
-) -> Option<FileEdit> {
-    let attributes = |reference: &String| format!("file=\"{}\"", escaped(reference));
-    manifest_entries(db, project, list, |_| references.iter().map(attributes).collect())
+fn files(item: &str, references: &[String]) -> Vec<String> {
+    references.iter().map(|reference| format!("<{item} file=\"{}\" />", escaped(reference))).collect()
 }
 
-/// A library identifier with the path of its interface.
+/// The entry of a library identifier with the path of its interface in a `.pjx`.
 pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) -> Option<FileEdit> {
-    let attributes = |spelling: &Spelling| {
-        let Spelling { library_name, library_path, .. } = spelling;
-        vec![format!("{library_name}=\"{}\" {library_path}=\"{}\"", escaped(alias), escaped(path))]
-    };
-    manifest_entries(db, project, |spelling| spelling.libraries, attributes)
+    manifest_entries(db, project, |spelling| {
+        let (name, place) = (spelling.library_name, spelling.library_path);
+        let entry = format!("<{} {name}=\"{alias}\" {place}=\"{}\" />", spelling.libraries.1, escaped(path));
+        (spelling.libraries, vec![entry])
+    })
 }
 
-/// Entries of a list of the project file, from their attributes.
 fn manifest_entries(
     db: &dyn Db,
     project: Project,
-    list: fn(&Spelling) -> (&'static str, &'static str),
-    attributes: impl FnOnce(&Spelling) -> Vec<String>,
+    entries: impl Fn(&Spelling) -> ((&'static str, &'static str), Vec<String>),
 ) -> Option<FileEdit> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let parent = xml::root(View::root(parse.green()))?;
     let spelling = spelling(parent);
-    let (name, item) = list(spelling);
-    // What comes behind the list, in the order of project files.
-    let order = [spelling.programs.0, spelling.data.0, spelling.libraries.0, spelling.types.0];
-    let followers: Vec<&str> = order.into_iter().skip_while(|other| *other != name).skip(1).collect();
+    let ((name, _), entries) = entries(spelling);
+    let behind = [spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let followers: Vec<&str> = behind.into_iter().filter(|follower| *follower != name).collect();
     let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
-    let entries: Vec<String> = attributes(spelling).iter().map(|entry| format!("<{item} {entry} />")).collect();
     let (range, text) = list.append(&entries)?;
     Some(FileEdit { file, range, text })
 }
@@ -311,7 +292,7 @@ fn old_program(new: &NewProgram) -> String {
 
 /// A name that no program of the project has, and no file beside it: `stem`, else `stem2` and so on.
 pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
-    let items = items(db, project);
+    let items = val3_analysis::items::project::items(db, project);
     let taken = |name: &str| {
         let same = |other: &str| other.eq_ignore_ascii_case(name);
         items.programs.keys().any(|other| same(other))
@@ -331,99 +312,4 @@ pub(crate) fn free(stem: &str, taken: impl Fn(&str) -> bool) -> String {
 /// An edit that takes out the entry at `range`, with its line.
 pub(crate) fn without(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
     FileEdit { file, range: crate::xml_list::whole_line(file.text(db), range), text: String::new() }
-}
-
-#[cfg(test)]
-mod tests {
-    use expect_test::{Expect, expect};
-
-    use super::*;
-    use crate::testing::Marked;
-
-    fn check(listing: &str, edit: impl FnOnce(&dyn Db, Project) -> Option<FileEdit>, expected: Expect) {
-        let marked = Marked::new(listing);
-        let db = marked.db();
-        let project = crate::owner(db, marked.at().file).unwrap();
-        let shown = edit(db, project).map_or_else(String::new, |edit| {
-            let mut text = edit.file.text(db).to_string();
-            text.replace_range(std::ops::Range::<usize>::from(edit.range), &edit.text);
-            assert!(val3_syntax::parse(&text).errors().is_empty());
-            text.lines().skip(2).map(|line| format!("{line}\n")).collect()
-        });
-        expected.assert_eq(&shown);
-    }
-
-    #[test]
-    fn data() {
-        let num = |db: &dyn Db, project| global(db, project, "nA", BaseType::Num);
-        let point = |db: &dyn Db, project| global(db, project, "pA", BaseType::Point);
-        check(
-            "cls()$0",
-            num,
-            expect![[r#"
-              <Datas>
-                <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
-              </Datas>
-            </Database>
-        "#]],
-        );
-        check(
-            "num nB\ncls()$0",
-            point,
-            expect![[r#"
-              <Datas>
-                <Data name="nB" access="private" xsi:type="array" type="num" size="1" />
-                <Data name="pA" access="private" xsi:type="array" type="pointRx" size="1">
-                  <Value key="0" fatherId="world[0]" />
-                </Data>
-              </Datas>
-            </Database>
-        "#]],
-        );
-        check(
-            "cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<Database>\n<Datas></Datas>\n</Database>",
-            num,
-            expect![[r#"
-            <Datas>
-              <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
-            </Datas>
-            </Database>
-        "#]],
-        );
-        check(
-            "cls()$0\n=== main/main.dtx\n<?xml version=\"1.0\"?>\n<dataList>\n<numSection />\n</dataList>",
-            num,
-            expect![[r#"
-                <numSection>
-                  <num name="nA" public="false" >
-                    <valueNum index="0" value="0" />
-                  </num>
-                </numSection>
-                </dataList>
-            "#]],
-        );
-    }
-
-    #[test]
-    fn libraries() {
-        let part = |db: &dyn Db, project| library(db, project, "part", "Disk://part/part.pjx");
-        check(
-            "cls()$0",
-            part,
-            expect![[r#"
-              <Parameters version="s7.11" stackSize="5000" millimeterUnit="true" />
-              <Programs>
-                <Program file="start.pgx" />
-              </Programs>
-              <Database>
-                <Data file="main.dtx" />
-              </Database>
-              <Libraries>
-                <Library alias="part" path="Disk://part/part.pjx" />
-              </Libraries>
-              <Types />
-            </Project>
-        "#]],
-        );
-    }
 }

@@ -4,11 +4,11 @@ use val3_analysis::db::Project;
 use val3_analysis::items::project::items;
 use val3_config::Options;
 use val3_lang::keywords;
-use val3_lang::types::BaseType;
+use val3_lang::types::{Arm, BaseType};
 
 use super::strings::{disk_path, other_projects};
 use super::{CompletionKind as Kind, Found};
-use crate::declare;
+use crate::declare::{self, Variable};
 use crate::line::Expected;
 
 /// What is not there yet comes last.
@@ -29,7 +29,9 @@ pub(super) fn global(found: &mut Found<'_>, expected: &Expected) {
     else {
         return;
     };
-    let Some(edit) = declare::global(db, project, name, ty) else { return };
+    // Data files name the arm of positions.
+    let type_name = ty.file_name(names.items.arm.unwrap_or(Arm::SixAxis));
+    let Some(edit) = declare::data(db, project, &Variable::single(name, &type_name), None) else { return };
     let added = found.add(name, Kind::Data).scored(MISSING).adding(|| vec![edit]);
     added.detail(|| format!("new global {}", ty.name()));
 }
