@@ -115,23 +115,26 @@ mod tests {
     fn and_back() {
         check(
             "if-to-switch",
-            "num nA\ni$0f nA==1\n  nA=2\nelse\n  nA=3\nendIf",
+            "num nA\ni$0f nA==1\n  nA=2\nelseIf nA==5\nelse\n  nA=3\nendIf",
             expect![[r#"
-            usrapp/main/start.pgx
-            -if nA==1
-            -  nA=2
-            -else
-            -  nA=3
-            -endIf
-            +switch nA
-            +  case 1
-            +    nA=2
-            +  break
-            +  default
-            +    nA=3
-            +  break
-            +endSwitch
-        "#]],
+                usrapp/main/start.pgx
+                -if nA==1
+                -  nA=2
+                -elseIf nA==5
+                -else
+                -  nA=3
+                -endIf
+                +switch nA
+                +  case 1
+                +    nA=2
+                +  break
+                +  case 5
+                +  break
+                +  default
+                +    nA=3
+                +  break
+                +endSwitch
+            "#]],
         );
         check(
             ID,
