@@ -23,7 +23,13 @@ fn check_in(code: &str, style: &Style, expected: Expect) {
     let (head, tail) = ("<Programs><Program name=\"a\"><Code><![CDATA[", "]]></Code></Program></Programs>\n");
     let text = formatted(&format!("{head}{code}{tail}"), style);
     let code = text.strip_prefix(head).and_then(|text| text.strip_suffix(tail)).expect("the XML stays");
-    expected.assert_eq(&(code.to_owned() + "\n"));
+    expected.assert_eq(&code.lines().map(|line| visible(line) + "\n").collect::<String>());
+}
+
+/// The line with its last blanks as dots.
+fn visible(line: &str) -> String {
+    let content = line.trim_end();
+    content.to_owned() + &"·".repeat(line.len() - content.len())
 }
 
 #[test]
@@ -113,7 +119,7 @@ fn comments_stay_as_they_are() {
         "begin\n//  first  \n\n\n\n\n      // second\nif a\n  b=1\n    // in the block\nendIf\nif a\n  b=1\n// before the end\nendIf\n  // last\nend",
         expect![[r#"
             begin
-              //  first  
+              //  first··
 
 
               // second
@@ -138,7 +144,7 @@ fn lines_that_cannot_be_read_stay() {
         expect![[r#"
             begin
               a=1
-               b =  = 2 
+               b =  = 2·
               c=3
             end
         "#]],

@@ -20,7 +20,7 @@ fn check_in(code: &str, style: &Style, expected: Expect) {
     let edits = on_type(&text, &parse(&text), style, TextSize::try_from(offset).unwrap(), typed);
     let changed = apply(&text, &edits);
     let code = changed.strip_prefix(head).and_then(|text| text.strip_suffix(tail)).expect("the XML stays");
-    expected.assert_eq(&(code.replace(' ', "·").replace('\r', "␍") + "\n"));
+    expected.assert_eq(&(code.replace(' ', "·").replace('\r', "␍").replace('\t', "→") + "\n"));
 }
 
 #[test]
@@ -63,10 +63,10 @@ fn a_line_below_a_word_that_opens_a_block() {
         "begin\n\twhile a\n$0",
         &Style { indent: Indent::Tab, ..Style::default() },
         expect![[r#"
-        begin
-        	while·a
-		
-    "#]],
+            begin
+            →while·a
+            →→
+        "#]],
     );
 }
 

@@ -1,16 +1,21 @@
 //! Declarations that come into a file: locals, parameters, global data, programs.
 
-use camino::Utf8Path;
+mod new_program;
+mod project_entries;
+
+pub(crate) use new_program::{NewProgram, free_program_name, programs};
+pub(crate) use project_entries::{data_entries, library, program_entries};
+
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::items::manifest::{Spelling, spelling};
-use val3_analysis::items::project::{data_files, folder};
-use val3_analysis::items::{declarations, parse, program};
+use val3_analysis::items::project::data_files;
+use val3_analysis::items::{parse, program};
 use val3_analysis::xml;
-use val3_lang::types::Container;
+use val3_lang::builtins;
+use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
-use crate::edit::{FileEdit, SourceChange};
+use crate::edit::FileEdit;
 use crate::xml_list::{List, escaped};
 
 /// What a variable is declared as.
@@ -146,18 +151,19 @@ fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<Strin
         _ => format!("xsi:type=\"array\" type=\"{ty}\" size=\"{}\"", variable.size()),
     };
     let start = format!("<Data name=\"{name}\" access=\"{access}\" {shape}");
-    let father = match ty.as_str() {
-        "frame" => Some("world[0]"),
-        "tool" => Some("flange[0]"),
-        point if point.starts_with("point") => Some("world[0]"),
-        _ => None,
-    };
-    let attribute = match (value, father) {
+    let attribute = match (value, built_in_father(ty)) {
         (Some(value), _) => format!("value=\"{}\"", escaped(value)),
-        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}\""),
+        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}[0]\""),
         _ => return vec![format!("{start} />")],
     };
     vec![format!("{start}>"), format!("  <Value key=\"0\" {attribute} />"), "</Data>".to_owned()]
+}
+
+/// What a new point, frame or tool hangs on.
+fn built_in_father(type_name: &str) -> Option<&'static str> {
+    let (ty, _) = BaseType::from_file_name(type_name)?;
+    let father = ty.father()?;
+    builtins::BUILTINS.iter().find(|builtin| builtin.ty == father).map(|builtin| builtin.name)
 }
 
 /// In s5 and s6 every value is written.
@@ -180,125 +186,6 @@ fn old_data(variable: &Variable, value: Option<&str>, public: bool) -> Option<Ve
     lines.extend((0..*size).map(written));
     lines.push(format!("</{ty}>"));
     Some(lines)
-}
-
-/// A program that does not exist yet.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct NewProgram {
-    pub(crate) name: String,
-    pub(crate) public: bool,
-    /// With whether each is passed by reference.
-    pub(crate) params: Vec<(Variable, bool)>,
-    pub(crate) locals: Vec<Variable>,
-    /// The lines between `begin` and `end`, in plain characters, with their indentation.
-    pub(crate) code: Vec<String>,
-    /// How lines end.
-    pub(crate) line_end: &'static str,
-}
-
-/// New programs of a project: their files, and their entries in the `.pjx`; `None` where that has no place for them.
-pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
-    let old = declarations::is_old(db, project);
-    let file = |new: &NewProgram| {
-        let path = folder(db, project).join(&new.name).with_extension("pgx");
-        (path, if old { old_program(new) } else { new_program(new) })
-    };
-    let names: Vec<String> = new.iter().map(|new| format!("{}.pgx", new.name)).collect();
-    let entries = program_entries(db, project, &names)?;
-    Some(SourceChange { creates: new.iter().map(file).collect(), ..SourceChange::of([entries]) })
-}
-
-/// The entries of program files in a `.pjx`.
-pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
-    manifest_entries(db, project, |spelling| (spelling.programs, files(spelling.programs.1, references)))
-}
-
-/// The entries of data files in a `.pjx`.
-pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
-    manifest_entries(db, project, |spelling| (spelling.data, files(spelling.data.1, references)))
-}
-
-fn files(item: &str, references: &[String]) -> Vec<String> {
-    references.iter().map(|reference| format!("<{item} file=\"{}\" />", escaped(reference))).collect()
-}
-
-/// The entry of a library identifier with the path of its interface in a `.pjx`.
-pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) -> Option<FileEdit> {
-    manifest_entries(db, project, |spelling| {
-        let (name, place) = (spelling.library_name, spelling.library_path);
-        let entry = format!("<{} {name}=\"{alias}\" {place}=\"{}\" />", spelling.libraries.1, escaped(path));
-        (spelling.libraries, vec![entry])
-    })
-}
-
-fn manifest_entries(
-    db: &dyn Db,
-    project: Project,
-    entries: impl Fn(&Spelling) -> ((&'static str, &'static str), Vec<String>),
-) -> Option<FileEdit> {
-    let file = project.manifest(db);
-    let parse = parse(db, file);
-    let parent = xml::root(View::root(parse.green()))?;
-    let spelling = spelling(parent);
-    let ((name, _), entries) = entries(spelling);
-    let behind = [spelling.data.0, spelling.libraries.0, spelling.types.0];
-    let followers: Vec<&str> = behind.into_iter().filter(|follower| *follower != name).collect();
-    let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
-    let (range, text) = list.append(&entries)?;
-    Some(FileEdit { file, range, text })
-}
-
-fn new_program(new: &NewProgram) -> String {
-    let access = if new.public { " access=\"public\"" } else { "" };
-    let mut lines = vec![
-        "<?xml version=\"1.0\" encoding=\"utf-8\"?>".to_owned(),
-        "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">".to_owned(),
-        format!("  <Program name=\"{}\"{access}>", new.name),
-    ];
-    if !new.params.is_empty() {
-        lines.push(format!("    <Parameters{PARAMETERS}>"));
-        let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(false, variable, *by_reference);
-        lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
-        lines.push("    </Parameters>".to_owned());
-    }
-    if !new.locals.is_empty() {
-        lines.push("    <Locals>".to_owned());
-        lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(false, local))));
-        lines.push("    </Locals>".to_owned());
-    }
-    lines.push("    <Code><![CDATA[begin".to_owned());
-    lines.extend(new.code.iter().cloned());
-    lines.extend(["end]]></Code>", "  </Program>", "</Programs>", ""].map(str::to_owned));
-    lines.join(new.line_end)
-}
-
-fn old_program(new: &NewProgram) -> String {
-    let mut lines = vec![
-        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>".to_owned(),
-        "<programList xmlns=\"ProgramNameSpace\" >".to_owned(),
-        format!("  <program name=\"{}\" public=\"{}\" >", new.name, new.public),
-        "    <description></description>".to_owned(),
-        "    <paramSection>".to_owned(),
-    ];
-    let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(true, variable, *by_reference);
-    lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
-    lines.extend(["    </paramSection>", "    <localSection>"].map(str::to_owned));
-    lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(true, local))));
-    lines.extend(["    </localSection>", "    <source>", "      <code>begin"].map(str::to_owned));
-    lines.extend(new.code.iter().map(|line| escaped(line)));
-    lines.extend(["end</code>", "    </source>", "  </program>", "</programList>", ""].map(str::to_owned));
-    lines.join(new.line_end)
-}
-
-/// A name that no program of the project has, and no file beside it: `stem`, else `stem2` and so on.
-pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
-    let items = val3_analysis::items::project::items(db, project);
-    let taken = |name: &str| {
-        let same = |other: &str| other.eq_ignore_ascii_case(name);
-        items.programs.keys().any(|other| same(other))
-            || project.beside(db).iter().any(|file| Utf8Path::new(file.as_str()).file_stem().is_some_and(same))
-    };
-    free(stem, taken)
 }
 
 /// `stem`, or `stem` with the first number that makes it free.

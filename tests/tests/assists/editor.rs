@@ -33,6 +33,30 @@ impl Editor {
         &self.workspace.db
     }
 
+    /// The tokens of all code but blanks and comments, file by file.
+    pub(crate) fn tokens(&self) -> Vec<String> {
+        let skipped = [SyntaxKind::WHITESPACE, SyntaxKind::NEWLINE, SyntaxKind::COMMENT];
+        let of_file = |file: File| texts_of(&self.tree(file), |kind| !skipped.contains(&kind));
+        self.files().into_iter().flat_map(of_file).collect()
+    }
+
+    /// Comments that a change leaves out.
+    pub(crate) fn lost_comments(&self, change: &SourceChange) -> Vec<String> {
+        let comments = |tree: &SyntaxNode| texts_of(tree, |kind| kind == SyntaxKind::COMMENT);
+        let edited = self.texts(change);
+        let new = change.creates.iter().map(|(_, text)| text).chain(edited.iter().map(|(_, text)| text));
+        let mut after: Vec<String> = new.flat_map(|text| comments(&val3_syntax::parse(text).root())).collect();
+        let before = edited.iter().flat_map(|(file, _)| comments(&self.tree(*file)));
+        let lost = before.filter(|comment| match after.iter().position(|other| other == comment) {
+            Some(at) => {
+                after.swap_remove(at);
+                false
+            }
+            None => true,
+        });
+        lost.collect()
+    }
+
     /// The files, by path.
     pub(crate) fn files(&self) -> Vec<File> {
         let mut files: Vec<File> = Sources::get(self.db()).files(self.db()).values().copied().collect();
@@ -125,6 +149,12 @@ impl Editor {
         let file = self.files().into_iter().find(|file| file.path(self.db()) == path).unwrap();
         FileRange { file, ..place }
     }
+}
+
+/// The texts of the tokens of some kinds.
+fn texts_of(tree: &SyntaxNode, wanted: impl Fn(SyntaxKind) -> bool) -> Vec<String> {
+    let tokens = tree.descendants_with_tokens().filter_map(|element| element.into_token());
+    tokens.filter(|token| wanted(token.kind())).map(|token| token.text().trim().to_owned()).collect()
 }
 
 /// A statement of any kind.

@@ -58,8 +58,7 @@ fn no_assist_adds_an_error() {
     let editor = Editor::open(&cell::files("palletiser"));
     assert_eq!(editor.errors(), [] as [String; 0]);
     let changes = changes(&editor);
-    for id in ["extract-program", "inline-program", "if-to-switch", "switch-to-if", "surround-for", "extract-constant"]
-    {
+    for id in ["extract-program", "inline-program", "switch-to-if", "surround-for", "extract-constant"] {
         assert!(changes.contains_key(id), "`{id}` is offered nowhere: {:?}", changes.keys());
     }
     for (id, changes) in changes.iter().filter(|(id, _)| **id != CHANGES_INTERFACE) {
@@ -71,6 +70,21 @@ fn no_assist_adds_an_error() {
 }
 
 #[test]
+fn a_switch_goes_there_and_back() {
+    let editor = Editor::open(&cell::files("palletiser"));
+    let mut returned = 0;
+    for place in places(&editor).into_iter().filter(|place| !place.range.is_empty()) {
+        let Some(change) = resolve_assist(editor.db(), "switch-to-if", place) else { continue };
+        let chain = Editor::open(&editor.after(&change));
+        let there = chain.same_place(&editor, FileRange { range: TextRange::empty(place.range.start()), ..place });
+        let Some(back) = resolve_assist(chain.db(), "if-to-switch", there) else { continue };
+        assert_eq!(Editor::open(&chain.after(&back)).tokens(), editor.tokens(), "{change:#?}");
+        returned += 1;
+    }
+    assert!(returned > 0);
+}
+
+#[test]
 fn every_change_can_be_read() {
     for name in ["palletiser", "faulty"] {
         let editor = Editor::open(&cell::files(name));
@@ -78,6 +92,7 @@ fn every_change_can_be_read() {
             for change in sample(&changes, PLACES) {
                 let (before, after) = editor.faults_of_texts(change);
                 assert!(after.len() <= before.len(), "`{id}`: {after:?}\n{change:#?}");
+                assert_eq!(editor.lost_comments(change), [] as [String; 0], "`{id}` {change:#?}");
             }
         }
     }

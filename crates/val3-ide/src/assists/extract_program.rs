@@ -1,18 +1,17 @@
 //! Takes statements out into a program of their own.
 
-use std::collections::BTreeMap;
+mod passing;
 
-use smol_str::SmolStr;
 use val3_analysis::body::{Stmt, StmtKind};
-use val3_analysis::effects::{Access, AccessKind, Effects, Root};
 use val3_analysis::items::declarations;
-use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 use val3_syntax::ast::AstNode as _;
 
+use passing::{Passing, variables};
+
 use super::context::Context;
 use super::{AssistKind, Assists};
-use crate::declare::{self, NewProgram, Variable};
+use crate::declare::{self, NewProgram};
 use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
@@ -39,8 +38,9 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 fn extract(context: &Context<'_>, range: TextRange) -> Option<SourceChange> {
     let passed = variables(context, range);
     let name = declare::free_program_name(context.db, context.project, "extracted");
-    let params = passed.iter().filter(|found| found.passing != Passing::Inside);
-    let locals = passed.iter().filter(|found| found.passing == Passing::Inside);
+    let is_local = |passing: Passing| matches!(passing, Passing::Inside | Passing::Apart);
+    let params = passed.iter().filter(|found| !is_local(found.passing));
+    let locals = passed.iter().filter(|found| is_local(found.passing));
     let new = NewProgram {
         name: name.clone(),
         public: false,
@@ -52,88 +52,9 @@ fn extract(context: &Context<'_>, range: TextRange) -> Option<SourceChange> {
     let mut change = declare::programs(context.db, context.project, &[new])?;
     let arguments: Vec<&str> = params.map(|found| found.variable.name.as_str()).collect();
     change.edits.push(context.replace(range, format!("call {name}({})", arguments.join(","))));
-    change.edits.extend(locals.filter_map(|found| without_local(context, &found.variable.name)));
+    let moved = locals.filter(|found| found.passing == Passing::Inside);
+    change.edits.extend(moved.filter_map(|found| without_local(context, &found.variable.name)));
     Some(change)
-}
-
-/// How a variable gets into the new program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Passing {
-    Value,
-    Reference,
-    /// It is used there alone, and becomes a local of it.
-    Inside,
-}
-
-struct Passed {
-    variable: Variable,
-    passing: Passing,
-}
-
-/// The locals and parameters that the statements use, by name.
-fn variables(context: &Context<'_>, range: TextRange) -> Vec<Passed> {
-    let effects = Effects::new(context.db, context.project, context.file);
-    let mut uses: BTreeMap<SmolStr, Vec<&Access>> = BTreeMap::new();
-    for access in effects.all() {
-        if let Root::Local(name) | Root::Param(name) = &access.root {
-            uses.entry(name.clone()).or_default().push(access);
-        }
-    }
-    let in_loop = is_in_loop(context, range);
-    uses.into_iter().filter_map(|(name, uses)| passed(context, range, in_loop, &name, &uses)).collect()
-}
-
-fn passed(context: &Context<'_>, range: TextRange, in_loop: bool, name: &str, uses: &[&Access]) -> Option<Passed> {
-    let is_inside = |access: &&&Access| range.contains_range(context.body().range(access.id));
-    let inside: Vec<&&Access> = uses.iter().filter(is_inside).collect();
-    let first = inside.first()?;
-    let written = inside.iter().any(|access| access.kind != AccessKind::Read);
-    let header = context.header();
-    let (variable, is_local, by_reference) = match header.locals.iter().find(|local| local.name == name) {
-        Some(local) => (declared(name, &local.type_name, local.container, &local.sizes), true, false),
-        None => {
-            let param = header.params.iter().find(|param| param.name == name)?;
-            // A parameter of the old dialect may be an array: it is handed on as it came.
-            let sizes = match param.container {
-                Container::Array { dims } => vec![2; usize::from(dims)],
-                _ => vec![1],
-            };
-            (declared(name, &param.type_name, param.container, &sizes), false, param.by_reference)
-        }
-    };
-    // A local that keeps its value from one round of a loop to the next has to live outside.
-    let starts_anew = !in_loop || first.kind == AccessKind::Write;
-    let passing = if is_local && inside.len() == uses.len() && starts_anew {
-        Passing::Inside
-    } else if is_array(&variable)
-        || by_reference && is_linked(&variable)
-        || written && (is_local || by_reference || inside.len() < uses.len() || in_loop)
-    {
-        Passing::Reference
-    } else {
-        Passing::Value
-    };
-    Some(Passed { variable, passing })
-}
-
-fn declared(name: &str, type_name: &str, container: Container, sizes: &[u32]) -> Variable {
-    Variable { name: name.to_owned(), type_name: type_name.to_owned(), container, sizes: sizes.to_vec() }
-}
-
-fn is_array(variable: &Variable) -> bool {
-    variable.container == Container::Collection || !matches!(variable.sizes.as_slice(), [] | [1])
-}
-
-/// Inputs, outputs and serial lines are nothing without their link.
-fn is_linked(variable: &Variable) -> bool {
-    BaseType::from_name(&variable.type_name).is_some_and(BaseType::is_linkable)
-}
-
-/// A loop of the program stands around the statements.
-fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
-    let repeats = |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
-    let around = |stmt: &&Stmt| stmt.range.contains_range(range) && stmt.range != range;
-    context.body().stmts().iter().filter(|stmt| around(stmt)).any(|stmt| repeats(&stmt.kind))
 }
 
 /// The lines of the new program, one level deep.
@@ -258,6 +179,77 @@ mod tests {
                 +    <Code><![CDATA[begin
                 +  for l_i=1 to 3
                 +    call extracted(l_i,l_sum)
+            "#]],
+        );
+    }
+
+    #[test]
+    fn only_what_is_needed_behind_comes_back() {
+        check(
+            ID,
+            "program other()\n  num l_a\n  num l_b\n  num l_c\nbegin\n  l_a=1\n  l_b=1\n  $0l_a=l_a+l_b\n  l_b=l_a\n  l_c=l_b\n  putln(l_c)$0\n  l_b=2\n  l_c=l_b\n  putln(l_c)\nend",
+            expect![[r#"
+                new usrapp/main/extracted.pgx
+                +<?xml version="1.0" encoding="utf-8"?>
+                +<Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+                +  <Program name="extracted">
+                +    <Parameters xmlns="http://www.staubli.com/robotics/VAL3/Param/1">
+                +      <Parameter name="l_a" type="num" xsi:type="element" />
+                +      <Parameter name="l_b" type="num" xsi:type="element" />
+                +    </Parameters>
+                +    <Locals>
+                +      <Local name="l_c" type="num" xsi:type="array" size="1" />
+                +    </Locals>
+                +    <Code><![CDATA[begin
+                +  l_a=l_a+l_b
+                +  l_b=l_a
+                +  l_c=l_b
+                +  putln(l_c)
+                +end]]></Code>
+                +  </Program>
+                +</Programs>
+                usrapp/main/main.pjx
+                +    <Program file="extracted.pgx" />
+                usrapp/main/other.pgx
+                -  l_a=l_a+l_b
+                -  l_b=l_a
+                -  l_c=l_b
+                -  putln(l_c)
+                +  call extracted(l_a,l_b)
+            "#]],
+        );
+    }
+
+    #[test]
+    fn what_one_way_through_a_loop_leaves_alone() {
+        check(
+            ID,
+            "program other()\n  num l_i\n  num l_last\nbegin\n  for l_i=1 to 3\n    $0if l_i==1\n      l_last=l_i\n    endIf\n    putln(l_last)$0\n  endFor\nend",
+            expect![[r#"
+                new usrapp/main/extracted.pgx
+                +<?xml version="1.0" encoding="utf-8"?>
+                +<Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+                +  <Program name="extracted">
+                +    <Parameters xmlns="http://www.staubli.com/robotics/VAL3/Param/1">
+                +      <Parameter name="l_i" type="num" xsi:type="element" />
+                +      <Parameter name="l_last" type="num" xsi:type="element" use="reference" />
+                +    </Parameters>
+                +    <Code><![CDATA[begin
+                +  if l_i==1
+                +    l_last=l_i
+                +  endIf
+                +  putln(l_last)
+                +end]]></Code>
+                +  </Program>
+                +</Programs>
+                usrapp/main/main.pjx
+                +    <Program file="extracted.pgx" />
+                usrapp/main/other.pgx
+                -    if l_i==1
+                -      l_last=l_i
+                -    endIf
+                -    putln(l_last)
+                +    call extracted(l_i,l_last)
             "#]],
         );
     }

@@ -16,6 +16,10 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     for clause in chain.else_if_clauses() {
         arms.push((clause.condition()?, clause.block()?));
     }
+    // One comparison is no choice.
+    if arms.len() < 2 {
+        return None;
+    }
     let mut selector = None;
     let mut cases = Vec::new();
     for (condition, block) in arms {
@@ -167,32 +171,20 @@ mod tests {
                 +  endSwitch
             "#]],
         );
-        check(
-            ID,
-            "string sA\nif$0 sA==\"a\"\nendIf",
-            expect![[r#"
-            usrapp/main/start.pgx
-            -if sA=="a"
-            -endIf
-            +switch sA
-            +  case "a"
-            +  break
-            +endSwitch
-        "#]],
-        );
     }
 
     #[test]
     fn no_chain_of_comparisons() {
         for listing in [
             "num nA\ni$0f nA==1\nelseIf nA<2\nendIf",
-            "num nA\ni$0f nA==1 and nA==2\nendIf",
+            "num nA\ni$0f nA==1 and nA==2\nelseIf nA==3\nendIf",
             "num nA\nnum nB\ni$0f nA==1\nelseIf nB==2\nendIf",
-            "num nA\ni$0f nA==nA\nendIf",
+            "num nA\ni$0f nA==nA\nelseIf nA==1\nendIf",
+            "num nA\ni$0f nA==1\nendIf",
             "i$0f get()==1\nelseIf get()==2\nendIf",
-            "num nA\nif nA==1\n  nA=$02\nendIf",
-            "aio aiA\ni$0f aiA==1\nendIf",
-            "num nA\ni$0f nA==1\n  nA=2\n",
+            "num nA\nif nA==1\n  nA=$02\nelseIf nA==3\nendIf",
+            "aio aiA\ni$0f aiA==1\nelseIf aiA==2\nendIf",
+            "num nA\ni$0f nA==1\nelseIf nA==2\n  nA=2\n",
         ] {
             assert_eq!(offered(listing, ID), None, "{listing}");
         }

@@ -2,7 +2,7 @@
 
 use rowan::NodeOrToken;
 use val3_syntax::ast::{AstNode as _, Block, Code};
-use val3_syntax::{SyntaxKind, SyntaxToken, TextRange, TextSize, decode_entities};
+use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities};
 
 use super::context::Context;
 
@@ -38,19 +38,26 @@ pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
 
 /// From the first comment or statement of a block to the last: comments at its ends stand beside it in the tree.
 pub(super) fn with_comments(block: &Block) -> TextRange {
-    let is_trivia = |kind| matches!(kind, SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE | SyntaxKind::COMMENT);
-    let comment = |element: NodeOrToken<_, SyntaxToken>| {
-        element.into_token().filter(|token| token.kind() == SyntaxKind::COMMENT).map(|token| token.text_range())
+    let own = block.syntax().text_range();
+    let is_blank = |token: &SyntaxToken| matches!(token.kind(), SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE);
+    let belongs = |token: &SyntaxToken| {
+        let inside = own.contains_range(token.text_range()) && !own.is_empty();
+        inside || is_blank(token) || token.kind() == SyntaxKind::COMMENT
     };
-    let element = NodeOrToken::Node(block.syntax().clone());
-    let before = std::iter::successors(element.prev_sibling_or_token(), |it| it.prev_sibling_or_token());
-    let behind = std::iter::successors(element.next_sibling_or_token(), |it| it.next_sibling_or_token());
-    let before = before.take_while(|it| is_trivia(it.kind())).filter_map(comment);
-    let behind = behind.take_while(|it| is_trivia(it.kind())).filter_map(comment);
-    let inside = block.syntax().children_with_tokens();
-    let inside = inside.filter(|it| it.kind() == SyntaxKind::COMMENT || !is_trivia(it.kind()));
-    let all = before.chain(behind).chain(inside.map(|it| it.text_range()));
-    all.reduce(TextRange::cover).unwrap_or(TextRange::empty(block.syntax().text_range().start()))
+    let before = block.syntax().prev_sibling_or_token().and_then(|it| match it {
+        NodeOrToken::Node(node) => node.last_token(),
+        NodeOrToken::Token(token) => Some(token),
+    });
+    let head = std::iter::successors(before, SyntaxToken::prev_token).find(|token| !belongs(token));
+    let behind = std::iter::successors(head.and_then(|head| head.next_token()), SyntaxToken::next_token);
+    let content = behind.take_while(belongs).filter(|token| !is_blank(token)).map(|token| token.text_range());
+    content.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
+}
+
+/// The comments directly in a node, outside of its parts, each with where it stands.
+pub(super) fn own_comments(node: &SyntaxNode) -> Vec<TextRange> {
+    let tokens = node.children_with_tokens().filter_map(NodeOrToken::into_token);
+    tokens.filter(|token| token.kind() == SyntaxKind::COMMENT).map(|token| token.text_range()).collect()
 }
 
 /// The code is not in a CDATA section: some characters are written as references.

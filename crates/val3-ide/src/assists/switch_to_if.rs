@@ -1,10 +1,10 @@
 //! Turns a `switch` into a chain of `if`.
 
-use val3_syntax::ast::{AstNode, Expr, SwitchStmt};
-use val3_syntax::{SyntaxKind, TextRange};
+use val3_syntax::ast::{AstNode, CaseClause, DefaultClause, Expr, SwitchStmt};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::context::Context;
-use super::lines::relaid;
+use super::lines::{own_comments, relaid};
 use super::{AssistKind, Assists};
 use crate::edit::SourceChange;
 
@@ -25,24 +25,51 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
         return None;
     }
     assists.add("switch-to-if", AssistKind::Rewrite, "Replace `switch` with `if`", || {
-        let outer = context.indentation(switch.syntax().text_range().start());
-        let line_end = context.line_end();
-        let inner = format!("{outer}{}", context.level());
-        let mut text = String::new();
-        for (index, clause) in clauses.iter().enumerate() {
-            let values: Vec<String> =
-                clause.values().map(|value| equal(context, &selector, value.syntax().text_range())).collect();
-            let word = if index == 0 { "if" } else { "elseIf" };
-            let start = if index == 0 { String::new() } else { format!("{line_end}{outer}") };
-            text += &format!("{start}{word} {}{}", values.join(" or "), relaid(context, &clause.block()?, &inner));
-        }
-        if let Some(clause) = &default {
-            text += &format!("{line_end}{outer}else{}", relaid(context, &clause.block()?, &inner));
-        }
-        text += &format!("{line_end}{outer}endIf");
+        let text = written(context, &switch, &selector, &clauses, default.as_ref())?;
         Some(SourceChange::of([context.replace(switch.syntax().text_range(), text)]))
     });
     Some(())
+}
+
+fn written(
+    context: &Context<'_>,
+    switch: &SwitchStmt,
+    selector: &Expr,
+    clauses: &[CaseClause],
+    default: Option<&DefaultClause>,
+) -> Option<String> {
+    let outer = context.indentation(switch.syntax().text_range().start());
+    let line_end = context.line_end();
+    let inner = format!("{outer}{}", context.level());
+    let comments = own_comments(switch.syntax());
+    let between = |from: TextSize, to: TextSize, indent: &str| -> String {
+        let own = comments.iter().filter(|comment| from <= comment.start() && comment.end() <= to);
+        own.map(|comment| format!("{line_end}{indent}{}", context.slice(*comment))).collect()
+    };
+    let start = switch.syntax().text_range().start();
+    let first = clauses.first()?.syntax().text_range().start();
+    // What introduces the first case introduces all.
+    let head = between(start, first, outer);
+    let mut text = head.strip_prefix(&format!("{line_end}{outer}")).map_or_else(String::new, str::to_owned);
+    let mut done = first;
+    for clause in clauses {
+        let values = clause.values().map(|value| equal(context, selector, value.syntax().text_range()));
+        let values = values.collect::<Vec<_>>().join(" or ");
+        let word = if done == first { "if" } else { "elseIf" };
+        let before = if text.is_empty() { String::new() } else { format!("{line_end}{outer}") };
+        let range = clause.syntax().text_range();
+        let moved = between(done, range.start(), &inner);
+        text += &format!("{before}{word} {values}{moved}{}", relaid(context, &clause.block()?, &inner));
+        done = range.end();
+    }
+    if let Some(clause) = default {
+        let range = clause.syntax().text_range();
+        let moved = between(done, range.start(), &inner);
+        text += &format!("{line_end}{outer}else{moved}{}", relaid(context, &clause.block()?, &inner));
+        done = range.end();
+    }
+    text += &between(done, switch.syntax().text_range().end(), &inner);
+    Some(text + &format!("{line_end}{outer}endIf"))
 }
 
 /// The cursor is in none of the blocks.
@@ -112,26 +139,93 @@ mod tests {
     }
 
     #[test]
+    fn no_comment_is_lost() {
+        check(
+            ID,
+            "num nA\n  sw$0itch nA\n    // all\n    // cases\n    case 1\n      nA=1\n    break\n    // two\n    case 2\n      // in it\n    break\n    // other\n    default\n    break\n    // done\n  endSwitch",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -  switch nA
+                -    // all
+                -    // cases
+                -    case 1
+                -      nA=1
+                -    break
+                -    // two
+                -    case 2
+                -      // in it
+                -    break
+                -    // other
+                -    default
+                -    break
+                -    // done
+                -  endSwitch
+                +  // all
+                +  // cases
+                +  if nA==1
+                +    nA=1
+                +  elseIf nA==2
+                +    // two
+                +    // in it
+                +  else
+                +    // other
+                +    // done
+                +  endIf
+            "#]],
+        );
+        check(
+            "if-to-switch",
+            "num nA\ni$0f nA==1\n  // one\nelseIf nA==2\n  nA=2\n  // two\nelse\n  // other\nendIf",
+            expect![[r#"
+                usrapp/main/start.pgx
+                -if nA==1
+                -  // one
+                -elseIf nA==2
+                -  nA=2
+                -  // two
+                -else
+                -  // other
+                -endIf
+                +switch nA
+                +  case 1
+                +    // one
+                +  break
+                +  case 2
+                +    nA=2
+                +    // two
+                +  break
+                +  default
+                +    // other
+                +  break
+                +endSwitch
+            "#]],
+        );
+    }
+
+    #[test]
     fn and_back() {
         check(
             "if-to-switch",
-            "num nA\ni$0f nA==1\n  nA=2\nelse\n  nA=3\nendIf",
+            "num nA\ni$0f nA==1\n  nA=2\nelseIf nA==5\nelse\n  nA=3\nendIf",
             expect![[r#"
-            usrapp/main/start.pgx
-            -if nA==1
-            -  nA=2
-            -else
-            -  nA=3
-            -endIf
-            +switch nA
-            +  case 1
-            +    nA=2
-            +  break
-            +  default
-            +    nA=3
-            +  break
-            +endSwitch
-        "#]],
+                usrapp/main/start.pgx
+                -if nA==1
+                -  nA=2
+                -elseIf nA==5
+                -else
+                -  nA=3
+                -endIf
+                +switch nA
+                +  case 1
+                +    nA=2
+                +  break
+                +  case 5
+                +  break
+                +  default
+                +    nA=3
+                +  break
+                +endSwitch
+            "#]],
         );
         check(
             ID,

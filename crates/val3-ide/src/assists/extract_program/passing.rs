@@ -1,0 +1,171 @@
+//! How variables get into a program that is taken out of another, and back.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use smol_str::SmolStr;
+use val3_analysis::body::{Stmt, StmtKind};
+use val3_analysis::effects::{Access, AccessKind, Effects, Root};
+use val3_analysis::flow::{Facts, Flow, Point, PointId, backward, flow};
+use val3_lang::types::{BaseType, Container};
+use val3_syntax::TextRange;
+
+use super::super::context::Context;
+use crate::declare::Variable;
+
+/// How a variable gets into the new program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Passing {
+    Value,
+    Reference,
+    /// It is used there alone, and becomes a local of it.
+    Inside,
+    /// Its value goes neither in nor out: the new program has a local of its own, and the old one keeps its own.
+    Apart,
+}
+
+/// A local or parameter that the new program uses.
+pub(super) struct Passed {
+    pub(super) variable: Variable,
+    pub(super) passing: Passing,
+}
+
+type Names = BTreeSet<SmolStr>;
+
+/// The locals and parameters that the statements in `range` use, by name.
+pub(super) fn variables(context: &Context<'_>, range: TextRange) -> Vec<Passed> {
+    let effects = Effects::new(context.db, context.project, context.file);
+    let mut uses: BTreeMap<SmolStr, Vec<&Access>> = BTreeMap::new();
+    for access in effects.all() {
+        if let Some(name) = own(access) {
+            uses.entry(name.clone()).or_default().push(access);
+        }
+    }
+    let living = Living::around(context, &effects, range);
+    uses.into_iter().filter_map(|(name, uses)| passed(context, range, &living, &name, &uses)).collect()
+}
+
+/// The local or parameter that is used.
+fn own(access: &Access) -> Option<&SmolStr> {
+    match &access.root {
+        Root::Local(name) | Root::Param(name) => Some(name),
+        _ => None,
+    }
+}
+
+fn passed(
+    context: &Context<'_>,
+    range: TextRange,
+    living: &Living,
+    name: &SmolStr,
+    uses: &[&Access],
+) -> Option<Passed> {
+    let is_inside = |access: &&&Access| range.contains_range(context.body().range(access.id));
+    let inside: Vec<&&Access> = uses.iter().filter(is_inside).collect();
+    if inside.is_empty() {
+        return None;
+    }
+    let written = inside.iter().any(|access| access.kind != AccessKind::Read);
+    let (goes_in, comes_out) = (living.before.contains(name), written && living.behind.contains(name));
+    let (variable, is_local) = declared(context, name)?;
+    // Without a loop around it, nobody else has seen the value.
+    let alone = is_local && inside.len() == uses.len() && !(goes_in && is_in_loop(context, range));
+    let passing = match (alone, goes_in, comes_out) {
+        (true, ..) => Passing::Inside,
+        (_, false, false) if is_local => Passing::Apart,
+        (.., true) => Passing::Reference,
+        _ if is_whole(&variable) => Passing::Reference,
+        _ => Passing::Value,
+    };
+    Some(Passed { variable, passing })
+}
+
+/// A local or parameter of the program; whether it is a local.
+fn declared(context: &Context<'_>, name: &str) -> Option<(Variable, bool)> {
+    let variable = |type_name: &str, container, sizes: Vec<u32>| Variable {
+        name: name.to_owned(),
+        type_name: type_name.to_owned(),
+        container,
+        sizes,
+    };
+    let header = context.header();
+    if let Some(local) = header.locals.iter().find(|local| local.name == name) {
+        return Some((variable(&local.type_name, local.container, local.sizes.clone()), true));
+    }
+    let param = header.params.iter().find(|param| param.name == name)?;
+    // A parameter of the old dialect may be an array: it is handed on as it came.
+    let sizes = match param.container {
+        Container::Array { dims } => vec![2; usize::from(dims)],
+        _ => vec![1],
+    };
+    Some((variable(&param.type_name, param.container, sizes), false))
+}
+
+/// Arrays and collections are passed by reference; inputs, outputs and serial lines are nothing without their link.
+fn is_whole(variable: &Variable) -> bool {
+    let is_array = variable.container == Container::Collection || !matches!(variable.sizes.as_slice(), [] | [1]);
+    is_array || BaseType::from_name(&variable.type_name).is_some_and(BaseType::is_linkable)
+}
+
+/// A loop of the program stands around the statements.
+fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
+    let repeats = |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
+    let around = |stmt: &&Stmt| stmt.range.contains_range(range) && stmt.range != range;
+    context.body().stmts().iter().filter(|stmt| around(stmt)).any(|stmt| repeats(&stmt.kind))
+}
+
+/// The variables whose values are used later.
+struct Living {
+    /// Where the statements start.
+    before: Names,
+    /// Where the statements are left.
+    behind: Names,
+}
+
+impl Living {
+    fn around(context: &Context<'_>, effects: &Effects<'_>, range: TextRange) -> Self {
+        let flow = flow(context.db, context.file);
+        let referenced = context.header().params.iter().filter(|param| param.by_reference);
+        let end: Names = referenced.map(|param| param.name.clone()).collect();
+        let step = |id: PointId, _: &Point, behind: &Names| before(effects, id, behind);
+        let join = |known: &mut Names, other: &Names| {
+            let len = known.len();
+            known.extend(other.iter().cloned());
+            known.len() > len
+        };
+        let facts = backward(flow, end, step, join);
+        let is_inside = |point: &Point| range.contains_range(point.range) && !point.range.is_empty();
+        let mut inside = flow.points().filter(|(_, point)| is_inside(point)).peekable();
+        let entry = inside.peek().map(|(id, _)| *id);
+        let exits = inside.flat_map(|(_, point)| &point.next);
+        let exits = exits.filter(|next| flow.point(**next).is_some_and(|point| !is_inside(point)));
+        Self {
+            before: entry.map(|id| at(context, effects, &facts, id)).unwrap_or_default(),
+            behind: exits.flat_map(|id| at(context, effects, &facts, *id)).collect(),
+        }
+    }
+}
+
+/// What is used later when a point is reached; everything where no way leads from it to the end.
+fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: PointId) -> Names {
+    let header = context.header();
+    let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
+    match facts.behind(id) {
+        Some(behind) if id != Flow::END => before(effects, id, behind),
+        Some(end) => end.clone(),
+        None => all().cloned().collect(),
+    }
+}
+
+/// What is used later before a point, from what is behind it.
+fn before(effects: &Effects<'_>, id: PointId, behind: &Names) -> Names {
+    let mut names = behind.clone();
+    for access in effects.at(id).iter().rev() {
+        let Some(name) = own(access) else { continue };
+        match access.kind {
+            AccessKind::Write => drop(names.remove(name)),
+            AccessKind::Read | AccessKind::Reference => drop(names.insert(name.clone())),
+            AccessKind::WritePart => {}
+        }
+    }
+    names
+}

@@ -1,0 +1,89 @@
+//! Programs that come into a project: their files, and their entries in the `.pjx`.
+
+use camino::Utf8Path;
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::declarations;
+use val3_analysis::items::project::folder;
+
+use super::{PARAMETERS, Variable, free, local_entry, parameter_entry, program_entries};
+use crate::edit::SourceChange;
+use crate::xml_list::escaped;
+
+/// A program that does not exist yet.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct NewProgram {
+    pub(crate) name: String,
+    pub(crate) public: bool,
+    /// With whether each is passed by reference.
+    pub(crate) params: Vec<(Variable, bool)>,
+    pub(crate) locals: Vec<Variable>,
+    /// The lines between `begin` and `end`, in plain characters, with their indentation.
+    pub(crate) code: Vec<String>,
+    /// How lines end.
+    pub(crate) line_end: &'static str,
+}
+
+/// New programs of a project: their files, and their entries in the `.pjx`; `None` where that has no place for them.
+pub(crate) fn programs(db: &dyn Db, project: Project, new: &[NewProgram]) -> Option<SourceChange> {
+    let old = declarations::is_old(db, project);
+    let file = |new: &NewProgram| {
+        let path = folder(db, project).join(&new.name).with_extension("pgx");
+        (path, if old { old_program(new) } else { new_program(new) })
+    };
+    let names: Vec<String> = new.iter().map(|new| format!("{}.pgx", new.name)).collect();
+    let entries = program_entries(db, project, &names)?;
+    Some(SourceChange { creates: new.iter().map(file).collect(), ..SourceChange::of([entries]) })
+}
+
+fn new_program(new: &NewProgram) -> String {
+    let access = if new.public { " access=\"public\"" } else { "" };
+    let mut lines = vec![
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>".to_owned(),
+        "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">".to_owned(),
+        format!("  <Program name=\"{}\"{access}>", new.name),
+    ];
+    if !new.params.is_empty() {
+        lines.push(format!("    <Parameters{PARAMETERS}>"));
+        let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(false, variable, *by_reference);
+        lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
+        lines.push("    </Parameters>".to_owned());
+    }
+    if !new.locals.is_empty() {
+        lines.push("    <Locals>".to_owned());
+        lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(false, local))));
+        lines.push("    </Locals>".to_owned());
+    }
+    lines.push("    <Code><![CDATA[begin".to_owned());
+    lines.extend(new.code.iter().cloned());
+    lines.extend(["end]]></Code>", "  </Program>", "</Programs>", ""].map(str::to_owned));
+    lines.join(new.line_end)
+}
+
+fn old_program(new: &NewProgram) -> String {
+    let mut lines = vec![
+        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>".to_owned(),
+        "<programList xmlns=\"ProgramNameSpace\" >".to_owned(),
+        format!("  <program name=\"{}\" public=\"{}\" >", new.name, new.public),
+        "    <description></description>".to_owned(),
+        "    <paramSection>".to_owned(),
+    ];
+    let entry = |(variable, by_reference): &(Variable, bool)| parameter_entry(true, variable, *by_reference);
+    lines.extend(new.params.iter().map(|param| format!("      {}", entry(param))));
+    lines.extend(["    </paramSection>", "    <localSection>"].map(str::to_owned));
+    lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(true, local))));
+    lines.extend(["    </localSection>", "    <source>", "      <code>begin"].map(str::to_owned));
+    lines.extend(new.code.iter().map(|line| escaped(line)));
+    lines.extend(["end</code>", "    </source>", "  </program>", "</programList>", ""].map(str::to_owned));
+    lines.join(new.line_end)
+}
+
+/// A name that no program of the project has, and no file beside it: `stem`, else `stem2` and so on.
+pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
+    let items = val3_analysis::items::project::items(db, project);
+    let taken = |name: &str| {
+        let same = |other: &str| other.eq_ignore_ascii_case(name);
+        items.programs.keys().any(|other| same(other))
+            || project.beside(db).iter().any(|file| Utf8Path::new(file.as_str()).file_stem().is_some_and(same))
+    };
+    free(stem, taken)
+}

@@ -1,0 +1,54 @@
+//! Entries that come into a project file.
+
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::manifest::{Spelling, spelling};
+use val3_analysis::items::parse;
+use val3_analysis::xml;
+use val3_syntax::view::View;
+
+use crate::edit::FileEdit;
+use crate::xml_list::{List, escaped};
+
+/// The entries of program files in a `.pjx`.
+pub(crate) fn program_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    entries(db, project, |spelling| spelling.programs, |_| files(references))
+}
+
+/// The entries of data files in a `.pjx`.
+pub(crate) fn data_entries(db: &dyn Db, project: Project, references: &[String]) -> Option<FileEdit> {
+    entries(db, project, |spelling| spelling.data, |_| files(references))
+}
+
+fn files(references: &[String]) -> Vec<String> {
+    references.iter().map(|reference| format!("file=\"{}\"", escaped(reference))).collect()
+}
+
+/// The entry of a library identifier with the path of its interface in a `.pjx`.
+pub(crate) fn library(db: &dyn Db, project: Project, alias: &str, path: &str) -> Option<FileEdit> {
+    let attributes = |spelling: &Spelling| {
+        let Spelling { library_name, library_path, .. } = spelling;
+        vec![format!("{library_name}=\"{}\" {library_path}=\"{}\"", escaped(alias), escaped(path))]
+    };
+    entries(db, project, |spelling| spelling.libraries, attributes)
+}
+
+/// Entries of a list of the project file, from their attributes.
+fn entries(
+    db: &dyn Db,
+    project: Project,
+    list: fn(&Spelling) -> (&'static str, &'static str),
+    attributes: impl FnOnce(&Spelling) -> Vec<String>,
+) -> Option<FileEdit> {
+    let file = project.manifest(db);
+    let parse = parse(db, file);
+    let parent = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(parent);
+    let (name, item) = list(spelling);
+    // What stands behind the list in a project file.
+    let order = [spelling.programs.0, spelling.data.0, spelling.libraries.0, spelling.types.0];
+    let followers: Vec<&str> = order.into_iter().skip_while(|other| *other != name).skip(1).collect();
+    let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };
+    let entries: Vec<String> = attributes(spelling).iter().map(|entry| format!("<{item} {entry} />")).collect();
+    let (range, text) = list.append(&entries)?;
+    Some(FileEdit { file, range, text })
+}
