@@ -125,10 +125,10 @@ impl World {
         loop {
             let message = match inbox.try_recv() {
                 Ok(message) => message,
-                Err(TryRecvError::Disconnected) => return,
+                Err(TryRecvError::Disconnected) => break,
                 Err(TryRecvError::Empty) => {
                     self.settle();
-                    let Ok(message) = inbox.recv() else { return };
+                    let Ok(message) = inbox.recv() else { break };
                     message
                 }
             };
@@ -136,6 +136,8 @@ impl World {
                 self.complain("an event", &reason);
             }
         }
+        // The process ends: taking the database apart piece by piece would only cost time.
+        std::mem::forget(self.workspace);
     }
 
     /// Nothing waits: what was put off is done.
