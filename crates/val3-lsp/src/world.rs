@@ -6,7 +6,6 @@ use std::sync::mpsc::{Receiver, TryRecvError};
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use salsa::{Cancelled, Database as _, Setter as _};
-use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::lsp_types::notification::LogTrace;
 use tower_lsp::lsp_types::{LogTraceParams, MessageType};
@@ -47,8 +46,8 @@ pub(crate) struct Job {
     pub(crate) compute: Compute,
 }
 
-/// The computation of an answer.
-pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<Value> + Send + Sync>;
+/// The computation of an answer, which is JSON.
+pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {
