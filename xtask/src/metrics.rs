@@ -22,6 +22,9 @@ pub struct Arguments {
     /// Only measure how fast the language server answers
     #[arg(long)]
     lsp: bool,
+    /// Measure the release binary as it is
+    #[arg(long)]
+    no_build: bool,
 }
 
 /// Prints the sizes, then the speed of the check and of the language server.
@@ -29,6 +32,9 @@ pub struct Arguments {
 /// # Errors
 /// When a file cannot be read, or the release build or the check fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    if !arguments.no_speed && !arguments.no_build {
+        project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
+    }
     if arguments.lsp {
         return latency::measure(arguments.lines);
     }

@@ -6,7 +6,6 @@ use std::sync::mpsc::{Receiver, TryRecvError};
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use salsa::{Cancelled, Database as _, Setter as _};
-use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, Result};
 use tower_lsp::lsp_types::notification::LogTrace;
 use tower_lsp::lsp_types::{LogTraceParams, MessageType};
@@ -47,8 +46,8 @@ pub(crate) struct Job {
     pub(crate) compute: Compute,
 }
 
-/// The computation of an answer.
-pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<Value> + Send + Sync>;
+/// The computation of an answer, which is JSON.
+pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {
@@ -125,10 +124,10 @@ impl World {
         loop {
             let message = match inbox.try_recv() {
                 Ok(message) => message,
-                Err(TryRecvError::Disconnected) => return,
+                Err(TryRecvError::Disconnected) => break,
                 Err(TryRecvError::Empty) => {
                     self.settle();
-                    let Ok(message) = inbox.recv() else { return };
+                    let Ok(message) = inbox.recv() else { break };
                     message
                 }
             };
@@ -136,6 +135,8 @@ impl World {
                 self.complain("an event", &reason);
             }
         }
+        // The process ends: taking the database apart piece by piece would only cost time.
+        std::mem::forget(self.workspace);
     }
 
     /// Nothing waits: what was put off is done.

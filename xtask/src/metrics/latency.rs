@@ -16,7 +16,6 @@ const TIMES: usize = 200;
 
 /// Measures on a program of 2,600 lines and on a generated workspace of `lines` code lines.
 pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
     let folder = project::root().join("target/metrics-lsp");
     if folder.exists() {
         std::fs::remove_dir_all(&folder).with_context(|| format!("cannot clear {folder}"))?;

@@ -20,7 +20,6 @@ struct Run {
 
 /// Generates a workspace of `lines` code lines, checks it and prints what it took.
 pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
     let folder = project::root().join("target/metrics");
     let code_lines = write_workspace(&folder, lines)?;
     let mut fastest: Option<Run> = None;
