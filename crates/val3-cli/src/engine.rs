@@ -23,7 +23,7 @@ use crate::translation::Translator;
 use crate::user_error::UserError;
 
 /// Pieces of work between which trees that are no longer needed are dropped.
-const BATCH: usize = 1024;
+const BATCH: usize = 768;
 
 /// Everything that was asked for, read and ready to be checked.
 pub(crate) struct Session<'r> {
