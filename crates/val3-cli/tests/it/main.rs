@@ -10,6 +10,7 @@ mod explain;
 mod faulty_cell;
 mod fixes;
 mod formats;
+mod lsp;
 mod statistics;
 mod support;
 mod usage;
