@@ -11,6 +11,7 @@ mod faulty_cell;
 mod fixes;
 mod fmt;
 mod formats;
+mod lsp;
 mod statistics;
 mod support;
 mod usage;

@@ -88,7 +88,8 @@ impl Document {
             1 => {
                 // Half of a program behind the other half.
                 let (at, _) = self.two_places(chance);
-                let half = self.original[self.floor(chance.below(self.original.len()))..].to_owned();
+                let from = self.original.floor_char_boundary(chance.below(self.original.len()));
+                let half = self.original[from..].to_owned();
                 self.replace(at, at, &half)
             }
             kind => {

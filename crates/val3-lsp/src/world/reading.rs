@@ -1,0 +1,116 @@
+//! What was changed is read again, before anything else is asked.
+
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
+use salsa::Setter as _;
+use val3_analysis::load::Workspace;
+use val3_check::settings::WorkspaceSettings;
+use val3_config::ConfigError;
+use val3_ide::CheckSettings;
+
+use super::World;
+use crate::convert;
+use crate::loose;
+use crate::overlay::Overlay;
+use crate::panics::contained;
+use crate::parent::project_above;
+
+/// What has to be read again.
+pub(super) enum Stale {
+    Paths(FxHashSet<Utf8PathBuf>),
+    Everything,
+}
+
+impl World {
+    /// A file has to be read again.
+    pub(crate) fn is_stale(&mut self, path: Utf8PathBuf) {
+        match &mut self.stale {
+            Some(Stale::Everything) => {}
+            Some(Stale::Paths(paths)) => drop(paths.insert(path)),
+            None => self.stale = Some(Stale::Paths(FxHashSet::from_iter([path]))),
+        }
+    }
+
+    /// Everything has to be read again.
+    pub(crate) fn all_is_stale(&mut self) {
+        self.stale = Some(Stale::Everything);
+    }
+
+    /// The user changed the settings.
+    pub(crate) fn settings_are_stale(&mut self) {
+        self.stale.get_or_insert_with(|| Stale::Paths(FxHashSet::default()));
+    }
+
+    /// Reads what has to be read again.
+    pub(crate) fn bring_up_to_date(&mut self) {
+        let Some(stale) = self.stale.take() else { return };
+        let is_stale = |path: &Utf8Path| match &stale {
+            Stale::Paths(paths) => paths.contains(path),
+            Stale::Everything => true,
+        };
+        match contained(|| self.read_again(&is_stale)) {
+            Ok(faults) => self.faults = faults,
+            Err(reason) => {
+                self.forget_everything();
+                self.complain("reading the workspace", &reason);
+            }
+        }
+        self.checks.all();
+    }
+
+    fn read_again(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
+        let mut errors = self.refresh(is_stale);
+        let loose = loose::documents(&self.documents, &self.workspace.db, &self.loose);
+        if loose != self.loose {
+            self.loose = loose;
+            errors = self.refresh(is_stale);
+        }
+        self.projects = Arc::new(self.workspace.projects.clone());
+        errors.extend(self.configure());
+        errors
+    }
+
+    /// A database that was left half changed cannot be asked. The next change begins with a new one.
+    fn forget_everything(&mut self) {
+        self.workspace = Workspace::empty();
+        self.projects = Arc::default();
+        self.settings = None;
+        self.loose.clear();
+        self.checks.forget();
+    }
+
+    fn refresh(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
+        let overlay = Overlay::new(&self.documents, &self.loose);
+        let folders = &self.session.folders;
+        let above = self.documents.iter().filter_map(|document| project_above(&overlay, document, folders));
+        let given = self.loose.iter().map(|path| loose::manifest_path(path));
+        let asked: Vec<Utf8PathBuf> = folders.iter().cloned().chain(above).chain(given).collect();
+        self.workspace.refresh(&overlay, &asked, is_stale)
+    }
+
+    /// The settings that configurations and the client come to; faulty ones count as they were before.
+    fn configure(&mut self) -> Vec<ConfigError> {
+        let db = &mut self.workspace.db;
+        let found = WorkspaceSettings::new(db, &self.projects, &self.session.options.selection());
+        let (settings, errors) = match found {
+            Ok(settings) => (settings, Vec::new()),
+            Err(errors) if self.settings.is_some() => return errors,
+            Err(errors) => (WorkspaceSettings::default(), errors),
+        };
+        match self.settings {
+            None => self.settings = Some(CheckSettings::new(db, settings)),
+            Some(known) if *known.settings(db) != settings => _ = known.set_settings(db).to(settings),
+            Some(_) => {}
+        }
+        errors
+    }
+
+    /// Sends what needs no check: faults of configurations, and that projects which are gone have no findings.
+    pub(crate) fn publish_what_is_known(&mut self) {
+        self.published.keep(&self.projects, &self.documents, &self.outbox);
+        let faults = convert::configuration_faults(&self.snapshot(), &self.faults);
+        self.published.project(faults, &self.documents, &self.outbox);
+    }
+}

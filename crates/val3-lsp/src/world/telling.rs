@@ -1,0 +1,32 @@
+//! What the main loop tells users and those who look for the cause of something.
+
+use tower_lsp::lsp_types::notification::LogTrace;
+use tower_lsp::lsp_types::{LogTraceParams, MessageType};
+
+use super::World;
+use crate::session::Trace;
+
+impl World {
+    /// Tells the user that something went wrong in the server, which goes on; once is enough.
+    pub(crate) fn complain(&mut self, what: &str, reason: &str) {
+        self.log(&format!("{what} failed: {reason}"));
+        if !self.complained.insert(what.to_owned()) {
+            return;
+        }
+        let message = format!("val3: {what} failed because of a fault in the language server, which goes on");
+        self.outbox.show(MessageType::ERROR, &message);
+    }
+
+    /// Tells a client that wants to know it what is computed.
+    pub(super) fn trace(&mut self, method: &str) {
+        if self.session.trace == Trace::On {
+            self.outbox.notify::<LogTrace>(LogTraceParams { message: format!("computes {method}"), verbose: None });
+        }
+    }
+
+    /// Writes a line for whoever looks for the cause of something.
+    pub(crate) fn log(&mut self, line: &str) {
+        self.log.write(line);
+        self.outbox.log(MessageType::LOG, line);
+    }
+}
