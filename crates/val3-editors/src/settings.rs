@@ -8,11 +8,9 @@ use val3_lang::page;
 
 /// The sections of the settings, in the order in which VS Code shows them.
 pub(crate) fn all() -> Value {
-    json!([
-        section("VAL 3: server", &server()),
-        section("VAL 3: editor", &editor()),
-        section("VAL 3: check", &check()),
-    ])
+    json!(
+        [section("VAL 3: server", &server()), section("VAL 3: editor", &editor()), section("VAL 3: check", &check()),]
+    )
 }
 
 fn section(title: &str, properties: &Value) -> Value {

@@ -52,17 +52,15 @@ export class Client implements vscode.Disposable {
   }
 
   /** Sends a request of our own. Fails while there is no server. */
-  async request<Answer>(method: string, params: unknown): Promise<Answer> {
+  async request<Answer>(method: string, params: unknown = null): Promise<Answer> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
     }
     return this.running.sendRequest<Answer>(method, params);
   }
 
-  /** Whether the running server can do what an experimental capability names. */
-  can(capability: string): boolean {
-    const experimental: unknown = this.running?.initializeResult?.capabilities.experimental;
-    return typeof experimental === "object" && experimental !== null && capability in experimental;
+  get isRunning(): boolean {
+    return this.running?.isRunning() === true;
   }
 
   dispose(): void {

@@ -21,6 +21,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   context.subscriptions.push(
     views,
     client,
+    tree,
     vscode.window.registerTreeDataProvider("val3.workspace", tree),
     vscode.tasks.registerTaskProvider("val3", new CheckTasks(client)),
     vscode.commands.registerCommand("val3.refreshTree", () => tree.refresh()),

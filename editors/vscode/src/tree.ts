@@ -1,71 +1,119 @@
 // The view "VAL 3": applications with their programs, data, libraries and types, as the server sees them.
 
 import * as vscode from "vscode";
+import type { Location, Range } from "vscode-languageclient/node";
 import type { Client } from "./client";
 
-/** The server's own request; docs/src/editors.md describes it. */
-const REQUEST = "val3/workspaceTree";
-
-/** An item of the answer. */
-interface TreeItem {
-  label: string;
-  kind: "application" | "library" | "type" | "folder" | "program" | "data" | "alias";
-  detail?: string;
-  uri?: string;
-  range?: { start: { line: number; character: number }; end: { line: number; character: number } };
-  children?: TreeItem[];
+/** What the server answers to `val3/workspaceTree`: one of these for each `.pjx`. */
+interface Project extends Record<Kind, Item[]> {
+  name: string;
+  uri: string;
 }
 
-const ICONS: Record<TreeItem["kind"], string> = {
-  application: "package",
-  library: "library",
-  type: "symbol-structure",
-  folder: "folder",
-  program: "symbol-method",
-  data: "symbol-variable",
-  alias: "references",
-};
+interface Item {
+  name: string;
+  detail: string;
+  location: Location;
+}
 
-export class WorkspaceTree implements vscode.TreeDataProvider<TreeItem> {
+type Kind = "programs" | "data" | "libraries" | "types";
+
+/** What stands in a project, in this order, and how an item of it looks. */
+const KINDS: [Kind, string, string][] = [
+  ["programs", "Programs", "symbol-method"],
+  ["data", "Data", "symbol-variable"],
+  ["libraries", "Libraries", "library"],
+  ["types", "Types", "symbol-structure"],
+];
+
+/** A line of the view. */
+interface Node {
+  item: vscode.TreeItem;
+  children: Node[];
+}
+
+export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<void>();
   readonly onDidChangeTreeData = this.changes.event;
+  private readonly subscriptions: vscode.Disposable[];
 
   constructor(private readonly client: Client) {
-    vscode.workspace.onDidSaveTextDocument(({ languageId }) => languageId.startsWith("val3") && this.refresh());
-    const files = vscode.workspace.createFileSystemWatcher("**/*.{pjx,pgx,dtx}", false, true, false);
-    files.onDidCreate(() => this.refresh());
-    files.onDidDelete(() => this.refresh());
+    const files = vscode.workspace.createFileSystemWatcher("**/*.{pjx,pgx,dtx}");
+    const refresh = (): void => this.refresh();
+    this.subscriptions = [files, files.onDidCreate(refresh), files.onDidChange(refresh), files.onDidDelete(refresh)];
+  }
+
+  dispose(): void {
+    this.subscriptions.forEach((subscription) => subscription.dispose());
+    this.changes.dispose();
   }
 
   refresh(): void {
     this.changes.fire();
   }
 
-  async getChildren(parent?: TreeItem): Promise<TreeItem[]> {
+  async getChildren(parent?: Node): Promise<Node[]> {
     if (parent !== undefined) {
-      return parent.children ?? [];
+      return parent.children;
     }
-    return this.client.can("workspaceTree") ? this.client.request<TreeItem[]>(REQUEST, {}) : [];
+    const projects = this.client.isRunning ? await this.client.request<Project[]>("val3/workspaceTree") : [];
+    return projects.map(projectNode).sort(byLabel);
   }
 
-  getTreeItem({ label, kind, detail, uri, range, children }: TreeItem): vscode.TreeItem {
-    const collapsed = vscode.TreeItemCollapsibleState;
-    const item = new vscode.TreeItem(label, (children?.length ?? 0) > 0 ? collapsed.Collapsed : collapsed.None);
-    item.iconPath = new vscode.ThemeIcon(ICONS[kind]);
-    item.contextValue = kind;
-    item.description = detail;
-    if (uri !== undefined) {
-      item.command = openCommand(kind, vscode.Uri.parse(uri), range);
-    }
+  getTreeItem({ item }: Node): vscode.TreeItem {
     return item;
   }
 }
 
-function openCommand(kind: TreeItem["kind"], uri: vscode.Uri, range: TreeItem["range"]): vscode.Command {
+function projectNode(project: Project): Node {
+  const uri = vscode.Uri.parse(project.uri);
+  const children = KINDS.flatMap(([kind, label, icon]) => groupNode(project[kind], label, icon, kind));
+  const item = collapsible(project.name, "package", "project");
+  item.description = vscode.workspace.asRelativePath(vscode.Uri.joinPath(uri, ".."));
+  item.resourceUri = uri;
+  return { item, children };
+}
+
+function groupNode(items: Item[], label: string, icon: string, kind: Kind): Node[] {
+  if (items.length === 0) {
+    return [];
+  }
+  const group = collapsible(label, "folder", "group");
+  group.description = String(items.length);
+  return [{ item: group, children: items.map((item) => itemNode(item, icon, kind)).sort(byLabel) }];
+}
+
+function itemNode({ name, detail, location }: Item, icon: string, kind: Kind): Node {
+  const item = new vscode.TreeItem(name);
+  item.iconPath = new vscode.ThemeIcon(icon);
+  item.description = detail;
+  item.contextValue = kind === "programs" ? "program" : kind;
+  item.command = openCommand(kind, location);
+  // "Open Code" of the context menu gets the item, of which it wants the file.
+  item.resourceUri = vscode.Uri.parse(location.uri);
+  return { item, children: [] };
+}
+
+function collapsible(label: string, icon: string, context: string): vscode.TreeItem {
+  const item = new vscode.TreeItem(label, vscode.TreeItemCollapsibleState.Collapsed);
+  item.iconPath = new vscode.ThemeIcon(icon);
+  item.contextValue = context;
+  return item;
+}
+
+function openCommand(kind: Kind, location: Location): vscode.Command {
+  const uri = vscode.Uri.parse(location.uri);
   const asCode = vscode.workspace.getConfiguration("val3").get<boolean>("codeView.openByDefault", false);
-  if (kind === "program" && asCode) {
+  if (kind === "programs" && asCode) {
     return { command: "val3.openCode", title: "Open", arguments: [uri] };
   }
-  const selection = range && new vscode.Range(range.start.line, range.start.character, range.end.line, range.end.character);
-  return { command: "vscode.open", title: "Open", arguments: [uri, { selection }] };
+  return { command: "vscode.open", title: "Open", arguments: [uri, { selection: selection(location.range) }] };
+}
+
+function selection({ start, end }: Range): vscode.Range {
+  return new vscode.Range(start.line, start.character, end.line, end.character);
+}
+
+function byLabel(left: Node, right: Node): number {
+  return String(left.item.label).localeCompare(String(right.item.label));
 }

@@ -81,7 +81,10 @@ fn variables(found: &mut Found<'_>, expected: Option<Base>) {
     for param in &header.params {
         let detail = format!("{}{}", param.type_name, brackets(param.container));
         let score = fit(expected, base(&param.type_name)) + OWN + 4;
-        found.add(param.name.as_str(), Kind::Parameter, detail).scored(score).of(Symbol::Param(file, param.name.clone()));
+        found
+            .add(param.name.as_str(), Kind::Parameter, detail)
+            .scored(score)
+            .of(Symbol::Param(file, param.name.clone()));
     }
     data(found, items, expected);
 }
@@ -89,7 +92,11 @@ fn variables(found: &mut Found<'_>, expected: Option<Base>) {
 fn data(found: &mut Found<'_>, items: &Items, expected: Option<Base>) {
     let project = found.project;
     for (name, item) in &items.data {
-        let detail = format!("{}{}", item.decl.type_name, if item.decl.sizes == [1] { "" } else { brackets(item.decl.container) });
+        let detail = format!(
+            "{}{}",
+            item.decl.type_name,
+            if item.decl.sizes == [1] { "" } else { brackets(item.decl.container) }
+        );
         let score = fit(expected, item.base) + OWN;
         found.add(name.as_str(), Kind::Data, detail).scored(score).of(Symbol::Data(project, name.clone()));
     }
@@ -98,7 +105,10 @@ fn data(found: &mut Found<'_>, items: &Items, expected: Option<Base>) {
 fn constants(found: &mut Found<'_>, expected: Option<Base>) {
     for builtin in &builtins::BUILTINS {
         let score = fit(expected, Base::of(builtin.ty));
-        found.add(builtin.name, Kind::Constant, builtin.ty.name()).scored(score).of(Symbol::Builtin(builtin.name.into()));
+        found
+            .add(builtin.name, Kind::Constant, builtin.ty.name())
+            .scored(score)
+            .of(Symbol::Builtin(builtin.name.into()));
     }
     for enumerator in &enumerations::ENUMERATORS {
         let score = fit(expected, Base::of(enumerator.ty));
@@ -152,7 +162,9 @@ pub(super) fn members(found: &mut Found<'_>, base: Base) {
         }
         Base::User(project) => {
             for (name, item) in fields(found.db, project) {
-                found.add(name.as_str(), Kind::Field, item.decl.type_name.as_str()).of(Symbol::Data(project, name.clone()));
+                found
+                    .add(name.as_str(), Kind::Field, item.decl.type_name.as_str())
+                    .of(Symbol::Data(project, name.clone()));
             }
         }
         Base::Unknown => {}

@@ -119,7 +119,10 @@ fn code(db: &dyn Db, project: Project, at: FilePosition, token: &SyntaxToken) ->
 fn line_before(text: &str, end: TextSize) -> &str {
     let before = text.get(..usize::from(end)).unwrap_or("");
     let line = before.rsplit(['\n', '\r']).next().unwrap_or("");
-    line.rsplit(['>']).next().filter(|_| line.contains("<![CDATA[")).map_or(line, |code| code.rsplit("[").next().unwrap_or(code))
+    line.rsplit(['>'])
+        .next()
+        .filter(|_| line.contains("<![CDATA["))
+        .map_or(line, |code| code.rsplit("[").next().unwrap_or(code))
 }
 
 fn first_word(line: &str) -> &str {
@@ -156,7 +159,9 @@ fn closing(token: &SyntaxToken) -> Option<&'static str> {
 /// The type of the expression that ends at `end`.
 fn members(db: &dyn Db, project: Project, at: FilePosition, end: TextSize) -> Context {
     let body = body(db, at.file);
-    let ending = body.exprs().filter(|(_, expr, range)| range.end() == end && !matches!(expr, Expr::Binary(..) | Expr::Assign(..)));
+    let ending = body
+        .exprs()
+        .filter(|(_, expr, range)| range.end() == end && !matches!(expr, Expr::Binary(..) | Expr::Assign(..)));
     let Some((id, ..)) = ending.max_by_key(|(_, _, range)| range.len()) else { return Context::Nothing };
     Context::Members(infer(db, project, at.file).ty(id).base)
 }
@@ -241,7 +246,10 @@ fn text_place(body: &Body, callee: ExprId, argument: usize) -> Option<TextPlace>
 /// The inside of an attribute's value.
 fn attribute(at: FilePosition, token: &SyntaxToken) -> (Context, TextRange) {
     let range = token.text_range();
-    let inside = TextRange::new(range.start() + TextSize::new(1), (range.end() - TextSize::new(1)).max(range.start() + TextSize::new(1)));
+    let inside = TextRange::new(
+        range.start() + TextSize::new(1),
+        (range.end() - TextSize::new(1)).max(range.start() + TextSize::new(1)),
+    );
     let Some(attribute) = token.parent().filter(|_| inside.contains_inclusive(at.offset)) else {
         return (Context::Nothing, TextRange::empty(at.offset));
     };

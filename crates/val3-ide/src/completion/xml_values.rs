@@ -2,9 +2,9 @@
 
 use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
+use val3_lang::builtins;
 use val3_lang::enumerations;
 use val3_lang::types::{AttributeValue, BaseType, attribute};
-use val3_lang::builtins;
 
 use super::context::AttributePlace;
 use super::{CompletionKind as Kind, Found};

@@ -8,15 +8,20 @@ import { codeUri, fileUri, SCHEME } from "./uris";
 
 export function registerCodeView(views: CodeFiles): vscode.Disposable[] {
   return [
-    vscode.commands.registerCommand("val3.openCode", (target?: vscode.Uri | { uri?: string }) => openCode(target)),
+    vscode.commands.registerCommand("val3.openCode", (target?: vscode.Uri | TreeNode) => openCode(target)),
     vscode.commands.registerCommand("val3.openFile", () => openFile(views)),
     vscode.commands.registerCommand(APPLY_EDITS, applyEdits),
   ];
 }
 
-async function openCode(target?: vscode.Uri | { uri?: string }): Promise<void> {
+/** A line of the view "VAL 3". */
+interface TreeNode {
+  item: vscode.TreeItem;
+}
+
+async function openCode(target?: vscode.Uri | TreeNode): Promise<void> {
   const editor = vscode.window.activeTextEditor;
-  const file = target instanceof vscode.Uri ? target : target?.uri !== undefined ? vscode.Uri.parse(target.uri) : editor?.document.uri;
+  const file = (target instanceof vscode.Uri ? target : target?.item.resourceUri) ?? editor?.document.uri;
   if (file === undefined || file.scheme === SCHEME) {
     return;
   }

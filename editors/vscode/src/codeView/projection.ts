@@ -18,7 +18,7 @@ export interface Replacement {
   text: string;
 }
 
-const OUTSIDE = /<!--[^]*?-->|<!\[CDATA\[[^]*?\]\]>|<(?:Code|code)(?:\s[^>]*)?>/g;
+const OUTSIDE = /<!--[^]*?(?:-->|$)|<!\[CDATA\[[^]*?(?:\]\]>|$)|<(?:Code|code)(?:\s[^>]*)?>/g;
 const PIECE = /<!\[CDATA\[([^]*?)(?:\]\]>|$)|<!--[^]*?-->|&(?:#[xX][0-9a-fA-F]+|#\d+|\w+);|<\/(?:Code|code)\s*>|[^<&]+|[^]/g;
 const CDATA_OPEN = "<![CDATA[";
 const ENTITIES: Record<string, string> = { "&lt;": "<", "&gt;": ">", "&amp;": "&", "&quot;": '"', "&apos;": "'" };

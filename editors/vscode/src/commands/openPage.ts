@@ -1,18 +1,17 @@
-// The page of a finding, as `val3 explain` prints it.
+// The page of a finding, an instruction or an error, which the server knows.
 
-import { execFile } from "node:child_process";
-import { promisify } from "node:util";
 import * as vscode from "vscode";
 import type { Client } from "../client";
 
 const SCHEME = "val3-page";
+const LANGUAGES = ["val3", "val3-data", "val3-project", "val3-code"];
 
 export function registerPages(client: Client): vscode.Disposable[] {
   const pages: vscode.TextDocumentContentProvider = { provideTextDocumentContent: (uri) => page(client, uri) };
   return [
     vscode.workspace.registerTextDocumentContentProvider(SCHEME, pages),
     vscode.commands.registerCommand("val3.openPage", openPage),
-    vscode.languages.registerCodeActionsProvider([{ language: "val3" }, { language: "val3-data" }, { language: "val3-project" }, { language: "val3-code" }], {
+    vscode.languages.registerCodeActionsProvider(LANGUAGES, {
       provideCodeActions: (_document, _range, { diagnostics }) => [...new Set(diagnostics.flatMap(codeOf))].map(pageAction),
     }),
   ];
@@ -20,8 +19,8 @@ export function registerPages(client: Client): vscode.Disposable[] {
 
 async function page(client: Client, uri: vscode.Uri): Promise<string> {
   const topic = uri.path.replace(/\.md$/, "");
-  const { stdout } = await promisify(execFile)(client.command ?? "val3", ["--color", "never", "explain", topic]);
-  return stdout;
+  const page = await client.request<{ markdown: string } | null>("val3/page", { topic });
+  return page?.markdown ?? `There is no page about \`${topic}\`.`;
 }
 
 /** Opens the page of `code`, or of a finding under the cursor, or of the one that is chosen. */
