@@ -1,0 +1,180 @@
+// A user opens the example cell and works in it. Every step leaves a screenshot in target/editors/output.
+const assert = require("node:assert/strict");
+const { cpSync, mkdtempSync, readFileSync, rmSync } = require("node:fs");
+const { tmpdir } = require("node:os");
+const { join } = require("node:path");
+const { User } = require("./user");
+const { startVsCode } = require("./vscode");
+
+const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser");
+const folder = mkdtempSync(join(tmpdir(), "val3-workbench-"));
+const cell = join(folder, "cell");
+const APPLICATION = join(cell, "usr/usrapp/palletiser");
+
+const read = (name) => readFileSync(join(APPLICATION, name), "utf8");
+const original = (name) => readFileSync(join(EXAMPLE, "usr/usrapp/palletiser", name), "utf8");
+
+/** The example's file after these replacements, each of which must apply. */
+function after(name, ...replacements) {
+  return replacements.reduce((text, [before, now]) => {
+    assert.ok(text.includes(before), `${name} has no ${before}`);
+    return text.replaceAll(before, now);
+  }, original(name));
+}
+
+/** Waits until a file on the disk has this text. */
+async function becomes(name, expected) {
+  for (let attempt = 0; attempt < 100 && read(name) !== expected; attempt += 1) {
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  assert.equal(read(name), expected);
+}
+
+const STEPS = {
+  async "the program opens with its colours"(user) {
+    await user.openFile("pick.pgx");
+    await user.sees("io:doConveyor=true");
+    const kinds = await user.page.locator('.view-line:has-text("movej(l_pNear")').evaluate((line) =>
+      new Set([...line.querySelectorAll("span span")].map((part) => part.className)).size);
+    assert.ok(kinds >= 3, `${kinds} colours in a line with an instruction, names and punctuation`);
+  },
+
+  async "a mistake is found while it is typed, and its repair as well"(user) {
+    await user.goTo(23, 19);
+    await user.type(",1");
+    await user.problem("waitEndMove");
+    await user.focusEditor();
+    await user.keys("Control+Z");
+    await user.noSquiggle();
+  },
+
+  async "hover tells what a point is"(user) {
+    await user.goTo(22, 12);
+    await user.hovers("pPick");
+    await user.keys("Escape");
+  },
+
+  async "completion knows the instructions and the data"(user) {
+    await user.goTo(23, 20);
+    await user.keys("End", "Enter");
+    await user.type("movej(pS");
+    await user.completes("pSafe");
+    await user.keys("Tab");
+    await user.sees("movej(pSafe");
+  },
+
+  async "what was typed can be undone"(user) {
+    await user.command("File: Revert File");
+    await user.seesNot("movej(pSafe");
+  },
+
+  async "definition leads to the data file and back"(user) {
+    await user.goTo(22, 20);
+    await user.keys("F12");
+    await user.tab("palletiser.dtx");
+    await user.sees('name="tSuction"');
+    await user.openFile("pick.pgx");
+  },
+
+  async "a name is changed in every file"(user) {
+    await user.goTo(25, 7);
+    await user.keys("F2");
+    await user.page.waitForSelector(".rename-box:visible");
+    await user.keys("Control+A");
+    await user.type("bCarries");
+    await user.keys("Enter");
+    await user.sees("bCarries=x_bOk");
+    await user.command("File: Save All Files");
+    for (const file of ["pick.pgx", "place.pgx", "palletiser.dtx"]) {
+      await becomes(file, after(file, ["bHolding", "bCarries"]));
+    }
+  },
+
+  async "formatting lays out the code alone"(user) {
+    await user.openFile("home.pgx");
+    await user.goTo(5, 1);
+    await user.keys("Control+F");
+    await user.keys("Escape");
+    await user.command("Format Document");
+    await user.command("File: Save");
+    await becomes("home.pgx", original("home.pgx"));
+  },
+
+  async "the code view shows code without XML"(user) {
+    await user.openFile("place.pgx");
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("place.val3");
+    await user.sees("begin");
+    await user.seesNot("<Program");
+  },
+
+  async "a mistake is found in the code view"(user) {
+    await user.goTo(1, 6);
+    await user.keys("Enter");
+    await user.type("bCarries=nAbove");
+    await user.problem("nAbove");
+    await user.focusEditor();
+  },
+
+  async "hover and completion work in the code view"(user) {
+    await user.goTo(2, 13);
+    await user.hovers("num");
+    await user.keys("Escape", "End");
+    for (let letter = 0; letter < "nAbove".length; letter += 1) {
+      await user.keys("Backspace");
+    }
+    await user.type("bOver");
+    await user.completes("bOverrun");
+    await user.keys("Tab");
+    await user.noSquiggle();
+  },
+
+  async "saving the code view changes the code of the file alone"(user) {
+    await user.command("File: Save");
+    await becomes("place.pgx", after("place.pgx", ["bHolding", "bCarries"], ["[begin\n", "[begin\n  bCarries=bOverrun\n"]));
+  },
+
+  async "the tree shows applications and programs"(user) {
+    await user.command("View: Show VAL 3");
+    const row = (text) => `.pane-body .monaco-list-row:has-text(${JSON.stringify(text)})`;
+    await user.page.click(row("palletiser"));
+    await user.page.click(row("Programs"));
+    await user.page.waitForSelector(row("clearPallet"));
+  },
+
+  async "the page of an instruction opens"(user) {
+    await user.command("VAL 3: Check Workspace");
+    await user.page.waitForSelector(".markers-panel:visible");
+  },
+};
+
+async function main() {
+  cpSync(EXAMPLE, cell, { recursive: true });
+  const vscode = await startVsCode(folder, process.env.VAL3_VSIX);
+  const user = await User.open(vscode.address, cell);
+  let number = 0;
+  let fault;
+  for (const [name, step] of Object.entries(STEPS)) {
+    number += 1;
+    const started = Date.now();
+    fault = await step(user).then(() => undefined, (fault) => fault);
+    const picture = `${String(number).padStart(2, "0")}-${name.replaceAll(/[^\w]+/g, "-")}.png`;
+    await user.page.screenshot({ path: join(process.env.VAL3_OUTPUT, picture) });
+    console.log(`${fault === undefined ? "ok" : "FAILED"} ${name} (${Date.now() - started} ms)`);
+    if (fault !== undefined) {
+      console.log(String(fault.stack ?? fault).slice(0, 2000));
+      break;
+    }
+  }
+  await user.leave();
+  vscode.stop();
+  rmSync(folder, { recursive: true, force: true });
+  const failed = fault === undefined ? 0 : 1;
+  console.log(`test result: ${failed ? "FAILED" : "ok"}. ${number - failed} passed; ${failed} failed; workbench`);
+  process.exit(failed);
+}
+
+main().catch((fault) => {
+  console.error(fault);
+  process.exit(1);
+});
