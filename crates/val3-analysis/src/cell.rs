@@ -7,7 +7,7 @@ use val3_lang::add_on::AddOnTable;
 use val3_lang::types::{Arm, BaseType};
 
 /// What the files under `usr/configs` and `usr/app` say.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct CellConfig {
     /// The kind of arm, from `arm.cfx`.
     pub arm: Option<Arm>,

@@ -6,7 +6,9 @@ mod discover;
 mod disk;
 mod error;
 mod files;
+mod known;
 mod references;
+mod refresh;
 
 use std::sync::Arc;
 
@@ -16,11 +18,13 @@ use val3_config::ConfigError;
 use val3_syntax::view::View;
 
 pub use self::error::LoadError;
+pub use self::references::loads_alike;
 use crate::cell::CellConfig;
-use crate::db::{Cell, Configuration, Database, File, Project, Sources, path_key};
+use crate::db::{Cell, Configuration, Database, File, Project, path_key};
 use crate::items::manifest::{self, Manifest};
 use crate::paths::{self, Roots, Target};
 use crate::system::{Kind, System};
+use known::Known;
 use references::Loaded;
 
 /// Everything that was found under some paths, ready to be asked.
@@ -47,28 +51,33 @@ pub fn load(system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, Loa
 /// # Errors
 /// Those of [`load`].
 pub fn load_into(db: Database, system: &dyn System, paths: &[Utf8PathBuf]) -> Result<Workspace, LoadError> {
-    let mut loader = Loader::new(db, system);
+    let mut loader = Loader::new(db, system, Known::default(), &|_| true);
     let mut manifests = Vec::new();
     for path in paths {
         manifests.extend(loader.discover(&paths::normalise(path))?);
     }
-    manifests.sort_unstable();
-    manifests.dedup();
-    let asked: FxHashSet<String> = manifests.iter().map(|path| path_key(path.as_str())).collect();
-    for path in manifests {
-        loader.project(&path);
+    let asked = loader.read(manifests);
+    if !loader.config_errors.is_empty() {
+        return Err(LoadError::Configuration(loader.config_errors));
     }
-    loader.finish(&asked)
+    Ok(loader.finish(&asked))
 }
+
+/// The `usr` folder and the configuration that a cell is read from.
+type CellKey = (Option<Utf8PathBuf>, Option<Configuration>);
 
 struct Loader<'s> {
     system: &'s dyn System,
     db: Database,
+    /// What was read before, to be used again.
+    known: Known,
+    /// Whether a file that is known has to be read again.
+    is_stale: &'s dyn Fn(&Utf8Path) -> bool,
     files: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
     /// Projects in the order they were found.
     order: Vec<(String, Project)>,
-    cells: FxHashMap<(Option<Utf8PathBuf>, Option<Configuration>), Option<Cell>>,
+    cells: FxHashMap<CellKey, Option<Cell>>,
     /// The `val3.toml` that counts for each folder.
     configurations: FxHashMap<Utf8PathBuf, Option<Configuration>>,
     config_errors: Vec<ConfigError>,
@@ -78,10 +87,17 @@ struct Loader<'s> {
 }
 
 impl<'s> Loader<'s> {
-    fn new(db: Database, system: &'s dyn System) -> Self {
+    fn new(
+        db: Database,
+        system: &'s dyn System,
+        known: Known,
+        is_stale: &'s dyn Fn(&Utf8Path) -> bool,
+    ) -> Self {
         Self {
             system,
             db,
+            known,
+            is_stale,
             files: FxHashMap::default(),
             projects: FxHashMap::default(),
             order: Vec::new(),
@@ -94,19 +110,24 @@ impl<'s> Loader<'s> {
         }
     }
 
-    fn finish(mut self, asked: &FxHashSet<String>) -> Result<Workspace, LoadError> {
+    /// Reads these projects and everything they refer to; gives the keys of their paths.
+    fn read(&mut self, mut manifests: Vec<Utf8PathBuf>) -> FxHashSet<String> {
+        manifests.sort_unstable();
+        manifests.dedup();
+        manifests.iter().for_each(|path| self.project(path));
         while let Some(path) = self.queue.pop() {
             self.project(&path);
         }
-        if !self.config_errors.is_empty() {
-            return Err(LoadError::Configuration(self.config_errors));
-        }
+        manifests.iter().map(|path| path_key(path.as_str())).collect()
+    }
+
+    fn finish(mut self, asked: &FxHashSet<String>) -> Workspace {
         let mut projects: Vec<(String, Project)> =
-            self.order.into_iter().filter(|(key, _)| asked.contains(key)).collect();
+            std::mem::take(&mut self.order).into_iter().filter(|(key, _)| asked.contains(key)).collect();
         projects.sort_unstable_by(|a, b| a.0.cmp(&b.0));
-        let _sources = Sources::builder(self.files, self.projects).durability(salsa::Durability::MEDIUM).new(&self.db);
+        self.store_sources();
         let projects = projects.into_iter().map(|(_, project)| project).collect();
-        Ok(Workspace { db: self.db, projects, unreadable: self.unreadable })
+        Workspace { db: self.db, projects, unreadable: self.unreadable }
     }
 
     /// Reads the project at `path` and its files, and queues the projects it refers to.
@@ -116,8 +137,7 @@ impl<'s> Loader<'s> {
             return;
         }
         let Some(file) = self.found_file(path) else { return };
-        let path = file.path(&self.db).clone();
-        let text = Arc::clone(file.text(&self.db));
+        let (path, text) = (file.path(&self.db).clone(), Arc::clone(file.text(&self.db)));
         let manifest = manifest::read(View::root(val3_syntax::parse(&text).green()));
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
         let loaded = self.files_of(&folder, &manifest);
@@ -130,7 +150,7 @@ impl<'s> Loader<'s> {
         let prefixes = loaded.iter().filter_map(Loaded::prefix);
         prefixes.for_each(|prefix| self.enqueue_prefix(&folder, &roots, prefix));
         let beside = self.names_in(&folder);
-        let project = Project::new(&self.db, file, roots, cell, beside, configuration);
+        let project = self.project_input(&key, known::Described { file, roots, cell, beside, configuration });
         self.projects.insert(key.clone(), project);
         self.order.push((key, project));
     }
@@ -179,7 +199,7 @@ impl<'s> Loader<'s> {
             return *cell;
         }
         let config = self.cell_config(key.0.as_deref(), configuration);
-        let cell = config.map(|config| Cell::builder(config).durability(salsa::Durability::MEDIUM).new(&self.db));
+        let cell = config.map(|config| self.cell_input(&key, config));
         self.cells.insert(key, cell);
         cell
     }

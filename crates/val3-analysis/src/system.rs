@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::io;
+use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 
@@ -26,6 +27,11 @@ pub trait System: Send + Sync + Debug {
     /// The bytes of several files, in the same order. An implementation may read them side by side.
     fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<io::Result<Vec<u8>>> {
         paths.iter().map(|path| self.read(path)).collect()
+    }
+
+    /// The text of a file that is being edited, which counts instead of the stored one.
+    fn edited(&self, _path: &Utf8Path) -> Option<Arc<str>> {
+        None
     }
 
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.

@@ -117,7 +117,7 @@ impl Settings {
 }
 
 /// The settings of every application of a workspace.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct WorkspaceSettings {
     by_configuration: FxHashMap<Configuration, Settings>,
     /// For applications without a `val3.toml`.

@@ -49,6 +49,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
+    /// Serve an editor: the language server, on standard input and output
+    Lsp(LspArgs),
     /// Print the JSON schema of val3.toml, for editors that help to write it
     Schema,
 }
@@ -130,6 +132,20 @@ pub(crate) struct ExplainArgs {
     /// A code (V0203), the name of a rule, an instruction, a keyword or the number of a run-time error; without it
     /// everything is listed
     pub(crate) topic: Option<String>,
+}
+
+/// Arguments of `val3 lsp`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct LspArgs {
+    /// A file for the log of the server
+    #[arg(long, value_name = "FILE")]
+    pub(crate) log: Option<Utf8PathBuf>,
+    /// Use standard input and output, which is what it does anyway; many clients say so
+    #[arg(long)]
+    pub(crate) stdio: bool,
+    /// The process of the editor, which clients also tell in their first message
+    #[arg(long = "clientProcessId", alias = "client-process-id", value_name = "PID", hide = true)]
+    pub(crate) client_process_id: Option<u32>,
 }
 
 /// A file and the format it gets.

@@ -13,6 +13,7 @@ mod fingerprint;
 mod fixing;
 mod format;
 mod line_index;
+mod lsp;
 mod markdown;
 mod opening;
 mod output;
@@ -54,6 +55,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
+        Command::Lsp(lsp) => lsp::run(lsp),
         Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),
     }
 }

@@ -4,6 +4,7 @@
 //! protocol, and no tree leaves this crate.
 
 mod completion;
+mod diagnostics;
 mod edit;
 mod folding;
 mod fuzzy;
@@ -19,6 +20,7 @@ mod signature_help;
 mod symbols;
 
 pub use completion::{Completion, CompletionKind, completions, documentation};
+pub use diagnostics::{CheckSettings, project_diagnostics};
 pub use edit::{FileEdit, SourceChange};
 pub use folding::{Fold, FoldKind, folds};
 pub use highlight::{Highlight, highlights};

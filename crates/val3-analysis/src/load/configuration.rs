@@ -27,40 +27,39 @@ impl Loader<'_> {
             return *known;
         }
         let found = match self.read_configuration(&folder.join(FILE_NAME)) {
-            Some(file) => {
-                let builder = Configuration::builder(file).durability(salsa::Durability::MEDIUM);
-                Some(builder.new(&self.db))
-            }
+            Some(file) => Some(self.configuration_input(file)),
             None => folder.parent().and_then(|parent| self.configuration(parent)),
         };
         self.configurations.insert(folder.to_owned(), found);
         found
     }
 
-    /// Reads a configuration; a faulty one counts as one that says nothing, and keeps the workspace from loading.
+    /// Reads a configuration; a faulty one counts as what it said before, or nothing, and keeps the workspace from
+    /// loading.
     fn read_configuration(&mut self, path: &Utf8Path) -> Option<ConfigFile> {
         if self.system.kind(path) != Some(Kind::File) {
             return None;
         }
         let bytes = match self.system.read(path) {
             Ok(bytes) => bytes,
-            Err(error) => return Some(self.faulty(unreadable(path, &format!("cannot be read: {error}")))),
+            Err(error) => return Some(self.faulty(path, unreadable(path, &format!("cannot be read: {error}")))),
         };
         let Ok(text) = String::from_utf8(bytes) else {
-            return Some(self.faulty(unreadable(path, "is not UTF-8")));
+            return Some(self.faulty(path, unreadable(path, "is not UTF-8")));
         };
         let file = match ConfigFile::parse(path, &text) {
             Ok(file) => file,
-            Err(error) => return Some(self.faulty(error)),
+            Err(error) => return Some(self.faulty(path, error)),
         };
         let missing = missing_folders(self.system, &file);
         self.config_errors.extend(missing);
         Some(file)
     }
 
-    fn faulty(&mut self, error: ConfigError) -> ConfigFile {
+    fn faulty(&mut self, path: &Utf8Path, error: ConfigError) -> ConfigFile {
         self.config_errors.push(error);
-        ConfigFile::default()
+        let before = self.known.configurations.get(path).map(|configuration| configuration.file(&self.db).clone());
+        before.unwrap_or_default()
     }
 
     /// The tables of add-ons that a configuration names.

@@ -35,6 +35,12 @@ pub(super) fn loaded_libraries(text: &str) -> Vec<Loaded> {
         .collect()
 }
 
+/// Two texts of a program load the same libraries, as far as they spell them out: where this holds and nothing but
+/// code changed, the workspace need not be read again.
+pub fn loads_alike(before: &str, after: &str) -> bool {
+    loaded_libraries(before) == loaded_libraries(after)
+}
+
 fn argument(rest: &str) -> Option<Loaded> {
     let line = rest.lines().next()?;
     let line = decode_entities(line.get(..line.floor_char_boundary(1000)).unwrap_or(line));

@@ -1,0 +1,154 @@
+//! Inputs that exist already: they are used again and set only where something differs, so that reading a workspace
+//! anew makes nothing run that it does not concern.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashMap;
+use salsa::{Durability, Setter as _};
+use smol_str::SmolStr;
+use val3_config::ConfigFile;
+use val3_syntax::encoding::Encoding;
+
+use super::files::Content;
+use super::{CellKey, Loader};
+use crate::cell::CellConfig;
+use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Sources};
+use crate::paths::Roots;
+
+/// The inputs of a workspace by what they stand for.
+#[derive(Debug, Default)]
+pub(super) struct Known {
+    sources: Option<Sources>,
+    /// By path key.
+    pub(super) files: FxHashMap<String, File>,
+    projects: FxHashMap<String, Project>,
+    /// By the path of the `val3.toml`.
+    pub(super) configurations: FxHashMap<Utf8PathBuf, Configuration>,
+    cells: FxHashMap<CellKey, Cell>,
+}
+
+/// What an input for a project is made of.
+pub(super) struct Described {
+    pub(super) file: File,
+    pub(super) roots: Roots,
+    pub(super) cell: Option<Cell>,
+    pub(super) beside: Vec<SmolStr>,
+    pub(super) configuration: Option<Configuration>,
+}
+
+impl Known {
+    /// The inputs of a database that a workspace was read into.
+    pub(super) fn of(db: &Database) -> Self {
+        let Some(sources) = Sources::try_get(db) else { return Self::default() };
+        let projects = sources.projects(db).clone();
+        let mut known = Self { sources: Some(sources), files: sources.files(db).clone(), ..Self::default() };
+        for project in projects.values() {
+            let configuration = project.configuration(db);
+            if let Some(configuration) = configuration {
+                known.configurations.insert(configuration.file(db).path.clone(), configuration);
+            }
+            if let Some(cell) = project.cell(db) {
+                let usr = project.disk(db).and_then(Utf8Path::parent).map(Utf8Path::to_owned);
+                known.cells.insert((usr, configuration), cell);
+            }
+        }
+        Self { projects, ..known }
+    }
+}
+
+impl Loader<'_> {
+    /// The input for a file with this content.
+    pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: Content) -> File {
+        let known = self.known.files.get(&key).copied();
+        let status = content.status.unwrap_or_else(|| self.edited_status(known));
+        let file = match known {
+            Some(file) => {
+                if **file.text(&self.db) != *content.text {
+                    file.set_text(&mut self.db).to(content.text);
+                }
+                if *file.status(&self.db) != status {
+                    file.set_status(&mut self.db).to(status);
+                }
+                file
+            }
+            None => File::builder(path.to_owned(), content.text, status)
+                .path_durability(Durability::HIGH)
+                .new(&self.db),
+        };
+        self.files.insert(key, file);
+        file
+    }
+
+    /// How a file that is edited will be stored: as it was.
+    fn edited_status(&self, known: Option<File>) -> FileStatus {
+        let before = known.map(|file| file.status(&self.db)).filter(|status| matches!(status, FileStatus::Read { .. }));
+        before.cloned().unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, undeclared: false })
+    }
+
+    pub(super) fn project_input(&mut self, key: &str, described: Described) -> Project {
+        let Described { file, roots, cell, beside, configuration } = described;
+        let Some(project) = self.known.projects.get(key).copied() else {
+            return Project::new(&self.db, file, roots, cell, beside, configuration);
+        };
+        let db = &mut self.db;
+        if project.manifest(db) != file {
+            project.set_manifest(db).to(file);
+        }
+        if *project.roots(db) != roots {
+            project.set_roots(db).to(roots);
+        }
+        if project.cell(db) != cell {
+            project.set_cell(db).to(cell);
+        }
+        if *project.beside(db) != beside {
+            project.set_beside(db).to(beside);
+        }
+        if project.configuration(db) != configuration {
+            project.set_configuration(db).to(configuration);
+        }
+        project
+    }
+
+    pub(super) fn configuration_input(&mut self, file: ConfigFile) -> Configuration {
+        let Some(configuration) = self.known.configurations.get(&file.path).copied() else {
+            return Configuration::builder(file).durability(Durability::MEDIUM).new(&self.db);
+        };
+        if *configuration.file(&self.db) != file {
+            configuration.set_file(&mut self.db).with_durability(Durability::MEDIUM).to(file);
+        }
+        configuration
+    }
+
+    pub(super) fn cell_input(&mut self, key: &CellKey, config: CellConfig) -> Cell {
+        let Some(cell) = self.known.cells.get(key).copied() else {
+            return Cell::builder(config).durability(Durability::MEDIUM).new(&self.db);
+        };
+        if *cell.config(&self.db) != config {
+            cell.set_config(&mut self.db).with_durability(Durability::MEDIUM).to(config);
+        }
+        cell
+    }
+
+    pub(super) fn store_sources(&mut self) {
+        let (files, projects) = (std::mem::take(&mut self.files), std::mem::take(&mut self.projects));
+        let Some(sources) = self.known.sources else {
+            let _ = Sources::builder(files, projects).durability(Durability::MEDIUM).new(&self.db);
+            return;
+        };
+        if *sources.files(&self.db) != files {
+            self.forget_missing(&files);
+            sources.set_files(&mut self.db).with_durability(Durability::MEDIUM).to(files);
+        }
+        if *sources.projects(&self.db) != projects {
+            sources.set_projects(&mut self.db).with_durability(Durability::MEDIUM).to(projects);
+        }
+    }
+
+    /// Inputs cannot be freed, but their texts can.
+    fn forget_missing(&mut self, files: &FxHashMap<String, File>) {
+        for (key, file) in &self.known.files {
+            if !files.contains_key(key) {
+                file.set_text(&mut self.db).to("".into());
+            }
+        }
+    }
+}

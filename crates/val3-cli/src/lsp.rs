@@ -1,0 +1,16 @@
+//! `val3 lsp`: the language server.
+
+use std::process::ExitCode;
+
+use val3_lsp::ServerOptions;
+
+use crate::args::LspArgs;
+use crate::user_error::UserError;
+
+/// Serves one client; the exit code says whether it ended the session as the protocol wants it.
+pub(crate) fn run(args: &LspArgs) -> Result<ExitCode, UserError> {
+    let options = ServerOptions { log: args.log.clone() };
+    let code = val3_lsp::run(std::io::stdin(), std::io::stdout(), &options)
+        .map_err(|error| UserError::new(format!("the language server cannot start: {error}")))?;
+    Ok(ExitCode::from(code))
+}

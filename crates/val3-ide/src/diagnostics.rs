@@ -1,0 +1,76 @@
+//! Findings that are kept from one edit to the next: what a change does not concern is not checked again.
+
+#![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
+
+use val3_analysis::db::{Db, Project};
+use val3_check::diagnostic::Diagnostic;
+use val3_check::settings::WorkspaceSettings;
+use val3_check::{Checked, Unit, check_unit, finish, units};
+
+/// What every application is checked for.
+#[salsa::input(debug)]
+pub struct CheckSettings {
+    /// The settings by application.
+    #[returns(ref)]
+    pub settings: WorkspaceSettings,
+}
+
+/// What is wrong in a project: the findings of `val3 check`, in its order.
+#[salsa::tracked]
+pub fn project_diagnostics(db: &dyn Db, settings: CheckSettings, project: Project) -> Vec<Diagnostic> {
+    let units = units(db, &[project]);
+    let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
+    finish(db, &units, settings.settings(db), checked).findings
+}
+
+#[salsa::tracked]
+fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
+    check_unit(db, unit, settings.settings(db))
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::{Arc, Mutex};
+
+    use salsa::Setter as _;
+    use val3_analysis::db::{Database, Sources};
+    use val3_analysis::load::load_into;
+    use val3_analysis::system::Memory;
+    use val3_check::settings::Selection;
+    use val3_test::{Fixture, ROOT};
+
+    use super::*;
+
+    const CELL: &str = "num nA\nnA=1\ncall other()\nprogram other()\nbegin\n  nB=2\nend\n\
+                        --- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=nC\nend";
+
+    #[test]
+    fn an_edit_checks_again_what_it_concerns() {
+        let ran = Arc::new(Mutex::new(Vec::new()));
+        let log = Arc::clone(&ran);
+        let db = Database::observed(move |event| {
+            if let salsa::EventKind::WillExecute { database_key } = event.kind {
+                log.lock().unwrap().push(format!("{database_key:?}"));
+            }
+        });
+        let fixture = Fixture::parse(CELL);
+        let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
+        let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = CheckSettings::new(&workspace.db, settings);
+        let codes = |db: &Database| -> Vec<Vec<&str>> {
+            let found = workspace.projects.iter().map(|project| project_diagnostics(db, settings, *project));
+            found.map(|found| found.iter().map(|found| found.rule.code).collect()).collect()
+        };
+        assert_eq!(codes(&workspace.db), [["V0101"], ["V0101"]]);
+        let other = Sources::get(&workspace.db).files(&workspace.db).iter().find(|(path, _)| path.contains("other"));
+        let (_, other) = other.unwrap();
+        let (other, text) = (*other, other.text(&workspace.db).replace("nB=2", "\n  nB=2"));
+        ran.lock().unwrap().clear();
+        other.set_text(&mut workspace.db).to(text.into());
+        assert_eq!(codes(&workspace.db), [["V0101"], ["V0101"]]);
+        let ran = ran.lock().unwrap();
+        assert_eq!(ran.iter().filter(|name| name.starts_with("checked(")).count(), 1, "{ran:?}");
+        assert_eq!(ran.iter().filter(|name| name.starts_with("project_diagnostics(")).count(), 1);
+    }
+}

@@ -1,0 +1,167 @@
+//! Which projects are to be checked, and in what order: those that were edited at once, the rest behind them.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rustc_hash::FxHashSet;
+use salsa::Cancelled;
+use val3_analysis::db::{File, Project};
+
+use crate::pool::Lane;
+use crate::published::{self, ProjectFindings};
+use crate::snapshot::Snapshot;
+use crate::world::World;
+
+/// Files after which trees that are no longer needed are freed.
+const BATCH: usize = 512;
+
+/// What is left to check.
+#[derive(Debug, Default)]
+pub(crate) struct Checks {
+    /// Counts the changes; results of an earlier state are of no use.
+    generation: u64,
+    /// The generation that is being checked.
+    started: u64,
+    /// Files that were edited since their projects were checked.
+    edited: FxHashSet<File>,
+    /// Projects that a change may reach.
+    open: Vec<Project>,
+    /// Everything was checked once.
+    pub(crate) first_is_done: bool,
+}
+
+/// Projects that are checked together, by all threads of a lane.
+struct Batch {
+    projects: Vec<Project>,
+    next: AtomicUsize,
+    /// Threads that still work on it.
+    working: AtomicUsize,
+    generation: u64,
+    lane: Lane,
+}
+
+impl Checks {
+    /// A file was edited, opened or closed.
+    pub(crate) fn edited(&mut self, file: File) {
+        self.generation += 1;
+        self.edited.insert(file);
+    }
+
+    /// Anything may have changed.
+    pub(crate) fn all(&mut self) {
+        self.generation += 1;
+    }
+
+    /// Projects that are left, for those who watch.
+    pub(crate) fn left(&self) -> usize {
+        self.open.len()
+    }
+}
+
+impl World {
+    /// Begins to check what changed since the last time.
+    pub(crate) fn check(&mut self) {
+        if self.checks.started == self.checks.generation || self.session.is_asked_for_findings() {
+            return;
+        }
+        self.checks.started = self.checks.generation;
+        let edited = std::mem::take(&mut self.checks.edited);
+        let db = self.database();
+        let owners: FxHashSet<Project> =
+            edited.iter().flat_map(|file| val3_ide::projects_of(db, *file)).copied().collect();
+        let (first, rest): (Vec<Project>, Vec<Project>) =
+            self.projects().iter().copied().partition(|project| owners.contains(project));
+        self.checks.open = rest;
+        self.begin_progress();
+        if first.is_empty() {
+            self.check_next();
+        } else {
+            self.start_batch(first, Lane::Latency);
+        }
+    }
+
+    /// Begins the next batch, or ends the round.
+    fn check_next(&mut self) {
+        let mut files = 0;
+        let db = self.database();
+        let count = self.checks.open.iter().take_while(|project| {
+            let fits = files < BATCH;
+            files += val3_analysis::occurrences::project_files(db, **project).count();
+            fits
+        });
+        let count = count.count();
+        let batch: Vec<Project> = self.checks.open.drain(..count).collect();
+        if batch.is_empty() {
+            self.checks.first_is_done = true;
+            self.end_progress();
+        } else {
+            self.start_batch(batch, Lane::Background);
+        }
+    }
+
+    fn start_batch(&self, projects: Vec<Project>, lane: Lane) {
+        let threads = self.pool.threads().min(projects.len());
+        let batch = Arc::new(Batch {
+            projects,
+            next: AtomicUsize::new(0),
+            working: AtomicUsize::new(threads),
+            generation: self.checks.started,
+            lane,
+        });
+        for _ in 0..threads {
+            let (batch, snapshot, inbox) = (Arc::clone(&batch), self.snapshot(), self.inbox.clone());
+            self.pool.spawn(lane, move || {
+                let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| work(&batch, &snapshot)));
+                let outcome = crate::panics::contained(work);
+                drop(snapshot);
+                let is_last = batch.working.fetch_sub(1, Ordering::AcqRel) == 1;
+                inbox.post(move |world| {
+                    match outcome {
+                        // Whoever wrote begins anew.
+                        Ok(Err(_)) => return world.check_again(batch.generation),
+                        Ok(Ok(())) => {}
+                        Err(reason) => world.complain("the check", &reason),
+                    }
+                    if is_last {
+                        world.batch_is_done(&batch);
+                    }
+                });
+            });
+        }
+    }
+
+    /// A write stopped a check. If it changed nothing that is checked, the check goes on.
+    fn check_again(&mut self, generation: u64) {
+        if generation == self.checks.generation && generation == self.checks.started {
+            self.checks.all();
+        }
+    }
+
+    fn batch_is_done(&mut self, batch: &Batch) {
+        if batch.generation != self.checks.generation {
+            return;
+        }
+        if batch.lane == Lane::Background && !self.checks.first_is_done {
+            self.forget_trees();
+        }
+        self.report_progress();
+        self.check_next();
+    }
+
+    /// The findings of a project, unless they are those of an earlier state.
+    fn found(&mut self, generation: u64, found: ProjectFindings) {
+        if generation == self.checks.generation {
+            self.published.project(found, &self.documents, &self.outbox);
+        }
+    }
+}
+
+/// Checks projects until none is left.
+fn work(batch: &Batch, snapshot: &Snapshot) {
+    while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
+        let found = published::findings(snapshot, *project);
+        let generation = batch.generation;
+        snapshot.inbox.post(move |world| world.found(generation, found));
+    }
+}
+

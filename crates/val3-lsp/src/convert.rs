@@ -1,0 +1,206 @@
+//! From the values of the features to those of the protocol. Nothing else makes protocol values from them.
+
+use tower_lsp::lsp_types::*;
+use val3_analysis::db::{File, Project};
+use val3_check::diagnostic as check;
+use val3_check::rule::Severity;
+use val3_config::ConfigError;
+use val3_ide as ide;
+
+use crate::loose;
+use crate::published::{Finder, ProjectFindings};
+use crate::snapshot::Snapshot;
+
+/// What findings say they come from.
+const SOURCE: &str = "val3";
+
+/// The findings of a project, by file. What concerns a project file that does not exist is left out.
+pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Vec<Diagnostic>)> {
+    let Some(settings) = snapshot.settings else { return Vec::new() };
+    let mut files: Vec<(File, Vec<Diagnostic>)> = Vec::new();
+    for found in ide::project_diagnostics(snapshot.db(), settings, project) {
+        let file = found.place.file;
+        if loose::is_manifest(file.path(snapshot.db())) {
+            continue;
+        }
+        let converted = diagnostic(snapshot, found);
+        match files.iter_mut().find(|(known, _)| *known == file) {
+            Some((_, of_file)) => of_file.push(converted),
+            None => files.push((file, vec![converted])),
+        }
+    }
+    files.into_iter().map(|(file, found)| (snapshot.uri(file), found)).collect()
+}
+
+/// One finding.
+pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diagnostic {
+    let related = found.related.iter().map(|note| DiagnosticRelatedInformation {
+        location: snapshot.location(place(note.place)),
+        message: note.message.clone(),
+    });
+    let related: Vec<_> = related.collect();
+    Diagnostic {
+        range: snapshot.range(found.place.file, found.place.range),
+        severity: Some(severity(found.severity)),
+        code: Some(NumberOrString::String(found.rule.code.to_owned())),
+        source: Some(SOURCE.to_owned()),
+        message: message(&found.message, &found.label, &found.help),
+        related_information: (!related.is_empty()).then_some(related),
+        tags: tag(found.rule.name).map(|tag| vec![tag]),
+        ..Diagnostic::default()
+    }
+}
+
+/// The parts of a message in the order of the command line, one a line.
+fn message(message: &str, label: &str, help: &str) -> String {
+    let mut text = message.to_owned();
+    if !label.is_empty() {
+        text.push_str(&format!("\n{label}"));
+    }
+    if !help.is_empty() {
+        text.push_str(&format!("\nhelp: {help}"));
+    }
+    text
+}
+
+fn severity(severity: Severity) -> DiagnosticSeverity {
+    match severity {
+        Severity::Error => DiagnosticSeverity::ERROR,
+        Severity::Warning => DiagnosticSeverity::WARNING,
+        Severity::Info => DiagnosticSeverity::INFORMATION,
+    }
+}
+
+/// How an editor may show what is not needed, by the name of the rule.
+fn tag(rule: &str) -> Option<DiagnosticTag> {
+    if rule.starts_with("unused-") || rule.starts_with("unreachable-") {
+        return Some(DiagnosticTag::UNNECESSARY);
+    }
+    rule.contains("deprecated").then_some(DiagnosticTag::DEPRECATED)
+}
+
+fn place(span: check::Span) -> ide::FileRange {
+    ide::FileRange { file: span.file, range: span.range }
+}
+
+/// The faults of configurations, in their files.
+pub(crate) fn configuration_faults(snapshot: &Snapshot, errors: &[ConfigError]) -> ProjectFindings {
+    let mut files: Vec<(Url, Vec<Diagnostic>)> = Vec::new();
+    for error in errors {
+        let uri = snapshot.uri_of(&error.path);
+        let found = configuration_fault(snapshot, error);
+        match files.iter_mut().find(|(known, _)| *known == uri) {
+            Some((_, of_file)) => of_file.push(found),
+            None => files.push((uri, vec![found])),
+        }
+    }
+    ProjectFindings { finder: Finder::Configuration, files }
+}
+
+fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
+    let index = line_index::LineIndex::new(&error.text);
+    let lines = crate::line_index::Lines::new(&error.text, &index, snapshot.session.encoding, true);
+    let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).into();
+    let range = Range { start: lines.position(offset(error.range.start)), end: lines.position(offset(error.range.end)) };
+    Diagnostic {
+        range,
+        severity: Some(DiagnosticSeverity::ERROR),
+        source: Some(SOURCE.to_owned()),
+        message: message(&error.message, "", &error.help),
+        ..Diagnostic::default()
+    }
+}
+
+/// A text in Markdown.
+pub(crate) fn markdown(value: String) -> MarkupContent {
+    MarkupContent { kind: MarkupKind::Markdown, value }
+}
+
+/// What an entry of an outline is shown as.
+pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
+    match kind {
+        ide::SymbolKind::Project => SymbolKind::PACKAGE,
+        ide::SymbolKind::Program => SymbolKind::FUNCTION,
+        ide::SymbolKind::Data | ide::SymbolKind::Local | ide::SymbolKind::Parameter => SymbolKind::VARIABLE,
+        ide::SymbolKind::Library => SymbolKind::MODULE,
+        ide::SymbolKind::Type => SymbolKind::STRUCT,
+    }
+}
+
+/// What a completion is shown as.
+pub(crate) fn completion_kind(kind: ide::CompletionKind) -> CompletionItemKind {
+    match kind {
+        ide::CompletionKind::Local | ide::CompletionKind::Parameter | ide::CompletionKind::Data => {
+            CompletionItemKind::VARIABLE
+        }
+        ide::CompletionKind::Field => CompletionItemKind::FIELD,
+        ide::CompletionKind::Program => CompletionItemKind::FUNCTION,
+        ide::CompletionKind::Instruction => CompletionItemKind::METHOD,
+        ide::CompletionKind::Keyword => CompletionItemKind::KEYWORD,
+        ide::CompletionKind::Library => CompletionItemKind::MODULE,
+        ide::CompletionKind::Type => CompletionItemKind::STRUCT,
+        ide::CompletionKind::Constant => CompletionItemKind::ENUM_MEMBER,
+        ide::CompletionKind::Literal => CompletionItemKind::VALUE,
+        ide::CompletionKind::Text => CompletionItemKind::TEXT,
+        ide::CompletionKind::Path => CompletionItemKind::FILE,
+    }
+}
+
+/// Why something folds.
+pub(crate) fn fold_kind(kind: ide::FoldKind) -> Option<FoldingRangeKind> {
+    match kind {
+        ide::FoldKind::Comment => Some(FoldingRangeKind::Comment),
+        ide::FoldKind::Xml => Some(FoldingRangeKind::Region),
+        ide::FoldKind::Block => None,
+    }
+}
+
+/// Edits of one file.
+pub(crate) fn edits<'e>(
+    snapshot: &Snapshot,
+    file: File,
+    edits: impl IntoIterator<Item = (val3_syntax::TextRange, &'e str)>,
+) -> Vec<TextEdit> {
+    let lines = snapshot.lines(file);
+    edits.into_iter().map(|(range, text)| TextEdit { range: lines.range(range), new_text: text.to_owned() }).collect()
+}
+
+/// A change of several files. Clients that do not know better get the edits alone.
+pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &ide::SourceChange) -> WorkspaceEdit {
+    let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
+    for edit in &change.edits {
+        let converted = edits(snapshot, edit.file, [(edit.range, edit.text.as_str())]);
+        match files.iter_mut().find(|(file, _)| *file == edit.file) {
+            Some((_, of_file)) => of_file.extend(converted),
+            None => files.push((edit.file, converted)),
+        }
+    }
+    if !snapshot.session.client.has_document_changes {
+        let changes = files.into_iter().map(|(file, edits)| (snapshot.uri(file), edits)).collect();
+        return WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
+    }
+    let edits = files.into_iter().map(|(file, edits)| {
+        let document =
+            OptionalVersionedTextDocumentIdentifier { uri: snapshot.uri(file), version: snapshot.version(file) };
+        let edits = edits.into_iter().map(OneOf::Left).collect();
+        DocumentChangeOperation::Edit(TextDocumentEdit { text_document: document, edits })
+    });
+    let mut operations: Vec<_> = edits.collect();
+    if snapshot.session.client.renames_files {
+        operations.extend(change.moves.iter().map(|(from, to)| {
+            let (old_uri, new_uri) = (snapshot.uri_of(from), snapshot.uri_of(to));
+            let rename = RenameFile { old_uri, new_uri, options: None, annotation_id: None };
+            DocumentChangeOperation::Op(ResourceOp::Rename(rename))
+        }));
+    }
+    WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() }
+}
+
+/// Locations, or links that know what they lead away from.
+pub(crate) fn targets(snapshot: &Snapshot, from: File, targets: &[ide::Target]) -> GotoDefinitionResponse {
+    if snapshot.session.client.has_links {
+        let links = targets.iter().map(|target| snapshot.link(snapshot.range(from, target.from), target.to));
+        return GotoDefinitionResponse::Link(links.collect());
+    }
+    GotoDefinitionResponse::Array(targets.iter().map(|target| snapshot.location(target.to)).collect())
+}

@@ -1,0 +1,132 @@
+//! The documents that the client has open: their text counts instead of the stored one.
+
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use line_index::LineIndex;
+use rustc_hash::FxHashMap;
+use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
+
+use crate::line_index::{Encoding, Lines};
+
+/// An open document.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Document {
+    /// Its URI as the client spells it.
+    pub(crate) uri: Url,
+    /// Where it lies, or would.
+    pub(crate) path: Utf8PathBuf,
+    /// The version of the text, counted by the client.
+    pub(crate) version: i32,
+    /// The text.
+    pub(crate) text: Arc<str>,
+}
+
+/// All of them.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Documents {
+    by_uri: FxHashMap<Url, Document>,
+    by_path: FxHashMap<Utf8PathBuf, Url>,
+    /// What the client has of the colours of each document. It is shared by all moments: clients ask for what
+    /// changed since the last answer, whenever that was given.
+    tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
+}
+
+impl Documents {
+    /// Adds a document, or replaces the one of this URI.
+    pub(crate) fn open(&mut self, document: Document) {
+        self.by_path.insert(document.path.clone(), document.uri.clone());
+        self.by_uri.insert(document.uri.clone(), document);
+    }
+
+    /// Takes a document out.
+    pub(crate) fn close(&mut self, uri: &Url) -> Option<Document> {
+        let document = self.by_uri.remove(uri)?;
+        self.by_path.remove(&document.path);
+        self.tokens().remove(uri);
+        Some(document)
+    }
+
+    /// The document of a URI.
+    pub(crate) fn get(&self, uri: &Url) -> Option<&Document> {
+        self.by_uri.get(uri)
+    }
+
+    /// As [`get`](Self::get), to be changed.
+    pub(crate) fn get_mut(&mut self, uri: &Url) -> Option<&mut Document> {
+        self.by_uri.get_mut(uri)
+    }
+
+    /// The document that lies at a path.
+    pub(crate) fn at(&self, path: &Utf8Path) -> Option<&Document> {
+        self.by_uri.get(self.by_path.get(path)?)
+    }
+
+    /// Notes the colours that the client gets.
+    pub(crate) fn keep_tokens(&self, uri: &Url, tokens: &SemanticTokens) {
+        self.tokens().insert(uri.clone(), tokens.clone());
+    }
+
+    /// The colours that the client got last.
+    pub(crate) fn kept_tokens(&self, uri: &Url) -> Option<SemanticTokens> {
+        self.tokens().get(uri).cloned()
+    }
+
+    fn tokens(&self) -> MutexGuard<'_, FxHashMap<Url, SemanticTokens>> {
+        self.tokens.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Every document.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = &Document> {
+        self.by_uri.values()
+    }
+}
+
+impl Document {
+    /// Makes the changes in their order; each counts in the text that the one before leaves.
+    pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: Encoding) {
+        let mut text = self.text.to_string();
+        for change in changes {
+            match change.range {
+                None => text = change.text,
+                Some(range) => {
+                    let index = LineIndex::new(&text);
+                    let range = Lines::new(&text, &index, encoding, false).text_range(range);
+                    text.replace_range(std::ops::Range::<usize>::from(range), &change.text);
+                }
+            }
+        }
+        self.text = text.into();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use tower_lsp::lsp_types::{Position, Range};
+
+    use super::*;
+
+    fn changed(text: &str, changes: &[(u32, u32, u32, u32, &str)]) -> String {
+        let uri = Url::parse("file:///a.pgx").unwrap();
+        let mut document = Document { uri, path: "/a.pgx".into(), version: 1, text: text.into() };
+        let changes = changes.iter().map(|(line, column, to_line, to_column, text)| TextDocumentContentChangeEvent {
+            range: Some(Range::new(Position::new(*line, *column), Position::new(*to_line, *to_column))),
+            range_length: None,
+            text: (*text).to_owned(),
+        });
+        document.change(changes.collect(), Encoding::Utf16);
+        document.text.to_string()
+    }
+
+    #[test]
+    fn changes_in_their_order() {
+        assert_eq!(changed("a\nb\n", &[(0, 1, 1, 0, ""), (0, 2, 0, 2, "c")]), "abc\n");
+        assert_eq!(changed("😀x", &[(0, 2, 0, 3, "é")]), "😀é");
+    }
+
+    #[test]
+    fn changes_beyond_the_text() {
+        assert_eq!(changed("a", &[(9, 9, 12, 0, "b")]), "ab");
+        assert_eq!(changed("abc", &[(0, 2, 0, 1, "")]), "ac");
+    }
+}

@@ -1,0 +1,25 @@
+//! What the main loop is told, in the order in which it was told.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use crate::world::World;
+
+/// Something for the main loop to do.
+pub(crate) type Message = Box<dyn FnOnce(&mut World) + Send>;
+
+/// The way to the main loop. It takes any number of messages and never waits.
+#[derive(Clone)]
+pub(crate) struct Inbox(Sender<Message>);
+
+impl Inbox {
+    /// An inbox and the end that the main loop reads.
+    pub(crate) fn new() -> (Self, Receiver<Message>) {
+        let (sender, receiver) = channel();
+        (Self(sender), receiver)
+    }
+
+    /// Puts a message behind those that are there. When the main loop has ended there is nobody left to tell.
+    pub(crate) fn post(&self, message: impl FnOnce(&mut World) + Send + 'static) {
+        let _ = self.0.send(Box::new(message));
+    }
+}

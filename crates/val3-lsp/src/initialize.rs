@@ -1,0 +1,51 @@
+//! The first and the last messages of a session, and what the server says it can do.
+
+use tower_lsp::jsonrpc::Result;
+use tower_lsp::lsp_types::{InitializeParams, InitializeResult, InitializedParams, ServerInfo};
+use tower_lsp::{LanguageServer, async_trait};
+
+use crate::inbox::Inbox;
+use crate::requests::capabilities;
+use crate::session::Session;
+use crate::{parent_process, watching};
+
+/// The part of the session that tower-lsp itself keeps track of.
+pub(crate) struct Lifecycle {
+    pub(crate) inbox: Inbox,
+}
+
+#[async_trait]
+impl LanguageServer for Lifecycle {
+    async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
+        let (session, fault) = Session::new(&params);
+        let capabilities = capabilities(&session);
+        if let Some(process) = params.process_id {
+            parent_process::die_with(process);
+        }
+        let client = params.client_info.map_or_else(|| "a client".to_owned(), |info| info.name);
+        self.inbox.post(move |world| {
+            world.log(&format!("{client} opens {:?}, columns in {:?}", session.folders, session.encoding));
+            fault.into_iter().for_each(|fault| world.log(&fault));
+            world.begin(session);
+        });
+        let version = Some(env!("CARGO_PKG_VERSION").to_owned());
+        Ok(InitializeResult {
+            capabilities,
+            server_info: Some(ServerInfo { name: "val3".to_owned(), version }),
+        })
+    }
+
+    async fn initialized(&self, _: InitializedParams) {}
+
+    async fn shutdown(&self) -> Result<()> {
+        self.inbox.post(|world| world.log("the session ends"));
+        Ok(())
+    }
+}
+
+/// The client is ready to be asked.
+pub(crate) fn initialized(world: &mut crate::world::World, _: InitializedParams) {
+    world.ready();
+    watching::start(world);
+    world.ask_for_settings();
+}

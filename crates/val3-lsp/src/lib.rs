@@ -1,0 +1,39 @@
+//! The language server of VAL 3.
+//!
+//! tower-lsp moves the messages and nothing else: every message is handed to one inbox in the order in which it was
+//! read, one thread (the main loop) takes them out and is the only writer of the database, and what takes time is
+//! computed on snapshots by a pool of threads. `docs/adr/0010-language-server.md` says why.
+
+#![allow(clippy::disallowed_methods, reason = "a server has threads, a clock and a process to watch")]
+
+mod checks;
+mod convert;
+mod documents;
+mod inbox;
+mod initialize;
+mod line_index;
+mod log;
+mod loose;
+mod options;
+mod outbox;
+mod overlay;
+mod panics;
+mod parent;
+mod parent_process;
+mod pool;
+mod published;
+mod reply;
+mod requests;
+mod router;
+mod scan_progress;
+mod server;
+mod session;
+mod snapshot;
+mod sync;
+mod transport;
+mod uri;
+mod watching;
+mod workspace_folders;
+mod world;
+
+pub use server::{ServerOptions, run};

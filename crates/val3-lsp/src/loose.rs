@@ -1,0 +1,51 @@
+//! Documents that no project lists: each gets a project of its own, in which what it does not declare itself may
+//! exist, so that features work and nothing is said that only a project could tell.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::{Database, Sources, path_key};
+
+use crate::documents::Documents;
+
+/// What the path of the project file ends with.
+const ENDING: &str = ".loose.pjx";
+
+/// The documents of VAL 3 that no project lists, by path. Those in `before` are listed by the project they got.
+pub(crate) fn documents(documents: &Documents, db: &Database, before: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
+    let listed = |path: &Utf8Path| {
+        let Some(sources) = Sources::try_get(db) else { return false };
+        let Some(file) = sources.files(db).get(&path_key(path.as_str())) else { return false };
+        let projects = val3_ide::projects_of(db, *file);
+        projects.iter().any(|project| !is_manifest(project.manifest(db).path(db)))
+    };
+    let ours = |path: &Utf8Path| before.iter().any(|known| known == path) || is_part(path);
+    let open = documents.iter().map(|document| document.path.clone());
+    let mut loose: Vec<_> = open.filter(|path| ours(path) && !listed(path)).collect();
+    loose.sort_unstable();
+    loose
+}
+
+fn is_part(path: &Utf8Path) -> bool {
+    let is = |ending: &str| path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending));
+    is("pgx") || is("dtx")
+}
+
+/// The path of the project file that a document gets; there is no such file.
+pub(crate) fn manifest_path(document: &Utf8Path) -> Utf8PathBuf {
+    format!("{document}{ENDING}").into()
+}
+
+/// Whether a path is that of such a project file.
+pub(crate) fn is_manifest(path: &Utf8Path) -> bool {
+    path.as_str().ends_with(ENDING)
+}
+
+/// The project file that a document gets. It lacks its end: whatever the document names may stand there.
+pub(crate) fn manifest(document: &Utf8Path) -> String {
+    let name = document.file_name().unwrap_or("").replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
+    let is_data = document.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("dtx"));
+    let entry = match is_data {
+        true => format!("<Database><Data file=\"{name}\" /></Database>"),
+        false => format!("<Programs><Program file=\"{name}\" /></Programs>"),
+    };
+    format!("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n{entry}")
+}

@@ -1,0 +1,29 @@
+//! The project above a document that lies outside of the workspace.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::system::{Kind, System};
+
+use crate::documents::Document;
+
+/// Folders above a document that are searched for the project it belongs to.
+const HEIGHT: usize = 3;
+
+/// The project file that a document outside of `folders` is a part of: the nearest folder at or above it that holds
+/// one.
+pub(crate) fn project_above(system: &dyn System, document: &Document, folders: &[Utf8PathBuf]) -> Option<Utf8PathBuf> {
+    if document.uri.scheme() != "file" || folders.iter().any(|folder| document.path.starts_with(folder)) {
+        return None;
+    }
+    if is_manifest(&document.path) {
+        return Some(document.path.clone());
+    }
+    document.path.ancestors().skip(1).take(HEIGHT).find_map(|folder| {
+        let names = system.list(folder).ok()?;
+        let paths = names.iter().map(|name| folder.join(name));
+        paths.filter(|path| is_manifest(path)).find(|path| system.kind(path) == Some(Kind::File))
+    })
+}
+
+fn is_manifest(path: &Utf8Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"))
+}

@@ -1,0 +1,44 @@
+//! A server whose client has died serves nobody.
+
+use std::time::Duration;
+
+/// How often the client is looked for.
+const INTERVAL: Duration = Duration::from_secs(2);
+
+/// Ends the process when the client's process is gone. Where the system does not tell, the end of the input does.
+pub(crate) fn die_with(client: u32) {
+    if !is_alive(client) {
+        // It cannot be seen from here, for instance from within a container.
+        return;
+    }
+    let watch = move || {
+        while is_alive(client) {
+            std::thread::sleep(INTERVAL);
+        }
+        std::process::exit(1);
+    };
+    // Without this thread the end of the input ends the server as well.
+    let _ = std::thread::Builder::new().name("client".to_owned()).spawn(watch);
+}
+
+#[cfg(target_os = "linux")]
+fn is_alive(process: u32) -> bool {
+    // A zombie runs no more, though its parent has not asked for its end yet.
+    std::fs::read_to_string(format!("/proc/{process}/stat"))
+        .is_ok_and(|stat| !stat.rsplit(')').next().is_some_and(|rest| rest.trim_start().starts_with('Z')))
+}
+
+#[cfg(not(target_os = "linux"))]
+fn is_alive(process: u32) -> bool {
+    let mut command = if cfg!(windows) {
+        let mut command = std::process::Command::new("tasklist");
+        command.args(["/NH", "/FI", &format!("PID eq {process}")]);
+        command
+    } else {
+        let mut command = std::process::Command::new("ps");
+        command.args(["-p", &process.to_string()]);
+        command
+    };
+    let output = command.stdin(std::process::Stdio::null()).output();
+    output.is_ok_and(|output| String::from_utf8_lossy(&output.stdout).contains(&process.to_string()))
+}

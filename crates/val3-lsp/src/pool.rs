@@ -1,0 +1,108 @@
+//! The threads that compute: a lane for what somebody waits for, and one for the rest.
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::thread;
+
+/// Bytes of stack a thread, ample for the deepest nesting the parser takes.
+const STACK_SIZE: usize = 16 << 20;
+
+/// Threads of a lane at most: more would only wait for memory.
+const MOST_THREADS: usize = 8;
+
+type Job = Box<dyn FnOnce() + Send>;
+
+/// Who waits for a job.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Lane {
+    /// Somebody looks at the screen.
+    Latency,
+    /// Nobody.
+    Background,
+}
+
+/// A fixed number of threads for each lane; neither takes threads from the other.
+pub(crate) struct Pool {
+    latency: Sender<Job>,
+    background: Sender<Job>,
+    threads: usize,
+}
+
+impl Pool {
+    /// Starts the threads. They end when the pool is dropped and their jobs are done.
+    pub(crate) fn start() -> std::io::Result<Self> {
+        let threads = thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS);
+        // One more thread keeps a long request from holding up a short one.
+        let latency = lane("latency", threads + 1)?;
+        Ok(Self { latency, background: lane("background", threads)?, threads })
+    }
+
+    /// Threads of the background lane.
+    pub(crate) fn threads(&self) -> usize {
+        self.threads
+    }
+
+    /// Hands over a job. It must catch its own panics where somebody waits for its result.
+    pub(crate) fn spawn(&self, lane: Lane, job: impl FnOnce() + Send + 'static) {
+        let lane = match lane {
+            Lane::Latency => &self.latency,
+            Lane::Background => &self.background,
+        };
+        // The threads live as long as their lane.
+        let _ = lane.send(Box::new(job));
+    }
+}
+
+fn lane(name: &str, threads: usize) -> std::io::Result<Sender<Job>> {
+    let (sender, receiver) = channel::<Job>();
+    let receiver = Arc::new(Mutex::new(receiver));
+    for number in 0..threads {
+        let receiver = Arc::clone(&receiver);
+        let builder = thread::Builder::new().name(format!("{name} {number}")).stack_size(STACK_SIZE);
+        builder.spawn(move || work(&receiver))?;
+    }
+    Ok(sender)
+}
+
+fn work(jobs: &Mutex<Receiver<Job>>) {
+    loop {
+        let job = jobs.lock().unwrap_or_else(PoisonError::into_inner).recv();
+        let Ok(job) = job else { return };
+        // A job that panics must not take its thread along; whoever waits for it was told by the job itself.
+        let _ = catch_unwind(AssertUnwindSafe(job));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    #[test]
+    fn a_panic_takes_no_thread_along() {
+        let pool = Pool::start().unwrap();
+        for _ in 0..2 * (MOST_THREADS + 1) {
+            pool.spawn(Lane::Latency, || panic!("a job"));
+        }
+        let (sender, receiver) = channel();
+        pool.spawn(Lane::Latency, move || sender.send(1).unwrap());
+        assert_eq!(receiver.recv_timeout(Duration::from_secs(10)), Ok(1));
+    }
+
+    #[test]
+    fn a_full_background_holds_up_nobody() {
+        let pool = Pool::start().unwrap();
+        let gate = Arc::new(Mutex::new(()));
+        let closed = gate.lock().unwrap();
+        for _ in 0..100 {
+            let gate = Arc::clone(&gate);
+            pool.spawn(Lane::Background, move || drop(gate.lock()));
+        }
+        let (sender, receiver) = channel();
+        pool.spawn(Lane::Latency, move || sender.send(1).unwrap());
+        assert_eq!(receiver.recv_timeout(Duration::from_secs(10)), Ok(1));
+        drop(closed);
+    }
+}

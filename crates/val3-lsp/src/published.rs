@@ -1,0 +1,113 @@
+//! Findings as the client has them: sent with the version they are of, and only when they are others.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use tower_lsp::lsp_types::notification::PublishDiagnostics;
+use tower_lsp::lsp_types::{Diagnostic, NumberOrString, PublishDiagnosticsParams, Url};
+use val3_analysis::db::Project;
+
+use crate::convert::diagnostics;
+use crate::documents::{Document, Documents};
+use crate::outbox::Outbox;
+use crate::snapshot::Snapshot;
+
+/// Who found something.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(crate) enum Finder {
+    /// The reader of configurations.
+    Configuration,
+    /// The check of a project.
+    Project(Project),
+}
+
+/// The findings of a project by file.
+#[derive(Debug, PartialEq)]
+pub(crate) struct ProjectFindings {
+    /// Whose they are.
+    pub(crate) finder: Finder,
+    /// Every file with findings, and every open file, also those without.
+    pub(crate) files: Vec<(Url, Vec<Diagnostic>)>,
+}
+
+/// What was sent.
+#[derive(Debug, Default)]
+pub(crate) struct Published {
+    /// The latest findings, by file and who found them.
+    found: FxHashMap<Url, FxHashMap<Finder, Vec<Diagnostic>>>,
+    /// What the client has.
+    sent: FxHashMap<Url, (Option<i32>, Vec<Diagnostic>)>,
+}
+
+/// Where a finding stands in a list.
+fn place(diagnostic: &Diagnostic) -> (u32, u32, Option<&str>, &str) {
+    let Diagnostic { range, code, message, .. } = diagnostic;
+    let code = match code {
+        Some(NumberOrString::String(code)) => Some(code.as_str()),
+        _ => None,
+    };
+    (range.start.line, range.start.character, code, message)
+}
+
+/// The findings of a project on a snapshot.
+pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings {
+    let mut files: Vec<(Url, Vec<Diagnostic>)> = diagnostics(snapshot, project);
+    let with_findings: FxHashSet<&Url> = files.iter().map(|(uri, _)| uri).collect();
+    let open = snapshot.documents.iter().filter(|document| {
+        !with_findings.contains(&document.uri) && snapshot.is_part(document, project)
+    });
+    let without: Vec<_> = open.map(|document| (document.uri.clone(), Vec::new())).collect();
+    files.extend(without);
+    ProjectFindings { finder: Finder::Project(project), files }
+}
+
+impl Published {
+    /// Takes in the findings of a project and sends what is new to the client.
+    pub(crate) fn project(&mut self, found: ProjectFindings, documents: &Documents, outbox: &Outbox) {
+        let finder = found.finder;
+        let now: FxHashMap<Url, Vec<Diagnostic>> = found.files.into_iter().collect();
+        let known = self.found.iter().filter(|(_, by)| by.contains_key(&finder)).map(|(uri, _)| uri);
+        let gone: Vec<Url> = known.filter(|uri| !now.contains_key(*uri)).cloned().collect();
+        for uri in gone {
+            self.found.get_mut(&uri).into_iter().for_each(|by| drop(by.remove(&finder)));
+            self.send(&uri, documents, outbox);
+        }
+        for (uri, diagnostics) in now {
+            self.found.entry(uri.clone()).or_default().insert(finder, diagnostics);
+            self.send(&uri, documents, outbox);
+        }
+    }
+
+    /// Projects that are no more have no findings.
+    pub(crate) fn keep(&mut self, projects: &[Project], documents: &Documents, outbox: &Outbox) {
+        let kept: FxHashSet<Project> = projects.iter().copied().collect();
+        let is_gone = |finder: &Finder| matches!(finder, Finder::Project(project) if !kept.contains(project));
+        let gone: FxHashSet<Finder> = self.found.values().flat_map(FxHashMap::keys).copied().filter(is_gone).collect();
+        for finder in gone {
+            self.project(ProjectFindings { finder, files: Vec::new() }, documents, outbox);
+        }
+    }
+
+    /// A document was closed: what is sent about its file has no version.
+    pub(crate) fn closed(&mut self, document: &Document) {
+        if let Some((version, _)) = self.sent.get_mut(&document.uri) {
+            *version = None;
+        }
+    }
+
+    /// Sends the findings in a file, unless the client has them.
+    fn send(&mut self, uri: &Url, documents: &Documents, outbox: &Outbox) {
+        let by = self.found.get(uri);
+        let mut diagnostics: Vec<Diagnostic> = by.into_iter().flatten().flat_map(|(_, found)| found).cloned().collect();
+        diagnostics.sort_by(|a, b| place(a).cmp(&place(b)));
+        // A file that two projects share has most of its findings twice.
+        diagnostics.dedup();
+        let version = documents.get(uri).map(|document| document.version);
+        let is_sent = match self.sent.get(uri) {
+            Some(sent) => *sent == (version, diagnostics.clone()),
+            None => diagnostics.is_empty() && version.is_none(),
+        };
+        if !is_sent {
+            self.sent.insert(uri.clone(), (version, diagnostics.clone()));
+            outbox.notify::<PublishDiagnostics>(PublishDiagnosticsParams { uri: uri.clone(), diagnostics, version });
+        }
+    }
+}

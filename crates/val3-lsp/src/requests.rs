@@ -1,0 +1,74 @@
+//! What a client can ask and tell: one file a request, one line here.
+
+mod capabilities;
+mod completion;
+mod definition;
+mod diagnostics;
+mod document_highlight;
+mod document_symbol;
+mod folding_range;
+mod formatting;
+mod hover;
+mod page;
+mod references;
+mod rename;
+mod selection_range;
+mod semantic_tokens;
+mod signature_help;
+mod workspace_symbol;
+mod workspace_tree;
+
+pub(crate) use capabilities::capabilities;
+
+use tower_lsp::lsp_types::notification as n;
+use tower_lsp::lsp_types::request as r;
+
+use crate::pool::Lane::{Background, Latency};
+use crate::router::OnEdit::{Refuse, Retry};
+use crate::router::Routes;
+use crate::{initialize, sync, watching, workspace_folders};
+
+/// Every handler by its method.
+pub(crate) fn routes() -> Routes {
+    let mut routes = Routes::default();
+    notifications(&mut routes);
+    routes.on::<r::HoverRequest>(Latency, Refuse, hover::hover);
+    routes.on::<r::Completion>(Latency, Refuse, completion::completion);
+    routes.on::<r::ResolveCompletionItem>(Latency, Retry, completion::resolve);
+    routes.on::<r::SignatureHelpRequest>(Latency, Refuse, signature_help::signature_help);
+    routes.on::<r::GotoDefinition>(Latency, Refuse, definition::definition);
+    routes.on::<r::GotoDeclaration>(Latency, Refuse, definition::definition);
+    routes.on::<r::GotoTypeDefinition>(Latency, Refuse, definition::type_definition);
+    routes.on::<r::GotoImplementation>(Latency, Refuse, definition::implementation);
+    routes.on::<r::References>(Latency, Refuse, references::references);
+    routes.on::<r::DocumentHighlightRequest>(Latency, Refuse, document_highlight::document_highlight);
+    routes.on::<r::DocumentSymbolRequest>(Latency, Retry, document_symbol::document_symbol);
+    routes.on::<r::WorkspaceSymbolRequest>(Latency, Retry, workspace_symbol::workspace_symbol);
+    routes.on::<r::FoldingRangeRequest>(Latency, Retry, folding_range::folding_range);
+    routes.on::<r::SelectionRangeRequest>(Latency, Refuse, selection_range::selection_range);
+    routes.on::<r::SemanticTokensFullRequest>(Latency, Retry, semantic_tokens::full);
+    routes.on::<r::SemanticTokensFullDeltaRequest>(Latency, Retry, semantic_tokens::delta);
+    routes.on::<r::SemanticTokensRangeRequest>(Latency, Refuse, semantic_tokens::range);
+    routes.on::<r::PrepareRenameRequest>(Latency, Refuse, rename::prepare);
+    routes.on::<r::Rename>(Latency, Refuse, rename::rename);
+    routes.on::<r::Formatting>(Latency, Refuse, formatting::whole);
+    routes.on::<r::RangeFormatting>(Latency, Refuse, formatting::range);
+    routes.on::<r::OnTypeFormatting>(Latency, Refuse, formatting::on_type);
+    routes.on::<r::DocumentDiagnosticRequest>(Latency, Retry, diagnostics::document);
+    routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
+    routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
+    routes.on::<page::Page>(Latency, Retry, page::page);
+    routes
+}
+
+fn notifications(routes: &mut Routes) {
+    routes.notify::<n::Initialized>(initialize::initialized);
+    routes.notify::<n::DidOpenTextDocument>(sync::opened);
+    routes.notify::<n::DidChangeTextDocument>(sync::changed);
+    routes.notify::<n::DidSaveTextDocument>(sync::saved);
+    routes.notify::<n::DidCloseTextDocument>(sync::closed);
+    routes.notify::<n::DidChangeWatchedFiles>(watching::changed);
+    routes.notify::<n::DidChangeWorkspaceFolders>(workspace_folders::folders_changed);
+    routes.notify::<n::DidChangeConfiguration>(workspace_folders::settings_changed);
+    routes.notify::<n::SetTrace>(workspace_folders::trace_set);
+}

@@ -1,0 +1,98 @@
+//! `textDocument/diagnostic` and `workspace/diagnostic`
+
+use std::collections::BTreeMap;
+use std::hash::{Hash as _, Hasher as _};
+
+use rustc_hash::{FxHashMap, FxHasher};
+use tower_lsp::lsp_types::*;
+
+use crate::convert::diagnostics;
+use crate::snapshot::{Refusal, Snapshot};
+
+pub(crate) fn document(
+    snapshot: &Snapshot,
+    params: &DocumentDiagnosticParams,
+) -> Result<DocumentDiagnosticReportResult, Refusal> {
+    let uri = &params.text_document.uri;
+    let projects = snapshot.file(uri).map(|file| val3_ide::projects_of(snapshot.db(), file).to_vec());
+    let mut items: Vec<Diagnostic> = Vec::new();
+    for project in projects.unwrap_or_default().into_iter().filter(|project| snapshot.projects.contains(project)) {
+        let of_file = diagnostics(snapshot, project).into_iter().filter(|(found, _)| found == uri);
+        of_file.flat_map(|(_, found)| found).for_each(|found| add(&mut items, found));
+    }
+    let result_id = Some(id(&items));
+    let report = match params.previous_result_id == result_id {
+        true => DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
+            related_documents: None,
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
+                result_id: result_id.unwrap_or_default(),
+            },
+        }),
+        false => DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
+            related_documents: None,
+            full_document_diagnostic_report: FullDocumentDiagnosticReport { result_id, items },
+        }),
+    };
+    Ok(DocumentDiagnosticReportResult::Report(report))
+}
+
+pub(crate) fn workspace(
+    snapshot: &Snapshot,
+    params: &WorkspaceDiagnosticParams,
+) -> Result<WorkspaceDiagnosticReportResult, Refusal> {
+    let mut files: BTreeMap<Url, Vec<Diagnostic>> = BTreeMap::new();
+    let mut known: FxHashMap<&Url, &str> = FxHashMap::default();
+    for previous in &params.previous_result_ids {
+        known.insert(&previous.uri, &previous.value);
+        // What was found before and is no more has to be taken back.
+        files.insert(previous.uri.clone(), Vec::new());
+    }
+    for project in snapshot.projects.iter() {
+        for (uri, found) in diagnostics(snapshot, *project) {
+            let items = files.entry(uri).or_default();
+            found.into_iter().for_each(|found| add(items, found));
+        }
+    }
+    let items = files.into_iter().map(|(uri, items)| {
+        let id = id(&items);
+        let known = known.get(&uri).is_some_and(|known| *known == id);
+        report(snapshot, uri, items, id, known)
+    });
+    Ok(WorkspaceDiagnosticReportResult::Report(WorkspaceDiagnosticReport { items: items.collect() }))
+}
+
+fn report(
+    snapshot: &Snapshot,
+    uri: Url,
+    items: Vec<Diagnostic>,
+    id: String,
+    is_known: bool,
+) -> WorkspaceDocumentDiagnosticReport {
+    let version = snapshot.documents.get(&uri).map(|document| i64::from(document.version));
+    match is_known {
+        true => WorkspaceDocumentDiagnosticReport::Unchanged(WorkspaceUnchangedDocumentDiagnosticReport {
+            uri,
+            version,
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id: id },
+        }),
+        false => WorkspaceDocumentDiagnosticReport::Full(WorkspaceFullDocumentDiagnosticReport {
+            uri,
+            version,
+            full_document_diagnostic_report: FullDocumentDiagnosticReport { result_id: Some(id), items },
+        }),
+    }
+}
+
+/// A file that two projects share has most of its findings twice.
+fn add(items: &mut Vec<Diagnostic>, found: Diagnostic) {
+    if !items.contains(&found) {
+        items.push(found);
+    }
+}
+
+/// The same findings have the same identifier.
+fn id(items: &[Diagnostic]) -> String {
+    let mut hasher = FxHasher::default();
+    serde_json::to_string(items).unwrap_or_default().hash(&mut hasher);
+    format!("{:x}", hasher.finish())
+}

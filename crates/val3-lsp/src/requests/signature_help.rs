@@ -1,0 +1,38 @@
+//! `textDocument/signatureHelp`
+
+use tower_lsp::lsp_types::*;
+use val3_ide::Form;
+
+use crate::convert::markdown;
+use crate::snapshot::{Refusal, Snapshot};
+
+pub(crate) fn signature_help(
+    snapshot: &Snapshot,
+    params: &SignatureHelpParams,
+) -> Result<Option<SignatureHelp>, Refusal> {
+    let at = snapshot.position(&params.text_document_position_params)?;
+    let Some(help) = val3_ide::signature_help(snapshot.db(), at) else { return Ok(None) };
+    let active_parameter = u32::try_from(help.active_parameter).ok();
+    let signatures = help.forms.iter().map(|form| signature(form, active_parameter)).collect();
+    Ok(Some(SignatureHelp { signatures, active_signature: u32::try_from(help.active_form).ok(), active_parameter }))
+}
+
+fn signature(form: &Form, active_parameter: Option<u32>) -> SignatureInformation {
+    let parameter = |(from, to): &(u32, u32)| ParameterInformation {
+        label: ParameterLabel::LabelOffsets([utf16(&form.line, *from), utf16(&form.line, *to)]),
+        documentation: None,
+    };
+    SignatureInformation {
+        label: form.line.clone(),
+        documentation: (!form.documentation.is_empty())
+            .then(|| Documentation::MarkupContent(markdown(form.documentation.clone()))),
+        parameters: Some(form.parameters.iter().map(parameter).collect()),
+        active_parameter,
+    }
+}
+
+/// Offsets in labels count units of UTF-16, whatever positions count.
+fn utf16(line: &str, bytes: u32) -> u32 {
+    let before = usize::try_from(bytes).ok().and_then(|bytes| line.get(..bytes)).unwrap_or(line);
+    u32::try_from(before.encode_utf16().count()).unwrap_or(bytes)
+}

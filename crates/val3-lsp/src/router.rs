@@ -1,0 +1,249 @@
+//! From a message to the handler of its method. Messages are handed on while they are read, in their order.
+
+use std::convert::Infallible;
+use std::panic::AssertUnwindSafe;
+use std::sync::Arc;
+use std::task::{Context, Poll};
+
+use futures::FutureExt as _;
+use futures::future::{BoxFuture, ready};
+use rustc_hash::FxHashMap;
+use serde_json::Value;
+use tokio::sync::mpsc::UnboundedSender;
+use tower_lsp::jsonrpc::{Error, ErrorCode, Id, Request, Response, Result};
+use tower_lsp::{LanguageServer, LspService};
+use tower_service::Service;
+
+use crate::inbox::Inbox;
+use crate::panics;
+use crate::pool::Lane;
+use crate::reply::{Reply, Waiting};
+use crate::snapshot::{Refusal, Snapshot};
+use crate::world::{Job, World};
+
+/// The error of a request that comes before `initialize`.
+const NOT_INITIALIZED: i64 = -32002;
+
+/// What becomes of a request while an edit changes what it asks about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum OnEdit {
+    /// Its position means another place now: ContentModified.
+    Refuse,
+    /// It asks about the document as it is, and is computed again.
+    Retry,
+}
+
+type Notified = Box<dyn FnOnce(&mut World) + Send>;
+type ReadRequest = Box<dyn Fn(Value) -> Result<Job> + Send>;
+type ReadNotification = Box<dyn Fn(Value) -> Result<Notified> + Send>;
+
+enum Route {
+    Request(ReadRequest),
+    Notification(ReadNotification),
+}
+
+/// The handlers by method.
+#[derive(Default)]
+pub(crate) struct Routes(FxHashMap<&'static str, Route>);
+
+impl Routes {
+    /// A request that is computed on a snapshot.
+    pub(crate) fn on<R>(
+        &mut self,
+        lane: Lane,
+        on_edit: OnEdit,
+        handler: fn(&Snapshot, &R::Params) -> std::result::Result<R::Result, Refusal>,
+    ) where
+        R: tower_lsp::lsp_types::request::Request,
+        R::Params: Send + Sync + 'static,
+        R::Result: 'static,
+    {
+        let read = move |params: Value| {
+            let params: R::Params = read_params(params)?;
+            let compute = Arc::new(move |snapshot: &Snapshot| match handler(snapshot, &params) {
+                Ok(result) => serde_json::to_value(result).map_err(|_| Error::internal_error()),
+                Err(Refusal::Unknown) => Ok(Value::Null),
+                Err(Refusal::Because(reason)) => Err(request_failed(reason)),
+            });
+            Ok(Job { method: R::METHOD, lane, on_edit, compute })
+        };
+        self.0.insert(R::METHOD, Route::Request(Box::new(read)));
+    }
+
+    /// A notification, which the main loop takes itself.
+    pub(crate) fn notify<N>(&mut self, handler: fn(&mut World, N::Params))
+    where
+        N: tower_lsp::lsp_types::notification::Notification,
+        N::Params: Send + 'static,
+    {
+        let read = move |params: Value| {
+            let params: N::Params = read_params(params)?;
+            Ok(Box::new(move |world: &mut World| handler(world, params)) as Notified)
+        };
+        self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
+    }
+}
+
+fn read_params<P: serde::de::DeserializeOwned>(params: Value) -> Result<P> {
+    serde_json::from_value(params).map_err(|error| Error::invalid_params(error.to_string()))
+}
+
+fn request_failed(reason: String) -> Error {
+    Error { code: ErrorCode::ServerError(-32803), message: reason.into(), data: None }
+}
+
+/// How far the life of the session has come.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Life {
+    Fresh,
+    Running,
+    Down,
+}
+
+/// The service that tower-lsp calls with each message, on the task that reads.
+///
+/// Whatever has to keep its order is posted in `call` itself, before the next message is read: no handler can be
+/// overtaken, and none can hold up the reader. Only `initialize` and `shutdown` reach tower-lsp's own service.
+pub(crate) struct Router<S: LanguageServer> {
+    lifecycle: LspService<S>,
+    life: Life,
+    routes: Routes,
+    waiting: Waiting,
+    inbox: Inbox,
+    exit: UnboundedSender<bool>,
+}
+
+/// The future of an answer; `None` where there is none to give.
+type Answer = BoxFuture<'static, std::result::Result<Option<Response>, Infallible>>;
+
+impl<S: LanguageServer> Router<S> {
+    /// `exit` is told when the client ends the session, and whether it had shut it down before.
+    pub(crate) fn new(lifecycle: LspService<S>, routes: Routes, inbox: Inbox, exit: UnboundedSender<bool>) -> Self {
+        Self { lifecycle, life: Life::Fresh, routes, waiting: Waiting::default(), inbox, exit }
+    }
+
+    fn dispatch(&mut self, request: Request) -> Answer {
+        match (request.method(), self.life) {
+            ("exit", life) => {
+                // Nobody waits for the exit once the process ends for another reason.
+                let _ = self.exit.send(life == Life::Down);
+                nothing()
+            }
+            ("$/cancelRequest", _) => {
+                request.params().and_then(|params| params.get("id")).into_iter().for_each(|id| self.cancel(id));
+                nothing()
+            }
+            ("initialize", Life::Fresh) | ("shutdown", Life::Running) => self.turn(request),
+            (_, Life::Fresh) => refuse(&request, not_initialized()),
+            (_, Life::Down) | ("initialize", _) => refuse(&request, Error::invalid_request()),
+            _ => self.route(request),
+        }
+    }
+
+    /// A step in the life of the session. The first poll happens here: what the handler does before it waits, it
+    /// does in the order of the messages.
+    fn turn(&mut self, request: Request) -> Answer {
+        let begins = request.method() == "initialize";
+        let readable = request.params().is_none_or(|params| params.is_object() || params.is_null() && !begins);
+        if request.id().is_some() && readable {
+            self.life = if begins { Life::Running } else { Life::Down };
+        }
+        let id = request.id().cloned();
+        let mut answer = AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
+            Ok(match result {
+                Ok(response) => response.ok().flatten(),
+                Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
+            })
+        });
+        match (&mut answer).now_or_never() {
+            Some(result) => {
+                if begins && matches!(&result, Ok(Some(response)) if response.is_error()) {
+                    self.life = Life::Fresh;
+                }
+                ready(result).boxed()
+            }
+            None => answer.boxed(),
+        }
+    }
+
+    fn cancel(&self, id: &Value) {
+        if let Ok(id) = serde_json::from_value::<Id>(id.clone()) {
+            self.waiting.cancel(&id);
+        }
+    }
+
+    fn route(&mut self, request: Request) -> Answer {
+        let (method, id, params) = request.into_parts();
+        let params = params.unwrap_or(Value::Null);
+        match (self.routes.0.get(method.as_ref()), id) {
+            (Some(Route::Request(read)), Some(id)) => match read(params) {
+                Ok(job) => self.ask(id, job),
+                Err(error) => ready(Ok(Some(Response::from_error(id, error)))).boxed(),
+            },
+            (Some(Route::Notification(read)), None) => {
+                match read(params) {
+                    Ok(notified) => self.inbox.post(notified),
+                    Err(error) => self.inbox.post(move |world| world.log(&format!("{method}: {}", error.message))),
+                }
+                nothing()
+            }
+            (_, None) => nothing(),
+            (_, Some(id)) => {
+                let message = format!("this server does not know the request `{method}`");
+                let error = Error { code: ErrorCode::MethodNotFound, message: message.into(), data: None };
+                ready(Ok(Some(Response::from_error(id, error)))).boxed()
+            }
+        }
+    }
+
+    fn ask(&self, id: Id, job: Job) -> Answer {
+        let (reply, answer) = Reply::new();
+        if !self.waiting.add(id.clone(), reply.clone()) {
+            // Cancelling one of the two would cancel either; the client is at fault.
+            self.inbox.post(move |world| world.log("two requests with one id wait at once"));
+        }
+        self.inbox.post(move |world| world.ask(job, reply));
+        let waiting = self.waiting.clone();
+        let respond = async move {
+            let answer = answer.await.unwrap_or_else(|_| Err(panics::lost()));
+            waiting.remove(&id);
+            Ok(Some(Response::from_parts(id, answer)))
+        };
+        respond.boxed()
+    }
+}
+
+/// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`.
+fn without_null(request: Request) -> Request {
+    match request.into_parts() {
+        (method, Some(id), None | Some(Value::Null)) => Request::build(method).id(id).finish(),
+        (method, Some(id), Some(params)) => Request::build(method).id(id).params(params).finish(),
+        (method, None, params) => Request::build(method).params(params.unwrap_or_default()).finish(),
+    }
+}
+
+fn nothing() -> Answer {
+    ready(Ok(None)).boxed()
+}
+
+fn refuse(request: &Request, error: Error) -> Answer {
+    ready(Ok(request.id().cloned().map(|id| Response::from_error(id, error)))).boxed()
+}
+
+fn not_initialized() -> Error {
+    Error { code: ErrorCode::ServerError(NOT_INITIALIZED), message: "`initialize` comes first".into(), data: None }
+}
+
+impl<S: LanguageServer> Service<Request> for Router<S> {
+    type Response = Option<Response>;
+    type Error = Infallible;
+    type Future = Answer;
+
+    fn poll_ready(&mut self, _: &mut Context<'_>) -> Poll<std::result::Result<(), Infallible>> {
+        Poll::Ready(Ok(()))
+    }
+
+    fn call(&mut self, request: Request) -> Answer {
+        self.dispatch(request)
+    }
+}

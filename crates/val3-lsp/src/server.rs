@@ -1,0 +1,90 @@
+//! The server as a whole: threads, pipes and the end.
+
+use std::io::{self, BufRead, BufReader, Write};
+use std::thread;
+
+use camino::Utf8PathBuf;
+use futures::channel::mpsc::UnboundedSender;
+use tokio::sync::mpsc::{UnboundedReceiver, unbounded_channel};
+use tower_lsp::{LspService, Server};
+
+use crate::inbox::Inbox;
+use crate::initialize::Lifecycle;
+use crate::log::Log;
+use crate::outbox::Outbox;
+use crate::pool::Pool;
+use crate::requests::routes;
+use crate::router::{Router, Routes};
+use crate::transport::{Intake, Pump, PumpWriter, read};
+use crate::world::World;
+
+/// Bytes of stack of the main loop, which parses as well.
+const STACK_SIZE: usize = 16 << 20;
+
+/// How the server is started.
+#[derive(Debug, Clone, Default)]
+pub struct ServerOptions {
+    /// A file for the log.
+    pub log: Option<Utf8PathBuf>,
+}
+
+/// Serves one client until it ends the session, and gives the exit code: 0 after `shutdown` and `exit`, 1 where it
+/// ended otherwise. The threads that are left when it returns end with the process.
+///
+/// # Errors
+/// If the log cannot be opened, or the system gives no threads.
+pub fn run(
+    input: impl io::Read + Send + 'static,
+    output: impl Write + Send + 'static,
+    options: &ServerOptions,
+) -> io::Result<u8> {
+    serve(input, output, options, routes())
+}
+
+/// As [`run`], with other handlers; for tests.
+pub(crate) fn serve(
+    input: impl io::Read + Send + 'static,
+    output: impl Write + Send + 'static,
+    options: &ServerOptions,
+    routes: Routes,
+) -> io::Result<u8> {
+    let pump = Pump::start(output)?;
+    let (inbox, messages) = Inbox::new();
+    let outbox = Outbox::new(pump.clone(), inbox.clone());
+    let world = World::new(inbox.clone(), outbox.clone(), Pool::start()?, Log::open(options.log.as_deref())?);
+    let main_loop = thread::Builder::new().name("main loop".to_owned()).stack_size(STACK_SIZE);
+    main_loop.spawn(move || world.run(&messages))?;
+    let (requests, intake) = Intake::new();
+    start_reading(BufReader::new(input), requests, outbox, pump.clone())?;
+    let (exit, exited) = unbounded_channel();
+    let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone() });
+    let router = Router::new(lifecycle, routes, inbox, exit);
+    // No limit: what limits the work is the pool.
+    let server = Server::new(intake, PumpWriter(pump.clone()), socket).concurrency_level(usize::MAX);
+    let runtime = tokio::runtime::Builder::new_current_thread().build()?;
+    let code = runtime.block_on(end_of(server.serve(router), exited));
+    runtime.shutdown_background();
+    pump.finish();
+    Ok(code)
+}
+
+/// Whatever comes first: the client's `exit`, or the end of its input.
+async fn end_of(serving: impl Future<Output = ()>, mut exited: UnboundedReceiver<bool>) -> u8 {
+    let was_shut_down = tokio::select! {
+        was_shut_down = exited.recv() => was_shut_down,
+        // The exit may have been read together with the end of the input.
+        () = serving => exited.try_recv().ok(),
+    };
+    u8::from(was_shut_down != Some(true))
+}
+
+fn start_reading(
+    input: impl BufRead + Send + 'static,
+    requests: UnboundedSender<Vec<u8>>,
+    outbox: Outbox,
+    pump: Pump,
+) -> io::Result<()> {
+    let reading = thread::Builder::new().name("input".to_owned());
+    reading.spawn(move || read(input, &requests, &outbox, &pump))?;
+    Ok(())
+}

@@ -1,0 +1,142 @@
+//! What the client said about itself.
+
+use camino::Utf8PathBuf;
+use serde_json::Value;
+use tower_lsp::lsp_types::{InitializeParams, PositionEncodingKind};
+use val3_analysis::paths::normalise;
+
+use crate::line_index::Encoding;
+use crate::options::{Delivery, Options};
+use crate::uri;
+
+/// One client and what was agreed with it.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Session {
+    /// What columns count.
+    pub(crate) encoding: Encoding,
+    /// The folders it has open.
+    pub(crate) folders: Vec<Utf8PathBuf>,
+    /// The user's settings.
+    pub(crate) options: Options,
+    /// What it can do.
+    pub(crate) client: ClientAbilities,
+    /// How much it wants to be told about what the server does.
+    pub(crate) trace: Trace,
+}
+
+/// What a client can do, as far as it makes a difference here.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct ClientAbilities {
+    /// It tells about files that change on the disk, if asked.
+    pub(crate) watches_files: bool,
+    /// It asks for findings.
+    pub(crate) pulls: bool,
+    /// It asks for findings anew when it is told to.
+    pub(crate) pulls_again: bool,
+    /// It can be asked for settings.
+    pub(crate) has_settings: bool,
+    /// It shows how far work has come.
+    pub(crate) shows_progress: bool,
+    /// It can jump to links with an origin.
+    pub(crate) has_links: bool,
+    /// It fills in snippets.
+    pub(crate) has_snippets: bool,
+    /// It renames files as part of an edit.
+    pub(crate) renames_files: bool,
+    /// It knows edits that name the version they are made for.
+    pub(crate) has_document_changes: bool,
+    /// It shows an outline with levels.
+    pub(crate) has_nested_symbols: bool,
+    /// It folds whole lines only.
+    pub(crate) folds_lines: bool,
+}
+
+/// How much a client wants to know.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum Trace {
+    /// Nothing.
+    #[default]
+    Off,
+    /// Which requests are computed.
+    On,
+}
+
+impl Session {
+    /// Reads the first message of a client; the second value is a fault of its settings.
+    pub(crate) fn new(params: &InitializeParams) -> (Self, Option<String>) {
+        let (options, fault) = Options::read(params.initialization_options.as_ref().unwrap_or(&Value::Null));
+        let session = Self {
+            encoding: encoding(params),
+            folders: folders(params),
+            options,
+            client: ClientAbilities::of(params),
+            trace: if params.trace.is_some_and(|trace| trace != tower_lsp::lsp_types::TraceValue::Off) {
+                Trace::On
+            } else {
+                Trace::Off
+            },
+        };
+        (session, fault)
+    }
+
+    /// The client asks for findings; the server sends none.
+    pub(crate) fn is_asked_for_findings(&self) -> bool {
+        match self.options.check.delivery {
+            Delivery::Auto => self.client.pulls,
+            Delivery::Push => false,
+            Delivery::Pull => true,
+        }
+    }
+}
+
+/// UTF-8 where the client knows it, since texts are kept in it; otherwise what every client knows.
+fn encoding(params: &InitializeParams) -> Encoding {
+    let general = params.capabilities.general.as_ref();
+    let offered = general.and_then(|general| general.position_encodings.as_deref()).unwrap_or_default();
+    let wanted = [
+        (PositionEncodingKind::UTF8, Encoding::Utf8),
+        (PositionEncodingKind::UTF16, Encoding::Utf16),
+        (PositionEncodingKind::UTF32, Encoding::Utf32),
+    ];
+    let agreed = wanted.iter().find(|(kind, _)| offered.contains(kind));
+    agreed.map_or(Encoding::Utf16, |(_, encoding)| *encoding)
+}
+
+#[allow(deprecated, reason = "older clients name one folder only")]
+fn folders(params: &InitializeParams) -> Vec<Utf8PathBuf> {
+    let named = params.workspace_folders.iter().flatten().map(|folder| folder.uri.clone());
+    let mut folders: Vec<Utf8PathBuf> = named.filter_map(|uri| uri::path(&uri, None)).collect();
+    if params.workspace_folders.is_none() {
+        let root = params.root_uri.as_ref().and_then(|uri| uri::path(uri, None));
+        folders.extend(root.or_else(|| params.root_path.as_ref().map(Utf8PathBuf::from)));
+    }
+    folders.iter().map(|folder| normalise(folder)).collect()
+}
+
+impl ClientAbilities {
+    fn of(params: &InitializeParams) -> Self {
+        let workspace = params.capabilities.workspace.as_ref();
+        let document = params.capabilities.text_document.as_ref();
+        let window = params.capabilities.window.as_ref();
+        let edit = workspace.and_then(|it| it.workspace_edit.as_ref());
+        let folding = document.and_then(|it| it.folding_range.as_ref());
+        let symbols = document.and_then(|it| it.document_symbol.as_ref());
+        let item = document.and_then(|it| it.completion.as_ref()?.completion_item.as_ref());
+        let yes = |flag: Option<bool>| flag == Some(true);
+        Self {
+            watches_files: yes(workspace.and_then(|it| it.did_change_watched_files?.dynamic_registration)),
+            pulls: document.is_some_and(|it| it.diagnostic.is_some()),
+            pulls_again: yes(workspace.and_then(|it| it.diagnostic.as_ref()?.refresh_support)),
+            has_settings: yes(workspace.and_then(|it| it.configuration)),
+            shows_progress: yes(window.and_then(|it| it.work_done_progress)),
+            has_links: yes(document.and_then(|it| it.definition?.link_support)),
+            has_snippets: yes(item.and_then(|it| it.snippet_support)),
+            renames_files: edit.and_then(|it| it.resource_operations.as_ref()).is_some_and(|operations| {
+                operations.contains(&tower_lsp::lsp_types::ResourceOperationKind::Rename)
+            }),
+            has_document_changes: yes(edit.and_then(|it| it.document_changes)),
+            has_nested_symbols: yes(symbols.and_then(|it| it.hierarchical_document_symbol_support)),
+            folds_lines: yes(folding.and_then(|it| it.line_folding_only)),
+        }
+    }
+}

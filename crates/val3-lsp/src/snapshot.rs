@@ -1,0 +1,116 @@
+//! The state at one moment, for the threads that compute.
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use tower_lsp::lsp_types::{Location, LocationLink, Position, Range, TextDocumentPositionParams, Url};
+use val3_analysis::db::{Database, Db, File, Project, Sources, path_key};
+use val3_ide::{CheckSettings, FilePosition, FileRange};
+use val3_syntax::TextRange;
+
+use crate::documents::{Document, Documents};
+use crate::inbox::Inbox;
+use crate::line_index::{Lines, line_index};
+use crate::session::Session;
+use crate::uri;
+
+/// Why a request has no result.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Refusal {
+    /// It asks about something that is no part of the workspace; there is nothing to say.
+    Unknown,
+    /// What was asked cannot be done, in a sentence for the user.
+    Because(String),
+}
+
+/// The state at one moment.
+pub(crate) struct Snapshot {
+    /// Every file.
+    pub(crate) db: Database,
+    /// What the client said about itself.
+    pub(crate) session: Arc<Session>,
+    /// The open documents.
+    pub(crate) documents: Arc<Documents>,
+    /// The projects that are judged.
+    pub(crate) projects: Arc<Vec<Project>>,
+    /// What they are checked for; `None` before the first of them was read.
+    pub(crate) settings: Option<CheckSettings>,
+    /// The way back to the main loop.
+    pub(crate) inbox: Inbox,
+}
+
+impl Snapshot {
+    /// The database as the features ask it.
+    pub(crate) fn db(&self) -> &dyn Db {
+        &self.db
+    }
+
+    /// The file of a document.
+    pub(crate) fn file(&self, uri: &Url) -> Result<File, Refusal> {
+        let path = uri::path(uri, None).ok_or(Refusal::Unknown)?;
+        let path = self.documents.get(uri).map_or(path, |document| document.path.clone());
+        let sources = Sources::try_get(&self.db).ok_or(Refusal::Unknown)?;
+        sources.files(&self.db).get(&path_key(path.as_str())).copied().ok_or(Refusal::Unknown)
+    }
+
+    /// The place that a client means.
+    pub(crate) fn position(&self, at: &TextDocumentPositionParams) -> Result<FilePosition, Refusal> {
+        self.position_in(&at.text_document.uri, at.position)
+    }
+
+    /// As [`position`](Self::position).
+    pub(crate) fn position_in(&self, uri: &Url, position: Position) -> Result<FilePosition, Refusal> {
+        let file = self.file(uri)?;
+        Ok(FilePosition { file, offset: self.lines(file).offset(position) })
+    }
+
+    /// The lines of a file.
+    pub(crate) fn lines(&self, file: File) -> Lines<'_> {
+        let text = file.text(&self.db);
+        let is_open = self.documents.at(file.path(&self.db)).is_some();
+        Lines::new(text, line_index(&self.db, file), self.session.encoding, !is_open)
+    }
+
+    /// A range of a file as the client counts.
+    pub(crate) fn range(&self, file: File, range: TextRange) -> Range {
+        self.lines(file).range(range)
+    }
+
+    /// A place as the client names it.
+    pub(crate) fn location(&self, place: FileRange) -> Location {
+        Location { uri: self.uri(place.file), range: self.range(place.file, place.range) }
+    }
+
+    /// A jump from a name to a place.
+    pub(crate) fn link(&self, origin: Range, place: FileRange) -> LocationLink {
+        let range = self.range(place.file, place.range);
+        LocationLink {
+            origin_selection_range: Some(origin),
+            target_uri: self.uri(place.file),
+            target_range: range,
+            target_selection_range: range,
+        }
+    }
+
+    /// The URI of a file, as the client spells it where it has the file open.
+    pub(crate) fn uri(&self, file: File) -> Url {
+        self.uri_of(file.path(&self.db))
+    }
+
+    /// As [`uri`](Self::uri), for any path.
+    pub(crate) fn uri_of(&self, path: &Utf8Path) -> Url {
+        self.documents.at(path).map_or_else(|| uri::of(path), |document| document.uri.clone())
+    }
+
+    /// Whether a document is a file of a project.
+    pub(crate) fn is_part(&self, document: &Document, project: Project) -> bool {
+        let sources = Sources::try_get(&self.db);
+        let file = sources.and_then(|it| it.files(&self.db).get(&path_key(document.path.as_str())));
+        file.is_some_and(|file| val3_ide::projects_of(&self.db, *file).contains(&project))
+    }
+
+    /// The version of the document that a file is open as.
+    pub(crate) fn version(&self, file: File) -> Option<i32> {
+        self.documents.at(file.path(&self.db)).map(|document| document.version)
+    }
+}

@@ -1,0 +1,77 @@
+//! Documents that are opened, changed, saved and closed.
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use tower_lsp::lsp_types::{
+    DidChangeTextDocumentParams, DidCloseTextDocumentParams, DidOpenTextDocumentParams, DidSaveTextDocumentParams,
+};
+use val3_analysis::load::loads_alike;
+
+use crate::documents::Document;
+use crate::uri;
+use crate::world::World;
+
+/// A document was opened: its text counts from now on.
+pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
+    let item = params.text_document;
+    let Some(path) = uri::path(&item.uri, Some(&item.language_id)) else {
+        return world.log(&format!("{} has no path in UTF-8", item.uri));
+    };
+    let text: Arc<str> = item.text.into();
+    let document = Document { uri: item.uri, path: path.clone(), version: item.version, text: Arc::clone(&text) };
+    Arc::make_mut(&mut world.documents).open(document);
+    let file = world.file(&path);
+    world.edited(file, &text);
+    match file {
+        // What an editor shows of a stored file lacks its byte order mark; that alone moves no reference.
+        Some(file) if !shapes_workspace(&path) => world.checks.edited(file),
+        _ => world.is_stale(path),
+    }
+}
+
+/// A document was changed.
+pub(crate) fn changed(world: &mut World, params: DidChangeTextDocumentParams) {
+    let encoding = world.session.encoding;
+    let uri = params.text_document.uri;
+    let Some(document) = Arc::make_mut(&mut world.documents).get_mut(&uri) else {
+        return world.log(&format!("{uri} was changed but is not open"));
+    };
+    if params.text_document.version <= document.version {
+        let known = document.version;
+        return world.log(&format!("{uri}: version {} comes after {known}", params.text_document.version));
+    }
+    let before = Arc::clone(&document.text);
+    document.change(params.content_changes, encoding);
+    document.version = params.text_document.version;
+    let (path, text) = (document.path.clone(), Arc::clone(&document.text));
+    let file = world.file(&path);
+    world.edited(file, &text);
+    if file.is_none() || shapes_workspace(&path) || !loads_alike(&before, &text) {
+        world.is_stale(path);
+    }
+}
+
+/// A document was saved; its text is known.
+pub(crate) fn saved(world: &mut World, params: DidSaveTextDocumentParams) {
+    let path = world.documents.get(&params.text_document.uri).map(|document| document.path.clone());
+    if let Some(path) = path.filter(|path| world.file(path).is_none()) {
+        world.is_stale(path);
+    }
+}
+
+/// A document was closed: the stored text counts again.
+pub(crate) fn closed(world: &mut World, params: DidCloseTextDocumentParams) {
+    let Some(document) = Arc::make_mut(&mut world.documents).close(&params.text_document.uri) else { return };
+    world.published.closed(&document);
+    if let Some(file) = world.file(&document.path) {
+        world.checks.edited(file);
+    }
+    world.is_stale(document.path);
+}
+
+/// Files that say which other files there are.
+pub(crate) fn shapes_workspace(path: &Utf8Path) -> bool {
+    let is_manifest = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
+    is_manifest || path.file_name() == Some(val3_config::FILE_NAME)
+}

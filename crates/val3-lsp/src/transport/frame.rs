@@ -1,0 +1,95 @@
+//! Messages in their frames: `Content-Length`, an empty line, the message.
+
+use std::io::{self, BufRead, Read as _};
+
+/// Bytes that the head of a message may have.
+const HEAD_LIMIT: usize = 16 << 10;
+/// Bytes that a message may have.
+const BODY_LIMIT: usize = 256 << 20;
+
+/// What is wrong with a frame.
+#[derive(Debug, PartialEq, Eq)]
+pub(crate) enum Fault {
+    /// There is no usable length; what follows may be another frame.
+    Head,
+    /// It is too large to go on.
+    Size,
+}
+
+/// A message in its frame.
+pub(crate) fn frame(message: &[u8]) -> Vec<u8> {
+    let mut framed = format!("Content-Length: {}\r\n\r\n", message.len()).into_bytes();
+    framed.extend_from_slice(message);
+    framed
+}
+
+/// Reads one message; `None` at the end of the input. Letter case, further headers and bytes before
+/// `Content-Length` make no difference.
+pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result<Vec<u8>, Fault>>> {
+    let mut length = None;
+    let mut seen = 0;
+    loop {
+        let mut line = Vec::new();
+        let limit = u64::try_from(HEAD_LIMIT - seen).unwrap_or(0);
+        if input.by_ref().take(limit).read_until(b'\n', &mut line)? == 0 {
+            return Ok((seen >= HEAD_LIMIT).then_some(Err(Fault::Size)));
+        }
+        seen += line.len();
+        let line = String::from_utf8_lossy(&line);
+        match line.trim() {
+            "" if seen <= 2 => seen = 0,
+            "" => break,
+            line => length = length_in(line).or(length),
+        }
+    }
+    match length {
+        None => Ok(Some(Err(Fault::Head))),
+        Some(length) if length > BODY_LIMIT => Ok(Some(Err(Fault::Size))),
+        Some(length) => {
+            let mut body = vec![0; length];
+            match input.read_exact(&mut body) {
+                Ok(()) => Ok(Some(Ok(body))),
+                Err(error) if error.kind() == io::ErrorKind::UnexpectedEof => Ok(None),
+                Err(error) => Err(error),
+            }
+        }
+    }
+}
+
+fn length_in(line: &str) -> Option<usize> {
+    const NAME: &str = "content-length:";
+    let at = line.to_ascii_lowercase().rfind(NAME)?;
+    line.get(at + NAME.len()..)?.trim().parse().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn messages(mut input: &[u8]) -> Vec<Result<Vec<u8>, Fault>> {
+        std::iter::from_fn(|| read_message(&mut input).unwrap()).take(9).collect()
+    }
+
+    #[test]
+    fn frames_and_garbage() {
+        assert_eq!(messages(&frame(b"{}")), [Ok(b"{}".to_vec())]);
+        let foreign = b"content-type: application/vscode-jsonrpc; charset=utf8\r\ncontent-length:2\n\n{}";
+        assert_eq!(messages(foreign), [Ok(b"{}".to_vec())]);
+        let garbage = b"hello\r\n\r\n\0\xffContent-Length: 2\r\n\r\n{}";
+        assert_eq!(messages(garbage), [Err(Fault::Head), Ok(b"{}".to_vec())]);
+        assert_eq!(messages(b"Content-Length: -1\r\n\r\nContent-Length: 1\r\n\r\n1"), [Err(Fault::Head), Ok(b"1".to_vec())]);
+    }
+
+    #[test]
+    fn ends_within_a_frame() {
+        assert_eq!(messages(b""), []);
+        assert_eq!(messages(b"Content-Len"), []);
+        assert_eq!(messages(b"Content-Length: 5\r\n\r\n{}"), []);
+    }
+
+    #[test]
+    fn what_is_too_large() {
+        assert_eq!(messages(b"Content-Length: 99999999999\r\n\r\n").first(), Some(&Err(Fault::Size)));
+        assert_eq!(messages(&vec![b'x'; HEAD_LIMIT + 10]).first(), Some(&Err(Fault::Size)));
+    }
+}

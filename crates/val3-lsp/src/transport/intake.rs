@@ -1,0 +1,103 @@
+//! The thread that reads. It lets through what tower-lsp can read, and keeps from it what would end its loop or
+//! panic in its table of requests: broken messages are refused here, answers of the client go their own way.
+
+use std::io::{self, BufRead};
+use std::pin::Pin;
+use std::task::{Context, Poll};
+
+use futures::Stream as _;
+use futures::channel::mpsc::{UnboundedReceiver, UnboundedSender, unbounded};
+use serde::Deserialize;
+use serde::de::IgnoredAny;
+use serde_json::{Value, json};
+use tokio::io::{AsyncRead, ReadBuf};
+use tower_lsp::jsonrpc::Id;
+
+use super::frame::{Fault, frame, read_message};
+use super::pump::Pump;
+use crate::outbox::Outbox;
+
+/// What tower-lsp reads from: messages in their frames, as many as there are.
+pub(crate) struct Intake {
+    messages: UnboundedReceiver<Vec<u8>>,
+    rest: Vec<u8>,
+    read: usize,
+}
+
+impl Intake {
+    /// An intake and the end that fills it.
+    pub(crate) fn new() -> (UnboundedSender<Vec<u8>>, Self) {
+        let (sender, messages) = unbounded();
+        (sender, Self { messages, rest: Vec::new(), read: 0 })
+    }
+}
+
+impl AsyncRead for Intake {
+    fn poll_read(mut self: Pin<&mut Self>, context: &mut Context<'_>, buffer: &mut ReadBuf<'_>) -> Poll<io::Result<()>> {
+        if self.read == self.rest.len() {
+            match Pin::new(&mut self.messages).poll_next(context) {
+                Poll::Pending => return Poll::Pending,
+                Poll::Ready(None) => return Poll::Ready(Ok(())),
+                Poll::Ready(Some(message)) => (self.rest, self.read) = (message, 0),
+            }
+        }
+        let length = buffer.remaining().min(self.rest.len() - self.read);
+        let part = self.rest.get(self.read..self.read + length).unwrap_or(&[]);
+        buffer.put_slice(part);
+        self.read += length;
+        Poll::Ready(Ok(()))
+    }
+}
+
+/// What a message is, as far as the transport has to know.
+#[derive(Deserialize)]
+struct Envelope<'a> {
+    jsonrpc: &'a str,
+    #[serde(default)]
+    id: Option<Id>,
+    #[serde(default)]
+    method: Option<std::borrow::Cow<'a, str>>,
+    #[serde(default)]
+    result: Option<Value>,
+    #[serde(default)]
+    error: Option<Value>,
+    #[serde(default, rename = "params")]
+    _params: Option<IgnoredAny>,
+}
+
+/// Reads until the client closes its side, or cannot be understood any more.
+pub(crate) fn read(mut input: impl BufRead, requests: &UnboundedSender<Vec<u8>>, outbox: &Outbox, pump: &Pump) {
+    loop {
+        let message = match read_message(&mut input) {
+            Ok(Some(Ok(message))) => message,
+            Ok(Some(Err(Fault::Head))) => {
+                refuse(pump, -32700, "a message begins with `Content-Length`");
+                continue;
+            }
+            Ok(Some(Err(Fault::Size))) => {
+                refuse(pump, -32700, "the message is too large");
+                return;
+            }
+            Ok(None) | Err(_) => return,
+        };
+        match serde_json::from_slice::<Envelope<'_>>(&message) {
+            Ok(Envelope { jsonrpc: "2.0", method: Some(_), .. }) => {
+                if requests.unbounded_send(frame(&message)).is_err() {
+                    return;
+                }
+            }
+            Ok(Envelope { jsonrpc: "2.0", id: Some(Id::Number(id)), result, error, .. }) => {
+                outbox.answered(id, error.map_or(Ok(result.unwrap_or(Value::Null)), Err));
+            }
+            Ok(_) => refuse(pump, -32600, "this is no request"),
+            Err(error) if error.is_data() => refuse(pump, -32600, "this is no request"),
+            Err(_) => refuse(pump, -32700, "this is no JSON"),
+        }
+    }
+}
+
+/// Answers a message whose id is not known.
+fn refuse(pump: &Pump, code: i64, message: &str) {
+    let answer = json!({ "jsonrpc": "2.0", "id": null, "error": { "code": code, "message": message } });
+    pump.write(frame(answer.to_string().as_bytes()));
+}

@@ -1,0 +1,78 @@
+//! Folders that come and go, and settings that change.
+
+use std::sync::Arc;
+
+use tower_lsp::lsp_types::request::WorkspaceConfiguration;
+use tower_lsp::lsp_types::{
+    ConfigurationItem, ConfigurationParams, DidChangeConfigurationParams, DidChangeWorkspaceFoldersParams,
+    SetTraceParams, TraceValue,
+};
+use val3_analysis::paths::normalise;
+
+use crate::options::{Options, SECTION};
+use crate::session::Trace;
+use crate::uri;
+use crate::watching;
+use crate::world::World;
+
+/// Folders were added or removed.
+pub(crate) fn folders_changed(world: &mut World, params: DidChangeWorkspaceFoldersParams) {
+    let session = Arc::make_mut(&mut world.session);
+    let path = |uri| uri::path(uri, None).map(|path| normalise(&path));
+    for folder in &params.event.removed {
+        let removed = path(&folder.uri);
+        session.folders.retain(|known| Some(known) != removed.as_ref());
+    }
+    for added in params.event.added.iter().filter_map(|folder| path(&folder.uri)) {
+        if !session.folders.contains(&added) {
+            session.folders.push(added);
+        }
+    }
+    if world.watcher.is_some() {
+        watching::start(world);
+    }
+    world.all_is_stale();
+}
+
+/// The settings of the editor changed. Clients that can be asked send nothing of use along.
+pub(crate) fn settings_changed(world: &mut World, params: DidChangeConfigurationParams) {
+    if world.session.client.has_settings {
+        world.ask_for_settings();
+    } else {
+        world.set_options(&params.settings);
+    }
+}
+
+/// The client wants to know more or less.
+pub(crate) fn trace_set(world: &mut World, params: SetTraceParams) {
+    let is_off = params.value == TraceValue::Off;
+    Arc::make_mut(&mut world.session).trace = if is_off { Trace::Off } else { Trace::On };
+}
+
+impl World {
+    /// Asks the client for the user's settings, if it has some.
+    pub(crate) fn ask_for_settings(&mut self) {
+        if !self.session.client.has_settings {
+            return;
+        }
+        let item = ConfigurationItem { scope_uri: None, section: Some(SECTION.to_owned()) };
+        self.outbox.ask::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |world, settings| {
+            if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null()) {
+                world.set_options(&settings);
+            }
+        });
+    }
+
+    fn set_options(&mut self, settings: &serde_json::Value) {
+        let (options, fault) = Options::read(settings);
+        fault.into_iter().for_each(|fault| self.log(&fault));
+        if options != self.session.options {
+            // How findings get to the client was agreed at the start.
+            let delivery = self.session.options.check.delivery;
+            let session = Arc::make_mut(&mut self.session);
+            session.options = options;
+            session.options.check.delivery = delivery;
+            self.settings_are_stale();
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! A cell on the disk, written from a listing.
+
+use tempfile::TempDir;
+use val3_test::Fixture;
+
+/// A folder that lasts as long as the test.
+pub struct Cell {
+    folder: TempDir,
+    fixture: Fixture,
+}
+
+impl Cell {
+    pub fn new(listing: &str) -> Self {
+        let cell = Self { folder: tempfile::tempdir().unwrap(), fixture: Fixture::parse(listing) };
+        for (path, text) in &cell.fixture.files {
+            cell.write(path, text);
+        }
+        cell
+    }
+
+    /// The folder of the controller.
+    pub fn folder(&self) -> String {
+        self.path("")
+    }
+
+    /// The path of a file, which is given relative to the controller (`usrapp/main/start.pgx`).
+    pub fn path(&self, file: &str) -> String {
+        let folder = self.folder.path().canonicalize().unwrap().join("usr");
+        folder.join(file).to_str().unwrap().trim_end_matches('/').to_owned()
+    }
+
+    pub fn text(&self, file: &str) -> &str {
+        self.fixture.text(file)
+    }
+
+    pub fn write(&self, file: &str, text: &str) {
+        let path = self.folder.path().join("usr").join(file);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+
+    pub fn remove(&self, file: &str) {
+        std::fs::remove_file(self.folder.path().join("usr").join(file)).unwrap();
+    }
+}
+
+/// The line and column of a part of a text.
+pub fn place(text: &str, part: &str) -> (u32, u32) {
+    let at = text.find(part).unwrap_or_else(|| panic!("{part:?} is not in {text}"));
+    let before = &text[..at];
+    let line = before.matches('\n').count();
+    let column = before.rsplit('\n').next().unwrap().encode_utf16().count();
+    (u32::try_from(line).unwrap(), u32::try_from(column).unwrap())
+}

@@ -1,0 +1,213 @@
+//! A client over pipes in memory: it speaks plain JSON, so that the tests see what an editor sees.
+
+use std::collections::VecDeque;
+use std::io::{self, BufRead, BufReader, PipeReader, PipeWriter, Read, Write};
+use std::sync::mpsc::{Receiver, channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+use serde_json::{Value, json};
+
+/// Longer than anything takes, also on a busy machine.
+pub const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A client and its server.
+pub struct Client {
+    to_server: Option<PipeWriter>,
+    from_server: Receiver<Value>,
+    /// Messages that were read while another one was waited for.
+    passed: VecDeque<Value>,
+    next_id: i64,
+    server: Option<JoinHandle<u8>>,
+}
+
+impl Client {
+    /// A server that waits for `initialize`.
+    pub fn fresh() -> Self {
+        let (server_input, to_server) = io::pipe().unwrap();
+        let (from_server, server_output) = io::pipe().unwrap();
+        let server = std::thread::spawn(move || {
+            val3_lsp::run(server_input, server_output, &val3_lsp::ServerOptions::default()).unwrap()
+        });
+        Self {
+            to_server: Some(to_server),
+            from_server: receive(from_server),
+            passed: VecDeque::new(),
+            next_id: 1,
+            server: Some(server),
+        }
+    }
+
+    /// A server with these folders, initialized by a client that can do little.
+    pub fn start(folders: &[&str]) -> Self {
+        Self::start_with(folders, json!({}), Value::Null)
+    }
+
+    /// As [`start`](Self::start), with these abilities and options.
+    pub fn start_with(folders: &[&str], capabilities: Value, options: Value) -> Self {
+        let mut client = Self::fresh();
+        let folders: Vec<Value> =
+            folders.iter().map(|folder| json!({ "uri": uri(folder), "name": folder })).collect();
+        let answer = client.ask(
+            "initialize",
+            json!({
+                "processId": std::process::id(),
+                "rootUri": null,
+                "capabilities": capabilities,
+                "initializationOptions": options,
+                "workspaceFolders": folders,
+            }),
+        );
+        assert!(answer.get("capabilities").is_some(), "{answer}");
+        client.notify("initialized", json!({}));
+        client
+    }
+
+    pub fn notify(&mut self, method: &str, params: Value) {
+        self.send(&json!({ "jsonrpc": "2.0", "method": method, "params": params }));
+    }
+
+    /// Sends a request and gives its id.
+    pub fn request(&mut self, method: &str, params: Value) -> i64 {
+        let id = self.next_id;
+        self.next_id += 1;
+        self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
+        id
+    }
+
+    /// The whole answer to a request.
+    pub fn answer(&mut self, id: i64) -> Value {
+        self.wait_for("an answer", |message| message.get("id") == Some(&json!(id)) && message.get("method").is_none())
+    }
+
+    /// Asks and gives the result.
+    #[track_caller]
+    pub fn ask(&mut self, method: &str, params: Value) -> Value {
+        let id = self.request(method, params);
+        let answer = self.answer(id);
+        assert!(answer.get("error").is_none(), "{method}: {answer}");
+        answer["result"].clone()
+    }
+
+    /// Asks and gives the code of the error.
+    #[track_caller]
+    pub fn ask_in_vain(&mut self, method: &str, params: Value) -> i64 {
+        let id = self.request(method, params);
+        let answer = self.answer(id);
+        answer["error"]["code"].as_i64().unwrap_or_else(|| panic!("{method}: {answer}"))
+    }
+
+    /// The next request or notification of the server of this kind.
+    pub fn told(&mut self, method: &str) -> Value {
+        self.wait_for(method, |message| message["method"] == method)
+    }
+
+    /// The next findings in a file, of at least this version.
+    pub fn findings(&mut self, path: &str, version: Option<i64>) -> Vec<Value> {
+        let uri = uri(path);
+        let message = self.wait_for(&format!("findings in {path}"), |message| {
+            message["method"] == "textDocument/publishDiagnostics"
+                && message["params"]["uri"] == *uri
+                && message["params"]["version"].as_i64() >= version
+        });
+        message["params"]["diagnostics"].as_array().unwrap().clone()
+    }
+
+    pub fn open(&mut self, path: &str, text: &str) {
+        let language = if path.ends_with("dtx") { "val3-data" } else { "val3" };
+        let document = json!({ "uri": uri(path), "languageId": language, "version": 1, "text": text });
+        self.notify("textDocument/didOpen", json!({ "textDocument": document }));
+    }
+
+    /// Replaces the whole text.
+    pub fn change(&mut self, path: &str, version: i64, text: &str) {
+        let document = json!({ "uri": uri(path), "version": version });
+        self.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [{ "text": text }] }));
+    }
+
+    /// Ends the session as the protocol wants it and gives the exit code.
+    pub fn end(mut self) -> u8 {
+        self.ask("shutdown", Value::Null);
+        self.notify("exit", Value::Null);
+        self.exit_code()
+    }
+
+    /// The exit code, once the server ends; the input stays open.
+    pub fn exit_code(&mut self) -> u8 {
+        self.server.take().unwrap().join().unwrap()
+    }
+
+    /// Closes the input.
+    pub fn hang_up(&mut self) {
+        self.to_server = None;
+    }
+
+    pub fn send(&mut self, message: &Value) {
+        let text = message.to_string();
+        self.send_bytes(format!("Content-Length: {}\r\n\r\n{text}", text.len()).as_bytes());
+    }
+
+    pub fn send_bytes(&mut self, bytes: &[u8]) {
+        self.to_server.as_mut().unwrap().write_all(bytes).unwrap();
+    }
+
+    pub fn wait_for(&mut self, what: &str, is_meant: impl Fn(&Value) -> bool) -> Value {
+        if let Some(at) = self.passed.iter().position(&is_meant) {
+            return self.passed.remove(at).unwrap();
+        }
+        loop {
+            let message = self.from_server.recv_timeout(PATIENCE).unwrap_or_else(|_| panic!("no {what} came"));
+            if is_meant(&message) {
+                return message;
+            }
+            self.passed.push_back(message);
+        }
+    }
+
+    /// What came and was not asked for yet.
+    pub fn passed(&mut self) -> impl Iterator<Item = Value> {
+        self.passed.extend(self.from_server.try_iter());
+        self.passed.drain(..)
+    }
+}
+
+fn receive(pipe: PipeReader) -> Receiver<Value> {
+    let (sender, receiver) = channel();
+    std::thread::spawn(move || {
+        let mut input = BufReader::new(pipe);
+        while let Some(message) = read(&mut input) {
+            if sender.send(message).is_err() {
+                return;
+            }
+        }
+    });
+    receiver
+}
+
+fn read(input: &mut impl BufRead) -> Option<Value> {
+    let mut length = 0;
+    loop {
+        let mut line = String::new();
+        if input.read_line(&mut line).ok()? == 0 {
+            return None;
+        }
+        match line.trim().split_once(':') {
+            Some(("Content-Length", value)) => length = value.trim().parse().unwrap(),
+            Some(_) => {}
+            None => break,
+        }
+    }
+    let mut body = vec![0; length];
+    input.read_exact(&mut body).ok()?;
+    Some(serde_json::from_slice(&body).unwrap())
+}
+
+/// The URI of a path; what is one already stays.
+pub fn uri(path: &str) -> String {
+    if path.starts_with('/') { format!("file://{path}") } else { path.to_owned() }
+}
+
+/// `textDocument` and `position`.
+pub fn at(path: &str, line: u32, character: u32) -> Value {
+    json!({ "textDocument": { "uri": uri(path) }, "position": { "line": line, "character": character } })
+}

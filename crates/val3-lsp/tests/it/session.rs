@@ -1,0 +1,117 @@
+//! One session from its first message to its last.
+
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use crate::cell::{Cell, place};
+use crate::client::{Client, at, uri};
+use crate::codes;
+
+const CELL: &str = "num nCount\nnCount=nCuont+1";
+
+#[test]
+fn findings_and_hover() {
+    let cell = Cell::new(CELL);
+    let mut client = Client::start(&[&cell.folder()]);
+    let start = cell.path("usrapp/main/start.pgx");
+    assert_eq!(codes(&client.findings(&start, None)), ["V0101"]);
+    let text = cell.text("usrapp/main/start.pgx");
+    client.open(&start, text);
+    assert_eq!(codes(&client.findings(&start, Some(1))), ["V0101"]);
+    let (line, column) = place(text, "nCount=");
+    let hover = client.ask("textDocument/hover", at(&start, line, column));
+    assert!(hover["contents"]["value"].as_str().unwrap().contains("num nCount"), "{hover}");
+    client.change(&start, 2, &text.replace("nCuont", "nCount"));
+    assert_eq!(client.findings(&start, Some(2)), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn the_exit_code_says_whether_the_session_was_shut_down() {
+    let mut client = Client::start(&[]);
+    client.notify("exit", Value::Null);
+    let started = Instant::now();
+    // The input is still open.
+    assert_eq!(client.exit_code(), 1);
+    assert!(started.elapsed() < Duration::from_secs(5));
+    assert_eq!(Client::start(&[]).end(), 0);
+}
+
+#[test]
+fn the_end_of_the_input_ends_the_server() {
+    let mut client = Client::start(&[]);
+    client.hang_up();
+    assert_eq!(client.exit_code(), 1);
+    let mut client = Client::fresh();
+    client.hang_up();
+    assert_eq!(client.exit_code(), 1);
+}
+
+#[test]
+fn before_initialize_and_after_shutdown() {
+    let mut client = Client::fresh();
+    client.open("/a/b.pgx", "");
+    assert_eq!(client.ask_in_vain("textDocument/hover", at("/a/b.pgx", 0, 0)), -32002);
+    assert_eq!(client.ask_in_vain("shutdown", Value::Null), -32002);
+    client.ask("initialize", json!({ "capabilities": {} }));
+    assert_eq!(client.ask_in_vain("initialize", json!({ "capabilities": {} })), -32600);
+    assert_eq!(client.ask_in_vain("val3/nothing", json!({})), -32601);
+    assert_eq!(client.ask_in_vain("textDocument/hover", json!({ "position": 3 })), -32602);
+    client.ask("shutdown", Value::Null);
+    assert_eq!(client.ask_in_vain("textDocument/hover", at("/a/b.pgx", 0, 0)), -32600);
+    client.notify("exit", Value::Null);
+    assert_eq!(client.exit_code(), 0);
+}
+
+#[test]
+fn garbage_is_refused_and_the_session_goes_on() {
+    let mut client = Client::start(&[]);
+    client.send_bytes(b"what is this\r\n\r\n");
+    client.send_bytes(b"Content-Length: 5\r\n\r\n{\"a\":");
+    client.send_bytes(b"Content-Length: 2\r\n\r\n[]");
+    client.send_bytes(b"Content-Length: 4\r\nContent-Type: text/plain; charset=latin1\r\n\r\nnull");
+    for code in [-32700, -32700, -32600, -32600] {
+        let refused = client.wait_for("a refusal", |message| message.get("error").is_some());
+        assert_eq!(refused["error"]["code"], code, "{refused}");
+        assert_eq!(refused["id"], Value::Null);
+    }
+    // An answer that nobody waits for, and a notification that nobody knows.
+    client.send(&json!({ "jsonrpc": "2.0", "id": 99, "result": null }));
+    client.notify("$/whatever", json!({}));
+    client.notify("val3/whatever", json!([1]));
+    assert_eq!(client.ask("textDocument/hover", at("/a/b.pgx", 0, 0)), Value::Null);
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn what_is_too_large_ends_the_session() {
+    let mut client = Client::start(&[]);
+    client.send_bytes(b"Content-Length: 99999999999999\r\n\r\n");
+    assert_eq!(client.exit_code(), 1);
+    let mut client = Client::fresh();
+    client.send_bytes(&[b'x'; 20_000]);
+    assert_eq!(client.exit_code(), 1);
+}
+
+#[test]
+fn an_untitled_document_and_one_without_a_project() {
+    let cell = Cell::new("call anything()\nnSomething=1+\"a\"");
+    let text = cell.text("usrapp/main/start.pgx").to_owned();
+    let mut client = Client::start(&[]);
+    client.open("untitled:Untitled-1", &text);
+    // A string is added to a number; the names may be declared elsewhere.
+    let untitled = client.findings("untitled:Untitled-1", Some(1));
+    assert!(!codes(&untitled).iter().any(|code| code.starts_with("V01")), "{untitled:?}");
+    assert!(codes(&untitled).iter().any(|code| code.starts_with("V02")), "{untitled:?}");
+    let folder = tempfile::tempdir().unwrap();
+    let loose = folder.path().canonicalize().unwrap().join("loose.pgx").to_str().unwrap().to_owned();
+    client.open(&loose, &text);
+    assert_eq!(codes(&client.findings(&loose, Some(1))), codes(&untitled));
+    let (line, column) = place(&text, "call");
+    let hover = client.ask("textDocument/hover", at(&loose, line, column));
+    assert!(hover["contents"]["value"].as_str().unwrap().contains("call"), "{hover}");
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri(&loose) } }));
+    assert_eq!(client.findings(&loose, None), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
