@@ -34,14 +34,12 @@ const STEPS = {
   async "the program opens with its colours"(user) {
     await user.openFile("pick.pgx");
     await user.sees("io:doConveyor=true");
-    const kinds = await user.page.locator('.view-line:has-text("movej(l_pNear")').evaluate((line) =>
-      new Set([...line.querySelectorAll("span span")].map((part) => part.className)).size);
-    assert.ok(kinds >= 3, `${kinds} colours in a line with an instruction, names and punctuation`);
+    await user.coloured("movej(l_pNear", 3);
   },
 
   async "a mistake is found while it is typed, and its repair as well"(user) {
-    await user.goTo(23, 19);
-    await user.type(",1");
+    await user.goTo(24, 17);
+    await user.type("1");
     await user.problem("waitEndMove");
     await user.focusEditor();
     await user.keys("Control+Z");
@@ -49,13 +47,13 @@ const STEPS = {
   },
 
   async "hover tells what a point is"(user) {
-    await user.goTo(22, 12);
+    await user.goTo(23, 12);
     await user.hovers("pPick");
     await user.keys("Escape");
   },
 
   async "completion knows the instructions and the data"(user) {
-    await user.goTo(23, 20);
+    await user.goTo(24, 5);
     await user.keys("End", "Enter");
     await user.type("movej(pS");
     await user.completes("pSafe");
@@ -69,7 +67,7 @@ const STEPS = {
   },
 
   async "definition leads to the data file and back"(user) {
-    await user.goTo(22, 20);
+    await user.goTo(23, 20);
     await user.keys("F12");
     await user.tab("palletiser.dtx");
     await user.sees('name="tSuction"');
@@ -77,7 +75,7 @@ const STEPS = {
   },
 
   async "a name is changed in every file"(user) {
-    await user.goTo(25, 7);
+    await user.goTo(26, 7);
     await user.keys("F2");
     await user.page.waitForSelector(".rename-box:visible");
     await user.keys("Control+A");
@@ -85,16 +83,16 @@ const STEPS = {
     await user.keys("Enter");
     await user.sees("bCarries=x_bOk");
     await user.command("File: Save All Files");
-    for (const file of ["pick.pgx", "place.pgx", "palletiser.dtx"]) {
+    for (const file of ["init.pgx", "pick.pgx", "place.pgx", "sensors.pgx", "palletiser.dtx"]) {
       await becomes(file, after(file, ["bHolding", "bCarries"]));
     }
   },
 
   async "formatting lays out the code alone"(user) {
     await user.openFile("home.pgx");
-    await user.goTo(5, 1);
-    await user.keys("Control+F");
-    await user.keys("Escape");
+    await user.goTo(13, 8);
+    await user.type("   ");
+    await user.sees("x_bOk   =isInRange");
     await user.command("Format Document");
     await user.command("File: Save");
     await becomes("home.pgx", original("home.pgx"));
@@ -142,9 +140,21 @@ const STEPS = {
     await user.page.waitForSelector(row("clearPallet"));
   },
 
-  async "the page of an instruction opens"(user) {
+  async "the page of a finding opens"(user) {
+    await user.openFile("pick.pgx");
+    await user.goTo(24, 17);
+    await user.type("1");
+    await user.problem("waitEndMove");
+    await user.focusEditor();
+    await user.command("VAL 3: Open the Page of a Finding");
+    await user.page.waitForSelector('.tab.active[data-resource-name^="V0"]');
+  },
+
+  async "the check of the workspace is a task with problems"(user) {
+    await user.openFile("pick.pgx");
+    await user.command("File: Save");
     await user.command("VAL 3: Check Workspace");
-    await user.page.waitForSelector(".markers-panel:visible");
+    await user.page.waitForSelector(".markers-panel .monaco-list-row:has-text('val3 check')");
   },
 };
 

@@ -74,6 +74,14 @@ class User {
     await this.page.waitForSelector(`.editor-instance .view-line:has-text(${JSON.stringify(text)})`);
   }
 
+  /** Waits until a line has at least this many colours. */
+  async coloured(text, count) {
+    await this.page.waitForFunction(([text, count]) => {
+      const line = [...document.querySelectorAll(".editor-instance .view-line")].find((line) => line.textContent.includes(text));
+      return new Set([...(line?.querySelectorAll("span span") ?? [])].map((part) => part.className)).size >= count;
+    }, [text, count]);
+  }
+
   async seesNot(text) {
     await this.page.waitForSelector(`.editor-instance .view-line:has-text(${JSON.stringify(text)})`, { state: "detached" });
   }
