@@ -49,19 +49,19 @@ const STEPS = {
   async "hover tells what a point is"(user) {
     await user.goTo(23, 12);
     await user.hovers("pPick");
-    await user.keys("Escape");
   },
 
   async "completion knows the instructions and the data"(user) {
+    await user.keys("Escape");
     await user.goTo(24, 5);
     await user.keys("End", "Enter");
     await user.type("movej(pS");
     await user.completes("pSafe");
-    await user.keys("Tab");
-    await user.sees("movej(pSafe");
   },
 
-  async "what was typed can be undone"(user) {
+  async "what was completed can be undone"(user) {
+    await user.keys("Tab");
+    await user.sees("movej(pSafe");
     await user.command("File: Revert File");
     await user.seesNot("movej(pSafe");
   },

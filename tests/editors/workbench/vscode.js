@@ -24,6 +24,7 @@ const SETTINGS = {
   "chat.commandCenter.enabled": false,
   "window.commandCenter": false,
   "editor.minimap.enabled": false,
+  "files.autoSave": "off",
 };
 
 /** Starts VS Code with the extension installed. Returns the address of the workbench and how to stop it. */
