@@ -110,7 +110,7 @@ const STEPS = {
     await user.goTo(1, 6);
     await user.keys("Enter");
     await user.type("bCarries=nAbove");
-    await user.problem("nAbove");
+    await user.problem("a `num` cannot be assigned");
     await user.focusEditor();
   },
 
