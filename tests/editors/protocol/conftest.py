@@ -17,20 +17,10 @@ os.environ["VAL3_TRACE"] = str(OUTPUT / "traces" / "protocol.jsonl")
 RECORD = [sys.executable, str(ROOT / "tests/editors/record"), "lsp"]
 
 
-# What servers ask of an editor and pytest-lsp does not answer by itself.
-REQUESTS = [
-    types.CLIENT_REGISTER_CAPABILITY,
-    types.CLIENT_UNREGISTER_CAPABILITY,
-    types.WORKSPACE_DIAGNOSTIC_REFRESH,
-    types.WORKSPACE_SEMANTIC_TOKENS_REFRESH,
-    types.WORKSPACE_INLAY_HINT_REFRESH,
-    types.WORKSPACE_CODE_LENS_REFRESH,
-]
-
-
 def make_client():
+    """A client that lets the server register what it wants to be told."""
     client = make_test_lsp_client()
-    for method in REQUESTS:
+    for method in [types.CLIENT_REGISTER_CAPABILITY, types.CLIENT_UNREGISTER_CAPABILITY]:
         client.feature(method)(lambda *_: None)
     return client
 
@@ -56,3 +46,11 @@ async def client(request, cell, lsp_client: LanguageClient):
     await lsp_client.initialize_session(params)
     yield
     await lsp_client.shutdown_session()
+
+
+def pytest_terminal_summary(terminalreporter):
+    """The line that the project's test command counts."""
+    passed = len(terminalreporter.stats.get("passed", []))
+    failed = sum(len(terminalreporter.stats.get(kind, [])) for kind in ["failed", "error"])
+    word = "ok" if failed == 0 else "FAILED"
+    terminalreporter.write_line(f"test result: {word}. {passed} passed; {failed} failed; protocol")

@@ -7,7 +7,7 @@ export interface Params {
   "initialized": p.InitializedParams;
   "$/setTrace": p.SetTraceParams;
   "$/cancelRequest": { id: number | string };
-  "$/progress": p.ProgressParams<p.WorkDoneProgressBegin | p.WorkDoneProgressReport | p.WorkDoneProgressEnd>;
+  "$/progress": { token: p.ProgressToken; value: p.WorkDoneProgressBegin | p.WorkDoneProgressReport | p.WorkDoneProgressEnd };
   "client/registerCapability": p.RegistrationParams;
   "client/unregisterCapability": p.UnregistrationParams;
   "window/logMessage": p.LogMessageParams;

@@ -19,8 +19,8 @@ class Program:
 
     def at(self, text):
         """The position of the only place with this text. Its line is plain ASCII, in every encoding alike."""
-        before = self.text[: self.text.index(text)].splitlines(keepends=True)
-        return types.Position(line=len(before) - 1, character=len(before[-1]))
+        before = self.text[: self.text.index(text)]
+        return types.Position(line=before.count("\n"), character=len(before) - before.rfind("\n") - 1)
 
     def place(self, text):
         return {"text_document": self.document, "position": self.at(text)}

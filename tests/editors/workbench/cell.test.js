@@ -147,7 +147,7 @@ const STEPS = {
     await user.problem("waitEndMove");
     await user.focusEditor();
     await user.command("VAL 3: Open the Page of a Finding");
-    await user.page.waitForSelector('.tab.active[data-resource-name^="V0"]');
+    await user.page.waitForSelector('.tab.active:has-text("Preview V0204")');
   },
 
   async "the check of the workspace is a task with problems"(user) {
