@@ -3,6 +3,7 @@ const { spawnSync } = require("node:child_process");
 const { readdirSync } = require("node:fs");
 const { join } = require("node:path");
 
+const TOOL = require.resolve("vscode-tmgrammar-test/dist/unit.js");
 const xml = process.env.VAL3_XML_GRAMMAR;
 if (xml === undefined) {
   throw new Error("VAL3_XML_GRAMMAR names no file");
@@ -11,8 +12,7 @@ const folder = join(__dirname, "grammar");
 const grammars = ["val3-code", "val3"].flatMap((name) => ["-g", join(__dirname, `../syntaxes/${name}.tmLanguage.json`)]);
 let failed = 0;
 for (const file of readdirSync(folder)) {
-  const arguments = ["vscode-tmgrammar-test", ...grammars, "-g", xml, join(folder, file)];
-  const { status, stdout, stderr } = spawnSync("npx", ["--offline", ...arguments], { encoding: "utf8" });
+  const { status, stdout, stderr } = spawnSync(process.execPath, [TOOL, ...grammars, "-g", xml, join(folder, file)], { encoding: "utf8" });
   if (status !== 0) {
     failed += 1;
     console.log(stdout, stderr);

@@ -1,6 +1,6 @@
 // A user opens the example cell and works in it. Every step leaves a screenshot in target/editors/output.
 const assert = require("node:assert/strict");
-const { cpSync, mkdtempSync, readFileSync, rmSync } = require("node:fs");
+const { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { User } = require("./user");
@@ -21,6 +21,10 @@ function after(name, ...replacements) {
     return text.replaceAll(before, now);
   }, original(name));
 }
+
+/** A program as a controller of the s6 series writes it. */
+const OLD = ['<?xml version="1.0" encoding="utf-8" ?>', '<programList xmlns="ProgramNameSpace" >', '  <program name="old" public="false" >',
+  "    <source><code>begin", "  if nAbove&lt;3", "  endIf", "end", "    </code></source>", "  </program>", "</programList>", ""].join("\r\n");
 
 /** Waits until a file on the disk has this text. */
 async function becomes(name, expected) {
@@ -77,9 +81,7 @@ const STEPS = {
   async "a name is changed in every file"(user) {
     await user.goTo(26, 7);
     await user.keys("F2");
-    await user.page.waitForSelector(".rename-box:visible");
-    await user.keys("Control+A");
-    await user.type("bCarries");
+    await user.page.fill(".rename-box input", "bCarries");
     await user.keys("Enter");
     await user.sees("bCarries=x_bOk");
     await user.command("File: Save All Files");
@@ -132,6 +134,17 @@ const STEPS = {
     await becomes("place.pgx", after("place.pgx", ["bHolding", "bCarries"], ["[begin\n", "[begin\n  bCarries=bOverrun\n"]));
   },
 
+  async "the code view of the old dialect keeps entities and line ends"(user) {
+    await user.openFile("old.pgx");
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("old.val3");
+    await user.sees("if nAbove<3");
+    await user.goTo(2, 14);
+    await user.type(' or "a"<"b"');
+    await user.command("File: Save");
+    await becomes("old.pgx", OLD.replace("&lt;3", "&lt;3 or &quot;a&quot;&lt;&quot;b&quot;"));
+  },
+
   async "the tree shows applications and programs"(user) {
     await user.command("View: Show VAL 3");
     const row = (text) => `.pane-body .monaco-list-row:has-text(${JSON.stringify(text)})`;
@@ -160,6 +173,7 @@ const STEPS = {
 
 async function main() {
   cpSync(EXAMPLE, cell, { recursive: true });
+  writeFileSync(join(APPLICATION, "old.pgx"), OLD);
   const vscode = await startVsCode(folder, process.env.VAL3_VSIX);
   const user = await User.open(vscode.address, cell);
   let number = 0;

@@ -47,6 +47,7 @@ async function startVsCode(folder, vsix) {
   const port = await freePort();
   const server = spawn(process.execPath, [...common, "--host", "127.0.0.1", "--port", String(port),
     "--without-connection-token", "--enable-smoke-test-driver"], { env: environment });
+  process.on("exit", () => server.kill());
   const log = createWriteStream(join(folder, "vscode.log"));
   server.stdout.pipe(log);
   server.stderr.pipe(log);
