@@ -67,18 +67,19 @@ export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disp
 
 function projectNode(project: Project): Node {
   const uri = vscode.Uri.parse(project.uri);
-  const children = KINDS.flatMap(([kind, label, icon]) => groupNode(project[kind], label, icon, kind));
-  const item = collapsible(project.name, "package", "project");
+  const children = KINDS.flatMap((kind) => groupNode(project, kind));
+  const item = collapsible(project.name, "package", "project", project.uri);
   item.description = vscode.workspace.asRelativePath(vscode.Uri.joinPath(uri, ".."));
   item.resourceUri = uri;
   return { item, children };
 }
 
-function groupNode(items: Item[], label: string, icon: string, kind: Kind): Node[] {
+function groupNode(project: Project, [kind, label, icon]: (typeof KINDS)[number]): Node[] {
+  const items = project[kind];
   if (items.length === 0) {
     return [];
   }
-  const group = collapsible(label, "folder", "group");
+  const group = collapsible(label, "folder", "group", `${project.uri}#${kind}`);
   group.description = String(items.length);
   return [{ item: group, children: items.map((item) => itemNode(item, icon, kind)).sort(byLabel) }];
 }
@@ -94,8 +95,10 @@ function itemNode({ name, detail, location }: Item, icon: string, kind: Kind): N
   return { item, children: [] };
 }
 
-function collapsible(label: string, icon: string, context: string): vscode.TreeItem {
+/** Lines with the same `id` stay open when the view is filled anew. */
+function collapsible(label: string, icon: string, context: string, id: string): vscode.TreeItem {
   const item = new vscode.TreeItem(label, vscode.TreeItemCollapsibleState.Collapsed);
+  item.id = id;
   item.iconPath = new vscode.ThemeIcon(icon);
   item.contextValue = context;
   return item;

@@ -147,7 +147,7 @@ const STEPS = {
 
   async "the tree shows applications and programs"(user) {
     await user.command("View: Show VAL 3");
-    const row = (text) => `.pane-body .monaco-list-row:has-text(${JSON.stringify(text)})`;
+    const row = (text) => `.part.sidebar .monaco-list-row:has-text(${JSON.stringify(text)})`;
     await user.page.click(row("palletiser"));
     await user.page.click(row("Programs"));
     await user.page.waitForSelector(row("clearPallet"));
