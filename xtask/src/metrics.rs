@@ -1,5 +1,8 @@
 //! `metrics`: how large the project is, and how fast `val3 check` judges a large workspace.
 
+mod editor;
+mod latency;
+mod long_application;
 mod speed;
 
 use std::collections::BTreeMap;
@@ -16,15 +19,31 @@ pub struct Arguments {
     /// Only count the code
     #[arg(long)]
     no_speed: bool,
+    /// Only measure how fast the language server answers
+    #[arg(long)]
+    lsp: bool,
+    /// Measure the release binary as it is
+    #[arg(long)]
+    no_build: bool,
 }
 
-/// Prints the sizes, then the speed.
+/// Prints the sizes, then the speed of the check and of the language server.
 ///
 /// # Errors
 /// When a file cannot be read, or the release build or the check fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    if !arguments.no_speed && !arguments.no_build {
+        project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
+    }
+    if arguments.lsp {
+        return latency::measure(arguments.lines);
+    }
     print_sizes(&files::all(&project::root())?);
-    if arguments.no_speed { Ok(()) } else { speed::measure(arguments.lines) }
+    if arguments.no_speed {
+        return Ok(());
+    }
+    speed::measure(arguments.lines)?;
+    latency::measure(arguments.lines)
 }
 
 /// Lines of Rust that people wrote.

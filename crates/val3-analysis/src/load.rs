@@ -87,12 +87,7 @@ struct Loader<'s> {
 }
 
 impl<'s> Loader<'s> {
-    fn new(
-        db: Database,
-        system: &'s dyn System,
-        known: Known,
-        is_stale: &'s dyn Fn(&Utf8Path) -> bool,
-    ) -> Self {
+    fn new(db: Database, system: &'s dyn System, known: Known, is_stale: &'s dyn Fn(&Utf8Path) -> bool) -> Self {
         Self {
             system,
             db,

@@ -1,7 +1,9 @@
 //! Everywhere a name is used, across files and projects.
 
 use memchr::memmem;
+use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::items::project::items;
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrences, project_files};
 
 use crate::navigate::name_at;
@@ -58,12 +60,41 @@ fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
             crate::owner::owner(db, *file).map(|project| (project, *file)).into_iter().collect()
         }
         Symbol::Library(project, _) | Symbol::Type(project, _) => files(db, *project),
-        _ => {
-            let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
-            projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
-            projects.into_iter().flat_map(|project| files(db, project)).collect()
+        Symbol::Data(project, _) | Symbol::Program(project, _) => {
+            users(db, *project).into_iter().flat_map(|project| files(db, project)).collect()
+        }
+        _ => all(db).into_iter().flat_map(|project| files(db, project)).collect(),
+    }
+}
+
+/// Every project, by path.
+fn all(db: &dyn Db) -> Vec<Project> {
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
+    projects
+}
+
+/// The projects that can name something of `used`: itself, and those that reach it through libraries and user types.
+/// A field can be named by who does not name its type: `part:sSlot.nHeight`.
+fn users(db: &dyn Db, used: Project) -> Vec<Project> {
+    let mut users = FxHashSet::from_iter([used]);
+    let projects = all(db);
+    loop {
+        let before = users.len();
+        let reaching = projects.iter().filter(|project| names(db, **project).any(|named| users.contains(&named)));
+        let reaching: Vec<Project> = reaching.copied().collect();
+        users.extend(reaching);
+        if users.len() == before {
+            return projects.into_iter().filter(|project| users.contains(project)).collect();
         }
     }
+}
+
+/// The projects that a project file names.
+fn names(db: &dyn Db, project: Project) -> impl Iterator<Item = Project> {
+    let items = items(db, project);
+    let interfaces = items.libraries.values().filter_map(|library| library.interface);
+    interfaces.chain(items.types.values().copied().flatten())
 }
 
 fn files(db: &dyn Db, project: Project) -> Vec<(Project, File)> {
@@ -87,6 +118,20 @@ mod tests {
             main/start.pgx:6 nWeight
             part/part.dtx:4 nWeight
             part/pick.pgx:5 nWeight
+        "#]]
+        .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
+    }
+
+    #[test]
+    fn fields_of_a_type_that_is_not_named_here() {
+        let marked = Marked::new(
+            "library part \"Disk://part/part.pjx\"\nput(part:sSlot.nHe$0ight)\n--- part\n\
+             type Slot \"Disk://Slot/Slot.pjx\"\npublic Slot sSlot\n--- Slot\npublic num nHeight\n\
+             --- stranger\nnum nHeight\nprogram start()\nbegin\n  nHeight=1\nend",
+        );
+        expect![[r#"
+            Slot/Slot.dtx:4 nHeight
+            main/start.pgx:5 nHeight
         "#]]
         .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
     }

@@ -52,6 +52,12 @@ impl Checks {
         self.generation += 1;
     }
 
+    /// The files and projects are no more.
+    pub(crate) fn forget(&mut self) {
+        self.edited.clear();
+        self.open.clear();
+    }
+
     /// Projects that are left, for those who watch.
     pub(crate) fn left(&self) -> usize {
         self.open.len()
@@ -61,10 +67,12 @@ impl Checks {
 impl World {
     /// Begins to check what changed since the last time.
     pub(crate) fn check(&mut self) {
-        if self.checks.started == self.checks.generation || self.session.is_asked_for_findings() {
+        let is_checked = self.checks.started == self.checks.generation;
+        if is_checked || !self.is_ready || self.session.is_asked_for_findings() {
             return;
         }
         self.checks.started = self.checks.generation;
+        self.publish_what_is_known();
         let edited = std::mem::take(&mut self.checks.edited);
         let db = self.database();
         let owners: FxHashSet<Project> =
@@ -164,4 +172,3 @@ fn work(batch: &Batch, snapshot: &Snapshot) {
         snapshot.inbox.post(move |world| world.found(generation, found));
     }
 }
-

@@ -101,7 +101,8 @@ fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
     let index = line_index::LineIndex::new(&error.text);
     let lines = crate::line_index::Lines::new(&error.text, &index, snapshot.session.encoding, true);
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).into();
-    let range = Range { start: lines.position(offset(error.range.start)), end: lines.position(offset(error.range.end)) };
+    let range =
+        Range { start: lines.position(offset(error.range.start)), end: lines.position(offset(error.range.end)) };
     Diagnostic {
         range,
         severity: Some(DiagnosticSeverity::ERROR),

@@ -29,10 +29,7 @@ impl LanguageServer for Lifecycle {
             world.begin(session);
         });
         let version = Some(env!("CARGO_PKG_VERSION").to_owned());
-        Ok(InitializeResult {
-            capabilities,
-            server_info: Some(ServerInfo { name: "val3".to_owned(), version }),
-        })
+        Ok(InitializeResult { capabilities, server_info: Some(ServerInfo { name: "val3".to_owned(), version }) })
     }
 
     async fn initialized(&self, _: InitializedParams) {}

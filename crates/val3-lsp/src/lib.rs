@@ -37,3 +37,12 @@ mod workspace_folders;
 mod world;
 
 pub use server::{ServerOptions, run};
+
+#[cfg(test)]
+extern crate self as val3_lsp;
+#[cfg(test)]
+#[path = "../tests/it/client.rs"]
+#[allow(dead_code, unreachable_pub, missing_docs, reason = "the tests of whole sessions use the rest")]
+mod client;
+#[cfg(test)]
+mod defects;

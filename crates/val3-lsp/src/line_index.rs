@@ -67,7 +67,8 @@ impl<'a> Lines<'a> {
             Some(wide) => self.index.to_utf8(wide, WideLineCol { line: position.line, col: column }),
         };
         let end = self.end_of_line(line);
-        let offset = column.and_then(|column| line.start().checked_add(column.col.into())).map_or(end, |at| at.min(end));
+        let offset =
+            column.and_then(|column| line.start().checked_add(column.col.into())).map_or(end, |at| at.min(end));
         TextSize::try_from(self.text.floor_char_boundary(offset.into())).unwrap_or(offset)
     }
 

@@ -47,5 +47,7 @@ pub(crate) fn manifest(document: &Utf8Path) -> String {
         true => format!("<Database><Data file=\"{name}\" /></Database>"),
         false => format!("<Programs><Program file=\"{name}\" /></Programs>"),
     };
-    format!("<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n{entry}")
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n{entry}"
+    )
 }

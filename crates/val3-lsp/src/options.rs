@@ -70,7 +70,8 @@ impl Options {
     /// The findings that are wanted.
     pub(crate) fn selection(&self) -> Selection {
         let CheckOptions { select, ignore, .. } = &self.check;
-        let codes = |words: &[String]| words.iter().flat_map(|word| meant_by(word)).map(|(rule, _)| rule.code).collect();
+        let codes =
+            |words: &[String]| words.iter().flat_map(|word| meant_by(word)).map(|(rule, _)| rule.code).collect();
         let only = (!select.is_empty()).then(|| codes(select));
         let named = only.clone().unwrap_or_default();
         Selection { only, named, never: codes(ignore) }

@@ -51,9 +51,10 @@ fn place(diagnostic: &Diagnostic) -> (u32, u32, Option<&str>, &str) {
 pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings {
     let mut files: Vec<(Url, Vec<Diagnostic>)> = diagnostics(snapshot, project);
     let with_findings: FxHashSet<&Url> = files.iter().map(|(uri, _)| uri).collect();
-    let open = snapshot.documents.iter().filter(|document| {
-        !with_findings.contains(&document.uri) && snapshot.is_part(document, project)
-    });
+    let open = snapshot
+        .documents
+        .iter()
+        .filter(|document| !with_findings.contains(&document.uri) && snapshot.is_part(document, project));
     let without: Vec<_> = open.map(|document| (document.uri.clone(), Vec::new())).collect();
     files.extend(without);
     ProjectFindings { finder: Finder::Project(project), files }

@@ -1,83 +1,108 @@
 //! The answer that a client waits for: given once, by whoever is first.
+//!
+//! It is written on the thread that computed it, so that a long one holds up nobody else.
 
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
 use rustc_hash::FxHashMap;
 use salsa::CancellationToken;
-use serde_json::Value;
-use tokio::sync::oneshot;
 use tower_lsp::jsonrpc::{Error, Id, Result};
 
-/// Gives the answer to one request, unless it was cancelled before.
-#[derive(Clone)]
-pub(crate) struct Reply(Arc<Mutex<State>>);
+use crate::panics;
+use crate::transport::{Pump, frame};
 
+/// Gives the answer to one request, unless it was cancelled before. A request whose last reply is dropped is answered
+/// as well: nobody may wait for ever.
+#[derive(Clone)]
+pub(crate) struct Reply(Arc<Inner>);
+
+struct Inner {
+    id: Id,
+    pump: Pump,
+    waiting: Waiting,
+    state: Mutex<State>,
+}
+
+#[derive(Default)]
 struct State {
-    /// `None` once the answer was given.
-    waiting: Option<oneshot::Sender<Result<Value>>>,
+    is_answered: bool,
     /// Stops the computation that is under way.
     running: Option<CancellationToken>,
 }
 
 impl Reply {
-    /// A reply and the end that waits for it.
-    pub(crate) fn new() -> (Self, oneshot::Receiver<Result<Value>>) {
-        let (sender, receiver) = oneshot::channel();
-        (Self(Arc::new(Mutex::new(State { waiting: Some(sender), running: None }))), receiver)
-    }
-
-    /// Answers. Of several answers the first counts.
-    pub(crate) fn give(&self, answer: Result<Value>) {
-        if let Some(waiting) = self.state().waiting.take() {
-            // A client that is gone waits for nothing.
-            let _ = waiting.send(answer);
-        }
+    /// Answers with a result, which is JSON, or an error. Of several answers the first counts.
+    pub(crate) fn give(&self, answer: Result<String>) {
+        self.0.give(answer);
     }
 
     /// A computation begins that `token` stops; false if nobody waits for it any more.
     pub(crate) fn begins(&self, token: CancellationToken) -> bool {
-        let mut state = self.state();
+        let mut state = self.0.state();
         state.running = Some(token);
-        state.waiting.is_some()
+        !state.is_answered
     }
 
     /// Answers that the request was cancelled, and stops the computation.
-    pub(crate) fn cancel(&self) {
+    fn cancel(&self) {
         self.give(Err(Error::request_cancelled()));
-        if let Some(running) = &self.state().running {
+        if let Some(running) = &self.0.state().running {
             running.cancel();
         }
     }
+}
+
+impl Inner {
+    fn give(&self, answer: Result<String>) {
+        if std::mem::replace(&mut self.state().is_answered, true) {
+            return;
+        }
+        self.waiting.map().remove(&self.id);
+        let id = json(&self.id);
+        let message = match answer {
+            Ok(result) => format!("{{\"jsonrpc\":\"2.0\",\"id\":{id},\"result\":{result}}}"),
+            Err(error) => format!("{{\"jsonrpc\":\"2.0\",\"id\":{id},\"error\":{}}}", json(&error)),
+        };
+        self.pump.write(frame(message.as_bytes()));
+    }
 
     fn state(&self) -> MutexGuard<'_, State> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+impl Drop for Inner {
+    fn drop(&mut self) {
+        self.give(Err(panics::lost()));
+    }
+}
+
+fn json(value: &impl serde::Serialize) -> String {
+    serde_json::to_string(value).unwrap_or_else(|_| "null".to_owned())
 }
 
 /// The requests that wait for an answer.
 #[derive(Clone, Default)]
-pub(crate) struct Waiting(Arc<Mutex<FxHashMap<Id, Reply>>>);
+pub(crate) struct Waiting(Arc<Mutex<FxHashMap<Id, Weak<Inner>>>>);
 
 impl Waiting {
-    /// Notes a request; false if another one of this id waits.
-    pub(crate) fn add(&self, id: Id, reply: Reply) -> bool {
-        self.map().insert(id, reply).is_none()
-    }
-
-    /// A request was answered.
-    pub(crate) fn remove(&self, id: &Id) {
-        self.map().remove(id);
+    /// Notes a request, whose answer goes to `pump`. Of two with one id the later can be cancelled.
+    pub(crate) fn begin(&self, id: Id, pump: &Pump) -> Reply {
+        let state = Mutex::default();
+        let reply = Reply(Arc::new(Inner { id: id.clone(), pump: pump.clone(), waiting: self.clone(), state }));
+        self.map().insert(id, Arc::downgrade(&reply.0));
+        reply
     }
 
     /// Cancels a request, if it still waits.
     pub(crate) fn cancel(&self, id: &Id) {
-        let reply = self.map().get(id).cloned();
-        if let Some(reply) = reply {
-            reply.cancel();
+        let waiting = self.map().get(id).and_then(Weak::upgrade);
+        if let Some(waiting) = waiting {
+            Reply(waiting).cancel();
         }
     }
 
-    fn map(&self) -> MutexGuard<'_, FxHashMap<Id, Reply>> {
+    fn map(&self) -> MutexGuard<'_, FxHashMap<Id, Weak<Inner>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

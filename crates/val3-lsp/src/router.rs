@@ -15,10 +15,10 @@ use tower_lsp::{LanguageServer, LspService};
 use tower_service::Service;
 
 use crate::inbox::Inbox;
-use crate::panics;
 use crate::pool::Lane;
-use crate::reply::{Reply, Waiting};
+use crate::reply::Waiting;
 use crate::snapshot::{Refusal, Snapshot};
+use crate::transport::Pump;
 use crate::world::{Job, World};
 
 /// The error of a request that comes before `initialize`.
@@ -61,8 +61,8 @@ impl Routes {
         let read = move |params: Value| {
             let params: R::Params = read_params(params)?;
             let compute = Arc::new(move |snapshot: &Snapshot| match handler(snapshot, &params) {
-                Ok(result) => serde_json::to_value(result).map_err(|_| Error::internal_error()),
-                Err(Refusal::Unknown) => Ok(Value::Null),
+                Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
+                Err(Refusal::Unknown) => Ok("null".to_owned()),
                 Err(Refusal::Because(reason)) => Err(request_failed(reason)),
             });
             Ok(Job { method: R::METHOD, lane, on_edit, compute })
@@ -110,6 +110,7 @@ pub(crate) struct Router<S: LanguageServer> {
     routes: Routes,
     waiting: Waiting,
     inbox: Inbox,
+    pump: Pump,
     exit: UnboundedSender<bool>,
 }
 
@@ -118,8 +119,14 @@ type Answer = BoxFuture<'static, std::result::Result<Option<Response>, Infallibl
 
 impl<S: LanguageServer> Router<S> {
     /// `exit` is told when the client ends the session, and whether it had shut it down before.
-    pub(crate) fn new(lifecycle: LspService<S>, routes: Routes, inbox: Inbox, exit: UnboundedSender<bool>) -> Self {
-        Self { lifecycle, life: Life::Fresh, routes, waiting: Waiting::default(), inbox, exit }
+    pub(crate) fn new(
+        lifecycle: LspService<S>,
+        routes: Routes,
+        inbox: Inbox,
+        pump: Pump,
+        exit: UnboundedSender<bool>,
+    ) -> Self {
+        Self { lifecycle, life: Life::Fresh, routes, waiting: Waiting::default(), inbox, pump, exit }
     }
 
     fn dispatch(&mut self, request: Request) -> Answer {
@@ -149,12 +156,13 @@ impl<S: LanguageServer> Router<S> {
             self.life = if begins { Life::Running } else { Life::Down };
         }
         let id = request.id().cloned();
-        let mut answer = AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
-            Ok(match result {
-                Ok(response) => response.ok().flatten(),
-                Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
-            })
-        });
+        let mut answer =
+            AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
+                Ok(match result {
+                    Ok(response) => response.ok().flatten(),
+                    Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
+                })
+            });
         match (&mut answer).now_or_never() {
             Some(result) => {
                 if begins && matches!(&result, Ok(Some(response)) if response.is_error()) {
@@ -196,20 +204,11 @@ impl<S: LanguageServer> Router<S> {
         }
     }
 
+    /// The answer does not come this way: whoever computes it writes it.
     fn ask(&self, id: Id, job: Job) -> Answer {
-        let (reply, answer) = Reply::new();
-        if !self.waiting.add(id.clone(), reply.clone()) {
-            // Cancelling one of the two would cancel either; the client is at fault.
-            self.inbox.post(move |world| world.log("two requests with one id wait at once"));
-        }
+        let reply = self.waiting.begin(id, &self.pump);
         self.inbox.post(move |world| world.ask(job, reply));
-        let waiting = self.waiting.clone();
-        let respond = async move {
-            let answer = answer.await.unwrap_or_else(|_| Err(panics::lost()));
-            waiting.remove(&id);
-            Ok(Some(Response::from_parts(id, answer)))
-        };
-        respond.boxed()
+        nothing()
     }
 }
 

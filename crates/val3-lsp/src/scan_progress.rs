@@ -28,7 +28,7 @@ pub(crate) enum ScanProgress {
 impl World {
     /// The first check begins.
     pub(crate) fn begin_progress(&mut self) {
-        if self.progress != ScanProgress::Before || !self.is_ready || self.projects().is_empty() {
+        if self.progress != ScanProgress::Before || self.projects().is_empty() {
             return;
         }
         if !self.session.client.shows_progress {
@@ -40,7 +40,11 @@ impl World {
         self.outbox.ask::<WorkDoneProgressCreate>(params, |world, agreed| {
             if agreed.is_some() && world.progress == ScanProgress::Asked {
                 world.progress = ScanProgress::Shown;
-                let begin = WorkDoneProgressBegin { title: "Checking VAL 3".to_owned(), percentage: Some(0), ..Default::default() };
+                let begin = WorkDoneProgressBegin {
+                    title: "Checking VAL 3".to_owned(),
+                    percentage: Some(0),
+                    ..Default::default()
+                };
                 world.tell(WorkDoneProgress::Begin(begin));
             }
         });
@@ -70,7 +74,8 @@ impl World {
     }
 
     fn tell(&self, progress: WorkDoneProgress) {
-        self.outbox.notify::<Progress>(ProgressParams { token: token(), value: ProgressParamsValue::WorkDone(progress) });
+        self.outbox
+            .notify::<Progress>(ProgressParams { token: token(), value: ProgressParamsValue::WorkDone(progress) });
     }
 }
 

@@ -58,7 +58,7 @@ pub(crate) fn serve(
     start_reading(BufReader::new(input), requests, outbox, pump.clone())?;
     let (exit, exited) = unbounded_channel();
     let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone() });
-    let router = Router::new(lifecycle, routes, inbox, exit);
+    let router = Router::new(lifecycle, routes, inbox, pump.clone(), exit);
     // No limit: what limits the work is the pool.
     let server = Server::new(intake, PumpWriter(pump.clone()), socket).concurrency_level(usize::MAX);
     let runtime = tokio::runtime::Builder::new_current_thread().build()?;

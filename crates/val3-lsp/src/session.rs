@@ -131,9 +131,9 @@ impl ClientAbilities {
             shows_progress: yes(window.and_then(|it| it.work_done_progress)),
             has_links: yes(document.and_then(|it| it.definition?.link_support)),
             has_snippets: yes(item.and_then(|it| it.snippet_support)),
-            renames_files: edit.and_then(|it| it.resource_operations.as_ref()).is_some_and(|operations| {
-                operations.contains(&tower_lsp::lsp_types::ResourceOperationKind::Rename)
-            }),
+            renames_files: edit
+                .and_then(|it| it.resource_operations.as_ref())
+                .is_some_and(|operations| operations.contains(&tower_lsp::lsp_types::ResourceOperationKind::Rename)),
             has_document_changes: yes(edit.and_then(|it| it.document_changes)),
             has_nested_symbols: yes(symbols.and_then(|it| it.hierarchical_document_symbol_support)),
             folds_lines: yes(folding.and_then(|it| it.line_folding_only)),

@@ -14,6 +14,8 @@ use crate::world::World;
 
 /// A document was opened: its text counts from now on.
 pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
+    // A client that opens documents has begun, whether it says so or not.
+    world.ready();
     let item = params.text_document;
     let Some(path) = uri::path(&item.uri, Some(&item.language_id)) else {
         return world.log(&format!("{} has no path in UTF-8", item.uri));
@@ -25,7 +27,7 @@ pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
     world.edited(file, &text);
     match file {
         // What an editor shows of a stored file lacks its byte order mark; that alone moves no reference.
-        Some(file) if !shapes_workspace(&path) => world.checks.edited(file),
+        Some(file) if !shapes_workspace(&path) && !world.is_unreadable(file) => world.checks.edited(file),
         _ => world.is_stale(path),
     }
 }

@@ -45,6 +45,7 @@ fn nowhere() -> Url {
 mod tests {
     use super::*;
 
+    #[allow(clippy::unwrap_used, reason = "a test may fail loudly")]
     fn path_of(uri: &str, language: &str) -> String {
         path(&Url::parse(uri).unwrap(), Some(language)).unwrap().into_string()
     }

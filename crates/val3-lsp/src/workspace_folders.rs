@@ -57,7 +57,8 @@ impl World {
         }
         let item = ConfigurationItem { scope_uri: None, section: Some(SECTION.to_owned()) };
         self.outbox.ask::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |world, settings| {
-            if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null()) {
+            if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null())
+            {
                 world.set_options(&settings);
             }
         });

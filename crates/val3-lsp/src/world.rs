@@ -6,10 +6,10 @@ use std::sync::mpsc::{Receiver, TryRecvError};
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use salsa::{Cancelled, Database as _, Setter as _};
-use serde_json::Value;
 use tower_lsp::jsonrpc::{Error, Result};
-use tower_lsp::lsp_types::MessageType;
-use val3_analysis::db::{Database, File, Project, Sources, path_key};
+use tower_lsp::lsp_types::notification::LogTrace;
+use tower_lsp::lsp_types::{LogTraceParams, MessageType};
+use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::load::Workspace;
 use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
@@ -30,7 +30,7 @@ use crate::published::Published;
 use crate::reply::Reply;
 use crate::router::OnEdit;
 use crate::scan_progress::ScanProgress;
-use crate::session::Session;
+use crate::session::{Session, Trace};
 use crate::snapshot::Snapshot;
 
 /// A request, read and ready to be computed; more than once, if edits come in between.
@@ -43,8 +43,11 @@ pub(crate) struct Job {
     /// What happens when the text changes meanwhile.
     pub(crate) on_edit: OnEdit,
     /// Gives the answer.
-    pub(crate) compute: Arc<dyn Fn(&Snapshot) -> Result<Value> + Send + Sync>,
+    pub(crate) compute: Compute,
 }
+
+/// The computation of an answer, which is JSON.
+pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {
@@ -77,6 +80,10 @@ pub(crate) struct World {
     edits: u64,
     /// Documents outside of every project have a project of their own.
     loose: Vec<Utf8PathBuf>,
+    /// What is wrong with configurations.
+    faults: Vec<ConfigError>,
+    /// What the user was told about already.
+    complained: FxHashSet<String>,
     log: Log,
 }
 
@@ -106,6 +113,8 @@ impl World {
             stale: None,
             edits: 0,
             loose: Vec::new(),
+            faults: Vec::new(),
+            complained: FxHashSet::default(),
             log,
         }
     }
@@ -115,10 +124,10 @@ impl World {
         loop {
             let message = match inbox.try_recv() {
                 Ok(message) => message,
-                Err(TryRecvError::Disconnected) => return,
+                Err(TryRecvError::Disconnected) => break,
                 Err(TryRecvError::Empty) => {
                     self.settle();
-                    let Ok(message) = inbox.recv() else { return };
+                    let Ok(message) = inbox.recv() else { break };
                     message
                 }
             };
@@ -126,6 +135,8 @@ impl World {
                 self.complain("an event", &reason);
             }
         }
+        // The process ends: taking the database apart piece by piece would only cost time.
+        std::mem::forget(self.workspace);
     }
 
     /// Nothing waits: what was put off is done.
@@ -142,6 +153,7 @@ impl World {
     /// Computes a request on the state as it is at this place in the order of messages.
     pub(crate) fn ask(&mut self, job: Job, reply: Reply) {
         self.bring_up_to_date();
+        self.trace(job.method);
         let snapshot = self.snapshot();
         if !reply.begins(snapshot.db.cancellation_token()) {
             return;
@@ -215,9 +227,9 @@ impl World {
         Sources::try_get(&self.workspace.db)?.files(&self.workspace.db).get(&path_key(path.as_str())).copied()
     }
 
-    /// The text of a file.
-    pub(crate) fn text_of(&self, file: File) -> Arc<str> {
-        Arc::clone(file.text(&self.workspace.db))
+    /// A file could not be read.
+    pub(crate) fn is_unreadable(&self, file: File) -> bool {
+        matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
     }
 
     /// An edit of a document: whatever is being computed stops.
@@ -253,20 +265,35 @@ impl World {
             Stale::Paths(paths) => paths.contains(path),
             Stale::Everything => true,
         };
-        let mut errors = self.refresh(&is_stale);
+        match contained(|| self.read_again(&is_stale)) {
+            Ok(faults) => self.faults = faults,
+            Err(reason) => {
+                self.forget_everything();
+                self.complain("reading the workspace", &reason);
+            }
+        }
+        self.checks.all();
+    }
+
+    fn read_again(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
+        let mut errors = self.refresh(is_stale);
         let loose = loose::documents(&self.documents, &self.workspace.db, &self.loose);
         if loose != self.loose {
             self.loose = loose;
-            errors = self.refresh(&is_stale);
+            errors = self.refresh(is_stale);
         }
         self.projects = Arc::new(self.workspace.projects.clone());
         errors.extend(self.configure());
-        if !self.session.is_asked_for_findings() {
-            self.published.keep(&self.projects, &self.documents, &self.outbox);
-            let faults = convert::configuration_faults(&self.snapshot(), &errors);
-            self.published.project(faults, &self.documents, &self.outbox);
-        }
-        self.checks.all();
+        errors
+    }
+
+    /// A database that was left half changed cannot be asked. The next change begins with a new one.
+    fn forget_everything(&mut self) {
+        self.workspace = Workspace::empty();
+        self.projects = Arc::default();
+        self.settings = None;
+        self.loose.clear();
+        self.checks.forget();
     }
 
     fn refresh(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
@@ -295,16 +322,33 @@ impl World {
         errors
     }
 
+    /// Sends what needs no check: faults of configurations, and that projects which are gone have no findings.
+    pub(crate) fn publish_what_is_known(&mut self) {
+        self.published.keep(&self.projects, &self.documents, &self.outbox);
+        let faults = convert::configuration_faults(&self.snapshot(), &self.faults);
+        self.published.project(faults, &self.documents, &self.outbox);
+    }
+
     /// Frees trees that nobody needs at the moment.
     pub(crate) fn forget_trees(&mut self) {
         self.workspace.db.trigger_lru_eviction();
     }
 
-    /// Tells the user that something went wrong in the server, which goes on.
+    /// Tells the user that something went wrong in the server, which goes on; once is enough.
     pub(crate) fn complain(&mut self, what: &str, reason: &str) {
         self.log(&format!("{what} failed: {reason}"));
+        if !self.complained.insert(what.to_owned()) {
+            return;
+        }
         let message = format!("val3: {what} failed because of a fault in the language server, which goes on");
         self.outbox.show(MessageType::ERROR, &message);
+    }
+
+    /// Tells a client that wants to know it what is computed.
+    fn trace(&mut self, method: &str) {
+        if self.session.trace == Trace::On {
+            self.outbox.notify::<LogTrace>(LogTraceParams { message: format!("computes {method}"), verbose: None });
+        }
     }
 
     /// Writes a line for whoever looks for the cause of something.

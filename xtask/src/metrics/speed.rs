@@ -20,7 +20,6 @@ struct Run {
 
 /// Generates a workspace of `lines` code lines, checks it and prints what it took.
 pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
     let folder = project::root().join("target/metrics");
     let code_lines = write_workspace(&folder, lines)?;
     let mut fastest: Option<Run> = None;
@@ -36,7 +35,7 @@ pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
     Ok(())
 }
 
-fn write_workspace(folder: &Utf8Path, lines: usize) -> anyhow::Result<usize> {
+pub(super) fn write_workspace(folder: &Utf8Path, lines: usize) -> anyhow::Result<usize> {
     if folder.exists() {
         std::fs::remove_dir_all(folder).with_context(|| format!("cannot clear {folder}"))?;
     }
@@ -71,7 +70,7 @@ fn watch(child: &mut Child) -> anyhow::Result<(ExitStatus, Option<u64>)> {
 }
 
 /// The `VmHWM` of a running process (Linux).
-fn peak_kilobytes(process: u32) -> Option<u64> {
+pub(super) fn peak_kilobytes(process: u32) -> Option<u64> {
     let status = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
     line.trim().strip_suffix(" kB")?.parse().ok()

@@ -70,9 +70,9 @@ impl Loader<'_> {
                 }
                 file
             }
-            None => File::builder(path.to_owned(), content.text, status)
-                .path_durability(Durability::HIGH)
-                .new(&self.db),
+            None => {
+                File::builder(path.to_owned(), content.text, status).path_durability(Durability::HIGH).new(&self.db)
+            }
         };
         self.files.insert(key, file);
         file

@@ -14,7 +14,10 @@ struct Offered {
     position: Position,
 }
 
-pub(crate) fn completion(snapshot: &Snapshot, params: &CompletionParams) -> Result<Option<CompletionResponse>, Refusal> {
+pub(crate) fn completion(
+    snapshot: &Snapshot,
+    params: &CompletionParams,
+) -> Result<Option<CompletionResponse>, Refusal> {
     let place = &params.text_document_position;
     let at = snapshot.position(place)?;
     let offered = Offered { uri: place.text_document.uri.clone(), position: place.position };

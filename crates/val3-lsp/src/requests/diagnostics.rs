@@ -20,17 +20,15 @@ pub(crate) fn document(
         let of_file = diagnostics(snapshot, project).into_iter().filter(|(found, _)| found == uri);
         of_file.flat_map(|(_, found)| found).for_each(|found| add(&mut items, found));
     }
-    let result_id = Some(id(&items));
-    let report = match params.previous_result_id == result_id {
+    let result_id = id(&items);
+    let report = match params.previous_result_id.as_ref() == Some(&result_id) {
         true => DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
             related_documents: None,
-            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport {
-                result_id: result_id.unwrap_or_default(),
-            },
+            unchanged_document_diagnostic_report: UnchangedDocumentDiagnosticReport { result_id },
         }),
         false => DocumentDiagnosticReport::Full(RelatedFullDocumentDiagnosticReport {
             related_documents: None,
-            full_document_diagnostic_report: FullDocumentDiagnosticReport { result_id, items },
+            full_document_diagnostic_report: FullDocumentDiagnosticReport { result_id: Some(result_id), items },
         }),
     };
     Ok(DocumentDiagnosticReportResult::Report(report))

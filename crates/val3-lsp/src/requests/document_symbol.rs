@@ -1,6 +1,8 @@
 //! `textDocument/documentSymbol`
 
-use tower_lsp::lsp_types::{DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, Url};
+use tower_lsp::lsp_types::{
+    DocumentSymbol, DocumentSymbolParams, DocumentSymbolResponse, Location, SymbolInformation, Url,
+};
 use val3_ide::OutlineItem;
 
 use crate::convert::symbol_kind;
@@ -39,7 +41,13 @@ fn nested(item: &OutlineItem, lines: &Lines<'_>) -> DocumentSymbol {
 }
 
 #[allow(deprecated, reason = "the type has a field that is no longer used")]
-fn flatten(item: &OutlineItem, container: Option<&str>, uri: &Url, lines: &Lines<'_>, flat: &mut Vec<SymbolInformation>) {
+fn flatten(
+    item: &OutlineItem,
+    container: Option<&str>,
+    uri: &Url,
+    lines: &Lines<'_>,
+    flat: &mut Vec<SymbolInformation>,
+) {
     flat.push(SymbolInformation {
         name: name(item),
         kind: symbol_kind(item.kind),

@@ -9,7 +9,10 @@ use val3_syntax::TextRange;
 
 use crate::snapshot::{Refusal, Snapshot};
 
-pub(crate) fn full(snapshot: &Snapshot, params: &SemanticTokensParams) -> Result<Option<SemanticTokensResult>, Refusal> {
+pub(crate) fn full(
+    snapshot: &Snapshot,
+    params: &SemanticTokensParams,
+) -> Result<Option<SemanticTokensResult>, Refusal> {
     let tokens = whole(snapshot, &params.text_document.uri)?;
     snapshot.documents.keep_tokens(&params.text_document.uri, &tokens);
     Ok(Some(SemanticTokensResult::Tokens(tokens)))
@@ -88,11 +91,7 @@ fn difference(before: &[SemanticToken], after: &[SemanticToken]) -> Vec<Semantic
     let end = rest_before.iter().rev().zip(rest_after.iter().rev()).take_while(same).count();
     let number = |tokens: usize| u32::try_from(tokens * NUMBERS).unwrap_or(u32::MAX);
     let data = rest_after.get(..rest_after.len() - end).unwrap_or(&[]).to_vec();
-    vec![SemanticTokensEdit {
-        start: number(start),
-        delete_count: number(rest_before.len() - end),
-        data: Some(data),
-    }]
+    vec![SemanticTokensEdit { start: number(start), delete_count: number(rest_before.len() - end), data: Some(data) }]
 }
 
 #[cfg(test)]
@@ -122,8 +121,14 @@ mod tests {
 
     #[test]
     fn a_difference_leads_from_one_to_the_other() {
-        let cases: [(&[u32], &[u32]); 6] =
-            [(&[1, 2, 3], &[1, 2, 3]), (&[1, 2, 3], &[1, 3]), (&[], &[1]), (&[1, 1], &[1]), (&[1], &[2, 1, 1]), (&[1, 2], &[])];
+        let cases: [(&[u32], &[u32]); 6] = [
+            (&[1, 2, 3], &[1, 2, 3]),
+            (&[1, 2, 3], &[1, 3]),
+            (&[], &[1]),
+            (&[1, 1], &[1]),
+            (&[1], &[2, 1, 1]),
+            (&[1, 2], &[]),
+        ];
         for (before, after) in cases {
             assert_eq!(applied(before, after), after);
         }

@@ -77,7 +77,10 @@ mod tests {
         assert_eq!(messages(foreign), [Ok(b"{}".to_vec())]);
         let garbage = b"hello\r\n\r\n\0\xffContent-Length: 2\r\n\r\n{}";
         assert_eq!(messages(garbage), [Err(Fault::Head), Ok(b"{}".to_vec())]);
-        assert_eq!(messages(b"Content-Length: -1\r\n\r\nContent-Length: 1\r\n\r\n1"), [Err(Fault::Head), Ok(b"1".to_vec())]);
+        assert_eq!(
+            messages(b"Content-Length: -1\r\n\r\nContent-Length: 1\r\n\r\n1"),
+            [Err(Fault::Head), Ok(b"1".to_vec())]
+        );
     }
 
     #[test]

@@ -33,7 +33,11 @@ impl Intake {
 }
 
 impl AsyncRead for Intake {
-    fn poll_read(mut self: Pin<&mut Self>, context: &mut Context<'_>, buffer: &mut ReadBuf<'_>) -> Poll<io::Result<()>> {
+    fn poll_read(
+        mut self: Pin<&mut Self>,
+        context: &mut Context<'_>,
+        buffer: &mut ReadBuf<'_>,
+    ) -> Poll<io::Result<()>> {
         if self.read == self.rest.len() {
             match Pin::new(&mut self.messages).poll_next(context) {
                 Poll::Pending => return Poll::Pending,

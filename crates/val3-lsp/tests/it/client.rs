@@ -1,7 +1,7 @@
 //! A client over pipes in memory: it speaks plain JSON, so that the tests see what an editor sees.
 
 use std::collections::VecDeque;
-use std::io::{self, BufRead, BufReader, PipeReader, PipeWriter, Read, Write};
+use std::io::{self, BufRead, BufReader, PipeReader, PipeWriter, Write};
 use std::sync::mpsc::{Receiver, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -24,11 +24,14 @@ pub struct Client {
 impl Client {
     /// A server that waits for `initialize`.
     pub fn fresh() -> Self {
+        Self::of(|input, output| val3_lsp::run(input, output, &val3_lsp::ServerOptions::default()).unwrap())
+    }
+
+    /// The client of any server, which gives its exit code.
+    pub fn of(server: impl FnOnce(PipeReader, PipeWriter) -> u8 + Send + 'static) -> Self {
         let (server_input, to_server) = io::pipe().unwrap();
         let (from_server, server_output) = io::pipe().unwrap();
-        let server = std::thread::spawn(move || {
-            val3_lsp::run(server_input, server_output, &val3_lsp::ServerOptions::default()).unwrap()
-        });
+        let server = std::thread::spawn(move || server(server_input, server_output));
         Self {
             to_server: Some(to_server),
             from_server: receive(from_server),
@@ -45,9 +48,13 @@ impl Client {
 
     /// As [`start`](Self::start), with these abilities and options.
     pub fn start_with(folders: &[&str], capabilities: Value, options: Value) -> Self {
-        let mut client = Self::fresh();
-        let folders: Vec<Value> =
-            folders.iter().map(|folder| json!({ "uri": uri(folder), "name": folder })).collect();
+        Self::fresh().begin(folders, capabilities, options)
+    }
+
+    /// Sends the first messages.
+    pub fn begin(mut self, folders: &[&str], capabilities: Value, options: Value) -> Self {
+        let client = &mut self;
+        let folders: Vec<Value> = folders.iter().map(|folder| json!({ "uri": uri(folder), "name": folder })).collect();
         let answer = client.ask(
             "initialize",
             json!({
@@ -60,7 +67,7 @@ impl Client {
         );
         assert!(answer.get("capabilities").is_some(), "{answer}");
         client.notify("initialized", json!({}));
-        client
+        self
     }
 
     pub fn notify(&mut self, method: &str, params: Value) {
@@ -71,7 +78,11 @@ impl Client {
     pub fn request(&mut self, method: &str, params: Value) -> i64 {
         let id = self.next_id;
         self.next_id += 1;
-        self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": method, "params": params }));
+        let mut message = json!({ "jsonrpc": "2.0", "id": id, "method": method });
+        if !params.is_null() {
+            message["params"] = params;
+        }
+        self.send(&message);
         id
     }
 
@@ -102,6 +113,15 @@ impl Client {
         self.wait_for(method, |message| message["method"] == method)
     }
 
+    /// As [`told`](Self::told), if one comes within a moment.
+    pub fn try_told(&mut self, method: &str) -> Option<Value> {
+        let at = |passed: &VecDeque<Value>| passed.iter().position(|message| message["method"] == method);
+        while at(&self.passed).is_none() {
+            self.passed.push_back(self.from_server.recv_timeout(Duration::from_millis(300)).ok()?);
+        }
+        at(&self.passed).and_then(|at| self.passed.remove(at))
+    }
+
     /// The next findings in a file, of at least this version.
     pub fn findings(&mut self, path: &str, version: Option<i64>) -> Vec<Value> {
         let uri = uri(path);
@@ -113,6 +133,26 @@ impl Client {
         message["params"]["diagnostics"].as_array().unwrap().clone()
     }
 
+    /// The last findings that come for a version of a file.
+    pub fn latest_findings(&mut self, path: &str, version: i64) -> Vec<Value> {
+        let mut latest = self.findings(path, Some(version));
+        let uri = uri(path);
+        let is_meant = |message: &Value| {
+            message["method"] == "textDocument/publishDiagnostics"
+                && message["params"]["uri"] == *uri
+                && message["params"]["version"] == version
+        };
+        loop {
+            // What is asked behind it is answered behind it; what is checked then is not.
+            while let Ok(message) = self.from_server.recv_timeout(Duration::from_millis(400)) {
+                self.passed.push_back(message);
+            }
+            let Some(at) = self.passed.iter().position(is_meant) else { return latest };
+            let message = self.passed.remove(at).unwrap();
+            latest.clone_from(message["params"]["diagnostics"].as_array().unwrap());
+        }
+    }
+
     pub fn open(&mut self, path: &str, text: &str) {
         let language = if path.ends_with("dtx") { "val3-data" } else { "val3" };
         let document = json!({ "uri": uri(path), "languageId": language, "version": 1, "text": text });
@@ -122,7 +162,10 @@ impl Client {
     /// Replaces the whole text.
     pub fn change(&mut self, path: &str, version: i64, text: &str) {
         let document = json!({ "uri": uri(path), "version": version });
-        self.notify("textDocument/didChange", json!({ "textDocument": document, "contentChanges": [{ "text": text }] }));
+        self.notify(
+            "textDocument/didChange",
+            json!({ "textDocument": document, "contentChanges": [{ "text": text }] }),
+        );
     }
 
     /// Ends the session as the protocol wants it and gives the exit code.
@@ -135,6 +178,11 @@ impl Client {
     /// The exit code, once the server ends; the input stays open.
     pub fn exit_code(&mut self) -> u8 {
         self.server.take().unwrap().join().unwrap()
+    }
+
+    /// Whether the server has ended.
+    pub fn has_ended(&self) -> bool {
+        self.server.as_ref().is_none_or(JoinHandle::is_finished)
     }
 
     /// Closes the input.

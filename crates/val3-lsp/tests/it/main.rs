@@ -1,8 +1,16 @@
 //! The server as its clients see it.
 
+#![allow(unreachable_pub, missing_docs, dead_code, reason = "two suites share the client")]
+#![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
+#![allow(clippy::disallowed_methods, reason = "clients have threads, a clock and patience")]
+
 mod cell;
 mod client;
+mod disk;
+mod findings;
+mod requests;
 mod session;
+mod torture;
 
 /// The codes of findings.
 fn codes(findings: &[serde_json::Value]) -> Vec<&str> {

@@ -58,7 +58,10 @@ fn before_initialize_and_after_shutdown() {
     assert_eq!(client.ask_in_vain("initialize", json!({ "capabilities": {} })), -32600);
     assert_eq!(client.ask_in_vain("val3/nothing", json!({})), -32601);
     assert_eq!(client.ask_in_vain("textDocument/hover", json!({ "position": 3 })), -32602);
-    client.ask("shutdown", Value::Null);
+    // Many clients say that there are no parameters.
+    client.send(&json!({ "jsonrpc": "2.0", "id": "down", "method": "shutdown", "params": null }));
+    let down = client.wait_for("an answer", |message| message["id"] == "down");
+    assert_eq!(down, json!({ "jsonrpc": "2.0", "id": "down", "result": null }));
     assert_eq!(client.ask_in_vain("textDocument/hover", at("/a/b.pgx", 0, 0)), -32600);
     client.notify("exit", Value::Null);
     assert_eq!(client.exit_code(), 0);
@@ -113,5 +116,38 @@ fn an_untitled_document_and_one_without_a_project() {
     assert!(hover["contents"]["value"].as_str().unwrap().contains("call"), "{hover}");
     client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri(&loose) } }));
     assert_eq!(client.findings(&loose, None), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_client_can_watch_the_server() {
+    let mut client = Client::start(&[]);
+    client.notify("$/setTrace", json!({ "value": "messages" }));
+    client.ask("textDocument/hover", at("/a/b.pgx", 0, 0));
+    let told = client.told("$/logTrace");
+    assert!(told["params"]["message"].as_str().unwrap().contains("textDocument/hover"), "{told}");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_version_that_comes_late_changes_nothing() {
+    let cell = Cell::new("num nA\nnA=1\nput(nA)");
+    let start = cell.path("usrapp/main/start.pgx");
+    let mut client = Client::start(&[&cell.folder()]);
+    client.open(&start, cell.text("usrapp/main/start.pgx"));
+    client.change(&start, 1, "");
+    let symbols = client.ask("textDocument/documentSymbol", json!({ "textDocument": { "uri": uri(&start) } }));
+    assert!(!symbols.as_array().unwrap().is_empty());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_client_whose_process_cannot_be_seen() {
+    // A process that has ended already cannot be told from one that cannot be seen: it is not waited for.
+    let mut gone = std::process::Command::new("true").spawn().unwrap();
+    let process = gone.id();
+    gone.wait().unwrap();
+    let mut client = Client::fresh();
+    client.ask("initialize", json!({ "processId": process, "capabilities": {} }));
     assert_eq!(client.end(), 0);
 }

@@ -1,0 +1,190 @@
+//! Findings: those of `val3 check`, sent and asked for.
+
+use std::collections::BTreeMap;
+
+use camino::Utf8PathBuf;
+use serde_json::{Value, json};
+use val3_analysis::load::load;
+use val3_analysis::system::Disk;
+use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::{Checked, check_unit, finish, units};
+
+use crate::cell::{Cell, place};
+use crate::client::{Client, uri};
+use crate::codes;
+
+/// File, line, code, message.
+type Found = (String, usize, String, String);
+
+fn example(name: &str) -> String {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples").join(name);
+    path.canonicalize().unwrap().to_str().unwrap().to_owned()
+}
+
+/// What `val3 check` finds: the same calls as in its engine.
+fn checked(folder: &str) -> Vec<Found> {
+    let workspace = load(&Disk, &[Utf8PathBuf::from(folder)]).unwrap();
+    let db = &workspace.db;
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default()).unwrap();
+    let units = units(db, &workspace.projects);
+    let sum: Checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
+    let found = finish(db, &units, &settings, sum).findings.into_iter().map(|found| {
+        let text = found.place.file.text(db);
+        let line = text[..usize::from(found.place.range.start())].matches('\n').count();
+        let parts = [found.message, found.label, found.help];
+        let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+        (uri(found.place.file.path(db).as_str()), line, found.rule.code.to_owned(), parts.join("\n"))
+    });
+    sorted(found)
+}
+
+fn sorted(found: impl Iterator<Item = Found>) -> Vec<Found> {
+    let mut found: Vec<Found> = found.collect();
+    found.sort();
+    found
+}
+
+fn of_file<'f>(uri: &'f str, findings: &'f [Value]) -> impl Iterator<Item = Found> + 'f {
+    findings.iter().map(move |found| {
+        let line = usize::try_from(found["range"]["start"]["line"].as_u64().unwrap()).unwrap();
+        let text = |key: &str| found[key].as_str().unwrap().to_owned();
+        (uri.to_owned(), line, text("code"), text("message").replace("\nhelp: ", "\n"))
+    })
+}
+
+#[test]
+fn sent_findings_are_those_of_the_check() {
+    for name in ["faulty", "palletiser"] {
+        let folder = example(name);
+        let expected = checked(&folder);
+        let mut client = Client::start(&[&folder]);
+        let mut files: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+        let total = |files: &BTreeMap<String, Vec<Value>>| files.values().map(Vec::len).sum::<usize>();
+        while total(&files) < expected.len() {
+            let sent = client.told("textDocument/publishDiagnostics");
+            let findings = sent["params"]["diagnostics"].as_array().unwrap().clone();
+            files.insert(sent["params"]["uri"].as_str().unwrap().to_owned(), findings);
+        }
+        assert_eq!(sorted(files.iter().flat_map(|(uri, found)| of_file(uri, found))), expected, "{name}");
+        assert_eq!(client.end(), 0);
+    }
+}
+
+#[test]
+fn findings_that_are_asked_for_are_those_of_the_check() {
+    let folder = example("faulty");
+    let abilities = json!({ "textDocument": { "diagnostic": {} } });
+    let mut client = Client::start_with(&[&folder], abilities, Value::Null);
+    let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    let reports = report["items"].as_array().unwrap();
+    let found = reports.iter().flat_map(|report| {
+        of_file(report["uri"].as_str().unwrap(), report["items"].as_array().unwrap()).collect::<Vec<_>>()
+    });
+    assert_eq!(sorted(found), checked(&folder));
+    for report in reports {
+        let params = json!({ "textDocument": { "uri": report["uri"] } });
+        let of_document = client.ask("textDocument/diagnostic", params);
+        assert_eq!(of_document["kind"], "full");
+        assert_eq!(of_document["items"], report["items"]);
+        let again = json!({ "textDocument": { "uri": report["uri"] }, "previousResultId": of_document["resultId"] });
+        assert_eq!(client.ask("textDocument/diagnostic", again)["kind"], "unchanged");
+    }
+    let known = reports.iter().map(|report| json!({ "uri": report["uri"], "value": report["resultId"] }));
+    let again = client.ask("workspace/diagnostic", json!({ "previousResultIds": known.collect::<Vec<_>>() }));
+    assert!(again["items"].as_array().unwrap().iter().all(|report| report["kind"] == "unchanged"), "{again}");
+    // Who asks is sent nothing.
+    assert!(client.passed().all(|message| message["method"] != "textDocument/publishDiagnostics"));
+    assert_eq!(client.end(), 0);
+}
+
+const TWO: &str = "library part \"Disk://part/part.pjx\"\nnum nA\nnA=part:nWeight\nput(nA)\n\
+                   --- part\npublic num nWeight";
+
+#[test]
+fn an_edit_reaches_those_who_use_what_it_changes() {
+    let cell = Cell::new(TWO);
+    let (data, start) = (cell.path("usrapp/part/part.dtx"), cell.path("usrapp/main/start.pgx"));
+    let mut client = Client::start(&[&cell.folder()]);
+    let text = cell.text("usrapp/part/part.dtx");
+    client.open(&data, text);
+    assert_eq!(client.findings(&data, Some(1)), Vec::<Value>::new());
+    client.change(&data, 2, &text.replace("nWeight", "nMass"));
+    let found = client.findings(&start, None);
+    assert!(!found.is_empty());
+    client.change(&data, 3, text);
+    assert_eq!(client.findings(&start, None), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_closed_document_counts_as_it_is_stored() {
+    let cell = Cell::new("num nA\nnA=1\nput(nA)");
+    let start = cell.path("usrapp/main/start.pgx");
+    let mut client = Client::start(&[&cell.folder()]);
+    client.open(&start, &cell.text("usrapp/main/start.pgx").replace("nA=1", "nB=1"));
+    assert!(codes(&client.findings(&start, Some(1))).contains(&"V0101"));
+    client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri(&start) } }));
+    assert_eq!(client.findings(&start, None), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn columns_in_utf8_and_utf16() {
+    let cell = Cell::new("string sA\nsA=\"é😀\"+nWrong");
+    let start = cell.path("usrapp/main/start.pgx");
+    let text = cell.text("usrapp/main/start.pgx");
+    let (line, in_utf16) = place(text, "nWrong");
+    let in_utf8 = in_utf16 + 1 + 2;
+    for (offered, column) in
+        [(json!(["utf-16", "utf-8"]), in_utf8), (json!(["utf-16"]), in_utf16), (json!([]), in_utf16)]
+    {
+        let abilities = json!({ "general": { "positionEncodings": offered } });
+        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+        let found = client.findings(&start, None);
+        assert_eq!(found[0]["range"]["start"], json!({ "line": line, "character": column }), "{offered}");
+        assert_eq!(client.end(), 0);
+    }
+}
+
+#[test]
+fn the_settings_of_the_editor() {
+    let cell = Cell::new("nA=1\nnB=1");
+    let start = cell.path("usrapp/main/start.pgx");
+    let ignore = json!({ "val3": { "check": { "ignore": ["V0101"] } } });
+    let mut client = Client::start_with(&[&cell.folder()], json!({}), ignore);
+    client.open(&start, cell.text("usrapp/main/start.pgx"));
+    assert!(!codes(&client.findings(&start, Some(1))).contains(&"V0101"));
+    client.notify("workspace/didChangeConfiguration", json!({ "settings": { "val3": {} } }));
+    assert!(codes(&client.findings(&start, Some(1))).contains(&"V0101"));
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_client_that_can_be_asked_for_settings() {
+    let cell = Cell::new("nA=1");
+    let start = cell.path("usrapp/main/start.pgx");
+    let abilities = json!({ "workspace": { "configuration": true } });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    let asked = client.told("workspace/configuration");
+    assert_eq!(asked["params"]["items"][0]["section"], "val3");
+    assert_eq!(codes(&client.findings(&start, None)), ["V0101"]);
+    let settings = json!([{ "check": { "ignore": ["V01"] } }]);
+    client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "result": settings }));
+    assert_eq!(client.findings(&start, None), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn the_first_check_shows_how_far_it_is() {
+    let cell = Cell::new("nA=1");
+    let abilities = json!({ "window": { "workDoneProgress": true } });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    let asked = client.told("window/workDoneProgress/create");
+    client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "result": null }));
+    client.findings(&cell.path("usrapp/main/start.pgx"), None);
+    // The check of a small cell may be over before the client has answered; whatever was begun is ended.
+    let told: Vec<Value> = std::iter::from_fn(|| client.try_told("$/progress")).collect();
+    let kinds: Vec<&str> = told.iter().map(|told| told["params"]["value"]["kind"].as_str().unwrap()).collect();
+    assert!(matches!(kinds[..], [] | ["begin", .., "end"]), "{kinds:?}");
+    assert_eq!(client.end(), 0);
+}

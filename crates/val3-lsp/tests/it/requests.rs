@@ -1,0 +1,191 @@
+//! Each request once, as an editor sends it.
+
+use serde_json::{Value, json};
+
+use crate::cell::{Cell, place};
+use crate::client::{Client, at, uri};
+
+const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\nnum nA\n\
+    program start()\n  num l_i\nbegin\n  // one\n  // two\n  for l_i=1 to 3\n    nA=nA+power(l_i,2)\n  endFor\n  call other(nA)\nend\n\
+    program other(num x_n)\nbegin\n  put(x_n)\n  part:nWeight=1\nend\n\
+    --- part\npublic num nWeight";
+
+const START: &str = "usrapp/main/start.pgx";
+
+struct Session {
+    cell: Cell,
+    client: Client,
+}
+
+impl Session {
+    fn new(abilities: Value) -> Self {
+        let cell = Cell::new(CELL);
+        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+        client.open(&cell.path(START), cell.text(START));
+        Self { cell, client }
+    }
+
+    /// Asks about the first place of a part of `start`.
+    fn ask_at(&mut self, method: &str, part: &str) -> Value {
+        let (line, column) = place(self.cell.text(START), part);
+        self.client.ask(method, at(&self.cell.path(START), line, column))
+    }
+
+    fn ask(&mut self, method: &str) -> Value {
+        let params = json!({ "textDocument": { "uri": uri(&self.cell.path(START)) } });
+        self.client.ask(method, params)
+    }
+}
+
+#[test]
+fn navigation() {
+    let mut session = Session::new(json!({}));
+    let to_other = session.ask_at("textDocument/definition", "other(nA)");
+    assert!(to_other[0]["uri"].as_str().unwrap().ends_with("/main/other.pgx"), "{to_other}");
+    assert_eq!(session.ask_at("textDocument/declaration", "other(nA)"), to_other);
+    assert_eq!(session.ask_at("textDocument/typeDefinition", "other(nA)"), json!([]));
+    assert_eq!(session.ask_at("textDocument/implementation", "other(nA)"), json!([]));
+    let highlights = session.ask_at("textDocument/documentHighlight", "nA=nA");
+    let kinds: Vec<&Value> = highlights.as_array().unwrap().iter().map(|found| &found["kind"]).collect();
+    assert_eq!(kinds, [&json!(3), &json!(2), &json!(2)]);
+    let (line, column) = place(session.cell.text(START), "nA=nA");
+    let mut params = at(&session.cell.path(START), line, column);
+    params["context"] = json!({ "includeDeclaration": true });
+    assert_eq!(session.client.ask("textDocument/references", params).as_array().unwrap().len(), 4);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn links_know_what_they_lead_away_from() {
+    let mut session = Session::new(json!({ "textDocument": { "definition": { "linkSupport": true } } }));
+    let links = session.ask_at("textDocument/definition", "other(nA)");
+    let (line, column) = place(session.cell.text(START), "other(nA)");
+    assert_eq!(links[0]["originSelectionRange"]["start"], json!({ "line": line, "character": column }));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn writing() {
+    let snippets = json!({ "textDocument": { "completion": { "completionItem": { "snippetSupport": true } } } });
+    let mut session = Session::new(snippets);
+    let list = session.ask_at("textDocument/completion", "power(");
+    let items = list["items"].as_array().unwrap();
+    let item = items.iter().find(|item| item["label"] == "nA").unwrap_or_else(|| panic!("{list}"));
+    let resolved = session.client.ask("completionItem/resolve", item.clone());
+    assert!(resolved["documentation"]["value"].as_str().unwrap().contains("nA"), "{resolved}");
+    let help = session.ask_at("textDocument/signatureHelp", "l_i,2");
+    assert_eq!(help["signatures"][0]["label"], "num power(num nX, num nY)");
+    assert_eq!(help["activeParameter"], 0);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn renaming() {
+    let abilities =
+        json!({ "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["rename"] } } });
+    let mut session = Session::new(abilities);
+    let prepared = session.ask_at("textDocument/prepareRename", "other(nA)");
+    assert_eq!(prepared["placeholder"], "other");
+    let (line, column) = place(session.cell.text(START), "other(nA)");
+    let mut params = at(&session.cell.path(START), line, column);
+    params["newName"] = json!("second");
+    let edit = session.client.ask("textDocument/rename", params.clone());
+    let changes = edit["documentChanges"].as_array().unwrap();
+    let of_start = changes.iter().find(|change| change["textDocument"]["uri"] == *uri(&session.cell.path(START)));
+    assert_eq!(of_start.unwrap()["textDocument"]["version"], 1);
+    let moved = changes.iter().find(|change| change["kind"] == "rename").unwrap();
+    assert!(moved["newUri"].as_str().unwrap().ends_with("/main/second.pgx"), "{moved}");
+    params["newName"] = json!("1st");
+    assert_eq!(session.client.ask_in_vain("textDocument/rename", params), -32803);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn structure() {
+    let mut session =
+        Session::new(json!({ "textDocument": { "documentSymbol": { "hierarchicalDocumentSymbolSupport": true } } }));
+    let symbols = session.ask("textDocument/documentSymbol");
+    assert!(symbols.to_string().contains("\"name\":\"start\""), "{symbols}");
+    let folds = session.ask("textDocument/foldingRange");
+    assert!(folds.as_array().unwrap().iter().any(|fold| fold["kind"] == "comment"), "{folds}");
+    let (line, column) = place(session.cell.text(START), "power");
+    let params = json!({
+        "textDocument": { "uri": uri(&session.cell.path(START)) },
+        "positions": [{ "line": line, "character": column }, { "line": 999, "character": 0 }],
+    });
+    let selections = session.client.ask("textDocument/selectionRange", params);
+    assert_eq!(selections.as_array().unwrap().len(), 2);
+    assert!(selections[0]["parent"]["parent"].is_object(), "{selections}");
+    let found = session.client.ask("workspace/symbol", json!({ "query": "weight" }));
+    assert_eq!(found[0]["name"], "nWeight", "{found}");
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn colours() {
+    let mut session = Session::new(json!({}));
+    let path = session.cell.path(START);
+    let full = session.ask("textDocument/semanticTokens/full");
+    let before: Vec<u64> = serde_json::from_value(full["data"].clone()).unwrap();
+    assert!(!before.is_empty() && before.len().is_multiple_of(5));
+    session.client.change(&path, 2, &session.cell.text(START).replace("// two", "// two\n  put(3)"));
+    let params = json!({ "textDocument": { "uri": uri(&path) }, "previousResultId": full["resultId"] });
+    let delta = session.client.ask("textDocument/semanticTokens/full/delta", params.clone());
+    let mut after = before;
+    for edit in delta["edits"].as_array().unwrap() {
+        let start = usize::try_from(edit["start"].as_u64().unwrap()).unwrap();
+        let count = usize::try_from(edit["deleteCount"].as_u64().unwrap()).unwrap();
+        let data: Vec<u64> = serde_json::from_value(edit["data"].clone()).unwrap();
+        after.splice(start..start + count, data);
+    }
+    assert_eq!(session.ask("textDocument/semanticTokens/full")["data"], json!(after));
+    // Of an answer that is too old there is no difference.
+    let whole = session.client.ask("textDocument/semanticTokens/full/delta", params);
+    assert_eq!(whole["data"], json!(after));
+    let range = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 2, "character": 0 } });
+    let part = session
+        .client
+        .ask("textDocument/semanticTokens/range", json!({ "textDocument": { "uri": uri(&path) }, "range": range }));
+    assert!(part["data"].as_array().unwrap().len() < after.len());
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn layout() {
+    let mut session = Session::new(json!({}));
+    let path = session.cell.path(START);
+    let unformatted = session.cell.text(START).replace("  for l_i", "      FOR l_i");
+    session.client.change(&path, 2, &unformatted);
+    let options = json!({ "tabSize": 2, "insertSpaces": true });
+    let params = json!({ "textDocument": { "uri": uri(&path) }, "options": options });
+    let edits = session.client.ask("textDocument/formatting", params);
+    assert!(!edits.as_array().unwrap().is_empty());
+    let (line, _) = place(&unformatted, "FOR");
+    let range = json!({ "start": { "line": line, "character": 0 }, "end": { "line": line, "character": 99 } });
+    let params = json!({ "textDocument": { "uri": uri(&path) }, "range": range, "options": options });
+    assert_eq!(session.client.ask("textDocument/rangeFormatting", params), edits);
+    let mut params = at(&path, line + 1, 0);
+    params["ch"] = json!("\n");
+    params["options"] = options;
+    assert_eq!(session.client.ask("textDocument/onTypeFormatting", params), edits);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn the_tree_and_the_pages() {
+    let mut session = Session::new(json!({}));
+    let tree = session.client.ask("val3/workspaceTree", Value::Null);
+    let projects = tree.as_array().unwrap();
+    assert_eq!(projects.iter().map(|project| &project["name"]).collect::<Vec<_>>(), ["main", "part"]);
+    let names = |list: &str| -> Vec<&str> {
+        projects[0][list].as_array().unwrap().iter().map(|item| item["name"].as_str().unwrap()).collect()
+    };
+    assert_eq!(names("programs"), ["other", "start"]);
+    assert_eq!(names("data"), ["pA", "nA"]);
+    assert_eq!(names("libraries"), ["part"]);
+    let page = session.client.ask("val3/page", json!({ "topic": "v0203" }));
+    assert_eq!(page["title"], "V0203");
+    assert!(page["markdown"].as_str().unwrap().starts_with("# "), "{page}");
+    assert_eq!(session.client.ask("val3/page", json!({ "topic": "nothing" })), Value::Null);
+    assert_eq!(session.client.end(), 0);
+}

@@ -1,0 +1,215 @@
+//! Random edits while requests fly. At the end the server knows what a fresh one knows.
+
+use serde_json::{Value, json};
+
+use crate::cell::Cell;
+use crate::client::{Client, at, uri};
+
+/// Edits of a run; `VAL3_TORTURE=20000` asks for more.
+const EDITS: usize = 3_000;
+
+const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\ntool tA\nmdesc mA\nnum nA\n\
+    program start()\n  num l_i\nbegin\n  // é\n  for l_i=1 to 3\n    nA=nA+power(l_i,2)\n  endFor\n  call other(nA)\n  movej(pA,tA,mA)\nend\n\
+    program other(num x_n)\nbegin\n  put(x_n)\n  part:nWeight=1\nend\n\
+    --- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=2\nend";
+
+const FILES: [&str; 5] = [
+    "usrapp/main/start.pgx",
+    "usrapp/main/other.pgx",
+    "usrapp/main/main.dtx",
+    "usrapp/main/main.pjx",
+    "usrapp/part/part.dtx",
+];
+
+/// What is put in.
+const PIECES: [&str; 16] = [
+    "",
+    "x",
+    "\n",
+    "endIf\n",
+    "if nA>1\n",
+    "\"",
+    "//",
+    "é😀",
+    "]]>",
+    "<",
+    "</Program>",
+    "call pick()\n",
+    "&quot;",
+    "nA=",
+    "<Program file=\"pick.pgx\" />",
+    "\r\n",
+];
+
+const REQUESTS: [&str; 8] = [
+    "textDocument/hover",
+    "textDocument/completion",
+    "textDocument/definition",
+    "textDocument/signatureHelp",
+    "textDocument/documentHighlight",
+    "textDocument/documentSymbol",
+    "textDocument/semanticTokens/full",
+    "textDocument/foldingRange",
+];
+
+/// Numbers by chance, the same in every run (SplitMix64).
+struct Chance(u64);
+
+impl Chance {
+    fn below(&mut self, limit: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut mixed = self.0;
+        mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        usize::try_from((mixed ^ (mixed >> 31)) % limit as u64).unwrap()
+    }
+}
+
+/// A document as the editor has it.
+struct Document {
+    path: String,
+    original: String,
+    text: String,
+    version: i64,
+    undo: Vec<String>,
+}
+
+impl Document {
+    /// A random change as the protocol has it, made in the text as well.
+    fn change(&mut self, chance: &mut Chance) -> Value {
+        self.undo.push(self.text.clone());
+        match chance.below(12) {
+            0 => {
+                // Everything as it was, or as it was a while ago.
+                let before = self.undo.len() - 1 - chance.below(self.undo.len());
+                self.text = if chance.below(2) == 0 { self.original.clone() } else { self.undo[before].clone() };
+                json!({ "text": self.text })
+            }
+            1 => {
+                // Half of a program behind the other half.
+                let (at, _) = self.two_places(chance);
+                let half = self.original[self.floor(chance.below(self.original.len()))..].to_owned();
+                self.replace(at, at, &half)
+            }
+            kind => {
+                let (start, end) = self.two_places(chance);
+                let end = if kind < 9 { start } else { end };
+                let piece = PIECES[chance.below(PIECES.len())];
+                self.replace(start, end, piece)
+            }
+        }
+    }
+
+    fn replace(&mut self, start: usize, end: usize, piece: &str) -> Value {
+        let range = json!({ "start": self.position(start), "end": self.position(end) });
+        self.text.replace_range(start..end, piece);
+        json!({ "range": range, "text": piece })
+    }
+
+    /// Two places, in order and near to each other. No place between `\r` and `\n`: editors have none there.
+    fn two_places(&self, chance: &mut Chance) -> (usize, usize) {
+        let start = self.floor(chance.below(self.text.len() + 1));
+        (start, self.floor((start + chance.below(30)).min(self.text.len())))
+    }
+
+    fn floor(&self, at: usize) -> usize {
+        let at = self.text.floor_char_boundary(at);
+        if self.text[..at].ends_with('\r') { at - 1 } else { at }
+    }
+
+    fn position(&self, at: usize) -> Value {
+        let before = &self.text[..at];
+        let line = before.matches('\n').count();
+        let character = before.rsplit('\n').next().unwrap().encode_utf16().count();
+        json!({ "line": line, "character": character })
+    }
+}
+
+/// The findings in every file that the server sends once it has nothing left to do, and the text it has: what it
+/// colours is a mirror of it.
+fn state(client: &mut Client, documents: &[Document]) -> Vec<Value> {
+    let mut state = Vec::new();
+    for document in documents {
+        let params = json!({ "textDocument": { "uri": uri(&document.path) } });
+        state.push(client.ask("textDocument/diagnostic", params.clone())["items"].clone());
+        state.push(client.ask("textDocument/semanticTokens/full", params.clone())["data"].clone());
+        state.push(client.ask("textDocument/documentSymbol", params)["result"].clone());
+    }
+    state
+}
+
+#[test]
+fn random_edits() {
+    let edits = std::env::var("VAL3_TORTURE").ok().and_then(|edits| edits.parse().ok()).unwrap_or(EDITS);
+    for seed in 1..=2 {
+        run(seed, edits / 2, &json!({ "textDocument": { "diagnostic": {} } }));
+        run(seed, edits / 2, &json!({}));
+    }
+}
+
+fn run(seed: u64, edits: usize, abilities: &Value) {
+    let cell = Cell::new(CELL);
+    let mut chance = Chance(seed);
+    let mut client = Client::start_with(&[&cell.folder()], abilities.clone(), Value::Null);
+    let mut documents: Vec<Document> = FILES
+        .iter()
+        .map(|file| {
+            let (path, text) = (cell.path(file), cell.text(file).to_owned());
+            client.open(&path, &text);
+            Document { path, original: text.clone(), text, version: 1, undo: Vec::new() }
+        })
+        .collect();
+    let mut asked = Vec::new();
+    for _ in 0..edits {
+        // Programs are edited most.
+        let which = if chance.below(8) == 0 { chance.below(FILES.len()) } else { chance.below(2) };
+        let document = &mut documents[which];
+        let changes: Vec<Value> = (0..=chance.below(2)).map(|_| document.change(&mut chance)).collect();
+        document.version += 1;
+        let identifier = json!({ "uri": uri(&document.path), "version": document.version });
+        client.notify("textDocument/didChange", json!({ "textDocument": identifier, "contentChanges": changes }));
+        document.undo.truncate(20);
+        if document.text.len() > 20_000 {
+            document.text.clone_from(&document.original);
+            document.version += 1;
+            client.change(&document.path, document.version, &document.text);
+        }
+        let (line, column) = (chance.below(30), chance.below(40));
+        let place = at(&document.path, u32::try_from(line).unwrap(), u32::try_from(column).unwrap());
+        let id = client.request(REQUESTS[chance.below(REQUESTS.len())], place);
+        if chance.below(5) == 0 {
+            client.notify("$/cancelRequest", json!({ "id": id }));
+        }
+        asked.push(id);
+        if asked.len() > 50 {
+            asked.drain(..).for_each(|id| answered(&mut client, id));
+        }
+    }
+    asked.into_iter().for_each(|id| answered(&mut client, id));
+    compare(client, &cell, &documents, abilities);
+}
+
+/// Every request is answered: with a result, or because an edit or the client made it useless.
+fn answered(client: &mut Client, id: i64) {
+    let answer = client.answer(id);
+    let code = answer["error"]["code"].as_i64();
+    assert!(code.is_none_or(|code| [-32800, -32801].contains(&code)), "{answer}");
+}
+
+/// A fresh server that opens the documents as they are now says the same.
+fn compare(mut client: Client, cell: &Cell, documents: &[Document], abilities: &Value) {
+    let mut fresh = Client::start_with(&[&cell.folder()], abilities.clone(), Value::Null);
+    for document in documents {
+        fresh.open(&document.path, &document.text);
+    }
+    assert_eq!(state(&mut client, documents), state(&mut fresh, documents));
+    if abilities.get("textDocument").is_none() {
+        for document in documents {
+            let sent = client.latest_findings(&document.path, document.version);
+            assert_eq!(sent, fresh.latest_findings(&document.path, 1), "{}", document.path);
+        }
+    }
+    assert!(client.passed().all(|message| message["method"] != "window/showMessage"));
+    assert_eq!(client.end(), 0);
+    assert_eq!(fresh.end(), 0);
+}

@@ -1,0 +1,213 @@
+//! How fast the release binary answers an editor, over real pipes.
+
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, bail};
+use camino::Utf8Path;
+use serde_json::{Value, json};
+
+use super::editor::{Editor, uri};
+use super::long_application::{self, NAME, PROGRAM};
+use super::speed::{peak_kilobytes, write_workspace};
+use crate::project;
+
+/// Times that each thing is measured.
+const TIMES: usize = 200;
+
+/// Measures on a program of 2,600 lines and on a generated workspace of `lines` code lines.
+pub(super) fn measure(lines: usize) -> anyhow::Result<()> {
+    let folder = project::root().join("target/metrics-lsp");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).with_context(|| format!("cannot clear {folder}"))?;
+    }
+    let (long, large) = (folder.join("long"), folder.join("large"));
+    write_long(&long)?;
+    let code_lines = write_workspace(&large, lines)?;
+    println!("{:44} {:>9} {:>9}", "val3 lsp, milliseconds", "p50", "p95");
+    println!("one program of 2,600 lines");
+    session(&long, &long.join(PROGRAM))?;
+    println!("a workspace of {code_lines} code lines");
+    session(&large, &largest_program(&large)?)
+}
+
+fn write_long(folder: &Utf8Path) -> anyhow::Result<()> {
+    for (path, text) in long_application::files() {
+        let path = folder.join(path);
+        std::fs::create_dir_all(path.parent().unwrap_or(folder))?;
+        std::fs::write(path, text)?;
+    }
+    Ok(())
+}
+
+/// Any program that is long enough to look like one.
+fn largest_program(folder: &Utf8Path) -> anyhow::Result<camino::Utf8PathBuf> {
+    let mut largest = None;
+    for application in folder.join("usr/usrapp").read_dir_utf8()? {
+        for file in application?.path().read_dir_utf8()? {
+            let path = file?.into_path();
+            let size = std::fs::metadata(&path)?.len();
+            if path.extension() == Some("pgx") && largest.as_ref().is_none_or(|(most, _)| *most < size) {
+                largest = Some((size, path));
+            }
+        }
+    }
+    largest.map(|(_, path)| path).context("the workspace has no program")
+}
+
+/// One session in which everything is measured on one program.
+fn session(folder: &Utf8Path, program: &Utf8Path) -> anyhow::Result<()> {
+    let started = Instant::now();
+    let mut editor = Editor::open(&project::root().join("target/release/val3"), folder)?;
+    let mut open = Open::new(&mut editor, program)?;
+    print("start to first findings", vec![started.elapsed()]);
+    open.edits("edit to findings")?;
+    open.requests()?;
+    open.cancel()?;
+    let peak = peak_kilobytes(editor.process());
+    let (exit, code) = editor.close()?;
+    print("exit to the end of the process", vec![exit]);
+    if code != Some(0) {
+        bail!("the server ended with {code:?}");
+    }
+    match peak {
+        Some(kilobytes) => println!("{:44} {:9.1}", "peak memory, MB", kilobytes as f64 / 1000.0),
+        None => println!("peak memory unknown on this system"),
+    }
+    Ok(())
+}
+
+/// An open program.
+struct Open<'e> {
+    editor: &'e mut Editor,
+    uri: String,
+    text: String,
+    version: i64,
+}
+
+impl<'e> Open<'e> {
+    fn new(editor: &'e mut Editor, program: &Utf8Path) -> anyhow::Result<Self> {
+        let text = std::fs::read_to_string(program)?.trim_start_matches('\u{feff}').to_owned();
+        let uri = uri(program);
+        let document = json!({ "uri": uri, "languageId": "val3", "version": 1, "text": text });
+        editor.notify("textDocument/didOpen", &json!({ "textDocument": document }))?;
+        editor.findings(&uri, 1)?;
+        Ok(Self { editor, uri, text, version: 1 })
+    }
+
+    /// Types a faulty line and takes it back, in the middle of the program.
+    fn edits(&mut self, what: &str) -> anyhow::Result<()> {
+        // Let the first check of the rest come to its end.
+        std::thread::sleep(Duration::from_secs(2));
+        let line = self.text.lines().position(|line| line.contains("begin")).context("no code")? + 1;
+        let mut times = Vec::new();
+        for round in 0..TIMES {
+            let (end, text) = if round % 2 == 0 { (line, "  nUnknown=1\n") } else { (line + 1, "") };
+            let range = json!({ "start": { "line": line, "character": 0 }, "end": { "line": end, "character": 0 } });
+            self.version += 1;
+            let document = json!({ "uri": self.uri, "version": self.version });
+            let changes = json!([{ "range": range, "text": text }]);
+            let started = Instant::now();
+            self.editor
+                .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
+            let found = self.editor.findings(&self.uri, self.version)?;
+            times.push(started.elapsed());
+            if found.to_string().contains("nUnknown") != (round % 2 == 0) {
+                bail!("version {} has the findings of another: {found}", self.version);
+            }
+            // Nobody types faster.
+            std::thread::sleep(Duration::from_millis(30));
+        }
+        print(what, times);
+        Ok(())
+    }
+
+    fn requests(&mut self) -> anyhow::Result<()> {
+        let document = json!({ "textDocument": { "uri": self.uri } });
+        let on_name = self.place(&[NAME, "movej", "call ", "("])?;
+        let in_call = self.place(&["movej(", "movel(", "put(", "("])?;
+        self.repeat("hover", "textDocument/hover", &on_name, TIMES)?;
+        self.repeat("definition", "textDocument/definition", &self.place(&[NAME, "nCount", "n"])?, TIMES)?;
+        self.repeat("completion", "textDocument/completion", &on_name, TIMES)?;
+        self.repeat("signature help", "textDocument/signatureHelp", &in_call, TIMES)?;
+        self.repeat("semantic tokens of the whole program", "textDocument/semanticTokens/full", &document, TIMES)?;
+        if self.text.contains(NAME) {
+            let references = with(self.place(&[NAME])?, "context", json!({ "includeDeclaration": true }));
+            self.repeat("references of a name used 1,000 times", "textDocument/references", &references, TIMES / 10)?;
+            let rename = with(self.place(&[NAME])?, "newName", json!("nOther"));
+            self.repeat("rename of a name used 1,000 times", "textDocument/rename", &rename, TIMES / 10)?;
+        }
+        Ok(())
+    }
+
+    /// Each time behind an edit, so that nothing is known beforehand.
+    fn repeat(&mut self, what: &str, method: &str, params: &Value, times: usize) -> anyhow::Result<()> {
+        let end = self.text.lines().count() - 1;
+        let mut durations = Vec::new();
+        for round in 0..times {
+            let column = self.text.lines().last().unwrap_or("").len() + round;
+            let place = json!({ "line": end, "character": column });
+            self.version += 1;
+            let document = json!({ "uri": self.uri, "version": self.version });
+            let changes = json!([{ "range": { "start": place, "end": place }, "text": " " }]);
+            self.editor
+                .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
+            self.editor.findings(&self.uri, self.version)?;
+            durations.push(self.editor.time(method, params)?);
+        }
+        print(what, durations);
+        let text = &self.text;
+        self.version += 1;
+        let document = json!({ "uri": self.uri, "version": self.version });
+        self.editor.notify(
+            "textDocument/didChange",
+            &json!({ "textDocument": document, "contentChanges": [{ "text": text }] }),
+        )
+    }
+
+    /// The place behind the first of these texts that stands in the code.
+    fn place(&self, parts: &[&str]) -> anyhow::Result<Value> {
+        let begin = self.text.find("begin").context("no code")? + "begin".len();
+        let code = self.text.get(begin..).unwrap_or("");
+        let found = parts.iter().find_map(|part| Some(code.find(part)? + part.len()));
+        let before = self.text.get(..begin + found.context("nothing to ask about")?).unwrap_or("");
+        let line = before.matches('\n').count();
+        let character = before.rsplit('\n').next().unwrap_or("").len();
+        Ok(json!({ "textDocument": { "uri": self.uri }, "position": { "line": line, "character": character } }))
+    }
+
+    /// From the cancelling of a search through everything to its answer.
+    fn cancel(&mut self) -> anyhow::Result<()> {
+        let mut times = Vec::new();
+        for _ in 0..TIMES / 10 {
+            self.version += 1;
+            let document = json!({ "uri": self.uri, "version": self.version });
+            let changes = json!([{ "text": self.text }]);
+            self.editor
+                .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
+            let references = with(self.place(&[NAME, "n"])?, "context", json!({ "includeDeclaration": true }));
+            let id = self.editor.request("textDocument/references", &references)?;
+            let started = Instant::now();
+            self.editor.notify("$/cancelRequest", &json!({ "id": id }))?;
+            self.editor.wait_for(|message| {
+                message.get("id").is_some_and(|found| *found == id) && message.get("method").is_none()
+            })?;
+            times.push(started.elapsed());
+        }
+        print("cancel to answer", times);
+        Ok(())
+    }
+}
+
+/// The object with one more entry.
+fn with(mut object: Value, key: &str, value: Value) -> Value {
+    if let Some(entries) = object.as_object_mut() {
+        entries.insert(key.to_owned(), value);
+    }
+    object
+}
+
+fn print(what: &str, mut times: Vec<Duration>) {
+    times.sort_unstable();
+    let at = |percent: usize| times.get((times.len() - 1) * percent / 100).map_or(0.0, |time| time.as_secs_f64() * 1e3);
+    println!("  {what:42} {:9.2} {:9.2}", at(50), at(95));
+}
