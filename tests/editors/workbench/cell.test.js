@@ -70,6 +70,12 @@ const STEPS = {
     await user.seesNot("movej(pSafe");
   },
 
+  async "the check of the workspace is a task with problems"(user) {
+    await user.command("VAL 3: Check Workspace");
+    await user.page.waitForSelector(".markers-panel .monaco-list-row:has-text('val3 check')");
+    await user.focusEditor();
+  },
+
   async "definition leads to the data file and back"(user) {
     await user.goTo(23, 20);
     await user.keys("F12");
@@ -153,6 +159,22 @@ const STEPS = {
     await user.page.waitForSelector(row("clearPallet"));
   },
 
+  async "a new program gets its entry in the project"(user) {
+    await user.openFile("pick.pgx");
+    await user.commandWith("VAL 3: New Program", "The name of the program", "phase");
+    await user.tab("phase.pgx");
+    await user.sees("// phase");
+    const next = '    <Program file="pick.pgx" />\n';
+    await becomes("palletiser.pjx", after("palletiser.pjx", [next, `    <Program file="phase.pgx" />\n${next}`]));
+  },
+
+  async "a new application is ready to be written"(user) {
+    await user.commandWith("VAL 3: New Application", "The name of the application", "sorter", "usrapp");
+    await user.tab("start.pgx");
+    await user.sees("Runs when the operator starts it");
+    await user.noSquiggle();
+  },
+
   async "the page of a finding opens"(user) {
     await user.openFile("pick.pgx");
     await user.goTo(24, 17);
@@ -161,13 +183,6 @@ const STEPS = {
     await user.focusEditor();
     await user.command("VAL 3: Open the Page of a Finding");
     await user.page.waitForSelector('.tab.active:has-text("Preview V0204")');
-  },
-
-  async "the check of the workspace is a task with problems"(user) {
-    await user.openFile("pick.pgx");
-    await user.command("File: Save");
-    await user.command("VAL 3: Check Workspace");
-    await user.page.waitForSelector(".markers-panel .monaco-list-row:has-text('val3 check')");
   },
 };
 

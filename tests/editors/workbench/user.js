@@ -48,6 +48,22 @@ class User {
     await this.choose(title);
   }
 
+  /** Runs a command that asks for a line of text, perhaps after a choice of which the first is taken, and answers. */
+  async commandWith(title, question, answer, choice) {
+    await this.keys("F1");
+    await this.page.waitForSelector(".quick-input-widget:visible");
+    await this.type(title);
+    await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(title)})`);
+    await this.keys("Enter");
+    if (choice !== undefined) {
+      await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(choice)})`);
+      await this.keys("Enter");
+    }
+    await this.page.waitForSelector(`.quick-input-message:has-text(${JSON.stringify(question)})`);
+    await this.type(answer);
+    await this.keys("Enter");
+  }
+
   async openFile(name) {
     await this.keys("Control+P");
     await this.choose(name);
