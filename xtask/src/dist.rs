@@ -1,47 +1,33 @@
-//! `dist`: the archive people download.
+//! `dist`: what people download, the archive and the VS Code extension.
 
 use std::fs::{self, File};
 use std::io::Read as _;
 
 use anyhow::Context;
-use camino::{Utf8Path, Utf8PathBuf};
-use cargo_metadata::MetadataCommand;
+use camino::Utf8Path;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-use crate::project;
+use crate::{project, vsix};
 
 /// What lies beside the binary.
 const DOCUMENTS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Builds the release binary and packs it as `target/dist/val3-VERSION-TARGET.tar.gz`.
+/// Builds the release, and packs it as `target/dist/val3-VERSION-TARGET.tar.gz` and into the extension.
 ///
 /// # Errors
 /// When the build fails or the archive cannot be written.
 pub fn run() -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
-    let target_folder = target_folder()?;
+    let vsix = vsix::release()?;
+    let target_folder = project::target_folder()?;
     let binary = target_folder.join("release").join(format!("val3{}", std::env::consts::EXE_SUFFIX));
-    let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), host()?);
+    let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), project::host()?);
     let folder = target_folder.join("dist");
     fs::create_dir_all(&folder).with_context(|| format!("cannot make {folder}"))?;
     let archive = folder.join(format!("{name}.tar.gz"));
     pack(&archive, &name, &binary).with_context(|| format!("cannot write {archive}"))?;
-    println!("{archive}");
+    println!("{archive}\n{vsix}");
     Ok(())
-}
-
-fn target_folder() -> anyhow::Result<Utf8PathBuf> {
-    let metadata = MetadataCommand::new().current_dir(project::root()).no_deps().exec()?;
-    Ok(metadata.target_directory)
-}
-
-/// The target the compiler builds for: `x86_64-unknown-linux-gnu`.
-fn host() -> anyhow::Result<String> {
-    let output = std::process::Command::new("rustc").arg("-vV").output().context("cannot start rustc")?;
-    let text = String::from_utf8(output.stdout)?;
-    let host = text.lines().find_map(|line| line.strip_prefix("host: "));
-    Ok(host.context("rustc does not name its host")?.to_owned())
 }
 
 /// Writes the archive: one folder with the binary and the documents. The same input gives the same bytes.

@@ -1,11 +1,33 @@
-//! `install`: the command `val3` for this user.
+//! `install`: the command `val3` for this user, and the extension for their VS Code.
 
-use crate::project;
+use std::process::Command;
 
-/// Builds and installs the binary where cargo installs binaries.
+use camino::Utf8Path;
+
+use crate::{project, vsix};
+
+/// Editors that take the extension, by their commands.
+const EDITORS: &[&str] = &["code", "codium", "code-server"];
+
+/// Builds and installs the binary where cargo installs binaries, and the extension in each editor that is found.
 ///
 /// # Errors
-/// When the build fails.
+/// When a build or an installation fails.
 pub fn run() -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["install", "--path", "crates/val3-cli", "--locked"]))
+    project::succeed(&mut project::cargo(&["install", "--path", "crates/val3-cli", "--locked"]))?;
+    let editors: Vec<&str> = EDITORS.iter().copied().filter(|editor| is_command(editor)).collect();
+    if editors.is_empty() {
+        println!("No VS Code was found on the PATH. `cargo xtask vsix` makes the extension.");
+        return Ok(());
+    }
+    let vsix = vsix::release()?;
+    editors.into_iter().try_for_each(|editor| install_extension(editor, &vsix))
+}
+
+fn is_command(name: &str) -> bool {
+    Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
+}
+
+fn install_extension(editor: &str, vsix: &Utf8Path) -> anyhow::Result<()> {
+    project::succeed(Command::new(editor).args(["--install-extension", vsix.as_str(), "--force"]))
 }

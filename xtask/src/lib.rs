@@ -11,4 +11,5 @@ pub mod metrics;
 pub mod project;
 pub mod test;
 pub mod tidy;
+pub mod vsix;
 pub mod workspace;

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{codegen, dist, format, install, metrics, test, tidy, workspace};
+use xtask::{codegen, dist, format, install, metrics, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -23,9 +23,11 @@ enum Task {
     Tidy,
     /// Run every check and every test of the project
     Test,
-    /// Pack the release binary into target/dist
+    /// Pack the release into target/dist: the archive, and the VS Code extension with the server inside
     Dist,
-    /// Install `val3` for this user
+    /// Pack the VS Code extension with the server inside
+    Vsix(vsix::Arguments),
+    /// Install `val3` for this user, and the extension in their VS Code
     Install,
     /// Write a large workspace of VAL 3 applications
     Workspace(workspace::Arguments),
@@ -49,6 +51,7 @@ fn run(task: Task) -> anyhow::Result<()> {
         Task::Tidy => tidy::run(),
         Task::Test => test::run(),
         Task::Dist => dist::run(),
+        Task::Vsix(arguments) => vsix::run(&arguments),
         Task::Install => install::run(),
         Task::Workspace(arguments) => workspace::run(&arguments),
         Task::Metrics(arguments) => metrics::run(&arguments),

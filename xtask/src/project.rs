@@ -4,6 +4,7 @@ use std::process::Command;
 
 use anyhow::{Context, bail};
 use camino::{Utf8Path, Utf8PathBuf};
+use cargo_metadata::MetadataCommand;
 
 /// The folder of the workspace's `Cargo.toml`.
 pub fn root() -> Utf8PathBuf {
@@ -38,4 +39,24 @@ pub fn succeed(command: &mut Command) -> anyhow::Result<()> {
 pub fn read(path: &str) -> anyhow::Result<String> {
     let path = root().join(path);
     std::fs::read_to_string(&path).with_context(|| format!("cannot read {path}"))
+}
+
+/// Where cargo builds.
+///
+/// # Errors
+/// When the workspace cannot be read.
+pub fn target_folder() -> anyhow::Result<Utf8PathBuf> {
+    let metadata = MetadataCommand::new().current_dir(root()).no_deps().exec()?;
+    Ok(metadata.target_directory)
+}
+
+/// The target the compiler builds for: `x86_64-unknown-linux-gnu`.
+///
+/// # Errors
+/// When the compiler cannot be asked.
+pub fn host() -> anyhow::Result<String> {
+    let output = Command::new("rustc").arg("-vV").output().context("cannot start rustc")?;
+    let text = String::from_utf8(output.stdout)?;
+    let host = text.lines().find_map(|line| line.strip_prefix("host: "));
+    Ok(host.context("rustc does not name its host")?.to_owned())
 }

@@ -1,7 +1,7 @@
 //! `test`: every check and every test of the project, in one command.
 
 use std::io::{BufRead as _, BufReader};
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 
 use anyhow::Context;
 
@@ -10,19 +10,25 @@ use crate::project;
 /// One check; all run, also when an earlier one failed.
 struct Step {
     name: &'static str,
-    /// Arguments of cargo.
-    arguments: &'static [&'static str],
+    /// A cargo command, or a script of the project.
+    run: Run,
+}
+
+enum Run {
+    Cargo(&'static [&'static str]),
+    Script(&'static str),
 }
 
 const STEPS: &[Step] = &[
-    Step { name: "format", arguments: &["xtask", "fmt", "--check"] },
-    Step { name: "generated code", arguments: &["xtask", "codegen", "--check"] },
-    Step { name: "tidy", arguments: &["xtask", "tidy"] },
+    Step { name: "format", run: Run::Cargo(&["xtask", "fmt", "--check"]) },
+    Step { name: "generated code", run: Run::Cargo(&["xtask", "codegen", "--check"]) },
+    Step { name: "tidy", run: Run::Cargo(&["xtask", "tidy"]) },
     Step {
         name: "clippy",
-        arguments: &["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"],
+        run: Run::Cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"]),
     },
-    Step { name: "tests", arguments: &["test", "--workspace", "--locked", "--no-fail-fast"] },
+    Step { name: "tests", run: Run::Cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]) },
+    Step { name: "editors", run: Run::Script("tests/editors/run") },
 ];
 
 /// How many checks and tests passed and failed.
@@ -55,10 +61,12 @@ pub fn run() -> anyhow::Result<()> {
 
 /// Runs a step. It counts as the tests it reports, or as one check where it reports none.
 fn run_step(step: &Step) -> anyhow::Result<Tally> {
-    let mut child = project::cargo(step.arguments)
-        .stdout(Stdio::piped())
-        .spawn()
-        .with_context(|| format!("cannot start the step {}", step.name))?;
+    let mut command = match step.run {
+        Run::Cargo(arguments) => project::cargo(arguments),
+        Run::Script(path) => Command::new(project::root().join(path)),
+    };
+    let mut child =
+        command.stdout(Stdio::piped()).spawn().with_context(|| format!("cannot start the step {}", step.name))?;
     let mut tally = Tally::default();
     if let Some(output) = child.stdout.take() {
         for line in BufReader::new(output).lines() {

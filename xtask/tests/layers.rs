@@ -120,8 +120,17 @@ fn the_two_towers_do_not_touch() {
 #[test]
 fn every_crate_has_its_place() {
     let metadata = metadata();
-    let below =
-        ["val3-syntax", "val3-lang", "val3-config", "val3-test", "val3-book", "val3-tests", "val3-benches", "xtask"];
+    let below = [
+        "val3-syntax",
+        "val3-lang",
+        "val3-config",
+        "val3-test",
+        "val3-book",
+        "val3-editors",
+        "val3-tests",
+        "val3-benches",
+        "xtask",
+    ];
     let known: BTreeSet<_> = [ANALYSIS, RUNTIME, BRIDGES, &below].into_iter().flatten().copied().collect();
     let strangers = dependencies(&metadata).into_keys().filter(|name| !known.contains(name)).collect();
     assert_none(strangers, "name the crate's place in this test");

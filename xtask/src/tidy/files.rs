@@ -4,7 +4,7 @@ use anyhow::Context;
 use camino::{Utf8Path, Utf8PathBuf};
 
 /// Folders that hold nothing written by hand, or files in the form another program gives them.
-const SKIPPED_FOLDERS: &[&str] = &["target", ".git", "examples", "corpus", "artifacts", "snapshots"];
+const SKIPPED_FOLDERS: &[&str] = &["target", ".git", "node_modules", "examples", "corpus", "artifacts", "snapshots"];
 
 /// Kinds of files that are looked at.
 const EXTENSIONS: &[&str] = &["rs", "md", "toml", "ungram"];

@@ -1,0 +1,149 @@
+//! The TextMate grammar of VAL 3 code.
+//!
+//! Code stands alone in the code view, and in a program file within CDATA or as escaped text. The three differ in
+//! how a string is quoted and where a comment ends at the latest.
+
+use serde_json::{Value, json};
+
+use crate::words;
+
+/// How code is written down.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// As it is.
+    Plain,
+    /// In a CDATA section.
+    Cdata,
+    /// As XML text, with entities.
+    Escaped,
+}
+
+impl Form {
+    /// What opens and closes a string.
+    fn quote(self) -> &'static str {
+        if self == Self::Escaped { "(?:\"|&quot;)" } else { "\"" }
+    }
+
+    /// What ends the code within a line.
+    fn end(self) -> &'static str {
+        match self {
+            Self::Plain => "$",
+            Self::Cdata => "$|(?=\\]\\]>)",
+            Self::Escaped => "$|(?=<)",
+        }
+    }
+
+    fn comparisons(self) -> &'static str {
+        if self == Self::Escaped { "==|!=|&[lg]t;=?|<=?|>=?" } else { "==|!=|<=|>=|<|>" }
+    }
+}
+
+/// The grammar of code alone.
+pub(crate) fn code() -> Value {
+    json!({
+        "$schema": "https://raw.githubusercontent.com/martinring/tmlanguage/master/tmlanguage.json",
+        "name": "VAL 3 code",
+        "scopeName": "source.val3",
+        "patterns": patterns(Form::Plain),
+    })
+}
+
+/// The patterns that colour code. Strings stand before comments: a string may hold `//`.
+pub(crate) fn patterns(form: Form) -> Vec<Value> {
+    let mut patterns = vec![string(form), comment(form), number(), call()];
+    patterns.extend([
+        rule("keyword.control", &words::control()),
+        rule("keyword.operator.word", &words::word_operators()),
+        rule("constant.language", &words::truth_values()),
+        member(),
+    ]);
+    patterns.extend(words::instruction_families().iter().map(|(family, words)| instruction(family, words)));
+    patterns.extend([
+        rule("support.function.addon", "\\$[A-Za-z_]\\w*"),
+        namespace(),
+        program_name(),
+        rule("constant.language.enumerator", &words::enumerators()),
+        rule("variable.language", &words::built_in_variables()),
+        rule("keyword.operator.comparison", form.comparisons()),
+        rule("keyword.operator.assignment", "="),
+        rule("keyword.operator.arithmetic", "[-+*/%!]"),
+        rule("keyword.other.print", "\\?"),
+        rule("punctuation.separator", "[,;]"),
+        rule("variable.other", "[A-Za-z_]\\w*"),
+    ]);
+    patterns
+}
+
+fn rule(scope: &str, regex: &str) -> Value {
+    json!({ "name": format!("{scope}.val3"), "match": regex })
+}
+
+/// A string has no escapes and ends with its line.
+fn string(form: Form) -> Value {
+    json!({
+        "name": "string.quoted.double.val3",
+        "begin": form.quote(),
+        "end": format!("{}|{}", form.quote(), form.end()),
+        "beginCaptures": { "0": { "name": "punctuation.definition.string.begin.val3" } },
+        "endCaptures": { "0": { "name": "punctuation.definition.string.end.val3" } },
+    })
+}
+
+fn comment(form: Form) -> Value {
+    json!({
+        "name": "comment.line.double-slash.val3",
+        "begin": "//",
+        "end": form.end(),
+        "beginCaptures": { "0": { "name": "punctuation.definition.comment.val3" } },
+        "patterns": [{ "name": "storage.type.class.val3", "match": "(?<=//)(?:\\\\\\w+|!\\w+|val3:)" }],
+    })
+}
+
+fn number() -> Value {
+    rule("constant.numeric", "(?<![\\w.])(?:\\d+\\.?\\d*|\\.\\d+)(?:[eE][-+]?\\d+)?")
+}
+
+/// `call part:grip(…)`.
+fn call() -> Value {
+    json!({
+        "match": "(?i)\\b(call)\\s+(?:([a-z_]\\w*)(:))?([a-z_]\\w*)",
+        "captures": {
+            "1": { "name": "keyword.control.call.val3" },
+            "2": { "name": "entity.name.namespace.val3" },
+            "3": { "name": "punctuation.separator.namespace.val3" },
+            "4": { "name": "entity.name.function.val3" },
+        },
+    })
+}
+
+/// `run(…)` where it is no instruction: a program, behind `call` or in a task's creation.
+fn program_name() -> Value {
+    rule("entity.name.function", "[A-Za-z_]\\w*(?=\\()")
+}
+
+/// A name behind a dot is a field, whatever else it means elsewhere.
+fn member() -> Value {
+    json!({
+        "match": "(\\.)([A-Za-z_]\\w*)",
+        "captures": {
+            "1": { "name": "punctuation.accessor.val3" },
+            "2": { "name": "variable.other.member.val3" },
+        },
+    })
+}
+
+/// An instruction is known by its parenthesis: `first` alone may be a variable.
+fn instruction(family: &str, words: &str) -> Value {
+    rule(&format!("support.function.{family}"), &format!("{words}(?=\\s*\\()"))
+}
+
+/// `io:doConveyor`.
+fn namespace() -> Value {
+    json!({
+        "match": "\\b([A-Za-z_]\\w*)(:)(?=[A-Za-z_])",
+        "captures": {
+            "1": { "name": "entity.name.namespace.val3" },
+            "2": { "name": "punctuation.separator.namespace.val3" },
+        },
+    })
+}

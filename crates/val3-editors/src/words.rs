@@ -1,0 +1,93 @@
+//! The words of the language as regular expressions.
+
+use val3_lang::enumerations::ENUMERATORS;
+use val3_lang::instruction::{Family, Instruction};
+use val3_lang::{builtins, instructions, keywords};
+
+/// Words that open, part or close something.
+pub(crate) fn control() -> String {
+    let others = operators().chain(truths()).collect::<Vec<_>>();
+    let control = keywords::KEYWORDS.into_iter().filter(|keyword| !others.contains(keyword));
+    any_case(control)
+}
+
+/// `and`, `or`, `xor`.
+pub(crate) fn word_operators() -> String {
+    any_case(operators())
+}
+
+/// `true`, `false`.
+pub(crate) fn truth_values() -> String {
+    any_case(truths())
+}
+
+fn operators() -> impl Iterator<Item = &'static str> {
+    ["and", "or", "xor"].into_iter()
+}
+
+fn truths() -> impl Iterator<Item = &'static str> {
+    ["true", "false"].into_iter()
+}
+
+/// `off`, `lefty`: the values of fields.
+pub(crate) fn enumerators() -> String {
+    one_of(ENUMERATORS.iter().flat_map(|row| [row.name, row.file_name]))
+}
+
+/// `world`, `flange`.
+pub(crate) fn built_in_variables() -> String {
+    one_of(builtins::BUILTINS.iter().filter(|row| row.is_variable).map(|row| row.name))
+}
+
+/// The families of instructions with a name that themes see, and their instructions that have a plain name.
+pub(crate) fn instruction_families() -> Vec<(String, String)> {
+    let mut families: Vec<Family> = instructions::all().iter().map(|row| row.family).collect();
+    families.sort();
+    families.dedup();
+    let plain = |row: &&&Instruction| row.name.starts_with(|first: char| first.is_ascii_alphabetic());
+    let words = |family| {
+        let of_family = instructions::all().iter().filter(move |row| row.family == family);
+        one_of(of_family.filter(plain).map(|row| row.name))
+    };
+    let named = families.into_iter().map(|family| (format!("{family:?}").to_lowercase(), words(family)));
+    named.filter(|(_, words)| words != NOTHING).collect()
+}
+
+/// Matches no text.
+const NOTHING: &str = "(?!)";
+
+fn any_case<'a>(words: impl Iterator<Item = &'a str>) -> String {
+    format!("(?i){}", one_of(words))
+}
+
+/// Matches any of the words, each as a whole. Words lead from long to short, as theirs is the first that matches.
+fn one_of<'a>(words: impl Iterator<Item = &'a str>) -> String {
+    let mut words: Vec<&str> = words.collect();
+    words.sort_by_key(|word| (std::cmp::Reverse(word.len()), *word));
+    words.dedup();
+    if words.is_empty() {
+        return NOTHING.to_owned();
+    }
+    format!("\\b(?:{})\\b", words.join("|"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_keyword_has_one_kind() {
+        let all = [control(), word_operators(), truth_values()].concat();
+        for keyword in keywords::KEYWORDS {
+            let word = |found: &&str| *found == keyword;
+            assert_eq!(all.split(|c: char| !c.is_ascii_alphabetic()).filter(word).count(), 1, "{keyword}");
+        }
+    }
+
+    #[test]
+    fn every_plain_instruction_has_a_family() {
+        let all: String = instruction_families().into_iter().map(|(_, words)| words).collect();
+        let words: Vec<&str> = all.split(|c: char| !c.is_ascii_alphanumeric()).collect();
+        assert!(words.contains(&"movej") && words.contains(&"waitEndMove") && words.contains(&"size"));
+    }
+}

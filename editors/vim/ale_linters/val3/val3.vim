@@ -1,0 +1,23 @@
+" The server of VAL 3 for ALE.
+
+call ale#Set('val3_executable', 'val3')
+
+" The cell, which has the folder usr; else the configuration; else the folder of the file.
+function! ale_linters#val3#val3#GetProjectRoot(buffer) abort
+    for l:marker in ['usr/', 'val3.toml']
+        let l:found = l:marker =~# '/$' ? ale#path#FindNearestDirectory(a:buffer, l:marker) : ale#path#FindNearestFile(a:buffer, l:marker)
+        if !empty(l:found)
+            return fnamemodify(l:found, l:marker =~# '/$' ? ':h:h' : ':h')
+        endif
+    endfor
+    return expand('#' . a:buffer . ':p:h')
+endfunction
+
+call ale#linter#Define('val3', {
+\   'name': 'val3',
+\   'lsp': 'stdio',
+\   'executable': {buffer -> ale#Var(buffer, 'val3_executable')},
+\   'command': '%e lsp',
+\   'language': 'val3',
+\   'project_root': function('ale_linters#val3#val3#GetProjectRoot'),
+\})

@@ -1,0 +1,18 @@
+// Bundles the extension, and puts beside it what lies elsewhere in the project.
+const { cpSync, mkdirSync } = require("node:fs");
+const { buildSync } = require("esbuild");
+
+process.chdir(__dirname);
+buildSync({
+  entryPoints: ["src/extension.ts"],
+  outfile: "dist/extension.js",
+  bundle: true,
+  minify: true,
+  platform: "node",
+  target: "node20",
+  format: "cjs",
+  external: ["vscode"],
+});
+mkdirSync("dist/schema", { recursive: true });
+cpSync("../schema/val3.schema.json", "dist/schema/val3.schema.json");
+cpSync("../../LICENSE-MIT", "LICENSE.txt");

@@ -1,0 +1,100 @@
+// Keeps the document of a code view and the document of its file in step.
+//
+// Edits run one after the other. While an edit of the code is on its way to the file, what the file says is older than
+// what the user sees, so the code wins; at every other time the file does.
+
+import * as vscode from "vscode";
+import { Mapping } from "./mapping";
+import { difference, Projection } from "./projection";
+import { codeUri, fileUri } from "./uris";
+
+export class Link {
+  readonly code: vscode.Uri;
+  private pending = 0;
+  private queue: Promise<unknown> = Promise.resolve();
+  /** Milliseconds; grows with each change that VS Code has to read. */
+  changed = Date.now();
+
+  private constructor(readonly file: vscode.TextDocument, private readonly reload: (code: vscode.Uri) => void) {
+    this.code = codeUri(file.uri);
+  }
+
+  /** Opens the file of a code view. Fails where there is no such file. */
+  static async open(code: vscode.Uri, reload: (code: vscode.Uri) => void): Promise<Link> {
+    return new Link(await vscode.workspace.openTextDocument(fileUri(code)), reload);
+  }
+
+  /** The code as the file has it; nothing where it has none. */
+  text(): string | undefined {
+    return Projection.of(this.file.getText())?.code;
+  }
+
+  mapping(): Mapping | undefined {
+    return Mapping.of(this.file);
+  }
+
+  /** Ends when all edits of the code so far are in the file. */
+  async settled(): Promise<void> {
+    await this.queue;
+  }
+
+  /** Brings the code, as its document has it when its turn comes, into the file. */
+  async push(text?: string): Promise<void> {
+    this.pending += 1;
+    const run = this.queue.then(() => this.write(text ?? this.document()?.getText())).finally(() => (this.pending -= 1));
+    this.queue = run.catch(() => undefined);
+    await run;
+  }
+
+  /** Saves the file. */
+  async save(): Promise<void> {
+    if (this.file.isDirty && !(await this.file.save())) {
+      throw vscode.FileSystemError.NoPermissions(this.file.uri);
+    }
+    this.changed = Math.max(Date.now(), this.changed + 1);
+  }
+
+  /** The file has changed. A clean view is read again; a view with changes of its own gets the difference. */
+  async pull(): Promise<void> {
+    const document = this.document();
+    const text = this.text();
+    if (this.pending > 0 || document === undefined || text === undefined) {
+      return;
+    }
+    const change = difference(document.getText(), withLineEnds(text, document.eol));
+    if (change === undefined) {
+      return;
+    }
+    if (document.isDirty) {
+      await replace(document, change.start, change.end, change.text);
+    } else {
+      this.changed = Math.max(Date.now(), this.changed + 1);
+      this.reload(this.code);
+    }
+  }
+
+  document(): vscode.TextDocument | undefined {
+    return vscode.workspace.textDocuments.find((document) => document.uri.toString() === this.code.toString());
+  }
+
+  private async write(text: string | undefined): Promise<void> {
+    const projection = Projection.of(this.file.getText());
+    if (text === undefined || projection === undefined) {
+      return;
+    }
+    const change = projection.replacement(withLineEnds(text, this.file.eol));
+    if (change !== undefined && !(await replace(this.file, change.start, change.end, change.text))) {
+      throw vscode.FileSystemError.Unavailable(this.file.uri);
+    }
+  }
+}
+
+function withLineEnds(text: string, eol: vscode.EndOfLine): string {
+  return text.replace(/\r\n|\n/g, eol === vscode.EndOfLine.CRLF ? "\r\n" : "\n");
+}
+
+async function replace(document: vscode.TextDocument, start: number, end: number, text: string): Promise<boolean> {
+  const edit = new vscode.WorkspaceEdit();
+  edit.replace(document.uri, new vscode.Range(document.positionAt(start), document.positionAt(end)), text);
+  return vscode.workspace.applyEdit(edit);
+}

@@ -1,0 +1,185 @@
+// The code of a program file and where each of its characters stands in the file. Knows text alone.
+//
+// The code is the content of the first <Code> element: of its CDATA sections, or, in the old dialect, its text with
+// entities. A place of the code and the place of the file that it came from are offsets in UTF-16 units.
+
+/** A stretch of code and of the file that stand for each other: verbatim when both are equally long. */
+interface Chunk {
+  code: number;
+  file: number;
+  codeLength: number;
+  fileLength: number;
+}
+
+/** A replacement in a text. */
+export interface Replacement {
+  start: number;
+  end: number;
+  text: string;
+}
+
+const OUTSIDE = /<!--[^]*?(?:-->|$)|<!\[CDATA\[[^]*?(?:\]\]>|$)|<(?:Code|code)(?:\s[^>]*)?>/g;
+const PIECE = /<!\[CDATA\[([^]*?)(?:\]\]>|$)|<!--[^]*?-->|&(?:#[xX][0-9a-fA-F]+|#\d+|\w+);|<\/(?:Code|code)\s*>|[^<&]+|[^]/g;
+const CDATA_OPEN = "<![CDATA[";
+const ENTITIES: Record<string, string> = { "&lt;": "<", "&gt;": ">", "&amp;": "&", "&quot;": '"', "&apos;": "'" };
+
+/** The code of a file. */
+export class Projection {
+  private constructor(
+    /** The code as the programmer thinks of it. */
+    readonly code: string,
+    private readonly chunks: Chunk[],
+    private readonly isCdata: boolean,
+    private readonly fileStart: number,
+  ) {}
+
+  /** The code of a program file; nothing where it has none. */
+  static of(file: string): Projection | undefined {
+    const start = codeStart(file);
+    if (start === undefined) {
+      return undefined;
+    }
+    const pieces = readPieces(file, start);
+    const isCdata = pieces.some((piece) => piece.isCdata);
+    const kept = isCdata ? pieces.filter((piece) => piece.isCdata || piece.text.trim() !== "") : pieces;
+    const chunks: Chunk[] = [];
+    let code = "";
+    for (const piece of kept) {
+      chunks.push({ code: code.length, file: piece.start, codeLength: piece.text.length, fileLength: piece.length });
+      code += piece.text;
+    }
+    return new Projection(code, chunks, isCdata, start);
+  }
+
+  /** Where an offset of the code stands in the file. */
+  toFile(offset: number): number {
+    const chunk = this.chunks.findLast((chunk) => chunk.code <= offset) ?? this.chunks[0];
+    if (chunk === undefined) {
+      return this.fileStart;
+    }
+    const within = offset - chunk.code;
+    return chunk.file + (within >= chunk.codeLength ? chunk.fileLength : isVerbatim(chunk) ? within : 0);
+  }
+
+  /** Where an offset of the file stands in the code; nothing outside of the code. */
+  toCode(offset: number): number | undefined {
+    const first = this.chunks[0];
+    const last = this.chunks[this.chunks.length - 1];
+    if (first === undefined || last === undefined) {
+      return offset === this.fileStart ? 0 : undefined;
+    }
+    if (offset < first.file || offset > last.file + last.fileLength) {
+      return undefined;
+    }
+    const chunk = this.chunks.findLast((chunk) => chunk.file <= offset) ?? first;
+    const within = offset - chunk.file;
+    return chunk.code + (isVerbatim(chunk) ? Math.min(within, chunk.codeLength) : within >= chunk.fileLength ? chunk.codeLength : 0);
+  }
+
+  /** The replacement in the file that makes its code `code`; nothing when it is so already. */
+  replacement(code: string): Replacement | undefined {
+    const change = difference(this.code, code);
+    if (change === undefined) {
+      return undefined;
+    }
+    const whole = this.isCdata ? aroundSectionEnd(change, this.code) : change;
+    const text = this.isCdata ? whole.text.replaceAll("]]>", "]]]]><![CDATA[>") : escape(whole.text);
+    return { start: this.toFile(whole.start), end: this.endInFile(whole), text };
+  }
+
+  /** Text of the file, such as the new text of an edit, as code. */
+  decode(text: string): string {
+    return this.isCdata ? text.replaceAll("]]]]><![CDATA[>", "]]>") : unescape(text);
+  }
+
+  /** An empty replacement ends where it starts, also between two CDATA sections. */
+  private endInFile(change: Replacement): number {
+    if (change.end === change.start) {
+      return this.toFile(change.start);
+    }
+    const chunk = this.chunks.findLast((chunk) => chunk.code < change.end);
+    const within = chunk === undefined ? 0 : change.end - chunk.code;
+    return chunk === undefined ? this.fileStart : chunk.file + (isVerbatim(chunk) ? within : chunk.fileLength);
+  }
+}
+
+/** The shortest replacement of one stretch that turns `before` into `after`. */
+export function difference(before: string, after: string): Replacement | undefined {
+  if (before === after) {
+    return undefined;
+  }
+  const shorter = Math.min(before.length, after.length);
+  let start = 0;
+  while (start < shorter && before[start] === after[start]) {
+    start += 1;
+  }
+  let tail = 0;
+  while (tail < shorter - start && before[before.length - 1 - tail] === after[after.length - 1 - tail]) {
+    tail += 1;
+  }
+  return { start, end: before.length - tail, text: after.slice(start, after.length - tail) };
+}
+
+interface Piece {
+  start: number;
+  length: number;
+  text: string;
+  isCdata: boolean;
+}
+
+function isVerbatim(chunk: Chunk): boolean {
+  return chunk.codeLength === chunk.fileLength;
+}
+
+/** Where the content of the first element with code starts. Comments and descriptions may speak of code. */
+function codeStart(file: string): number | undefined {
+  for (const match of file.matchAll(OUTSIDE)) {
+    if (/^<code/i.test(match[0])) {
+      return match[0].endsWith("/>") ? undefined : match.index + match[0].length;
+    }
+  }
+  return undefined;
+}
+
+function readPieces(file: string, start: number): Piece[] {
+  const pieces: Piece[] = [];
+  for (const match of file.slice(start).matchAll(PIECE)) {
+    const at = start + match.index;
+    const [whole, section] = match;
+    if (/^<\/code/i.test(whole)) {
+      break;
+    } else if (section !== undefined) {
+      pieces.push({ start: at + CDATA_OPEN.length, length: section.length, text: section, isCdata: true });
+    } else if (!whole.startsWith("<!--")) {
+      pieces.push({ start: at, length: whole.length, text: unescape(whole), isCdata: false });
+    }
+  }
+  return pieces;
+}
+
+/** A change beside `]` or `>` may make or break the text `]]>`, which ends a section: it takes them in. */
+function aroundSectionEnd(change: Replacement, code: string): Replacement {
+  let { start, end } = change;
+  while (start > 0 && code[start - 1] === "]") {
+    start -= 1;
+  }
+  while (end < code.length && (code[end] === "]" || code[end] === ">")) {
+    end += 1;
+  }
+  return { start, end, text: code.slice(start, change.start) + change.text + code.slice(change.end, end) };
+}
+
+function escape(code: string): string {
+  const names: Record<string, string> = { "<": "&lt;", ">": "&gt;", "&": "&amp;", '"': "&quot;" };
+  return code.replace(/[<>&"]/g, (letter) => names[letter] ?? letter);
+}
+
+function unescape(text: string): string {
+  return text.replace(/&(?:#[xX]([0-9a-fA-F]+)|#(\d+)|\w+);/g, (entity, hex?: string, decimal?: string) => {
+    const number = hex !== undefined ? parseInt(hex, 16) : decimal !== undefined ? parseInt(decimal, 10) : undefined;
+    if (number === undefined) {
+      return ENTITIES[entity] ?? entity;
+    }
+    return number <= 0x10ffff ? String.fromCodePoint(number) : entity;
+  });
+}

@@ -1,0 +1,125 @@
+// The features of the language server in code views.
+//
+// The server knows files alone. A request about a view becomes one about its file, and the ranges of the answer become
+// ranges of the view. Edits of the whole workspace stay edits of files, from which the views follow.
+
+import type { Mapping, Position, Range } from "./mapping";
+import { toCodeTokens } from "./tokens";
+
+/** A view and its file, as addresses of the protocol. */
+export interface Target {
+  code: string;
+  file: string;
+  mapping: Mapping;
+}
+
+type Json = unknown;
+type JsonObject = Record<string, Json>;
+
+/** Parts that are for the server alone, or that speak of files. */
+const OPAQUE = new Set(["data", "command", "edit", "changes", "documentChanges", "legend"]);
+
+/** The parameters of a request about the view, as parameters about its file. */
+export function toFile(params: Json, target: Target): Json {
+  if (Array.isArray(params)) {
+    return params.map((item) => toFile(item, target));
+  } else if (isRange(params)) {
+    return target.mapping.rangeToFile(params);
+  } else if (isPosition(params)) {
+    return target.mapping.toFile(params);
+  } else if (!isObject(params)) {
+    return params === target.code ? target.file : params;
+  }
+  return mapValues(params, (key, value) => (OPAQUE.has(key) ? value : toFile(value, target)));
+}
+
+/** The answer to a request about the file, as an answer about the view. What is not in its code is left out. */
+export function toCode(method: string, answer: Json, target: Target): Json {
+  if (method.startsWith("textDocument/semanticTokens/")) {
+    return toCodeTokens(answer, target.mapping);
+  } else if (method === "textDocument/foldingRange") {
+    return (answer as JsonObject[] | null)?.flatMap((fold) => toCodeFold(fold, target) ?? []) ?? null;
+  } else if (method === "textDocument/completion") {
+    return toCodeValue(withOutsideEdits(answer, target), target) ?? null;
+  }
+  return toCodeValue(answer, target) ?? null;
+}
+
+function toCodeValue(value: Json, target: Target): Json {
+  if (Array.isArray(value)) {
+    return value.map((item) => toCodeValue(item, target)).filter((item) => item !== undefined);
+  } else if (isRange(value)) {
+    return target.mapping.rangeToCode(value);
+  } else if (isPosition(value)) {
+    return target.mapping.toCode(value);
+  } else if (!isObject(value)) {
+    return value;
+  } else if (typeof value.uri === "string" || typeof value.targetUri === "string") {
+    return toCodeLocation(value, target);
+  }
+  return toCodeObject(value, target);
+}
+
+/** An object with a range outside of the code is nothing; nested ones (a parent) are merely left out. */
+function toCodeObject(value: JsonObject, target: Target): JsonObject | undefined {
+  const result: JsonObject = {};
+  for (const [key, part] of Object.entries(value)) {
+    const mapped = OPAQUE.has(key) ? part : toCodeValue(part, target);
+    if (mapped === undefined && (isRange(part) || isPosition(part))) {
+      return undefined;
+    } else if (mapped !== undefined) {
+      result[key] = key === "newText" ? target.mapping.projection.decode(String(mapped)) : mapped;
+    }
+  }
+  return result;
+}
+
+/** A place in the code is one of the view; any other one, in this file or elsewhere, stays one of a file. */
+function toCodeLocation(value: JsonObject, target: Target): JsonObject {
+  const inFile = (value.uri ?? value.targetUri) === target.file;
+  const mapped = inFile ? toCodeObject(value, target) : undefined;
+  if (mapped === undefined) {
+    const origin = value.originSelectionRange;
+    return isRange(origin) ? { ...value, originSelectionRange: target.mapping.rangeToCode(origin) } : value;
+  }
+  return { ...mapped, [value.uri === undefined ? "targetUri" : "uri"]: target.code };
+}
+
+function toCodeFold(fold: JsonObject, target: Target): JsonObject | undefined {
+  const start = target.mapping.toCode({ line: Number(fold.startLine), character: Number(fold.startCharacter ?? 1e6) });
+  const end = target.mapping.toCode({ line: Number(fold.endLine), character: Number(fold.endCharacter ?? 0) });
+  return start && end && { ...fold, startLine: start.line, endLine: end.line, startCharacter: undefined, endCharacter: undefined };
+}
+
+/** The command that makes the edits of a completion that lie outside of the code, such as a new global. */
+export const APPLY_EDITS = "val3.applyEdits";
+
+function withOutsideEdits(answer: Json, target: Target): Json {
+  const list = isObject(answer) && Array.isArray(answer.items) ? answer.items : answer;
+  if (!Array.isArray(list)) {
+    return answer;
+  }
+  const items = list.map((item: JsonObject) => {
+    const edits = (item.additionalTextEdits ?? []) as { range: Range }[];
+    const outside = edits.filter((edit) => target.mapping.rangeToCode(edit.range) === undefined);
+    const command = { title: "", command: APPLY_EDITS, arguments: [target.file, outside] };
+    return outside.length === 0 ? item : { ...item, command };
+  });
+  return list === answer ? items : { ...(answer as JsonObject), items };
+}
+
+function mapValues(object: JsonObject, change: (key: string, value: Json) => Json): JsonObject {
+  return Object.fromEntries(Object.entries(object).map(([key, value]) => [key, change(key, value)]));
+}
+
+function isObject(value: Json): value is JsonObject {
+  return typeof value === "object" && value !== null && !Array.isArray(value);
+}
+
+function isPosition(value: Json): value is Position {
+  return isObject(value) && typeof value.line === "number" && typeof value.character === "number";
+}
+
+function isRange(value: Json): value is Range {
+  return isObject(value) && isPosition(value.start) && isPosition(value.end);
+}

@@ -1,0 +1,17 @@
+// "Check Workspace": runs `val3 check` over each folder and shows the problems.
+
+import * as vscode from "vscode";
+
+export function registerCheckWorkspace(): vscode.Disposable[] {
+  return [vscode.commands.registerCommand("val3.checkWorkspace", checkWorkspace)];
+}
+
+async function checkWorkspace(): Promise<void> {
+  const tasks = (await vscode.tasks.fetchTasks({ type: "val3" })).filter((task) => task.name === "check");
+  if (tasks.length === 0) {
+    void vscode.window.showInformationMessage("Open a folder first: there is nothing to check.");
+    return;
+  }
+  await Promise.all(tasks.map((task) => vscode.tasks.executeTask(task)));
+  await vscode.commands.executeCommand("workbench.actions.view.problems");
+}

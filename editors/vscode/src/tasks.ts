@@ -1,0 +1,32 @@
+// `val3 check` as a task, whose findings appear among the problems.
+
+import * as vscode from "vscode";
+import type { Client } from "./client";
+
+interface Definition extends vscode.TaskDefinition {
+  paths?: string[];
+  arguments?: string[];
+}
+
+export class CheckTasks implements vscode.TaskProvider {
+  constructor(private readonly client: Client) {}
+
+  provideTasks(): vscode.Task[] {
+    return (vscode.workspace.workspaceFolders ?? []).map((folder) => this.task({ type: "val3" }, folder, "check"));
+  }
+
+  resolveTask({ definition, scope, name }: vscode.Task): vscode.Task {
+    const folder = typeof scope === "object" ? scope : vscode.TaskScope.Workspace;
+    return this.task(definition as Definition, folder, name);
+  }
+
+  private task(definition: Definition, scope: vscode.WorkspaceFolder | vscode.TaskScope.Workspace, name: string): vscode.Task {
+    const paths = definition.paths ?? ["."];
+    const words = ["check", "--format", "concise", ...(definition.arguments ?? []), ...paths];
+    const run = new vscode.ProcessExecution(this.client.command ?? "val3", words);
+    const task = new vscode.Task(definition, scope, name, "val3", run, "$val3");
+    task.group = vscode.TaskGroup.Build;
+    task.presentationOptions = { reveal: vscode.TaskRevealKind.Silent, clear: true };
+    return task;
+  }
+}

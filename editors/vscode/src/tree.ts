@@ -1,0 +1,122 @@
+// The view "VAL 3": applications with their programs, data, libraries and types, as the server sees them.
+
+import * as vscode from "vscode";
+import type { Location, Range } from "vscode-languageclient/node";
+import type { Client } from "./client";
+
+/** What the server answers to `val3/workspaceTree`: one of these for each `.pjx`. */
+interface Project extends Record<Kind, Item[]> {
+  name: string;
+  uri: string;
+}
+
+interface Item {
+  name: string;
+  detail: string;
+  location: Location;
+}
+
+type Kind = "programs" | "data" | "libraries" | "types";
+
+/** What stands in a project, in this order, and how an item of it looks. */
+const KINDS: [Kind, string, string][] = [
+  ["programs", "Programs", "symbol-method"],
+  ["data", "Data", "symbol-variable"],
+  ["libraries", "Libraries", "library"],
+  ["types", "Types", "symbol-structure"],
+];
+
+/** A line of the view. */
+interface Node {
+  item: vscode.TreeItem;
+  children: Node[];
+}
+
+export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
+  private readonly changes = new vscode.EventEmitter<void>();
+  readonly onDidChangeTreeData = this.changes.event;
+  private readonly subscriptions: vscode.Disposable[];
+
+  constructor(private readonly client: Client) {
+    const files = vscode.workspace.createFileSystemWatcher("**/*.{pjx,pgx,dtx}");
+    const refresh = (): void => this.refresh();
+    this.subscriptions = [files, files.onDidCreate(refresh), files.onDidChange(refresh), files.onDidDelete(refresh)];
+  }
+
+  dispose(): void {
+    this.subscriptions.forEach((subscription) => subscription.dispose());
+    this.changes.dispose();
+  }
+
+  refresh(): void {
+    this.changes.fire();
+  }
+
+  async getChildren(parent?: Node): Promise<Node[]> {
+    if (parent !== undefined) {
+      return parent.children;
+    }
+    const projects = this.client.isRunning ? await this.client.request<Project[]>("val3/workspaceTree") : [];
+    return projects.map(projectNode).sort(byLabel);
+  }
+
+  getTreeItem({ item }: Node): vscode.TreeItem {
+    return item;
+  }
+}
+
+function projectNode(project: Project): Node {
+  const uri = vscode.Uri.parse(project.uri);
+  const children = KINDS.flatMap((kind) => groupNode(project, kind));
+  const item = collapsible(project.name, "package", "project", project.uri);
+  item.description = vscode.workspace.asRelativePath(vscode.Uri.joinPath(uri, ".."));
+  item.resourceUri = uri;
+  return { item, children };
+}
+
+function groupNode(project: Project, [kind, label, icon]: (typeof KINDS)[number]): Node[] {
+  const items = project[kind];
+  if (items.length === 0) {
+    return [];
+  }
+  const group = collapsible(label, "folder", "group", `${project.uri}#${kind}`);
+  group.description = String(items.length);
+  return [{ item: group, children: items.map((item) => itemNode(item, icon, kind)).sort(byLabel) }];
+}
+
+function itemNode({ name, detail, location }: Item, icon: string, kind: Kind): Node {
+  const item = new vscode.TreeItem(name);
+  item.iconPath = new vscode.ThemeIcon(icon);
+  item.description = detail;
+  item.contextValue = kind === "programs" ? "program" : kind;
+  item.command = openCommand(kind, location);
+  // "Open Code" of the context menu gets the item, of which it wants the file.
+  item.resourceUri = vscode.Uri.parse(location.uri);
+  return { item, children: [] };
+}
+
+/** Lines with the same `id` stay open when the view is filled anew. */
+function collapsible(label: string, icon: string, context: string, id: string): vscode.TreeItem {
+  const item = new vscode.TreeItem(label, vscode.TreeItemCollapsibleState.Collapsed);
+  item.id = id;
+  item.iconPath = new vscode.ThemeIcon(icon);
+  item.contextValue = context;
+  return item;
+}
+
+function openCommand(kind: Kind, location: Location): vscode.Command {
+  const uri = vscode.Uri.parse(location.uri);
+  const asCode = vscode.workspace.getConfiguration("val3").get<boolean>("codeView.openByDefault", false);
+  if (kind === "programs" && asCode) {
+    return { command: "val3.openCode", title: "Open", arguments: [uri] };
+  }
+  return { command: "vscode.open", title: "Open", arguments: [uri, { selection: selection(location.range) }] };
+}
+
+function selection({ start, end }: Range): vscode.Range {
+  return new vscode.Range(start.line, start.character, end.line, end.character);
+}
+
+function byLabel(left: Node, right: Node): number {
+  return String(left.item.label).localeCompare(String(right.item.label));
+}

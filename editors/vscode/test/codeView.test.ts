@@ -1,0 +1,97 @@
+// The code of a program file and the places it comes from.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Mapping } from "../src/codeView/mapping";
+import { Projection } from "../src/codeView/projection";
+import { toCode, toFile } from "../src/codeView/requests";
+
+const CDATA = '<Program name="a">\r\n  <Description><![CDATA[<Code>]]></Description>\r\n  <Code><![CDATA[begin\r\n  a=b[1]\r\nend]]></Code>\r\n</Program>';
+const SPLIT = "<Code><![CDATA[begin\n// a]]]]><![CDATA[> b\nend]]></Code>";
+const ESCAPED = '<code>begin\n  if a&lt;b and s!=&quot;&#228;&quot;\n  endIf\nend\n      </code></source>';
+const FILES = [CDATA, SPLIT, ESCAPED, "<Code></Code>", "<Code>\n <![CDATA[]]>\n</Code>", "<Code><![CDATA[begin"];
+
+function projection(file: string): Projection {
+  const found = Projection.of(file);
+  assert.ok(found !== undefined);
+  return found;
+}
+
+/** The file after its code was changed into `code`. */
+function edited(file: string, code: string): string {
+  const change = projection(file).replacement(code);
+  return change === undefined ? file : file.slice(0, change.start) + change.text + file.slice(change.end);
+}
+
+test("code is shown without its XML", () => {
+  assert.equal(projection(CDATA).code, "begin\r\n  a=b[1]\r\nend");
+  assert.equal(projection(SPLIT).code, "begin\n// a]]> b\nend");
+  assert.equal(projection(ESCAPED).code, 'begin\n  if a<b and s!="ä"\n  endIf\nend\n      ');
+  assert.equal(projection("<Code></Code>").code, "");
+});
+
+test("a file without code has no view", () => {
+  for (const file of ["", "<Program/>", "<Code/>", "<!-- <Code>begin</Code> -->", "<![CDATA[<Code>"]) {
+    assert.equal(Projection.of(file), undefined, file);
+  }
+});
+
+test("an edit changes what was edited, and no other byte", () => {
+  assert.equal(edited(CDATA, "begin\r\n  a=b[2]\r\nend"), CDATA.replace("b[1]", "b[2]"));
+  assert.equal(edited(ESCAPED, projection(ESCAPED).code.replace("a<b", "a<=b")), ESCAPED.replace("a&lt;b", "a&lt;=b"));
+  assert.equal(edited(ESCAPED, projection(ESCAPED).code.replace("a<b", 'a>"<&b"')), ESCAPED.replace("a&lt;b", "a&gt;&quot;&lt;&amp;b&quot;"));
+});
+
+test("text that ends a CDATA section is taken apart, and put together again", () => {
+  const whole = edited(CDATA, "begin\r\n  a=b[c[1]]>2\r\nend");
+  assert.ok(whole.includes("b[c[1]]]]><![CDATA[>2"));
+  assert.equal(projection(whole).code, "begin\r\n  a=b[c[1]]>2\r\nend");
+  assert.equal(edited(whole, "begin\r\n  a=b[1]\r\nend"), CDATA);
+});
+
+test("any edit of any code gives the file that has it", () => {
+  const words = ["]", "]]", ">", "<", "&", '"', "a", "\n", "]]>", "<![CDATA[", "</Code>", "&lt;", ""];
+  let seed = 7;
+  const random = (below: number): number => (seed = (seed * 1103515245 + 12345) % 2147483648) % below;
+  for (const start of FILES) {
+    let file = start;
+    for (let step = 0; step < 400; step += 1) {
+      const code = projection(file).code;
+      const from = random(code.length + 1);
+      const wanted = code.slice(0, from) + words[random(words.length)] + code.slice(from + random(4));
+      file = edited(file, wanted);
+      assert.equal(projection(file).code, wanted, JSON.stringify(file));
+    }
+  }
+});
+
+test("places lead there and back", () => {
+  for (const file of FILES) {
+    const { code } = projection(file);
+    for (let offset = 0; offset <= code.length; offset += 1) {
+      const there = projection(file).toFile(offset);
+      assert.equal(projection(file).toCode(there), offset, `${file} ${offset}`);
+    }
+  }
+});
+
+const target = { code: "val3-code:/a.val3?file", file: "file:///a.pgx", mapping: new Mapping(projection(ESCAPED), ESCAPED) };
+const inCode = { start: { line: 1, character: 5 }, end: { line: 1, character: 8 } };
+const inFile = { start: { line: 1, character: 5 }, end: { line: 1, character: 11 } };
+
+test("requests and answers are led to the file and back", () => {
+  const params = { textDocument: { uri: target.code }, range: inCode, data: inCode };
+  assert.deepEqual(toFile(params, target), { textDocument: { uri: target.file }, range: inFile, data: inCode });
+  const edits = [{ range: inFile, newText: "a &lt; b" }];
+  assert.deepEqual(toCode("textDocument/formatting", edits, target), [{ range: inCode, newText: "a < b" }]);
+  const places = [{ uri: target.file, range: inFile }, { uri: "file:///b.pgx", range: inFile }];
+  assert.deepEqual(toCode("textDocument/definition", places, target), [{ uri: target.code, range: inCode }, places[1]]);
+});
+
+test("semantic tokens follow entities, and those outside of the code are left out", () => {
+  const file = "<a/>\n<code>x&lt;y\nz</code>";
+  const mapping = new Mapping(projection(file), file);
+  const answer = { data: [0, 1, 1, 9, 0, 1, 6, 1, 2, 0, 0, 5, 1, 3, 0, 1, 0, 1, 4, 0] };
+  const tokens = toCode("textDocument/semanticTokens/full", answer, { ...target, mapping });
+  assert.deepEqual(tokens, { data: [0, 0, 1, 2, 0, 0, 2, 1, 3, 0, 1, 0, 1, 4, 0] });
+});

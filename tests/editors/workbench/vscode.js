@@ -1,0 +1,81 @@
+// VS Code as a server on this machine, with a profile and extensions of its own.
+const { spawn, spawnSync } = require("node:child_process");
+const { mkdirSync, writeFileSync, createWriteStream } = require("node:fs");
+const { createServer } = require("node:net");
+const { join } = require("node:path");
+
+/** What would reach for the network, or stand between the test and the editor. */
+const SETTINGS = {
+  "telemetry.telemetryLevel": "off",
+  "update.mode": "none",
+  "update.showReleaseNotes": false,
+  "extensions.autoUpdate": false,
+  "extensions.autoCheckUpdates": false,
+  "extensions.ignoreRecommendations": true,
+  "workbench.startupEditor": "none",
+  "workbench.tips.enabled": false,
+  "workbench.enableExperiments": false,
+  "workbench.settings.enableNaturalLanguageSearch": false,
+  "workbench.secondarySideBar.defaultVisibility": "hidden",
+  "security.workspace.trust.enabled": false,
+  "git.enabled": false,
+  "npm.fetchOnlinePackageInfo": false,
+  "chat.disableAIFeatures": true,
+  "chat.commandCenter.enabled": false,
+  "window.commandCenter": false,
+  "editor.minimap.enabled": false,
+  "files.autoSave": "off",
+};
+
+/** Starts VS Code with the extension installed. Returns the address of the workbench and how to stop it. */
+async function startVsCode(folder, vsix) {
+  const environment = { ...process.env, HOME: join(folder, "home"), EXTENSIONS_GALLERY: "{}" };
+  const folders = ["home", "server", "user", "extensions"].map((name) => join(folder, name));
+  const [, serverData, userData, extensions] = folders;
+  for (const settings of [join(userData, "User"), join(serverData, "data/Machine")]) {
+    mkdirSync(settings, { recursive: true });
+    writeFileSync(join(settings, "settings.json"), JSON.stringify(SETTINGS));
+  }
+  mkdirSync(join(folder, "home"), { recursive: true });
+  const main = join(process.env.VAL3_VSCODE, "out/server-main.js");
+  const common = [main, "--accept-server-license-terms", "--telemetry-level", "off",
+    "--server-data-dir", serverData, "--user-data-dir", userData, "--extensions-dir", extensions];
+  const install = spawnSync(process.execPath, [...common, "--install-extension", vsix], { env: environment, encoding: "utf8" });
+  if (install.status !== 0) {
+    throw new Error(`The extension cannot be installed: ${install.stdout}${install.stderr}`);
+  }
+  const port = await freePort();
+  const server = spawn(process.execPath, [...common, "--host", "127.0.0.1", "--port", String(port),
+    "--without-connection-token", "--enable-smoke-test-driver"], { env: environment });
+  process.on("exit", () => server.kill());
+  const log = createWriteStream(join(folder, "vscode.log"));
+  server.stdout.pipe(log);
+  server.stderr.pipe(log);
+  const address = `http://127.0.0.1:${port}`;
+  await untilReady(address);
+  return { address, stop: () => server.kill() };
+}
+
+async function untilReady(address) {
+  for (let attempt = 0; attempt < 150; attempt += 1) {
+    const ready = await fetch(`${address}/version`).then((answer) => answer.ok, () => false);
+    if (ready) {
+      return;
+    }
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  throw new Error("VS Code does not start");
+}
+
+function freePort() {
+  return new Promise((resolve, reject) => {
+    const probe = createServer();
+    probe.on("error", reject);
+    probe.listen(0, "127.0.0.1", () => {
+      const { port } = probe.address();
+      probe.close(() => resolve(port));
+    });
+  });
+}
+
+module.exports = { startVsCode };

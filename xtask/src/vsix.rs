@@ -1,0 +1,117 @@
+//! `vsix`: the VS Code extension with the server inside.
+
+use std::fs;
+use std::process::Command;
+
+use anyhow::{Context, bail};
+use camino::{Utf8Path, Utf8PathBuf};
+
+use crate::project;
+
+/// Options of `vsix`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// With the server as tests build it, not the release
+    #[arg(long)]
+    debug: bool,
+}
+
+/// Builds the server and packs it with the extension.
+///
+/// # Errors
+/// When a build fails or npm is missing.
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let vsix = if arguments.debug {
+        project::succeed(&mut project::cargo(&["build", "--locked", "--package", "val3-cli"]))?;
+        let binary = binary("debug")?;
+        pack(&binary, &project::target_folder()?.join("editors/val3.vsix"))?
+    } else {
+        release()?
+    };
+    println!("{vsix}");
+    Ok(())
+}
+
+/// Builds the release and returns the path of its extension, `target/dist/val3-VERSION-PLATFORM.vsix`.
+///
+/// # Errors
+/// When a build fails or npm is missing.
+pub fn release() -> anyhow::Result<Utf8PathBuf> {
+    project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
+    let name = format!("val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&project::host()?)?);
+    pack(&binary("release")?, &project::target_folder()?.join("dist").join(name))
+}
+
+fn binary(profile: &str) -> anyhow::Result<Utf8PathBuf> {
+    let name = format!("val3{}", std::env::consts::EXE_SUFFIX);
+    Ok(project::target_folder()?.join(profile).join(name))
+}
+
+/// Packs the extension with `binary` as its server.
+fn pack(binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<Utf8PathBuf> {
+    let extension = project::root().join("editors/vscode");
+    place_server(binary, &extension.join("server"))?;
+    install_packages(&extension)?;
+    npm(&extension, &["run", "--silent", "build"])?;
+    fs::create_dir_all(vsix.parent().context("a file lies in a folder")?)?;
+    let target = platform(&project::host()?)?;
+    let package = ["exec", "--offline", "--", "vsce", "package", "--no-dependencies", "--target", target, "--out"];
+    npm(&extension, &[&package[..], &[vsix.as_str()]].concat())?;
+    Ok(vsix.to_owned())
+}
+
+fn place_server(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
+    let server = folder.join(binary.file_name().context("a binary has a name")?);
+    // Written anew: the old one may be running.
+    if server.exists() {
+        fs::remove_file(&server)?;
+    }
+    fs::copy(binary, &server).with_context(|| format!("cannot copy {binary} to {server}"))?;
+    Ok(())
+}
+
+/// Installs what the lock file names, unless that was done already.
+fn install_packages(extension: &Utf8Path) -> anyhow::Result<()> {
+    let changed = |file: &str| fs::metadata(extension.join(file)).and_then(|file| file.modified());
+    let installed = changed("node_modules/.package-lock.json");
+    let wanted = changed("package-lock.json").context("the lock file of the extension")?;
+    if installed.is_ok_and(|installed| installed >= wanted) {
+        return Ok(());
+    }
+    npm(extension, &["ci", "--ignore-scripts", "--no-audit", "--no-fund"])
+}
+
+fn npm(folder: &Utf8Path, arguments: &[&str]) -> anyhow::Result<()> {
+    let command = if cfg!(windows) { "npm.cmd" } else { "npm" };
+    let mut npm = Command::new(command);
+    // Standard output belongs to the task: it names the file that was made.
+    npm.args(arguments).current_dir(folder).stdout(std::io::stderr());
+    project::succeed(&mut npm)
+}
+
+/// What VS Code calls the platform that the compiler calls `host`.
+fn platform(host: &str) -> anyhow::Result<&'static str> {
+    let arm = host.starts_with("aarch64");
+    Ok(match host {
+        _ if host.contains("linux") && arm => "linux-arm64",
+        _ if host.contains("linux") => "linux-x64",
+        _ if host.contains("darwin") && arm => "darwin-arm64",
+        _ if host.contains("darwin") => "darwin-x64",
+        _ if host.contains("windows") && arm => "win32-arm64",
+        _ if host.contains("windows") => "win32-x64",
+        _ => bail!("VS Code does not run on {host}"),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn platforms() {
+        assert_eq!(platform("x86_64-unknown-linux-gnu").unwrap(), "linux-x64");
+        assert_eq!(platform("aarch64-apple-darwin").unwrap(), "darwin-arm64");
+        assert!(platform("wasm32-unknown-unknown").is_err());
+    }
+}
