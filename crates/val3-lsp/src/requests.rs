@@ -28,6 +28,7 @@ mod workspace_symbol;
 mod workspace_tree;
 
 pub(crate) use capabilities::{capabilities, capabilities_without_type};
+pub(crate) use diagnostics::current_report;
 
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;

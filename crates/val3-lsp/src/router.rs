@@ -159,7 +159,7 @@ impl<S: LanguageServer> Router<S> {
         }
         let id = request.id().cloned();
         let mut answer =
-            AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
+            AssertUnwindSafe(self.lifecycle.call(readable_by_types(request))).catch_unwind().map(move |result| {
                 Ok(match result {
                     Ok(response) => response.ok().flatten(),
                     Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
@@ -227,11 +227,19 @@ fn complete(response: Response) -> Response {
     Response::from_parts(id, result)
 }
 
-/// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`.
-fn without_null(request: Request) -> Request {
+/// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`. In lsp-types 0.94 the
+/// ability `workspace.diagnostics` has another name than in the protocol.
+fn readable_by_types(request: Request) -> Request {
     match request.into_parts() {
         (method, Some(id), None | Some(Value::Null)) => Request::build(method).id(id).finish(),
-        (method, Some(id), Some(params)) => Request::build(method).id(id).params(params).finish(),
+        (method, Some(id), Some(mut params)) => {
+            if let Some(workspace) = params.pointer_mut("/capabilities/workspace").and_then(Value::as_object_mut)
+                && let Some(diagnostics) = workspace.remove("diagnostics")
+            {
+                workspace.insert("diagnostic".to_owned(), diagnostics);
+            }
+            Request::build(method).id(id).params(params).finish()
+        }
         (method, None, params) => Request::build(method).params(params.unwrap_or_default()).finish(),
     }
 }

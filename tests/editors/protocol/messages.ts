@@ -19,6 +19,14 @@ export interface Params {
   "workspace/didChangeWorkspaceFolders": p.DidChangeWorkspaceFoldersParams;
   "workspace/applyEdit": p.ApplyWorkspaceEditParams;
   "workspace/symbol": p.WorkspaceSymbolParams;
+  "workspaceSymbol/resolve": p.WorkspaceSymbol;
+  "workspace/executeCommand": p.ExecuteCommandParams;
+  "workspace/willRenameFiles": p.RenameFilesParams;
+  "workspace/willCreateFiles": p.CreateFilesParams;
+  "workspace/willDeleteFiles": p.DeleteFilesParams;
+  "workspace/didRenameFiles": p.RenameFilesParams;
+  "workspace/didCreateFiles": p.CreateFilesParams;
+  "workspace/didDeleteFiles": p.DeleteFilesParams;
   "textDocument/didOpen": p.DidOpenTextDocumentParams;
   "textDocument/didChange": p.DidChangeTextDocumentParams;
   "textDocument/didSave": p.DidSaveTextDocumentParams;
@@ -41,6 +49,24 @@ export interface Params {
   "textDocument/formatting": p.DocumentFormattingParams;
   "textDocument/prepareRename": p.PrepareRenameParams;
   "textDocument/rename": p.RenameParams;
+  "textDocument/declaration": p.DeclarationParams;
+  "textDocument/typeDefinition": p.TypeDefinitionParams;
+  "textDocument/implementation": p.ImplementationParams;
+  "textDocument/codeAction": p.CodeActionParams;
+  "codeAction/resolve": p.CodeAction;
+  "textDocument/codeLens": p.CodeLensParams;
+  "codeLens/resolve": p.CodeLens;
+  "textDocument/inlayHint": p.InlayHintParams;
+  "textDocument/documentLink": p.DocumentLinkParams;
+  "textDocument/linkedEditingRange": p.LinkedEditingRangeParams;
+  "textDocument/prepareCallHierarchy": p.CallHierarchyPrepareParams;
+  "callHierarchy/incomingCalls": p.CallHierarchyIncomingCallsParams;
+  "callHierarchy/outgoingCalls": p.CallHierarchyOutgoingCallsParams;
+  "textDocument/prepareTypeHierarchy": p.TypeHierarchyPrepareParams;
+  "typeHierarchy/supertypes": p.TypeHierarchySupertypesParams;
+  "typeHierarchy/subtypes": p.TypeHierarchySubtypesParams;
+  "textDocument/rangeFormatting": p.DocumentRangeFormattingParams;
+  "textDocument/onTypeFormatting": p.DocumentOnTypeFormattingParams;
 }
 
 export interface Results {
@@ -56,6 +82,11 @@ export interface Results {
   "workspace/inlayHint/refresh": null;
   "workspace/codeLens/refresh": null;
   "workspace/symbol": p.SymbolInformation[] | p.WorkspaceSymbol[] | null;
+  "workspaceSymbol/resolve": p.WorkspaceSymbol;
+  "workspace/executeCommand": p.LSPAny;
+  "workspace/willRenameFiles": p.WorkspaceEdit | null;
+  "workspace/willCreateFiles": p.WorkspaceEdit | null;
+  "workspace/willDeleteFiles": p.WorkspaceEdit | null;
   "textDocument/diagnostic": p.DocumentDiagnosticReport;
   "textDocument/hover": p.Hover | null;
   "textDocument/completion": p.CompletionItem[] | p.CompletionList | null;
@@ -73,4 +104,22 @@ export interface Results {
   "textDocument/formatting": p.TextEdit[] | null;
   "textDocument/prepareRename": p.PrepareRenameResult | null;
   "textDocument/rename": p.WorkspaceEdit | null;
+  "textDocument/declaration": p.Declaration | p.LocationLink[] | null;
+  "textDocument/typeDefinition": p.Definition | p.LocationLink[] | null;
+  "textDocument/implementation": p.Definition | p.LocationLink[] | null;
+  "textDocument/codeAction": (p.Command | p.CodeAction)[] | null;
+  "codeAction/resolve": p.CodeAction;
+  "textDocument/codeLens": p.CodeLens[] | null;
+  "codeLens/resolve": p.CodeLens;
+  "textDocument/inlayHint": p.InlayHint[] | null;
+  "textDocument/documentLink": p.DocumentLink[] | null;
+  "textDocument/linkedEditingRange": p.LinkedEditingRanges | null;
+  "textDocument/prepareCallHierarchy": p.CallHierarchyItem[] | null;
+  "callHierarchy/incomingCalls": p.CallHierarchyIncomingCall[] | null;
+  "callHierarchy/outgoingCalls": p.CallHierarchyOutgoingCall[] | null;
+  "textDocument/prepareTypeHierarchy": p.TypeHierarchyItem[] | null;
+  "typeHierarchy/supertypes": p.TypeHierarchyItem[] | null;
+  "typeHierarchy/subtypes": p.TypeHierarchyItem[] | null;
+  "textDocument/rangeFormatting": p.TextEdit[] | null;
+  "textDocument/onTypeFormatting": p.TextEdit[] | null;
 }

@@ -176,6 +176,7 @@ fn abilities(pulls: bool) -> Value {
     let mut abilities = json!({ "textDocument": { "codeAction": action }, "workspace": { "workspaceEdit": edit } });
     if pulls {
         abilities["textDocument"]["diagnostic"] = json!({});
+        abilities["workspace"]["diagnostics"] = json!({ "refreshSupport": true });
     }
     abilities
 }
