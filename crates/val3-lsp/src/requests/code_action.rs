@@ -1,13 +1,21 @@
 //! `textDocument/codeAction` and `codeAction/resolve`
 
 use serde::{Deserialize, Serialize};
-use tower_lsp::lsp_types::*;
+use tower_lsp::lsp_types::{
+    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command, Range, Url,
+    WorkspaceEdit,
+};
+use val3_analysis::db::File;
+use val3_check::diagnostic::Diagnostic;
 use val3_ide::{Assist, AssistKind, FileRange, QuickFix};
 
 use super::execute_command::apply;
 use crate::convert::{NotPossible, diagnostic, workspace_edit};
 use crate::loose;
 use crate::snapshot::{Refusal, Snapshot};
+
+/// All safe fixes of a file; no assist is called like that.
+const FIX_ALL: &str = "fix-all";
 
 /// Sorting a list of a project file.
 const SORT: CodeActionKind = CodeActionKind::new("source.sort");
@@ -23,9 +31,10 @@ pub(super) const KINDS: [CodeActionKind; 6] = [
 ];
 
 /// What was offered where, so that its edit can be computed later.
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 struct Offered {
-    assist: String,
+    /// That of the assist, or [`FIX_ALL`].
+    id: String,
     uri: Url,
     range: Range,
     version: Option<i32>,
@@ -39,40 +48,43 @@ pub(crate) fn code_action(
     let file = snapshot.file(uri)?;
     let at = FileRange { file, range: snapshot.lines(file).text_range(params.range) };
     let wanted = Wanted(params.context.only.as_deref());
-    let mut actions = fixes(snapshot, at, &wanted);
-    let kinds: Vec<AssistKind> = ASSIST_KINDS.into_iter().filter(|it| wanted.has(&kind(*it))).collect();
-    for assist in val3_ide::assists(snapshot.db(), at, Some(&kinds)) {
-        let place = Offered { assist: assist.id.to_owned(), uri: uri.clone(), range: params.range, version: None };
-        actions.extend(offer(snapshot, at, assist, place));
+    let place = Offered { id: String::new(), uri: uri.clone(), range: params.range, version: snapshot.version(file) };
+    let mut actions: Vec<CodeAction> = Vec::new();
+    if wanted.has(&CodeActionKind::QUICKFIX) {
+        actions.extend(quick_fixes(snapshot, at));
     }
-    let client = snapshot.session.client;
-    let answer = actions.into_iter().filter_map(|action| match client.has_code_actions {
+    let kinds: Vec<AssistKind> = ASSIST_KINDS.into_iter().filter(|it| wanted.has(&kind(*it))).collect();
+    let assists = val3_ide::assists(snapshot.db(), at, Some(&kinds));
+    let is_lazy = is_lazy(snapshot, file);
+    actions.extend(assists.into_iter().filter_map(|found| assist(snapshot, at, found, &place, is_lazy)));
+    if wanted.has(&CodeActionKind::SOURCE_FIX_ALL) {
+        // Who asks for this kind when a file is saved seldom asks for the edit later.
+        actions.extend(fix_all(snapshot, at, &place, is_lazy && wanted.0.is_none()));
+    }
+    let answer = actions.into_iter().filter_map(|action| match snapshot.session.client.has_code_actions {
         true => Some(CodeActionOrCommand::CodeAction(action)),
         false => command(snapshot, action).map(CodeActionOrCommand::Command),
     });
     Ok(Some(answer.collect()))
 }
 
-/// The fixes of the findings at a place, and all safe ones of the file at once.
-fn fixes(snapshot: &Snapshot, at: FileRange, wanted: &Wanted<'_>) -> Vec<CodeAction> {
-    let Some(settings) = snapshot.settings else { return Vec::new() };
+/// What is wrong in each project that has a file.
+fn findings(snapshot: &Snapshot, file: File) -> impl Iterator<Item = &Vec<Diagnostic>> {
+    let judged = val3_ide::projects_of(snapshot.db(), file).iter().filter(|it| snapshot.projects.contains(it));
+    let settings = snapshot.settings.into_iter();
+    settings.flat_map(move |settings| {
+        judged.clone().map(move |project| val3_ide::project_diagnostics(snapshot.db(), settings, *project))
+    })
+}
+
+/// The fixes of the findings at a place.
+fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
     let mut actions: Vec<CodeAction> = Vec::new();
-    let projects = val3_ide::projects_of(snapshot.db(), at.file).iter();
-    for project in projects.filter(|project| snapshot.projects.contains(project)) {
-        let findings = val3_ide::project_diagnostics(snapshot.db(), settings, *project);
-        let mut found: Vec<CodeAction> = Vec::new();
-        if wanted.has(&CodeActionKind::QUICKFIX) {
-            found.extend(val3_ide::quick_fixes(findings, at).iter().filter_map(|fix| quick_fix(snapshot, fix)));
+    for findings in findings(snapshot, at.file) {
+        for fix in val3_ide::quick_fixes(findings, at) {
+            // Two projects that share a file find most things twice.
+            actions.extend(quick_fix(snapshot, &fix).filter(|action| !actions.contains(action)));
         }
-        if wanted.has(&CodeActionKind::SOURCE_FIX_ALL) {
-            found.extend(fix_all(snapshot, &val3_ide::fix_all(snapshot.db(), findings, at.file)));
-        }
-        // Two projects that share a file find most things twice.
-        found.into_iter().for_each(|action| {
-            if !actions.contains(&action) {
-                actions.push(action);
-            }
-        });
     }
     actions
 }
@@ -88,36 +100,56 @@ fn quick_fix(snapshot: &Snapshot, fix: &QuickFix<'_>) -> Option<CodeAction> {
     })
 }
 
-fn fix_all(snapshot: &Snapshot, change: &val3_ide::SourceChange) -> Option<CodeAction> {
-    let edit = workspace_edit(snapshot, change).ok().filter(|_| !change.is_empty())?;
-    Some(CodeAction {
-        title: "Mend everything that can be mended safely".to_owned(),
-        kind: Some(CodeActionKind::SOURCE_FIX_ALL),
-        edit: Some(edit),
-        ..CodeAction::default()
-    })
+/// All safe fixes of a file at once; of two projects that share it, those of the first that has some.
+fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
+    let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
+    findings(snapshot, at.file).find(|findings| findings.iter().any(is_safe))?;
+    let title = "Mend everything that can be mended safely".to_owned();
+    let action = CodeAction { title, kind: Some(CodeActionKind::SOURCE_FIX_ALL), ..CodeAction::default() };
+    offer(snapshot, FIX_ALL, at, action, place, is_lazy)
 }
 
-/// An assist, with its edit where the client does not ask for it later, or part of it may not be possible.
-fn offer(snapshot: &Snapshot, at: FileRange, assist: Assist, place: Offered) -> Option<CodeAction> {
-    let (edit, data) = match is_lazy(snapshot, at) {
-        true => (None, Some(serde_json::to_value(Offered { version: snapshot.version(at.file), ..place }).ok()?)),
-        false => (Some(edit_of(snapshot, assist.id, at)?.ok()?), None),
-    };
-    Some(CodeAction { title: assist.title, kind: Some(kind(assist.kind)), edit, data, ..CodeAction::default() })
+fn assist(snapshot: &Snapshot, at: FileRange, found: Assist, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
+    let action = CodeAction { title: found.title, kind: Some(kind(found.kind)), ..CodeAction::default() };
+    offer(snapshot, found.id, at, action, place, is_lazy)
 }
 
-fn is_lazy(snapshot: &Snapshot, at: FileRange) -> bool {
+/// An action with its edit, or with what is needed to compute that later.
+fn offer(
+    snapshot: &Snapshot,
+    id: &str,
+    at: FileRange,
+    action: CodeAction,
+    place: &Offered,
+    is_lazy: bool,
+) -> Option<CodeAction> {
+    if is_lazy {
+        let offered = Offered { id: id.to_owned(), ..place.clone() };
+        return Some(CodeAction { data: Some(serde_json::to_value(offered).ok()?), ..action });
+    }
+    Some(CodeAction { edit: Some(edit_of(snapshot, id, at)?.ok()?), ..action })
+}
+
+/// The client asks for the edit of the action that is chosen, and no part of one can be impossible.
+fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     let client = snapshot.session.client;
     let can_all = client.changes_files.creates && client.changes_files.renames && client.changes_files.deletes;
-    let owner = val3_ide::owner(snapshot.db(), at.file);
+    let owner = val3_ide::owner(snapshot.db(), file);
     let is_listed = owner.is_some_and(|project| !loose::is_manifest(project.manifest(&snapshot.db).path(&snapshot.db)));
     client.resolves_edits && can_all && is_listed
 }
 
+/// What an action changes; `None` if there is nothing to do.
 fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, NotPossible>> {
-    let change = val3_ide::resolve_assist(snapshot.db(), id, at)?;
-    Some(workspace_edit(snapshot, &change))
+    let change = match id {
+        FIX_ALL => {
+            let changes =
+                findings(snapshot, at.file).map(|findings| val3_ide::fix_all(snapshot.db(), findings, at.file));
+            changes.into_iter().find(|change| !change.is_empty())
+        }
+        _ => val3_ide::resolve_assist(snapshot.db(), id, at),
+    };
+    change.map(|change| workspace_edit(snapshot, &change))
 }
 
 /// The edit of an action that was chosen. Its place means another one if the document was edited since.
@@ -126,12 +158,12 @@ pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAc
     let Some(offered) = action.data.take().and_then(|data| serde_json::from_value::<Offered>(data).ok()) else {
         return Ok(action);
     };
-    let file = snapshot.file(&offered.uri)?;
+    let file = snapshot.file(&offered.uri).map_err(|_| Refusal::Outdated)?;
     if snapshot.version(file) != offered.version {
         return Err(Refusal::Outdated);
     }
     let at = FileRange { file, range: snapshot.lines(file).text_range(offered.range) };
-    let edit = edit_of(snapshot, &offered.assist, at).ok_or(Refusal::Outdated)?;
+    let edit = edit_of(snapshot, &offered.id, at).ok_or(Refusal::Outdated)?;
     action.edit = Some(edit?);
     Ok(action)
 }

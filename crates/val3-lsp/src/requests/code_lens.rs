@@ -49,7 +49,7 @@ pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, 
     let Some(counted) = lens.data.take().and_then(|data| serde_json::from_value::<Counted>(data).ok()) else {
         return Ok(lens);
     };
-    let file = snapshot.file(&counted.uri)?;
+    let file = snapshot.file(&counted.uri).map_err(|_| Refusal::Outdated)?;
     if snapshot.version(file) != counted.version {
         return Err(Refusal::Outdated);
     }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;
-use val3_ide::{Completion, FileEdit, SourceChange};
+use val3_ide::{Completion, CompletionKind, FileEdit, SourceChange};
 
 use super::execute_command::apply;
 use crate::convert::{completion_kind, edits, markup, workspace_edit};
@@ -57,7 +57,7 @@ fn item(
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: snapshot.range(file, found.range), new_text })),
         additional_text_edits: (!additional.is_empty()).then_some(additional),
         command,
-        data,
+        data: data.filter(|_| found.symbol.is_some() || found.kind == CompletionKind::Keyword),
         ..CompletionItem::default()
     })
 }

@@ -62,7 +62,8 @@ pub(crate) fn resolve(snapshot: &Snapshot, symbol: &WorkspaceSymbol) -> Result<W
     if let (Some(place), OneOf::Right(WorkspaceLocation { uri })) = (place, &symbol.location) {
         let start = TextSize::new(place.start);
         let range = TextRange::new(start, TextSize::new(place.end).max(start));
-        let range = snapshot.range(snapshot.file(uri)?, range);
+        let file = snapshot.file(uri).map_err(|_| Refusal::Outdated)?;
+        let range = snapshot.range(file, range);
         symbol.location = OneOf::Left(Location { uri: uri.clone(), range });
     }
     Ok(symbol)

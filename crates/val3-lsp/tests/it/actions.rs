@@ -40,6 +40,11 @@ fn fixes_of_findings() {
     assert_eq!(each(&all, "kind"), ["source.fixAll"]);
     let texts = each(&all[0]["edit"]["documentChanges"][0]["edits"], "newText");
     assert_eq!(texts, ["if", "endIf"]);
+    // Among others it costs nothing until it is chosen.
+    let among = find(&session.actions_at("nCuont", Value::Null), "kind", "source.fixAll");
+    assert_eq!(among["edit"], Value::Null);
+    assert_eq!(session.client.ask("codeAction/resolve", among)["edit"], all[0]["edit"]);
+    assert_eq!(session.actions_at("missing", json!(["source.fixAll.other"])), json!([]));
     assert_eq!(session.client.end(), 0);
 }
 
