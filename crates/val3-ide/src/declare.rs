@@ -200,3 +200,6 @@ pub(crate) fn free(stem: &str, taken: impl Fn(&str) -> bool) -> String {
 pub(crate) fn without(db: &dyn Db, file: File, range: TextRange) -> FileEdit {
     FileEdit { file, range: crate::xml_list::whole_line(file.text(db), range), text: String::new() }
 }
+
+#[cfg(test)]
+mod tests;

@@ -68,10 +68,13 @@ impl World {
     /// Begins to check what changed since the last time.
     pub(crate) fn check(&mut self) {
         let is_checked = self.checks.started == self.checks.generation;
-        if is_checked || !self.is_ready || self.session.is_asked_for_findings() {
+        if is_checked || !self.is_ready {
             return;
         }
         self.checks.started = self.checks.generation;
+        if self.session.is_asked_for_findings() {
+            return self.look_again(self.checks.generation);
+        }
         self.publish_what_is_known();
         let edited = std::mem::take(&mut self.checks.edited);
         let db = self.database();
@@ -139,7 +142,7 @@ impl World {
     }
 
     /// A write stopped a check. If it changed nothing that is checked, the check goes on.
-    fn check_again(&mut self, generation: u64) {
+    pub(crate) fn check_again(&mut self, generation: u64) {
         if generation == self.checks.generation && generation == self.checks.started {
             self.checks.all();
         }

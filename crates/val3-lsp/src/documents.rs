@@ -22,6 +22,15 @@ pub(crate) struct Document {
     pub(crate) text: Arc<str>,
 }
 
+/// The findings that a client was told about a document.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Report {
+    /// The version they are of.
+    pub(crate) version: i32,
+    /// The same for the same findings.
+    pub(crate) id: String,
+}
+
 /// All of them.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Documents {
@@ -30,6 +39,8 @@ pub(crate) struct Documents {
     /// What the client has of the colours of each document. It is shared by all moments: clients ask for what
     /// changed since the last answer, whenever that was given.
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
+    /// What the client was told last when it asked for findings, shared for the same reason.
+    reports: Arc<Mutex<FxHashMap<Url, Report>>>,
 }
 
 impl Documents {
@@ -44,6 +55,7 @@ impl Documents {
         let document = self.by_uri.remove(uri)?;
         self.by_path.remove(&document.path);
         self.tokens().remove(uri);
+        self.lock_reports().remove(uri);
         Some(document)
     }
 
@@ -74,6 +86,20 @@ impl Documents {
 
     fn tokens(&self) -> MutexGuard<'_, FxHashMap<Url, SemanticTokens>> {
         self.tokens.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Notes the findings that the client gets.
+    pub(crate) fn keep_report(&self, uri: &Url, report: Report) {
+        self.lock_reports().insert(uri.clone(), report);
+    }
+
+    /// The findings that the client got last, of every document.
+    pub(crate) fn reports(&self) -> Vec<(Url, Report)> {
+        self.lock_reports().iter().map(|(uri, report)| (uri.clone(), report.clone())).collect()
+    }
+
+    fn lock_reports(&self) -> MutexGuard<'_, FxHashMap<Url, Report>> {
+        self.reports.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Every document.

@@ -6,6 +6,7 @@
 
 #![allow(clippy::disallowed_methods, reason = "a server has threads, a clock and a process to watch")]
 
+mod asking_again;
 mod checks;
 mod convert;
 mod documents;

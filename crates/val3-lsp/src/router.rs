@@ -17,6 +17,7 @@ use tower_service::Service;
 use crate::inbox::Inbox;
 use crate::pool::Lane;
 use crate::reply::Waiting;
+use crate::requests;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::transport::Pump;
 use crate::world::{Job, World};
@@ -64,6 +65,7 @@ impl Routes {
                 Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
                 Err(Refusal::Unknown) => Ok("null".to_owned()),
                 Err(Refusal::Because(reason)) => Err(request_failed(reason)),
+                Err(Refusal::Outdated) => Err(Error::content_modified()),
             });
             Ok(Job { method: R::METHOD, lane, on_edit, compute })
         };
@@ -157,19 +159,20 @@ impl<S: LanguageServer> Router<S> {
         }
         let id = request.id().cloned();
         let mut answer =
-            AssertUnwindSafe(self.lifecycle.call(without_null(request))).catch_unwind().map(move |result| {
+            AssertUnwindSafe(self.lifecycle.call(readable_by_types(request))).catch_unwind().map(move |result| {
                 Ok(match result {
                     Ok(response) => response.ok().flatten(),
                     Err(_) => id.map(|id| Response::from_error(id, Error::internal_error())),
                 })
             });
         match (&mut answer).now_or_never() {
-            Some(result) => {
-                if begins && matches!(&result, Ok(Some(response)) if response.is_error()) {
+            Some(result) if begins => {
+                if matches!(&result, Ok(Some(response)) if response.is_error()) {
                     self.life = Life::Fresh;
                 }
-                ready(result).boxed()
+                ready(result.map(|response| response.map(complete))).boxed()
             }
+            Some(result) => ready(result).boxed(),
             None => answer.boxed(),
         }
     }
@@ -212,11 +215,31 @@ impl<S: LanguageServer> Router<S> {
     }
 }
 
-/// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`.
-fn without_null(request: Request) -> Request {
+/// The answer to `initialize` with what its type in lsp-types has no field for.
+fn complete(response: Response) -> Response {
+    let (id, result) = response.into_parts();
+    let result = result.map(|mut answer| {
+        if let Some(capabilities) = answer.get_mut("capabilities").and_then(Value::as_object_mut) {
+            capabilities.extend(requests::capabilities_without_type());
+        }
+        answer
+    });
+    Response::from_parts(id, result)
+}
+
+/// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`. In lsp-types 0.94 the
+/// ability `workspace.diagnostics` has another name than in the protocol.
+fn readable_by_types(request: Request) -> Request {
     match request.into_parts() {
         (method, Some(id), None | Some(Value::Null)) => Request::build(method).id(id).finish(),
-        (method, Some(id), Some(params)) => Request::build(method).id(id).params(params).finish(),
+        (method, Some(id), Some(mut params)) => {
+            if let Some(workspace) = params.pointer_mut("/capabilities/workspace").and_then(Value::as_object_mut)
+                && let Some(diagnostics) = workspace.remove("diagnostics")
+            {
+                workspace.insert("diagnostic".to_owned(), diagnostics);
+            }
+            Request::build(method).id(id).params(params).finish()
+        }
         (method, None, params) => Request::build(method).params(params.unwrap_or_default()).finish(),
     }
 }

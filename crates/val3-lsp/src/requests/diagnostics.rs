@@ -7,6 +7,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 use tower_lsp::lsp_types::*;
 
 use crate::convert::diagnostics;
+use crate::documents::Report;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn document(
@@ -14,13 +15,11 @@ pub(crate) fn document(
     params: &DocumentDiagnosticParams,
 ) -> Result<DocumentDiagnosticReportResult, Refusal> {
     let uri = &params.text_document.uri;
-    let projects = snapshot.file(uri).map(|file| val3_ide::projects_of(snapshot.db(), file).to_vec());
-    let mut items: Vec<Diagnostic> = Vec::new();
-    for project in projects.unwrap_or_default().into_iter().filter(|project| snapshot.projects.contains(project)) {
-        let of_file = diagnostics(snapshot, project).into_iter().filter(|(found, _)| found == uri);
-        of_file.flat_map(|(_, found)| found).for_each(|found| add(&mut items, found));
-    }
+    let items = findings(snapshot, uri);
     let result_id = id(&items);
+    if let Some(document) = snapshot.documents.get(uri) {
+        snapshot.documents.keep_report(uri, Report { version: document.version, id: result_id.clone() });
+    }
     let report = match params.previous_result_id.as_ref() == Some(&result_id) {
         true => DocumentDiagnosticReport::Unchanged(RelatedUnchangedDocumentDiagnosticReport {
             related_documents: None,
@@ -32,6 +31,21 @@ pub(crate) fn document(
         }),
     };
     Ok(DocumentDiagnosticReportResult::Report(report))
+}
+
+/// The findings in a document, by what the answer to the question for them calls them.
+pub(crate) fn current_report(snapshot: &Snapshot, uri: &Url) -> String {
+    id(&findings(snapshot, uri))
+}
+
+fn findings(snapshot: &Snapshot, uri: &Url) -> Vec<Diagnostic> {
+    let projects = snapshot.file(uri).map(|file| val3_ide::projects_of(snapshot.db(), file).to_vec());
+    let mut items: Vec<Diagnostic> = Vec::new();
+    for project in projects.unwrap_or_default().into_iter().filter(|project| snapshot.projects.contains(project)) {
+        let of_file = diagnostics(snapshot, project).into_iter().filter(|(found, _)| found == uri);
+        of_file.flat_map(|(_, found)| found).for_each(|found| add(&mut items, found));
+    }
+    items
 }
 
 pub(crate) fn workspace(

@@ -188,3 +188,31 @@ fn the_first_check_shows_how_far_it_is() {
     assert!(matches!(kinds[..], [] | ["begin", .., "end"]), "{kinds:?}");
     assert_eq!(client.end(), 0);
 }
+
+#[test]
+fn a_client_that_asks_is_told_to_ask_again() {
+    let cell = Cell::new("call other(1)\nprogram other(num x_n)\nbegin\n  put(x_n)\nend");
+    let (start, other) = (cell.path("usrapp/main/start.pgx"), cell.path("usrapp/main/other.pgx"));
+    let abilities = json!({
+        "textDocument": { "diagnostic": {} },
+        "workspace": { "diagnostics": { "refreshSupport": true } },
+    });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    client.open(&start, cell.text("usrapp/main/start.pgx"));
+    client.open(&other, cell.text("usrapp/main/other.pgx"));
+    let ask = |client: &mut Client, path: &str| {
+        client.ask("textDocument/diagnostic", json!({ "textDocument": { "uri": uri(path) } }))["items"].clone()
+    };
+    assert_eq!(ask(&mut client, &start), json!([]));
+    assert_eq!(ask(&mut client, &other), json!([]));
+    // What changes in a document that was edited, the client asks for by itself.
+    client.change(&other, 2, &cell.text("usrapp/main/other.pgx").replace("put(x_n)", "put(x_m)"));
+    assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
+    assert_eq!(codes(ask(&mut client, &other).as_array().unwrap()), ["V0101"]);
+    client.change(&other, 3, &cell.text("usrapp/main/other.pgx").replace("\"num\"", "\"string\""));
+    let told = client.told("workspace/diagnostic/refresh");
+    client.send(&json!({ "jsonrpc": "2.0", "id": told["id"], "result": null }));
+    assert_eq!(codes(ask(&mut client, &start).as_array().unwrap()), ["V0203"]);
+    assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
+    assert_eq!(client.end(), 0);
+}

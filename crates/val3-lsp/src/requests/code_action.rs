@@ -1,0 +1,200 @@
+//! `textDocument/codeAction` and `codeAction/resolve`
+
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::{
+    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command, Range, Url,
+    WorkspaceEdit,
+};
+use val3_analysis::db::File;
+use val3_check::diagnostic::Diagnostic;
+use val3_ide::{Assist, AssistKind, FileRange, QuickFix};
+
+use super::execute_command::apply;
+use crate::convert::{NotPossible, diagnostic, workspace_edit};
+use crate::loose;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// All safe fixes of a file; no assist is called like that.
+const FIX_ALL: &str = "fix-all";
+
+/// Sorting a list of a project file.
+const SORT: CodeActionKind = CodeActionKind::new("source.sort");
+
+/// The kinds of what is offered.
+pub(super) const KINDS: [CodeActionKind; 6] = [
+    CodeActionKind::QUICKFIX,
+    CodeActionKind::REFACTOR_EXTRACT,
+    CodeActionKind::REFACTOR_INLINE,
+    CodeActionKind::REFACTOR_REWRITE,
+    CodeActionKind::SOURCE_FIX_ALL,
+    SORT,
+];
+
+/// What was offered where, so that its edit can be computed later.
+#[derive(Clone, Serialize, Deserialize)]
+struct Offered {
+    /// That of the assist, or [`FIX_ALL`].
+    id: String,
+    uri: Url,
+    range: Range,
+    version: Option<i32>,
+}
+
+pub(crate) fn code_action(
+    snapshot: &Snapshot,
+    params: &CodeActionParams,
+) -> Result<Option<CodeActionResponse>, Refusal> {
+    let uri = &params.text_document.uri;
+    let file = snapshot.file(uri)?;
+    let at = FileRange { file, range: snapshot.lines(file).text_range(params.range) };
+    let wanted = Wanted(params.context.only.as_deref());
+    let place = Offered { id: String::new(), uri: uri.clone(), range: params.range, version: snapshot.version(file) };
+    let mut actions: Vec<CodeAction> = Vec::new();
+    if wanted.has(&CodeActionKind::QUICKFIX) {
+        actions.extend(quick_fixes(snapshot, at));
+    }
+    let kinds: Vec<AssistKind> = ASSIST_KINDS.into_iter().filter(|it| wanted.has(&kind(*it))).collect();
+    let assists = val3_ide::assists(snapshot.db(), at, Some(&kinds));
+    let is_lazy = is_lazy(snapshot, file);
+    actions.extend(assists.into_iter().filter_map(|found| assist(snapshot, at, found, &place, is_lazy)));
+    if wanted.has(&CodeActionKind::SOURCE_FIX_ALL) {
+        // Who asks for this kind when a file is saved seldom asks for the edit later.
+        actions.extend(fix_all(snapshot, at, &place, is_lazy && wanted.0.is_none()));
+    }
+    let answer = actions.into_iter().filter_map(|action| match snapshot.session.client.has_code_actions {
+        true => Some(CodeActionOrCommand::CodeAction(action)),
+        false => command(snapshot, action).map(CodeActionOrCommand::Command),
+    });
+    Ok(Some(answer.collect()))
+}
+
+/// What is wrong in each project that has a file.
+fn findings(snapshot: &Snapshot, file: File) -> impl Iterator<Item = &Vec<Diagnostic>> {
+    let judged = val3_ide::projects_of(snapshot.db(), file).iter().filter(|it| snapshot.projects.contains(it));
+    let settings = snapshot.settings.into_iter();
+    settings.flat_map(move |settings| {
+        judged.clone().map(move |project| val3_ide::project_diagnostics(snapshot.db(), settings, *project))
+    })
+}
+
+/// The fixes of the findings at a place.
+fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
+    let mut actions: Vec<CodeAction> = Vec::new();
+    for findings in findings(snapshot, at.file) {
+        for fix in val3_ide::quick_fixes(findings, at) {
+            // Two projects that share a file find most things twice.
+            actions.extend(quick_fix(snapshot, &fix).filter(|action| !actions.contains(action)));
+        }
+    }
+    actions
+}
+
+fn quick_fix(snapshot: &Snapshot, fix: &QuickFix<'_>) -> Option<CodeAction> {
+    Some(CodeAction {
+        title: fix.title.clone(),
+        kind: Some(CodeActionKind::QUICKFIX),
+        diagnostics: Some(vec![diagnostic(snapshot, fix.diagnostic)]),
+        edit: Some(workspace_edit(snapshot, &fix.change).ok()?),
+        is_preferred: fix.safe.then_some(true),
+        ..CodeAction::default()
+    })
+}
+
+/// All safe fixes of a file at once; of two projects that share it, those of the first that has some.
+fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
+    let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
+    findings(snapshot, at.file).find(|findings| findings.iter().any(is_safe))?;
+    let title = "Mend everything that can be mended safely".to_owned();
+    let action = CodeAction { title, kind: Some(CodeActionKind::SOURCE_FIX_ALL), ..CodeAction::default() };
+    offer(snapshot, FIX_ALL, at, action, place, is_lazy)
+}
+
+fn assist(snapshot: &Snapshot, at: FileRange, found: Assist, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
+    let action = CodeAction { title: found.title, kind: Some(kind(found.kind)), ..CodeAction::default() };
+    offer(snapshot, found.id, at, action, place, is_lazy)
+}
+
+/// An action with its edit, or with what is needed to compute that later.
+fn offer(
+    snapshot: &Snapshot,
+    id: &str,
+    at: FileRange,
+    action: CodeAction,
+    place: &Offered,
+    is_lazy: bool,
+) -> Option<CodeAction> {
+    if is_lazy {
+        let offered = Offered { id: id.to_owned(), ..place.clone() };
+        return Some(CodeAction { data: Some(serde_json::to_value(offered).ok()?), ..action });
+    }
+    Some(CodeAction { edit: Some(edit_of(snapshot, id, at)?.ok()?), ..action })
+}
+
+/// The client asks for the edit of the action that is chosen, and no part of one can be impossible.
+fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
+    let client = snapshot.session.client;
+    let can_all = client.changes_files.creates && client.changes_files.renames && client.changes_files.deletes;
+    let owner = val3_ide::owner(snapshot.db(), file);
+    let is_listed = owner.is_some_and(|project| !loose::is_manifest(project.manifest(&snapshot.db).path(&snapshot.db)));
+    client.resolves_edits && can_all && is_listed
+}
+
+/// What an action changes; `None` if there is nothing to do.
+fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, NotPossible>> {
+    let change = match id {
+        FIX_ALL => {
+            let changes =
+                findings(snapshot, at.file).map(|findings| val3_ide::fix_all(snapshot.db(), findings, at.file));
+            changes.into_iter().find(|change| !change.is_empty())
+        }
+        _ => val3_ide::resolve_assist(snapshot.db(), id, at),
+    };
+    change.map(|change| workspace_edit(snapshot, &change))
+}
+
+/// The edit of an action that was chosen. Its place means another one if the document was edited since.
+pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAction, Refusal> {
+    let mut action = action.clone();
+    let Some(offered) = action.data.take().and_then(|data| serde_json::from_value::<Offered>(data).ok()) else {
+        return Ok(action);
+    };
+    let file = snapshot.file(&offered.uri).map_err(|_| Refusal::Outdated)?;
+    if snapshot.version(file) != offered.version {
+        return Err(Refusal::Outdated);
+    }
+    let at = FileRange { file, range: snapshot.lines(file).text_range(offered.range) };
+    let edit = edit_of(snapshot, &offered.id, at).ok_or(Refusal::Outdated)?;
+    action.edit = Some(edit?);
+    Ok(action)
+}
+
+/// For clients that know commands alone: the server asks them to make the edit.
+fn command(snapshot: &Snapshot, action: CodeAction) -> Option<Command> {
+    apply(snapshot, action.title, action.edit?)
+}
+
+/// The kinds that a client asks for; a kind asks for those below it as well.
+struct Wanted<'a>(Option<&'a [CodeActionKind]>);
+
+impl Wanted<'_> {
+    fn has(&self, kind: &CodeActionKind) -> bool {
+        let covers = |wanted: &CodeActionKind| {
+            let rest = kind.as_str().strip_prefix(wanted.as_str());
+            wanted.as_str().is_empty() || rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+        };
+        self.0.is_none_or(|only| only.iter().any(covers))
+    }
+}
+
+const ASSIST_KINDS: [AssistKind; 5] =
+    [AssistKind::QuickFix, AssistKind::Extract, AssistKind::Inline, AssistKind::Rewrite, AssistKind::Organise];
+
+fn kind(kind: AssistKind) -> CodeActionKind {
+    match kind {
+        AssistKind::QuickFix => CodeActionKind::QUICKFIX,
+        AssistKind::Extract => CodeActionKind::REFACTOR_EXTRACT,
+        AssistKind::Inline => CodeActionKind::REFACTOR_INLINE,
+        AssistKind::Rewrite => CodeActionKind::REFACTOR_REWRITE,
+        AssistKind::Organise => SORT,
+    }
+}
