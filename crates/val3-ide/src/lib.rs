@@ -55,6 +55,7 @@ pub use semantic_tokens::{SemanticToken, TokenKind, TokenModifier, semantic_toke
 pub use signature_help::{Form, SignatureHelp, signature_help};
 pub use symbols::{OutlineItem, SymbolKind, WorkspaceSymbol, outline, workspace_symbols};
 pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
+pub use val3_fmt::Style;
 
 use val3_analysis::db::File;
 use val3_syntax::{TextRange, TextSize};

@@ -1,5 +1,11 @@
 //! From the values of the features to those of the protocol. Nothing else makes protocol values from them.
 
+mod change;
+mod markup;
+
+pub(crate) use change::{NotPossible, workspace_edit};
+pub(crate) use markup::markup;
+
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::{File, Project};
 use val3_check::diagnostic as check;
@@ -112,11 +118,6 @@ fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
     }
 }
 
-/// A text in Markdown.
-pub(crate) fn markdown(value: String) -> MarkupContent {
-    MarkupContent { kind: MarkupKind::Markdown, value }
-}
-
 /// What an entry of an outline is shown as.
 pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     match kind {
@@ -164,37 +165,6 @@ pub(crate) fn edits<'e>(
 ) -> Vec<TextEdit> {
     let lines = snapshot.lines(file);
     edits.into_iter().map(|(range, text)| TextEdit { range: lines.range(range), new_text: text.to_owned() }).collect()
-}
-
-/// A change of several files. Clients that do not know better get the edits alone.
-pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &ide::SourceChange) -> WorkspaceEdit {
-    let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
-    for edit in &change.edits {
-        let converted = edits(snapshot, edit.file, [(edit.range, edit.text.as_str())]);
-        match files.iter_mut().find(|(file, _)| *file == edit.file) {
-            Some((_, of_file)) => of_file.extend(converted),
-            None => files.push((edit.file, converted)),
-        }
-    }
-    if !snapshot.session.client.has_document_changes {
-        let changes = files.into_iter().map(|(file, edits)| (snapshot.uri(file), edits)).collect();
-        return WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() };
-    }
-    let edits = files.into_iter().map(|(file, edits)| {
-        let document =
-            OptionalVersionedTextDocumentIdentifier { uri: snapshot.uri(file), version: snapshot.version(file) };
-        let edits = edits.into_iter().map(OneOf::Left).collect();
-        DocumentChangeOperation::Edit(TextDocumentEdit { text_document: document, edits })
-    });
-    let mut operations: Vec<_> = edits.collect();
-    if snapshot.session.client.renames_files {
-        operations.extend(change.moves.iter().map(|(from, to)| {
-            let (old_uri, new_uri) = (snapshot.uri_of(from), snapshot.uri_of(to));
-            let rename = RenameFile { old_uri, new_uri, options: None, annotation_id: None };
-            DocumentChangeOperation::Op(ResourceOp::Rename(rename))
-        }));
-    }
-    WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() }
 }
 
 /// Locations, or links that know what they lead away from.

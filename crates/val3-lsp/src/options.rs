@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_json::Value;
 use val3_check::settings::{Selection, meant_by};
-use val3_fmt::{Indent, Style};
+use val3_ide::InlayHintSettings;
 
 /// The section of the editor's settings.
 pub(crate) const SECTION: &str = "val3";
@@ -14,8 +14,8 @@ pub(crate) const SECTION: &str = "val3";
 pub(crate) struct Options {
     /// Findings.
     pub(crate) check: CheckOptions,
-    /// Layout of code.
-    pub(crate) format: FormatOptions,
+    /// Short remarks between the words of the code.
+    pub(crate) inlay_hints: InlayHintOptions,
 }
 
 /// Which findings are shown, and how they get to the editor.
@@ -43,14 +43,29 @@ pub(crate) enum Delivery {
     Pull,
 }
 
-/// The layout of code; what is not set is as `val3 fmt` has it.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
+/// Which remarks are shown; all that are not switched off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
-pub(crate) struct FormatOptions {
-    around_assignment: Option<bool>,
-    around_operators: Option<bool>,
-    after_comma: Option<bool>,
-    blank_lines: Option<usize>,
+pub(crate) struct InlayHintOptions {
+    parameter_names: bool,
+    literal_types: bool,
+    point_frames: bool,
+    blends: bool,
+}
+
+impl Default for InlayHintOptions {
+    fn default() -> Self {
+        let InlayHintSettings { parameter_names, literal_types, point_frames, blends } = InlayHintSettings::default();
+        Self { parameter_names, literal_types, point_frames, blends }
+    }
+}
+
+impl InlayHintOptions {
+    /// As the hints take them.
+    pub(crate) fn settings(self) -> InlayHintSettings {
+        let Self { parameter_names, literal_types, point_frames, blends } = self;
+        InlayHintSettings { parameter_names, literal_types, point_frames, blends }
+    }
 }
 
 impl Options {
@@ -75,19 +90,6 @@ impl Options {
         let only = (!select.is_empty()).then(|| codes(select));
         let named = only.clone().unwrap_or_default();
         Selection { only, named, never: codes(ignore) }
-    }
-
-    /// The layout of code, with the indentation that the editor uses for the document.
-    pub(crate) fn style(&self, tab_size: u32, insert_spaces: bool) -> Style {
-        let usual = Style::default();
-        let FormatOptions { around_assignment, around_operators, after_comma, blank_lines } = self.format;
-        Style {
-            indent: if insert_spaces { Indent::Blanks(u8::try_from(tab_size).unwrap_or(2)) } else { Indent::Tab },
-            around_assignment: around_assignment.unwrap_or(usual.around_assignment),
-            around_operators: around_operators.unwrap_or(usual.around_operators),
-            after_comma: after_comma.unwrap_or(usual.after_comma),
-            blank_lines: blank_lines.unwrap_or(usual.blank_lines),
-        }
     }
 }
 

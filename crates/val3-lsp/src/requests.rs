@@ -1,24 +1,33 @@
 //! What a client can ask and tell: one file a request, one line here.
 
+mod call_hierarchy;
 mod capabilities;
+mod code_action;
+mod code_lens;
 mod completion;
 mod definition;
 mod diagnostics;
 mod document_highlight;
+mod document_link;
 mod document_symbol;
+mod execute_command;
+mod file_operations;
 mod folding_range;
 mod formatting;
 mod hover;
+mod inlay_hint;
+mod linked_editing_range;
 mod page;
 mod references;
 mod rename;
 mod selection_range;
 mod semantic_tokens;
 mod signature_help;
+mod type_hierarchy;
 mod workspace_symbol;
 mod workspace_tree;
 
-pub(crate) use capabilities::capabilities;
+pub(crate) use capabilities::{capabilities, capabilities_without_type};
 
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;
@@ -37,13 +46,27 @@ pub(crate) fn routes() -> Routes {
     routes.on::<r::ResolveCompletionItem>(Latency, Retry, completion::resolve);
     routes.on::<r::SignatureHelpRequest>(Latency, Refuse, signature_help::signature_help);
     routes.on::<r::GotoDefinition>(Latency, Refuse, definition::definition);
-    routes.on::<r::GotoDeclaration>(Latency, Refuse, definition::definition);
+    routes.on::<r::GotoDeclaration>(Latency, Refuse, definition::declaration);
     routes.on::<r::GotoTypeDefinition>(Latency, Refuse, definition::type_definition);
     routes.on::<r::GotoImplementation>(Latency, Refuse, definition::implementation);
     routes.on::<r::References>(Latency, Refuse, references::references);
     routes.on::<r::DocumentHighlightRequest>(Latency, Refuse, document_highlight::document_highlight);
     routes.on::<r::DocumentSymbolRequest>(Latency, Retry, document_symbol::document_symbol);
     routes.on::<r::WorkspaceSymbolRequest>(Latency, Retry, workspace_symbol::workspace_symbol);
+    routes.on::<r::WorkspaceSymbolResolve>(Latency, Retry, workspace_symbol::resolve);
+    routes.on::<r::CallHierarchyPrepare>(Latency, Refuse, call_hierarchy::prepare);
+    routes.on::<r::CallHierarchyIncomingCalls>(Latency, Retry, call_hierarchy::incoming);
+    routes.on::<r::CallHierarchyOutgoingCalls>(Latency, Retry, call_hierarchy::outgoing);
+    routes.on::<r::TypeHierarchyPrepare>(Latency, Refuse, type_hierarchy::prepare);
+    routes.on::<r::TypeHierarchySupertypes>(Latency, Retry, type_hierarchy::supertypes);
+    routes.on::<r::TypeHierarchySubtypes>(Latency, Retry, type_hierarchy::subtypes);
+    routes.on::<r::CodeActionRequest>(Latency, Refuse, code_action::code_action);
+    routes.on::<r::CodeActionResolveRequest>(Latency, Refuse, code_action::resolve);
+    routes.on::<r::CodeLensRequest>(Latency, Retry, code_lens::code_lens);
+    routes.on::<r::CodeLensResolve>(Latency, Refuse, code_lens::resolve);
+    routes.on::<r::InlayHintRequest>(Latency, Refuse, inlay_hint::inlay_hint);
+    routes.on::<r::DocumentLinkRequest>(Latency, Retry, document_link::document_link);
+    routes.on::<r::LinkedEditingRange>(Latency, Refuse, linked_editing_range::linked_editing_range);
     routes.on::<r::FoldingRangeRequest>(Latency, Retry, folding_range::folding_range);
     routes.on::<r::SelectionRangeRequest>(Latency, Refuse, selection_range::selection_range);
     routes.on::<r::SemanticTokensFullRequest>(Latency, Retry, semantic_tokens::full);
@@ -54,6 +77,10 @@ pub(crate) fn routes() -> Routes {
     routes.on::<r::Formatting>(Latency, Refuse, formatting::whole);
     routes.on::<r::RangeFormatting>(Latency, Refuse, formatting::range);
     routes.on::<r::OnTypeFormatting>(Latency, Refuse, formatting::on_type);
+    routes.on::<r::WillRenameFiles>(Latency, Retry, file_operations::will_rename);
+    routes.on::<r::WillCreateFiles>(Latency, Retry, file_operations::will_create);
+    routes.on::<r::WillDeleteFiles>(Latency, Retry, file_operations::will_delete);
+    routes.on::<r::ExecuteCommand>(Latency, Retry, execute_command::execute_command);
     routes.on::<r::DocumentDiagnosticRequest>(Latency, Retry, diagnostics::document);
     routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
     routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
@@ -68,6 +95,9 @@ fn notifications(routes: &mut Routes) {
     routes.notify::<n::DidSaveTextDocument>(sync::saved);
     routes.notify::<n::DidCloseTextDocument>(sync::closed);
     routes.notify::<n::DidChangeWatchedFiles>(watching::changed);
+    routes.notify::<n::DidRenameFiles>(file_operations::renamed);
+    routes.notify::<n::DidCreateFiles>(file_operations::created);
+    routes.notify::<n::DidDeleteFiles>(file_operations::deleted);
     routes.notify::<n::DidChangeWorkspaceFolders>(workspace_folders::folders_changed);
     routes.notify::<n::DidChangeConfiguration>(workspace_folders::settings_changed);
     routes.notify::<n::SetTrace>(workspace_folders::trace_set);

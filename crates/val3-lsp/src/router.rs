@@ -17,6 +17,7 @@ use tower_service::Service;
 use crate::inbox::Inbox;
 use crate::pool::Lane;
 use crate::reply::Waiting;
+use crate::requests;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::transport::Pump;
 use crate::world::{Job, World};
@@ -64,6 +65,7 @@ impl Routes {
                 Ok(result) => serde_json::to_string(&result).map_err(|_| Error::internal_error()),
                 Err(Refusal::Unknown) => Ok("null".to_owned()),
                 Err(Refusal::Because(reason)) => Err(request_failed(reason)),
+                Err(Refusal::Outdated) => Err(Error::content_modified()),
             });
             Ok(Job { method: R::METHOD, lane, on_edit, compute })
         };
@@ -164,12 +166,13 @@ impl<S: LanguageServer> Router<S> {
                 })
             });
         match (&mut answer).now_or_never() {
-            Some(result) => {
-                if begins && matches!(&result, Ok(Some(response)) if response.is_error()) {
+            Some(result) if begins => {
+                if matches!(&result, Ok(Some(response)) if response.is_error()) {
                     self.life = Life::Fresh;
                 }
-                ready(result).boxed()
+                ready(result.map(|response| response.map(complete))).boxed()
             }
+            Some(result) => ready(result).boxed(),
             None => answer.boxed(),
         }
     }
@@ -210,6 +213,18 @@ impl<S: LanguageServer> Router<S> {
         self.inbox.post(move |world| world.ask(job, reply));
         nothing()
     }
+}
+
+/// The answer to `initialize` with what its type in lsp-types has no field for.
+fn complete(response: Response) -> Response {
+    let (id, result) = response.into_parts();
+    let result = result.map(|mut answer| {
+        if let Some(capabilities) = answer.get_mut("capabilities").and_then(Value::as_object_mut) {
+            capabilities.extend(requests::capabilities_without_type());
+        }
+        answer
+    });
+    Response::from_parts(id, result)
 }
 
 /// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`.

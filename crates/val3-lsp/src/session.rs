@@ -2,11 +2,14 @@
 
 use camino::Utf8PathBuf;
 use serde_json::Value;
-use tower_lsp::lsp_types::{InitializeParams, PositionEncodingKind};
+use tower_lsp::lsp_types::{
+    InitializeParams, MarkupKind, PositionEncodingKind, ResourceOperationKind, TextDocumentClientCapabilities,
+    WorkspaceEditClientCapabilities,
+};
 use val3_analysis::paths::normalise;
 
 use crate::line_index::Encoding;
-use crate::options::{Delivery, Options};
+use crate::options::{Delivery, Options, SECTION};
 use crate::uri;
 
 /// One client and what was agreed with it.
@@ -20,6 +23,8 @@ pub(crate) struct Session {
     pub(crate) options: Options,
     /// What it can do.
     pub(crate) client: ClientAbilities,
+    /// The commands of ours that it brings.
+    pub(crate) commands: ClientCommands,
     /// How much it wants to be told about what the server does.
     pub(crate) trace: Trace,
 }
@@ -41,14 +46,69 @@ pub(crate) struct ClientAbilities {
     pub(crate) has_links: bool,
     /// It fills in snippets.
     pub(crate) has_snippets: bool,
-    /// It renames files as part of an edit.
-    pub(crate) renames_files: bool,
+    /// It shows Markdown in hovers, in the documentation of completions and in signatures.
+    pub(crate) reads_markdown: Markdown,
+    /// It makes edits that the server asks for.
+    pub(crate) applies_edits: bool,
+    /// It creates, renames and deletes files as part of an edit.
+    pub(crate) changes_files: FileChanges,
+    /// It knows code actions with a kind; others know commands alone.
+    pub(crate) has_code_actions: bool,
+    /// It asks for the edit of a code action when that is chosen.
+    pub(crate) resolves_edits: bool,
+    /// It asks for the range of a symbol of the workspace when that is chosen.
+    pub(crate) resolves_symbols: bool,
+    /// It asks for inlay hints anew when it is told to.
+    pub(crate) refreshes_hints: bool,
     /// It knows edits that name the version they are made for.
     pub(crate) has_document_changes: bool,
     /// It shows an outline with levels.
     pub(crate) has_nested_symbols: bool,
     /// It folds whole lines only.
     pub(crate) folds_lines: bool,
+}
+
+/// Where a client shows Markdown.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Markdown {
+    pub(crate) in_hovers: bool,
+    pub(crate) in_completions: bool,
+    pub(crate) in_signatures: bool,
+}
+
+/// What a client does with files as part of an edit.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct FileChanges {
+    pub(crate) creates: bool,
+    pub(crate) renames: bool,
+    pub(crate) deletes: bool,
+}
+
+/// The commands that a client brings for what the protocol does not know, named in `initializationOptions.commands`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct ClientCommands {
+    /// [`RUN`](Self::RUN)
+    pub(crate) runs: bool,
+    /// [`DEBUG`](Self::DEBUG)
+    pub(crate) debugs: bool,
+    /// [`SHOW_REFERENCES`](Self::SHOW_REFERENCES)
+    pub(crate) shows_references: bool,
+}
+
+impl ClientCommands {
+    /// Runs the application of a `.pjx`. Argument: its URI.
+    pub(crate) const RUN: &str = "val3.run";
+    /// Debugs it. Argument: its URI.
+    pub(crate) const DEBUG: &str = "val3.debug";
+    /// Shows places. Arguments: the URI and the position they are asked for at, and the locations.
+    pub(crate) const SHOW_REFERENCES: &str = "val3.showReferences";
+
+    fn read(options: Option<&Value>) -> Self {
+        let named = options.and_then(|options| options.get(SECTION).unwrap_or(options).get("commands"));
+        let named = named.and_then(Value::as_array).map(Vec::as_slice).unwrap_or_default();
+        let has = |command: &str| named.iter().any(|named| named == command);
+        Self { runs: has(Self::RUN), debugs: has(Self::DEBUG), shows_references: has(Self::SHOW_REFERENCES) }
+    }
 }
 
 /// How much a client wants to know.
@@ -70,6 +130,7 @@ impl Session {
             folders: folders(params),
             options,
             client: ClientAbilities::of(params),
+            commands: ClientCommands::read(params.initialization_options.as_ref()),
             trace: if params.trace.is_some_and(|trace| trace != tower_lsp::lsp_types::TraceValue::Off) {
                 Trace::On
             } else {
@@ -122,7 +183,9 @@ impl ClientAbilities {
         let folding = document.and_then(|it| it.folding_range.as_ref());
         let symbols = document.and_then(|it| it.document_symbol.as_ref());
         let item = document.and_then(|it| it.completion.as_ref()?.completion_item.as_ref());
-        let yes = |flag: Option<bool>| flag == Some(true);
+        let action = document.and_then(|it| it.code_action.as_ref());
+        let found = workspace.and_then(|it| it.symbol.as_ref()?.resolve_support.as_ref());
+        let has_document_changes = yes(edit.and_then(|it| it.document_changes));
         Self {
             watches_files: yes(workspace.and_then(|it| it.did_change_watched_files?.dynamic_registration)),
             pulls: document.is_some_and(|it| it.diagnostic.is_some()),
@@ -131,12 +194,49 @@ impl ClientAbilities {
             shows_progress: yes(window.and_then(|it| it.work_done_progress)),
             has_links: yes(document.and_then(|it| it.definition?.link_support)),
             has_snippets: yes(item.and_then(|it| it.snippet_support)),
-            renames_files: edit
-                .and_then(|it| it.resource_operations.as_ref())
-                .is_some_and(|operations| operations.contains(&tower_lsp::lsp_types::ResourceOperationKind::Rename)),
-            has_document_changes: yes(edit.and_then(|it| it.document_changes)),
+            reads_markdown: Markdown::of(document),
+            applies_edits: yes(workspace.and_then(|it| it.apply_edit)),
+            changes_files: edit.filter(|_| has_document_changes).map(FileChanges::of).unwrap_or_default(),
+            has_code_actions: action.is_some_and(|it| it.code_action_literal_support.is_some()),
+            resolves_edits: yes(action.and_then(|it| it.data_support))
+                && action.and_then(|it| it.resolve_support.as_ref()).is_some_and(|it| names(&it.properties, "edit")),
+            resolves_symbols: found.is_some_and(|it| names(&it.properties, "location.range")),
+            refreshes_hints: yes(workspace.and_then(|it| it.inlay_hint.as_ref()?.refresh_support)),
+            has_document_changes,
             has_nested_symbols: yes(symbols.and_then(|it| it.hierarchical_document_symbol_support)),
             folds_lines: yes(folding.and_then(|it| it.line_folding_only)),
         }
     }
+}
+
+impl Markdown {
+    fn of(document: Option<&TextDocumentClientCapabilities>) -> Self {
+        let has = |formats: Option<&Vec<MarkupKind>>| formats.is_some_and(|it| it.contains(&MarkupKind::Markdown));
+        let item = document.and_then(|it| it.completion.as_ref()?.completion_item.as_ref());
+        let signature = document.and_then(|it| it.signature_help.as_ref()?.signature_information.as_ref());
+        Self {
+            in_hovers: has(document.and_then(|it| it.hover.as_ref()?.content_format.as_ref())),
+            in_completions: has(item.and_then(|it| it.documentation_format.as_ref())),
+            in_signatures: has(signature.and_then(|it| it.documentation_format.as_ref())),
+        }
+    }
+}
+
+impl FileChanges {
+    fn of(edit: &WorkspaceEditClientCapabilities) -> Self {
+        let can = |kind| edit.resource_operations.as_ref().is_some_and(|operations| operations.contains(&kind));
+        Self {
+            creates: can(ResourceOperationKind::Create),
+            renames: can(ResourceOperationKind::Rename),
+            deletes: can(ResourceOperationKind::Delete),
+        }
+    }
+}
+
+fn yes(flag: Option<bool>) -> bool {
+    flag == Some(true)
+}
+
+fn names(properties: &[String], property: &str) -> bool {
+    properties.iter().any(|known| known == property)
 }

@@ -21,6 +21,8 @@ pub(crate) enum Refusal {
     Unknown,
     /// What was asked cannot be done, in a sentence for the user.
     Because(String),
+    /// It asks about a text that was edited since.
+    Outdated,
 }
 
 /// The state at one moment.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use tower_lsp::lsp_types::request::WorkspaceConfiguration;
+use tower_lsp::lsp_types::request::{InlayHintRefreshRequest, WorkspaceConfiguration};
 use tower_lsp::lsp_types::{
     ConfigurationItem, ConfigurationParams, DidChangeConfigurationParams, DidChangeWorkspaceFoldersParams,
     SetTraceParams, TraceValue,
@@ -74,6 +74,9 @@ impl World {
             session.options = options;
             session.options.check.delivery = delivery;
             self.settings_are_stale();
+            if self.session.client.refreshes_hints {
+                self.outbox.ask::<InlayHintRefreshRequest>((), |_, _| {});
+            }
         }
     }
 }

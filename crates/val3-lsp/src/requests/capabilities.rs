@@ -1,8 +1,10 @@
 //! What the server says it can do.
 
+use serde_json::Value;
 use tower_lsp::lsp_types::*;
 use val3_ide::{TokenKind, TokenModifier};
 
+use super::{code_action, execute_command, file_operations};
 use crate::line_index::Encoding;
 use crate::session::Session;
 
@@ -34,7 +36,10 @@ pub(crate) fn capabilities(session: &Session) -> ServerCapabilities {
         references_provider: Some(OneOf::Left(true)),
         document_highlight_provider: Some(OneOf::Left(true)),
         document_symbol_provider: Some(OneOf::Left(true)),
-        workspace_symbol_provider: Some(OneOf::Left(true)),
+        workspace_symbol_provider: Some(OneOf::Right(WorkspaceSymbolOptions {
+            resolve_provider: Some(true),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        })),
         folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
         selection_range_provider: Some(SelectionRangeProviderCapability::Simple(true)),
         semantic_tokens_provider: Some(semantic_tokens().into()),
@@ -42,21 +47,48 @@ pub(crate) fn capabilities(session: &Session) -> ServerCapabilities {
             prepare_provider: Some(true),
             work_done_progress_options: WorkDoneProgressOptions::default(),
         })),
+        code_action_provider: Some(CodeActionProviderCapability::Options(CodeActionOptions {
+            code_action_kinds: Some(code_action::KINDS.to_vec()),
+            resolve_provider: Some(true),
+            ..CodeActionOptions::default()
+        })),
+        code_lens_provider: Some(CodeLensOptions { resolve_provider: Some(true) }),
+        inlay_hint_provider: Some(OneOf::Left(true)),
+        call_hierarchy_provider: Some(CallHierarchyServerCapability::Simple(true)),
+        document_link_provider: Some(DocumentLinkOptions {
+            resolve_provider: Some(false),
+            work_done_progress_options: WorkDoneProgressOptions::default(),
+        }),
+        linked_editing_range_provider: Some(LinkedEditingRangeServerCapabilities::Simple(true)),
+        execute_command_provider: Some(ExecuteCommandOptions {
+            commands: vec![execute_command::APPLY_EDIT.to_owned()],
+            ..ExecuteCommandOptions::default()
+        }),
         document_formatting_provider: Some(OneOf::Left(true)),
         document_range_formatting_provider: Some(OneOf::Left(true)),
-        document_on_type_formatting_provider: Some(DocumentOnTypeFormattingOptions {
-            first_trigger_character: "\n".to_owned(),
-            more_trigger_character: Some(vec!["f".to_owned(), "e".to_owned(), "r".to_owned(), "h".to_owned()]),
-        }),
+        document_on_type_formatting_provider: Some(on_type_formatting()),
         diagnostic_provider: session.is_asked_for_findings().then(diagnostics),
         workspace: Some(WorkspaceServerCapabilities {
             workspace_folders: Some(WorkspaceFoldersServerCapabilities {
                 supported: Some(true),
                 change_notifications: Some(OneOf::Left(true)),
             }),
-            file_operations: None,
+            file_operations: Some(file_operations::capabilities()),
         }),
         ..ServerCapabilities::default()
+    }
+}
+
+/// As [`capabilities`], what the type of lsp-types has no field for.
+pub(crate) fn capabilities_without_type() -> impl Iterator<Item = (String, Value)> {
+    [("typeHierarchyProvider".to_owned(), Value::Bool(true))].into_iter()
+}
+
+fn on_type_formatting() -> DocumentOnTypeFormattingOptions {
+    let [first, more @ ..] = val3_ide::FORMATTING_TRIGGERS;
+    DocumentOnTypeFormattingOptions {
+        first_trigger_character: first.to_string(),
+        more_trigger_character: Some(more.iter().map(char::to_string).collect()),
     }
 }
 

@@ -2,9 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::*;
-use val3_ide::Completion;
+use val3_analysis::db::File;
+use val3_ide::{Completion, FileEdit, SourceChange};
 
-use crate::convert::{completion_kind, edits, markdown};
+use super::execute_command::apply;
+use crate::convert::{completion_kind, edits, markup, workspace_edit};
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Where an item was offered, so that its documentation can be found later.
@@ -23,23 +25,29 @@ pub(crate) fn completion(
     let offered = Offered { uri: place.text_document.uri.clone(), position: place.position };
     let data = serde_json::to_value(offered).ok();
     let found = val3_ide::completions(snapshot.db(), at);
-    let items = found.iter().enumerate().map(|(rank, found)| item(snapshot, at.file, rank, found, data.clone()));
+    let items = found.iter().enumerate().filter_map(|(rank, found)| item(snapshot, at.file, rank, found, data.clone()));
     // More letters may fit what few letters left out.
     Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: true, items: items.collect() })))
 }
 
+/// `None` for what also changes another file where the client lets nobody do so: half of it would be a mistake.
 fn item(
     snapshot: &Snapshot,
-    file: val3_analysis::db::File,
+    file: File,
     rank: usize,
     found: &Completion,
     data: Option<serde_json::Value>,
-) -> CompletionItem {
+) -> Option<CompletionItem> {
     let is_snippet = found.is_snippet && snapshot.session.client.has_snippets;
-    let new_text = if found.is_snippet && !is_snippet { found.label.clone() } else { found.insert.clone() };
-    let own = found.additional.iter().filter(|edit| edit.file == file);
-    let additional = edits(snapshot, file, own.map(|edit| (edit.range, edit.text.as_str())));
-    CompletionItem {
+    let new_text = if is_snippet { &found.insert } else { &found.plain }.clone();
+    let (own, elsewhere): (Vec<&FileEdit>, Vec<&FileEdit>) =
+        found.additional.iter().partition(|edit| edit.file == file);
+    let command = match elsewhere.is_empty() {
+        true => None,
+        false => Some(declaring(snapshot, &elsewhere)?),
+    };
+    let additional = edits(snapshot, file, own.iter().map(|edit| (edit.range, edit.text.as_str())));
+    Some(CompletionItem {
         label: found.label.clone(),
         kind: Some(completion_kind(found.kind)),
         detail: (!found.detail.is_empty()).then(|| found.detail.clone()),
@@ -48,25 +56,36 @@ fn item(
         insert_text_format: Some(if is_snippet { InsertTextFormat::SNIPPET } else { InsertTextFormat::PLAIN_TEXT }),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: snapshot.range(file, found.range), new_text })),
         additional_text_edits: (!additional.is_empty()).then_some(additional),
-        data: found.symbol.is_some().then_some(data).flatten(),
+        command,
+        data,
         ..CompletionItem::default()
-    }
+    })
+}
+
+/// The edits of an item in other files, which the client is asked to make once the item was taken.
+fn declaring(snapshot: &Snapshot, elsewhere: &[&FileEdit]) -> Option<Command> {
+    let edits = elsewhere.iter().copied().cloned().collect();
+    let change = SourceChange { edits, ..SourceChange::default() };
+    apply(snapshot, "Declare it".to_owned(), workspace_edit(snapshot, &change).ok()?)
 }
 
 pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<CompletionItem, Refusal> {
     let mut item = item.clone();
     let offered = item.data.clone().and_then(|data| serde_json::from_value::<Offered>(data).ok());
-    if let Some(text) = offered.and_then(|offered| documentation(snapshot, &offered, &item.label)) {
-        item.documentation = Some(Documentation::MarkupContent(markdown(text)));
+    if let Some(text) = offered.and_then(|offered| documentation(snapshot, &offered, &item)) {
+        let is_markdown = snapshot.session.client.reads_markdown.in_completions;
+        item.documentation = Some(Documentation::MarkupContent(markup(is_markdown, text)));
     }
     Ok(item)
 }
 
 /// The text may have changed since; what is offered there now tells what the name stands for.
-fn documentation(snapshot: &Snapshot, offered: &Offered, label: &str) -> Option<String> {
+fn documentation(snapshot: &Snapshot, offered: &Offered, item: &CompletionItem) -> Option<String> {
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;
     let project = val3_ide::owner(snapshot.db(), at.file)?;
     let found = val3_ide::completions(snapshot.db(), at);
-    let symbol = found.iter().find(|found| found.label == label)?.symbol.as_ref()?;
-    val3_ide::documentation(snapshot.db(), project, symbol)
+    let same = |found: &&Completion| {
+        found.label == item.label && item.kind.is_none_or(|kind| kind == completion_kind(found.kind))
+    };
+    val3_ide::completion_documentation(snapshot.db(), project, found.iter().find(same)?)
 }

@@ -13,6 +13,10 @@ pub(crate) fn definition(snapshot: &Snapshot, params: &GotoDefinitionParams) -> 
     jump(snapshot, params, val3_ide::definition)
 }
 
+pub(crate) fn declaration(snapshot: &Snapshot, params: &GotoDefinitionParams) -> Answer {
+    jump(snapshot, params, val3_ide::declarations)
+}
+
 pub(crate) fn type_definition(snapshot: &Snapshot, params: &GotoDefinitionParams) -> Answer {
     jump(snapshot, params, val3_ide::type_definition)
 }

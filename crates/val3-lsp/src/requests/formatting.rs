@@ -1,46 +1,43 @@
 //! `textDocument/formatting`, `rangeFormatting` and `onTypeFormatting`
+//!
+//! What the client is set to does not count: `val3.toml` and `.editorconfig` say how programs look, to all editors and
+//! to `val3 fmt`.
 
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::File;
-use val3_analysis::items::parse;
-use val3_fmt::{Edit, Style};
+use val3_config::Format;
+use val3_ide::FileEdit;
 
 use crate::convert::edits;
+use crate::overlay::Overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
 type Answer = Result<Option<Vec<TextEdit>>, Refusal>;
 
 pub(crate) fn whole(snapshot: &Snapshot, params: &DocumentFormattingParams) -> Answer {
     let file = snapshot.file(&params.text_document.uri)?;
-    let style = style(snapshot, &params.options);
-    answer(snapshot, file, &val3_fmt::format(file.text(snapshot.db()), parse(snapshot.db(), file), &style))
+    answer(snapshot, file, &val3_ide::format_file(snapshot.db(), file, &style(snapshot, file)))
 }
 
 pub(crate) fn range(snapshot: &Snapshot, params: &DocumentRangeFormattingParams) -> Answer {
     let file = snapshot.file(&params.text_document.uri)?;
-    lines(snapshot, file, params.range, &params.options)
+    let range = snapshot.lines(file).text_range(params.range);
+    answer(snapshot, file, &val3_ide::format_range(snapshot.db(), file, range, &style(snapshot, file)))
 }
 
-/// The line that was typed, and at the start of a new line also the one before.
 pub(crate) fn on_type(snapshot: &Snapshot, params: &DocumentOnTypeFormattingParams) -> Answer {
-    let place = &params.text_document_position;
-    let file = snapshot.file(&place.text_document.uri)?;
-    let line = place.position.line;
-    let first = if params.ch == "\n" { line.saturating_sub(1) } else { line };
-    let range = Range::new(Position::new(first, 0), Position::new(line, u32::MAX));
-    lines(snapshot, file, range, &params.options)
+    let at = snapshot.position(&params.text_document_position)?;
+    let Some(typed) = params.ch.chars().next_back() else { return Ok(None) };
+    answer(snapshot, at.file, &val3_ide::format_on_type(snapshot.db(), at, typed, &style(snapshot, at.file)))
 }
 
-fn lines(snapshot: &Snapshot, file: File, range: Range, options: &FormattingOptions) -> Answer {
-    let style = style(snapshot, options);
-    let range = snapshot.lines(file).text_range(range);
-    answer(snapshot, file, &val3_fmt::format_range(file.text(snapshot.db()), parse(snapshot.db(), file), &style, range))
+fn style(snapshot: &Snapshot, file: File) -> val3_ide::Style {
+    let config = val3_ide::owner(snapshot.db(), file).and_then(|project| project.config(snapshot.db()));
+    let usual = Format::default();
+    let format = config.map_or(&usual, |config| &config.format);
+    val3_ide::style(&Overlay::new(&snapshot.documents, &[]), format, file.path(snapshot.db()))
 }
 
-fn style(snapshot: &Snapshot, options: &FormattingOptions) -> Style {
-    snapshot.session.options.style(options.tab_size, options.insert_spaces)
-}
-
-fn answer(snapshot: &Snapshot, file: File, found: &[Edit]) -> Answer {
+fn answer(snapshot: &Snapshot, file: File, found: &[FileEdit]) -> Answer {
     Ok(Some(edits(snapshot, file, found.iter().map(|edit| (edit.range, edit.text.as_str())))))
 }

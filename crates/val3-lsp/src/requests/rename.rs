@@ -19,7 +19,7 @@ pub(crate) fn prepare(
 pub(crate) fn rename(snapshot: &Snapshot, params: &RenameParams) -> Result<Option<WorkspaceEdit>, Refusal> {
     let at = snapshot.position(&params.text_document_position)?;
     let change = val3_ide::rename(snapshot.db(), at, &params.new_name).map_err(refused)?;
-    Ok(Some(workspace_edit(snapshot, &change)))
+    Ok(Some(workspace_edit(snapshot, &change)?))
 }
 
 fn refused(error: RenameError) -> Refusal {

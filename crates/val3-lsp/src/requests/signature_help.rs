@@ -3,7 +3,7 @@
 use tower_lsp::lsp_types::*;
 use val3_ide::Form;
 
-use crate::convert::markdown;
+use crate::convert::markup;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn signature_help(
@@ -13,11 +13,12 @@ pub(crate) fn signature_help(
     let at = snapshot.position(&params.text_document_position_params)?;
     let Some(help) = val3_ide::signature_help(snapshot.db(), at) else { return Ok(None) };
     let active_parameter = u32::try_from(help.active_parameter).ok();
-    let signatures = help.forms.iter().map(|form| signature(form, active_parameter)).collect();
+    let is_markdown = snapshot.session.client.reads_markdown.in_signatures;
+    let signatures = help.forms.iter().map(|form| signature(form, active_parameter, is_markdown)).collect();
     Ok(Some(SignatureHelp { signatures, active_signature: u32::try_from(help.active_form).ok(), active_parameter }))
 }
 
-fn signature(form: &Form, active_parameter: Option<u32>) -> SignatureInformation {
+fn signature(form: &Form, active_parameter: Option<u32>, is_markdown: bool) -> SignatureInformation {
     let parameter = |(from, to): &(u32, u32)| ParameterInformation {
         label: ParameterLabel::LabelOffsets([utf16(&form.line, *from), utf16(&form.line, *to)]),
         documentation: None,
@@ -25,7 +26,7 @@ fn signature(form: &Form, active_parameter: Option<u32>) -> SignatureInformation
     SignatureInformation {
         label: form.line.clone(),
         documentation: (!form.documentation.is_empty())
-            .then(|| Documentation::MarkupContent(markdown(form.documentation.clone()))),
+            .then(|| Documentation::MarkupContent(markup(is_markdown, form.documentation.clone()))),
         parameters: Some(form.parameters.iter().map(parameter).collect()),
         active_parameter,
     }

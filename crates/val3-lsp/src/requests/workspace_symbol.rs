@@ -1,6 +1,11 @@
-//! `workspace/symbol`
+//! `workspace/symbol` and `workspaceSymbol/resolve`
 
-use tower_lsp::lsp_types::{SymbolInformation, WorkspaceSymbolParams, WorkspaceSymbolResponse};
+use serde::{Deserialize, Serialize};
+use tower_lsp::lsp_types::{
+    Location, OneOf, SymbolInformation, WorkspaceLocation, WorkspaceSymbol, WorkspaceSymbolParams,
+    WorkspaceSymbolResponse,
+};
+use val3_syntax::{TextRange, TextSize};
 
 use crate::convert::symbol_kind;
 use crate::snapshot::{Refusal, Snapshot};
@@ -8,19 +13,57 @@ use crate::snapshot::{Refusal, Snapshot};
 /// Names that a client gets at most; more letters find others.
 const LIMIT: usize = 256;
 
-#[allow(deprecated, reason = "the type has a field that is no longer used")]
+/// Where a name stands, in bytes; lines are counted for the one that is chosen.
+#[derive(Serialize, Deserialize)]
+struct Place {
+    start: u32,
+    end: u32,
+}
+
 pub(crate) fn workspace_symbol(
     snapshot: &Snapshot,
     params: &WorkspaceSymbolParams,
 ) -> Result<Option<WorkspaceSymbolResponse>, Refusal> {
     let found = val3_ide::workspace_symbols(snapshot.db(), &params.query, LIMIT);
-    let symbol = |found: val3_ide::WorkspaceSymbol| SymbolInformation {
+    Ok(Some(match snapshot.session.client.resolves_symbols {
+        true => WorkspaceSymbolResponse::Nested(found.into_iter().map(|found| unresolved(snapshot, found)).collect()),
+        false => WorkspaceSymbolResponse::Flat(found.into_iter().map(|found| whole(snapshot, found)).collect()),
+    }))
+}
+
+#[allow(deprecated, reason = "the type has a field that is no longer used")]
+fn whole(snapshot: &Snapshot, found: val3_ide::WorkspaceSymbol) -> SymbolInformation {
+    SymbolInformation {
         name: found.name.to_string(),
         kind: symbol_kind(found.kind),
         tags: None,
         deprecated: None,
         location: snapshot.location(found.place),
         container_name: Some(found.container),
-    };
-    Ok(Some(WorkspaceSymbolResponse::Flat(found.into_iter().map(symbol).collect())))
+    }
+}
+
+fn unresolved(snapshot: &Snapshot, found: val3_ide::WorkspaceSymbol) -> WorkspaceSymbol {
+    let range = found.place.range;
+    let place = Place { start: range.start().into(), end: range.end().into() };
+    WorkspaceSymbol {
+        name: found.name.to_string(),
+        kind: symbol_kind(found.kind),
+        tags: None,
+        container_name: Some(found.container),
+        location: OneOf::Right(WorkspaceLocation { uri: snapshot.uri(found.place.file) }),
+        data: serde_json::to_value(place).ok(),
+    }
+}
+
+pub(crate) fn resolve(snapshot: &Snapshot, symbol: &WorkspaceSymbol) -> Result<WorkspaceSymbol, Refusal> {
+    let mut symbol = symbol.clone();
+    let place = symbol.data.take().and_then(|data| serde_json::from_value::<Place>(data).ok());
+    if let (Some(place), OneOf::Right(WorkspaceLocation { uri })) = (place, &symbol.location) {
+        let start = TextSize::new(place.start);
+        let range = TextRange::new(start, TextSize::new(place.end).max(start));
+        let range = snapshot.range(snapshot.file(uri)?, range);
+        symbol.location = OneOf::Left(Location { uri: uri.clone(), range });
+    }
+    Ok(symbol)
 }

@@ -4,12 +4,18 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::indexing_slicing, reason = "a test may fail loudly")]
 #![allow(clippy::disallowed_methods, reason = "clients have threads, a clock and patience")]
 
+mod actions;
+mod asking;
 mod cell;
 mod client;
 mod disk;
+mod files;
 mod findings;
+mod hierarchies;
+mod lenses;
 mod requests;
 mod session;
+mod taking;
 mod torture;
 
 /// The codes of findings.

@@ -2,47 +2,20 @@
 
 use serde_json::{Value, json};
 
-use crate::cell::{Cell, place};
-use crate::client::{Client, at, uri};
+use crate::asking::{START, Session, each};
+use crate::cell::place;
+use crate::client::{at, uri};
 
 const CELL: &str = "library part \"Disk://part/part.pjx\"\npoint pA\nnum nA\n\
     program start()\n  num l_i\nbegin\n  // one\n  // two\n  for l_i=1 to 3\n    nA=nA+power(l_i,2)\n  endFor\n  call other(nA)\nend\n\
     program other(num x_n)\nbegin\n  put(x_n)\n  part:nWeight=1\nend\n\
     --- part\npublic num nWeight";
 
-const START: &str = "usrapp/main/start.pgx";
-
-struct Session {
-    cell: Cell,
-    client: Client,
-}
-
-impl Session {
-    fn new(abilities: Value) -> Self {
-        let cell = Cell::new(CELL);
-        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
-        client.open(&cell.path(START), cell.text(START));
-        Self { cell, client }
-    }
-
-    /// Asks about the first place of a part of `start`.
-    fn ask_at(&mut self, method: &str, part: &str) -> Value {
-        let (line, column) = place(self.cell.text(START), part);
-        self.client.ask(method, at(&self.cell.path(START), line, column))
-    }
-
-    fn ask(&mut self, method: &str) -> Value {
-        let params = json!({ "textDocument": { "uri": uri(&self.cell.path(START)) } });
-        self.client.ask(method, params)
-    }
-}
-
 #[test]
 fn navigation() {
-    let mut session = Session::new(json!({}));
+    let mut session = Session::of(CELL, json!({}));
     let to_other = session.ask_at("textDocument/definition", "other(nA)");
     assert!(to_other[0]["uri"].as_str().unwrap().ends_with("/main/other.pgx"), "{to_other}");
-    assert_eq!(session.ask_at("textDocument/declaration", "other(nA)"), to_other);
     assert_eq!(session.ask_at("textDocument/typeDefinition", "other(nA)"), json!([]));
     assert_eq!(session.ask_at("textDocument/implementation", "other(nA)"), json!([]));
     let highlights = session.ask_at("textDocument/documentHighlight", "nA=nA");
@@ -57,7 +30,7 @@ fn navigation() {
 
 #[test]
 fn links_know_what_they_lead_away_from() {
-    let mut session = Session::new(json!({ "textDocument": { "definition": { "linkSupport": true } } }));
+    let mut session = Session::of(CELL, json!({ "textDocument": { "definition": { "linkSupport": true } } }));
     let links = session.ask_at("textDocument/definition", "other(nA)");
     let (line, column) = place(session.cell.text(START), "other(nA)");
     assert_eq!(links[0]["originSelectionRange"]["start"], json!({ "line": line, "character": column }));
@@ -67,7 +40,7 @@ fn links_know_what_they_lead_away_from() {
 #[test]
 fn writing() {
     let snippets = json!({ "textDocument": { "completion": { "completionItem": { "snippetSupport": true } } } });
-    let mut session = Session::new(snippets);
+    let mut session = Session::of(CELL, snippets);
     let list = session.ask_at("textDocument/completion", "power(");
     let items = list["items"].as_array().unwrap();
     let item = items.iter().find(|item| item["label"] == "nA").unwrap_or_else(|| panic!("{list}"));
@@ -83,7 +56,7 @@ fn writing() {
 fn renaming() {
     let abilities =
         json!({ "workspace": { "workspaceEdit": { "documentChanges": true, "resourceOperations": ["rename"] } } });
-    let mut session = Session::new(abilities);
+    let mut session = Session::of(CELL, abilities);
     let prepared = session.ask_at("textDocument/prepareRename", "other(nA)");
     assert_eq!(prepared["placeholder"], "other");
     let (line, column) = place(session.cell.text(START), "other(nA)");
@@ -102,8 +75,10 @@ fn renaming() {
 
 #[test]
 fn structure() {
-    let mut session =
-        Session::new(json!({ "textDocument": { "documentSymbol": { "hierarchicalDocumentSymbolSupport": true } } }));
+    let mut session = Session::of(
+        CELL,
+        json!({ "textDocument": { "documentSymbol": { "hierarchicalDocumentSymbolSupport": true } } }),
+    );
     let symbols = session.ask("textDocument/documentSymbol");
     assert!(symbols.to_string().contains("\"name\":\"start\""), "{symbols}");
     let folds = session.ask("textDocument/foldingRange");
@@ -123,7 +98,7 @@ fn structure() {
 
 #[test]
 fn colours() {
-    let mut session = Session::new(json!({}));
+    let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);
     let full = session.ask("textDocument/semanticTokens/full");
     let before: Vec<u64> = serde_json::from_value(full["data"].clone()).unwrap();
@@ -152,7 +127,7 @@ fn colours() {
 
 #[test]
 fn layout() {
-    let mut session = Session::new(json!({}));
+    let mut session = Session::of(CELL, json!({}));
     let path = session.cell.path(START);
     let unformatted = session.cell.text(START).replace("  for l_i", "      FOR l_i");
     session.client.change(&path, 2, &unformatted);
@@ -167,13 +142,31 @@ fn layout() {
     let mut params = at(&path, line + 1, 0);
     params["ch"] = json!("\n");
     params["options"] = options;
-    assert_eq!(session.client.ask("textDocument/onTypeFormatting", params), edits);
+    // The line that was finished, and the blanks of the one that begins.
+    let typed = session.client.ask("textDocument/onTypeFormatting", params);
+    assert_eq!(each(&typed, "newText"), ["for", "        "]);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn the_editor_does_not_decide_about_the_layout() {
+    let mut session = Session::of(CELL, json!({}));
+    session.cell.write("usrapp/.editorconfig", "root=true\n[*.pgx]\nindent_style=tab\n");
+    let options = json!({ "tabSize": 8, "insertSpaces": true });
+    let params = json!({ "textDocument": { "uri": uri(&session.cell.path(START)) }, "options": options });
+    let edits = session.client.ask("textDocument/formatting", params.clone());
+    assert!(!edits.as_array().unwrap().is_empty());
+    assert!(each(&edits, "newText").iter().all(|text| text.ends_with('\t')), "{edits}");
+    session.cell.write("val3.toml", "[format]\nindent-style = \"space\"\nindent-size = 2\n");
+    let changed = json!({ "uri": uri(&session.cell.path("val3.toml")), "type": 1 });
+    session.client.notify("workspace/didChangeWatchedFiles", json!({ "changes": [changed] }));
+    assert_eq!(session.client.ask("textDocument/formatting", params), json!([]));
     assert_eq!(session.client.end(), 0);
 }
 
 #[test]
 fn the_tree_and_the_pages() {
-    let mut session = Session::new(json!({}));
+    let mut session = Session::of(CELL, json!({}));
     let tree = session.client.ask("val3/workspaceTree", Value::Null);
     let projects = tree.as_array().unwrap();
     assert_eq!(projects.iter().map(|project| &project["name"]).collect::<Vec<_>>(), ["main", "part"]);

@@ -28,6 +28,22 @@ fn findings_and_hover() {
 }
 
 #[test]
+fn what_the_server_can_do() {
+    let mut client = Client::fresh();
+    let answer = client.ask("initialize", json!({ "capabilities": {} }));
+    let capabilities = &answer["capabilities"];
+    // The types that make the answer know nothing of this one.
+    assert_eq!(capabilities["typeHierarchyProvider"], true);
+    assert_eq!(capabilities["executeCommandProvider"]["commands"], json!(["val3.applyEdit"]));
+    let files = &capabilities["workspace"]["fileOperations"];
+    assert_eq!(files["willRename"]["filters"][0]["pattern"]["glob"], "**/*.{pgx,dtx,pjx}");
+    assert_eq!(files["willRename"]["filters"][1]["pattern"]["matches"], "folder");
+    let kinds = capabilities["codeActionProvider"]["codeActionKinds"].as_array().unwrap();
+    assert!(kinds.contains(&json!("source.fixAll")), "{kinds:?}");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
 fn the_exit_code_says_whether_the_session_was_shut_down() {
     let mut client = Client::start(&[]);
     client.notify("exit", Value::Null);

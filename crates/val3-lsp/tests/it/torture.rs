@@ -41,15 +41,32 @@ const PIECES: [&str; 16] = [
     "\r\n",
 ];
 
-const REQUESTS: [&str; 8] = [
+/// Each is sent with [`parameters`]; what one does not know, it does not read.
+const REQUESTS: [&str; 24] = [
     "textDocument/hover",
     "textDocument/completion",
     "textDocument/definition",
+    "textDocument/declaration",
     "textDocument/signatureHelp",
     "textDocument/documentHighlight",
     "textDocument/documentSymbol",
     "textDocument/semanticTokens/full",
     "textDocument/foldingRange",
+    "textDocument/codeAction",
+    "textDocument/codeLens",
+    "textDocument/inlayHint",
+    "textDocument/documentLink",
+    "textDocument/linkedEditingRange",
+    "textDocument/prepareCallHierarchy",
+    "callHierarchy/incomingCalls",
+    "callHierarchy/outgoingCalls",
+    "textDocument/prepareTypeHierarchy",
+    "typeHierarchy/subtypes",
+    "textDocument/formatting",
+    "textDocument/rangeFormatting",
+    "textDocument/onTypeFormatting",
+    "workspace/willRenameFiles",
+    "workspace/willDeleteFiles",
 ];
 
 /// Numbers by chance, the same in every run (SplitMix64).
@@ -143,12 +160,46 @@ fn state(client: &mut Client, documents: &[Document]) -> Vec<Value> {
 fn random_edits() {
     let edits = std::env::var("VAL3_TORTURE").ok().and_then(|edits| edits.parse().ok()).unwrap_or(EDITS);
     for seed in 1..=2 {
-        run(seed, edits / 2, &json!({ "textDocument": { "diagnostic": {} } }));
-        run(seed, edits / 2, &json!({}));
+        run(seed, edits / 2, true);
+        run(seed, edits / 2, false);
     }
 }
 
-fn run(seed: u64, edits: usize, abilities: &Value) {
+/// An editor that asks for the edits of actions, and for findings if it `pulls`.
+fn abilities(pulls: bool) -> Value {
+    let action = json!({
+        "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } },
+        "dataSupport": true,
+        "resolveSupport": { "properties": ["edit"] },
+    });
+    let edit = json!({ "documentChanges": true, "resourceOperations": ["create", "rename", "delete"] });
+    let mut abilities = json!({ "textDocument": { "codeAction": action }, "workspace": { "workspaceEdit": edit } });
+    if pulls {
+        abilities["textDocument"]["diagnostic"] = json!({});
+    }
+    abilities
+}
+
+/// What any of the requests needs, about a random place.
+fn parameters(document: &Document, chance: &mut Chance) -> Value {
+    let mut number = |limit| u32::try_from(chance.below(limit)).unwrap();
+    let (line, column) = (number(30), number(40));
+    let mut params = at(&document.path, line, column);
+    let (start, end) = (params["position"].clone(), json!({ "line": line + number(4), "character": number(40) }));
+    let range = json!({ "start": start, "end": end });
+    let uri = uri(&document.path);
+    params["range"] = range.clone();
+    params["context"] = json!({ "diagnostics": [], "triggerKind": 1, "isRetrigger": false });
+    params["options"] = json!({ "tabSize": 2, "insertSpaces": true });
+    params["ch"] = json!("\n");
+    params["item"] = json!({ "name": "", "kind": 12, "uri": uri, "range": range, "selectionRange": range });
+    params["files"] =
+        json!([{ "uri": uri, "oldUri": uri, "newUri": uri.replace("/usrapp/main/", "/usrapp/part/new") }]);
+    params
+}
+
+fn run(seed: u64, edits: usize, pulls: bool) {
+    let abilities = &abilities(pulls);
     let cell = Cell::new(CELL);
     let mut chance = Chance(seed);
     let mut client = Client::start_with(&[&cell.folder()], abilities.clone(), Value::Null);
@@ -175,36 +226,46 @@ fn run(seed: u64, edits: usize, abilities: &Value) {
             document.version += 1;
             client.change(&document.path, document.version, &document.text);
         }
-        let (line, column) = (chance.below(30), chance.below(40));
-        let place = at(&document.path, u32::try_from(line).unwrap(), u32::try_from(column).unwrap());
-        let id = client.request(REQUESTS[chance.below(REQUESTS.len())], place);
+        let id = client.request(REQUESTS[chance.below(REQUESTS.len())], parameters(document, &mut chance));
         if chance.below(5) == 0 {
             client.notify("$/cancelRequest", json!({ "id": id }));
         }
         asked.push(id);
-        if asked.len() > 50 {
-            asked.drain(..).for_each(|id| answered(&mut client, id));
+        // Now and then the client waits, so that not every answer is overtaken by an edit.
+        if asked.len() > 50 || chance.below(6) == 0 {
+            let answers: Vec<Value> = asked.drain(..).map(|id| answered(&mut client, id)).collect();
+            asked.extend(answers.iter().filter_map(|answer| choose(&mut client, answer, &mut chance)));
         }
     }
-    asked.into_iter().for_each(|id| answered(&mut client, id));
-    compare(client, &cell, &documents, abilities);
+    asked.into_iter().for_each(|id| drop(answered(&mut client, id)));
+    compare(client, &cell, &documents, pulls);
 }
 
 /// Every request is answered: with a result, or because an edit or the client made it useless.
-fn answered(client: &mut Client, id: i64) {
-    let answer = client.answer(id);
+fn answered(client: &mut Client, id: i64) -> Value {
+    let mut answer = client.answer(id);
     let code = answer["error"]["code"].as_i64();
     assert!(code.is_none_or(|code| [-32800, -32801].contains(&code)), "{answer}");
+    answer["result"].take()
+}
+
+/// Chooses one of several actions or lenses, and asks for the rest of it.
+fn choose(client: &mut Client, answer: &Value, chance: &mut Chance) -> Option<i64> {
+    let unresolved = |found: &&Value| found.get("data").is_some();
+    let found: Vec<&Value> = answer.as_array()?.iter().filter(unresolved).collect();
+    let chosen = *found.get(chance.below(found.len().max(1)))?;
+    let method = if chosen.get("title").is_some() { "codeAction/resolve" } else { "codeLens/resolve" };
+    Some(client.request(method, chosen.clone()))
 }
 
 /// A fresh server that opens the documents as they are now says the same.
-fn compare(mut client: Client, cell: &Cell, documents: &[Document], abilities: &Value) {
-    let mut fresh = Client::start_with(&[&cell.folder()], abilities.clone(), Value::Null);
+fn compare(mut client: Client, cell: &Cell, documents: &[Document], pulls: bool) {
+    let mut fresh = Client::start_with(&[&cell.folder()], abilities(pulls), Value::Null);
     for document in documents {
         fresh.open(&document.path, &document.text);
     }
     assert_eq!(state(&mut client, documents), state(&mut fresh, documents));
-    if abilities.get("textDocument").is_none() {
+    if !pulls {
         for document in documents {
             let sent = client.latest_findings(&document.path, document.version);
             assert_eq!(sent, fresh.latest_findings(&document.path, 1), "{}", document.path);

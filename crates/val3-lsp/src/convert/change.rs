@@ -1,0 +1,91 @@
+//! Changes of files as edits of the protocol.
+
+use tower_lsp::lsp_types::*;
+use val3_analysis::db::File;
+use val3_ide::SourceChange;
+
+use super::edits;
+use crate::loose;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// Why a change cannot be made in this editor, in a sentence for the user.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct NotPossible(&'static str);
+
+impl From<NotPossible> for Refusal {
+    fn from(reason: NotPossible) -> Self {
+        Self::Because(reason.0.to_owned())
+    }
+}
+
+/// A change of several files. Clients that do not know better get the edits alone, without versions.
+///
+/// # Errors
+/// If the client cannot do part of it: half a change would leave a broken application.
+pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Result<WorkspaceEdit, NotPossible> {
+    check(snapshot, change)?;
+    let files = by_file(snapshot, change);
+    if !snapshot.session.client.has_document_changes {
+        let changes = files.into_iter().map(|(file, edits)| (snapshot.uri(file), edits)).collect();
+        return Ok(WorkspaceEdit { changes: Some(changes), ..WorkspaceEdit::default() });
+    }
+    let mut operations = Vec::new();
+    for (path, text) in &change.creates {
+        operations.extend(creation(snapshot.uri_of(path), text));
+    }
+    operations.extend(files.into_iter().map(|(file, edits)| edit(snapshot.uri(file), snapshot.version(file), edits)));
+    operations.extend(change.moves.iter().map(|(from, to)| {
+        let (old_uri, new_uri) = (snapshot.uri_of(from), snapshot.uri_of(to));
+        let rename = RenameFile { old_uri, new_uri, options: None, annotation_id: None };
+        DocumentChangeOperation::Op(ResourceOp::Rename(rename))
+    }));
+    operations.extend(change.deletes.iter().map(|path| {
+        let delete = DeleteFile { uri: snapshot.uri_of(path), options: None };
+        DocumentChangeOperation::Op(ResourceOp::Delete(delete))
+    }));
+    Ok(WorkspaceEdit { document_changes: Some(DocumentChanges::Operations(operations)), ..WorkspaceEdit::default() })
+}
+
+fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), NotPossible> {
+    let can = snapshot.session.client.changes_files;
+    let is_given = |file: File| loose::is_manifest(file.path(snapshot.db()));
+    if change.edits.iter().any(|edit| is_given(edit.file)) {
+        return Err(NotPossible("no project file lists this file, and the change has to be made in one"));
+    }
+    if !change.creates.is_empty() && !can.creates {
+        return Err(NotPossible("this editor does not let a language server create files"));
+    }
+    if !change.moves.is_empty() && !can.renames {
+        return Err(NotPossible("this editor does not let a language server rename files"));
+    }
+    if !change.deletes.is_empty() && !can.deletes {
+        return Err(NotPossible("this editor does not let a language server delete files"));
+    }
+    Ok(())
+}
+
+/// The edits of each file, files in the order of their first edit.
+fn by_file(snapshot: &Snapshot, change: &SourceChange) -> Vec<(File, Vec<TextEdit>)> {
+    let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
+    for edit in &change.edits {
+        let converted = edits(snapshot, edit.file, [(edit.range, edit.text.as_str())]);
+        match files.iter_mut().find(|(file, _)| *file == edit.file) {
+            Some((_, of_file)) => of_file.extend(converted),
+            None => files.push((edit.file, converted)),
+        }
+    }
+    files
+}
+
+fn edit(uri: Url, version: Option<i32>, edits: Vec<TextEdit>) -> DocumentChangeOperation {
+    let text_document = OptionalVersionedTextDocumentIdentifier { uri, version };
+    let edits = edits.into_iter().map(OneOf::Left).collect();
+    DocumentChangeOperation::Edit(TextDocumentEdit { text_document, edits })
+}
+
+/// A new file, and its text put into it.
+fn creation(uri: Url, text: &str) -> [DocumentChangeOperation; 2] {
+    let create = CreateFile { uri: uri.clone(), options: None, annotation_id: None };
+    let whole = TextEdit { range: Range::default(), new_text: text.to_owned() };
+    [DocumentChangeOperation::Op(ResourceOp::Create(create)), edit(uri, None, vec![whole])]
+}

@@ -1,0 +1,49 @@
+//! Texts in Markdown, for clients that show it and those that do not.
+
+use tower_lsp::lsp_types::{MarkupContent, MarkupKind};
+
+/// A text in Markdown, as such or without its marks.
+pub(crate) fn markup(is_markdown: bool, text: String) -> MarkupContent {
+    match is_markdown {
+        true => MarkupContent { kind: MarkupKind::Markdown, value: text },
+        false => MarkupContent { kind: MarkupKind::PlainText, value: plain(&text) },
+    }
+}
+
+/// The text without the marks of headings, code and emphasis. Code stays to the letter.
+fn plain(markdown: &str) -> String {
+    let mut in_code = false;
+    let mut lines: Vec<String> = Vec::new();
+    for line in markdown.lines() {
+        if line.trim_start().starts_with("```") {
+            in_code = !in_code;
+        } else if in_code {
+            lines.push(line.to_owned());
+        } else {
+            lines.push(unmarked(line));
+        }
+    }
+    lines.join("\n").trim().to_owned()
+}
+
+fn unmarked(line: &str) -> String {
+    let text = line.trim_start_matches('#');
+    let text = if text.len() < line.len() { text.trim_start() } else { line };
+    // What stands between backticks is code.
+    let parts = text.split('`').enumerate();
+    parts.map(|(at, part)| if at % 2 == 1 { part.to_owned() } else { part.replace("**", "") }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_marks() {
+        let text = "## Title\n\n```val3\nnA = nB ** 2 // `x`\n```\n\nThe **first** of `a**b`.\n---\n- one";
+        let plain = markup(false, text.to_owned());
+        assert_eq!(plain.kind, MarkupKind::PlainText);
+        assert_eq!(plain.value, "Title\n\nnA = nB ** 2 // `x`\n\nThe first of a**b.\n---\n- one");
+        assert_eq!(markup(true, text.to_owned()).value, text);
+    }
+}

@@ -1,0 +1,74 @@
+//! `textDocument/codeLens` and `codeLens/resolve`
+
+use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
+use tower_lsp::lsp_types::{CodeLens, CodeLensParams, Command, Location, Url};
+use val3_analysis::db::File;
+use val3_ide::{FileRange, LensKind};
+
+use crate::session::ClientCommands;
+use crate::snapshot::{Refusal, Snapshot};
+
+/// Where a number of uses is to be shown.
+#[derive(Serialize, Deserialize)]
+struct Counted {
+    uri: Url,
+    version: Option<i32>,
+}
+
+pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<Option<Vec<CodeLens>>, Refusal> {
+    let uri = &params.text_document.uri;
+    let file = snapshot.file(uri)?;
+    let lines = snapshot.lines(file);
+    let commands = snapshot.session.commands;
+    let counted = serde_json::to_value(Counted { uri: uri.clone(), version: snapshot.version(file) }).ok();
+    let lens = |found: val3_ide::CodeLens| {
+        let (command, data) = match found.kind {
+            LensKind::Run(manifest) => (Some(start(snapshot, "Run", ClientCommands::RUN, manifest)), None),
+            LensKind::Debug(manifest) => (Some(start(snapshot, "Debug", ClientCommands::DEBUG, manifest)), None),
+            LensKind::References => (None, counted.clone()),
+        };
+        CodeLens { range: lines.range(found.range), command, data }
+    };
+    let is_known = |found: &val3_ide::CodeLens| match found.kind {
+        LensKind::Run(_) => commands.runs,
+        LensKind::Debug(_) => commands.debugs,
+        LensKind::References => true,
+    };
+    Ok(Some(val3_ide::code_lenses(snapshot.db(), file).into_iter().filter(is_known).map(lens).collect()))
+}
+
+fn start(snapshot: &Snapshot, title: &str, command: &str, manifest: File) -> Command {
+    let uri = json!(snapshot.uri(manifest));
+    Command { title: title.to_owned(), command: command.to_owned(), arguments: Some(vec![uri]) }
+}
+
+/// The number of uses, once the line is on the screen.
+pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, Refusal> {
+    let mut lens = lens.clone();
+    let Some(counted) = lens.data.take().and_then(|data| serde_json::from_value::<Counted>(data).ok()) else {
+        return Ok(lens);
+    };
+    let file = snapshot.file(&counted.uri)?;
+    if snapshot.version(file) != counted.version {
+        return Err(Refusal::Outdated);
+    }
+    let at = FileRange { file, range: snapshot.lines(file).text_range(lens.range) };
+    let places = val3_ide::lens_references(snapshot.db(), at);
+    let places: Vec<Location> = places.into_iter().map(|place| snapshot.location(place)).collect();
+    lens.command = Some(references(snapshot, &counted.uri, &lens, &places));
+    Ok(lens)
+}
+
+/// A client that cannot show the places shows their number alone, as a command without a name.
+fn references(snapshot: &Snapshot, uri: &Url, lens: &CodeLens, places: &[Location]) -> Command {
+    let title = match places.len() {
+        1 => "1 reference".to_owned(),
+        count => format!("{count} references"),
+    };
+    if !snapshot.session.commands.shows_references || places.is_empty() {
+        return Command { title, command: String::new(), arguments: None };
+    }
+    let arguments: Vec<Value> = vec![json!(uri), json!(lens.range.start), json!(places)];
+    Command { title, command: ClientCommands::SHOW_REFERENCES.to_owned(), arguments: Some(arguments) }
+}

@@ -1,0 +1,31 @@
+//! `workspace/executeCommand`: edits that the server asks the client to make.
+
+use serde_json::Value;
+use tower_lsp::lsp_types::request::ApplyWorkspaceEdit;
+use tower_lsp::lsp_types::{ApplyWorkspaceEditParams, Command, ExecuteCommandParams, WorkspaceEdit};
+
+use crate::snapshot::{Refusal, Snapshot};
+
+/// Makes the edit that is its argument.
+pub(super) const APPLY_EDIT: &str = "val3.applyEdit";
+
+/// The command that makes an edit; `None` where the client makes none that the server asks for.
+pub(super) fn apply(snapshot: &Snapshot, title: String, edit: WorkspaceEdit) -> Option<Command> {
+    let can_apply = snapshot.session.client.applies_edits;
+    let argument = serde_json::to_value(edit).ok().filter(|_| can_apply)?;
+    Some(Command { title, command: APPLY_EDIT.to_owned(), arguments: Some(vec![argument]) })
+}
+
+pub(crate) fn execute_command(snapshot: &Snapshot, params: &ExecuteCommandParams) -> Result<Option<Value>, Refusal> {
+    let edit = match (params.command.as_str(), params.arguments.as_slice()) {
+        (APPLY_EDIT, [edit]) => serde_json::from_value(edit.clone()).ok(),
+        _ => None,
+    };
+    let edit: WorkspaceEdit =
+        edit.ok_or_else(|| Refusal::Because(format!("`{}` cannot be done with these arguments", params.command)))?;
+    snapshot.inbox.post(move |world| {
+        // A client that refuses says why to its user.
+        world.outbox.ask::<ApplyWorkspaceEdit>(ApplyWorkspaceEditParams { label: None, edit }, |_, _| {});
+    });
+    Ok(None)
+}

@@ -1,0 +1,83 @@
+//! `workspace/willRenameFiles`, `willCreateFiles` and `willDeleteFiles`, and what is told once it is done.
+
+use camino::Utf8PathBuf;
+use tower_lsp::lsp_types::*;
+use val3_ide::SourceChange;
+
+use crate::convert::workspace_edit;
+use crate::snapshot::{Refusal, Snapshot};
+use crate::uri;
+use crate::watching::files_changed;
+use crate::world::World;
+
+type Answer = Result<Option<WorkspaceEdit>, Refusal>;
+
+/// What is to be asked and told about: files of projects, and folders, with which projects move.
+pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
+    let filter = |glob: &str, matches| FileOperationFilter {
+        scheme: Some("file".to_owned()),
+        pattern: FileOperationPattern {
+            glob: glob.to_owned(),
+            matches: Some(matches),
+            options: Some(FileOperationPatternOptions { ignore_case: Some(true) }),
+        },
+    };
+    let files = filter("**/*.{pgx,dtx,pjx}", FileOperationPatternKind::File);
+    let folders = filter("**", FileOperationPatternKind::Folder);
+    let of_files = FileOperationRegistrationOptions { filters: vec![files.clone()] };
+    let of_all = FileOperationRegistrationOptions { filters: vec![files, folders] };
+    WorkspaceFileOperationsServerCapabilities {
+        will_create: Some(of_files.clone()),
+        did_create: Some(of_files.clone()),
+        will_rename: Some(of_all.clone()),
+        did_rename: Some(of_all.clone()),
+        will_delete: Some(of_files),
+        did_delete: Some(of_all),
+    }
+}
+
+pub(crate) fn will_rename(snapshot: &Snapshot, params: &RenameFilesParams) -> Answer {
+    let renames = params.files.iter().filter_map(|file| Some((path(&file.old_uri)?, path(&file.new_uri)?)));
+    let renames: Vec<_> = renames.collect();
+    answer(snapshot, &val3_ide::will_rename_files(snapshot.db(), &renames))
+}
+
+pub(crate) fn will_create(snapshot: &Snapshot, params: &CreateFilesParams) -> Answer {
+    let created: Vec<_> = params.files.iter().filter_map(|file| path(&file.uri)).collect();
+    answer(snapshot, &val3_ide::will_create_files(snapshot.db(), &created))
+}
+
+pub(crate) fn will_delete(snapshot: &Snapshot, params: &DeleteFilesParams) -> Answer {
+    let deleted: Vec<_> = params.files.iter().filter_map(|file| path(&file.uri)).collect();
+    answer(snapshot, &val3_ide::will_delete_files(snapshot.db(), &deleted))
+}
+
+fn answer(snapshot: &Snapshot, change: &SourceChange) -> Answer {
+    // What cannot be followed does not keep the user from changing files.
+    Ok(workspace_edit(snapshot, change).ok().filter(|_| !change.is_empty()))
+}
+
+pub(crate) fn renamed(world: &mut World, params: RenameFilesParams) {
+    let uris = params.files.iter().flat_map(|file| [&file.old_uri, &file.new_uri]);
+    changed(world, uris.filter_map(|uri| path(uri)).collect());
+}
+
+pub(crate) fn created(world: &mut World, params: CreateFilesParams) {
+    changed(world, params.files.iter().filter_map(|file| path(&file.uri)).collect());
+}
+
+pub(crate) fn deleted(world: &mut World, params: DeleteFilesParams) {
+    changed(world, params.files.iter().filter_map(|file| path(&file.uri)).collect());
+}
+
+/// A folder stands for everything in it.
+fn changed(world: &mut World, paths: Vec<Utf8PathBuf>) {
+    if paths.iter().any(|path| path.extension().is_none()) {
+        world.all_is_stale();
+    }
+    files_changed(world, paths);
+}
+
+fn path(uri: &str) -> Option<Utf8PathBuf> {
+    uri::path(&Url::parse(uri).ok()?, None)
+}

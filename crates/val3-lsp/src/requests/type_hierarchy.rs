@@ -1,0 +1,41 @@
+//! `textDocument/prepareTypeHierarchy`, `typeHierarchy/supertypes` and `subtypes`
+
+use tower_lsp::lsp_types::*;
+use val3_analysis::db::{Db, File};
+use val3_ide::TypeItem;
+
+use crate::snapshot::{Refusal, Snapshot};
+
+type Answer = Result<Option<Vec<TypeHierarchyItem>>, Refusal>;
+
+pub(crate) fn prepare(snapshot: &Snapshot, params: &TypeHierarchyPrepareParams) -> Answer {
+    let at = snapshot.position(&params.text_document_position_params)?;
+    Ok(val3_ide::type_item(snapshot.db(), at).map(|found| vec![item(snapshot, &found)]))
+}
+
+pub(crate) fn supertypes(snapshot: &Snapshot, params: &TypeHierarchySupertypesParams) -> Answer {
+    related(snapshot, &params.item, val3_ide::supertypes)
+}
+
+pub(crate) fn subtypes(snapshot: &Snapshot, params: &TypeHierarchySubtypesParams) -> Answer {
+    related(snapshot, &params.item, val3_ide::subtypes)
+}
+
+fn related(snapshot: &Snapshot, of: &TypeHierarchyItem, find: fn(&dyn Db, File) -> Vec<TypeItem>) -> Answer {
+    let file = snapshot.file(&of.uri)?;
+    Ok(Some(find(snapshot.db(), file).iter().map(|found| item(snapshot, found)).collect()))
+}
+
+/// A type is its project file; it has no name of its own in there.
+fn item(snapshot: &Snapshot, found: &TypeItem) -> TypeHierarchyItem {
+    TypeHierarchyItem {
+        name: found.name.clone(),
+        kind: SymbolKind::STRUCT,
+        tags: None,
+        detail: None,
+        uri: snapshot.uri(found.file),
+        range: Range::default(),
+        selection_range: Range::default(),
+        data: None,
+    }
+}

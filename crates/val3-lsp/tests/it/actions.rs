@@ -1,0 +1,124 @@
+//! Code actions: what is offered, what it changes, and for which clients.
+
+use serde_json::{Value, json};
+
+use crate::asking::{START, Session, each, find};
+use crate::client::uri;
+
+const CELL: &str = "num nCount\nIF nCount==1\nnCuont=2\nENDIF\nnNew=3\ncall missing(nCount)";
+
+/// An editor that can do everything.
+fn able() -> Value {
+    let action = json!({
+        "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } },
+        "dataSupport": true,
+        "resolveSupport": { "properties": ["edit"] },
+    });
+    let edit = json!({ "documentChanges": true, "resourceOperations": ["create", "rename", "delete"] });
+    json!({ "textDocument": { "codeAction": action }, "workspace": { "workspaceEdit": edit, "applyEdit": true } })
+}
+
+/// One that knows code actions and edits of texts alone.
+fn modest() -> Value {
+    let action = json!({ "codeActionLiteralSupport": { "codeActionKind": { "valueSet": [] } } });
+    json!({ "textDocument": { "codeAction": action } })
+}
+
+#[test]
+fn fixes_of_findings() {
+    let mut session = Session::of(CELL, able());
+    let fixes = session.actions_at("nCuont", json!(["quickfix"]));
+    let fix = find(&fixes, "title", "Write `nCount`");
+    assert_eq!((&fix["kind"], &fix["isPreferred"]), (&json!("quickfix"), &Value::Null));
+    assert_eq!(fix["diagnostics"][0]["code"], "V0101");
+    let change = &fix["edit"]["documentChanges"][0];
+    assert_eq!(change["textDocument"], json!({ "uri": uri(&session.cell.path(START)), "version": 1 }));
+    assert_eq!(change["edits"][0]["newText"], "nCount");
+    let safe = session.actions_at("IF nCount", json!(["quickfix"]));
+    assert_eq!(find(&safe, "title", "Write `if`")["isPreferred"], true);
+    let all = session.actions_at("nCuont", json!(["source.fixAll"]));
+    assert_eq!(each(&all, "kind"), ["source.fixAll"]);
+    let texts = each(&all[0]["edit"]["documentChanges"][0]["edits"], "newText");
+    assert_eq!(texts, ["if", "endIf"]);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn kinds_that_are_asked_for() {
+    let mut session = Session::of(CELL, able());
+    let every = session.actions_at("nNew", Value::Null);
+    for (asked, rest) in [("refactor", true), ("refactor.extract", false), ("source", true), ("quickfix", true)] {
+        let found = session.actions_at("nNew", json!([asked]));
+        let covered = |kind: &&str| **kind == *asked || kind.starts_with(&format!("{asked}."));
+        let wanted: Vec<&str> = each(&every, "kind").into_iter().filter(covered).collect();
+        assert_eq!(each(&found, "kind"), wanted, "{asked}");
+        assert_eq!(!wanted.is_empty(), rest, "{asked}: {every}");
+    }
+    assert_eq!(session.actions_at("nNew", json!(["ref"])), json!([]));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn the_edit_of_an_action_comes_when_it_is_chosen() {
+    let mut session = Session::of(CELL, able());
+    let offered = session.actions_at("missing", Value::Null);
+    let create = find(&offered, "title", "Create program `missing`");
+    assert_eq!(create["edit"], Value::Null);
+    let resolved = session.client.ask("codeAction/resolve", create.clone());
+    let changes = resolved["edit"]["documentChanges"].as_array().unwrap();
+    let path = uri(&session.cell.path("usrapp/main/missing.pgx"));
+    assert_eq!((&changes[0]["kind"], &changes[0]["uri"]), (&json!("create"), &json!(path)));
+    assert_eq!(changes[1]["textDocument"], json!({ "uri": path, "version": null }));
+    assert!(changes[1]["edits"][0]["newText"].as_str().unwrap().contains("<Program name=\"missing\""));
+    assert!(changes[2]["textDocument"]["uri"].as_str().unwrap().ends_with("/main.pjx"));
+    // Once the text is another one, the place means nothing any more.
+    session.client.change(&session.cell.path(START), 2, "");
+    assert_eq!(session.client.ask_in_vain("codeAction/resolve", create), -32801);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn clients_that_can_do_little() {
+    let mut session = Session::of(CELL, modest());
+    let offered = session.actions_at("missing", Value::Null);
+    assert!(!each(&offered, "title").contains(&"Create program `missing`"), "{offered}");
+    let local = find(&session.actions_at("nNew", Value::Null), "kind", "quickfix");
+    let changes = local["edit"]["changes"].as_object().unwrap();
+    assert_eq!(changes.len(), 1, "{local}");
+    assert_eq!(session.client.end(), 0);
+    let mut session = Session::of(CELL, json!({}));
+    assert_eq!(session.actions_at("nCuont", Value::Null), json!([]));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn clients_that_know_commands_alone() {
+    let mut session = Session::of(CELL, json!({ "workspace": { "applyEdit": true } }));
+    let command = find(&session.actions_at("nCuont", Value::Null), "title", "Write `nCount`");
+    let params = json!({ "command": command["command"], "arguments": command["arguments"] });
+    assert_eq!(session.client.ask("workspace/executeCommand", params), Value::Null);
+    let asked = session.client.told("workspace/applyEdit");
+    let changes = asked["params"]["edit"]["changes"].as_object().unwrap();
+    assert_eq!(changes[&uri(&session.cell.path(START))][0]["newText"], "nCount");
+    session.client.send(&json!({ "jsonrpc": "2.0", "id": asked["id"], "result": { "applied": true } }));
+    let wrong = json!({ "command": "val3.applyEdit", "arguments": [3] });
+    assert_eq!(session.client.ask_in_vain("workspace/executeCommand", wrong), -32803);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn a_file_without_a_project() {
+    let folder = tempfile::tempdir().unwrap();
+    let loose = folder.path().canonicalize().unwrap().join("loose.pgx").to_str().unwrap().to_owned();
+    let mut session = Session::of(CELL, able());
+    session.client.open(&loose, session.cell.text(START));
+    let mut params = session.place("missing");
+    let place = params["position"].take();
+    params["textDocument"]["uri"] = json!(uri(&loose));
+    params["range"] = json!({ "start": place, "end": place });
+    params["context"] = json!({ "diagnostics": [] });
+    let offered = session.client.ask("textDocument/codeAction", params);
+    assert!(!offered.to_string().contains("loose.pjx"), "{offered}");
+    assert!(!each(&offered, "title").contains(&"Create program `missing`"), "{offered}");
+    assert_eq!(session.client.end(), 0);
+}

@@ -1,0 +1,70 @@
+//! A client with one program open, and what it asks about it.
+
+use serde_json::{Value, json};
+
+use crate::cell::{Cell, place};
+use crate::client::{Client, at, uri};
+
+pub const START: &str = "usrapp/main/start.pgx";
+
+pub struct Session {
+    pub cell: Cell,
+    pub client: Client,
+}
+
+impl Session {
+    pub fn of(listing: &str, abilities: Value) -> Self {
+        Self::with(listing, abilities, Value::Null)
+    }
+
+    pub fn with(listing: &str, abilities: Value, options: Value) -> Self {
+        let cell = Cell::new(listing);
+        let mut client = Client::start_with(&[&cell.folder()], abilities, options);
+        client.open(&cell.path(START), cell.text(START));
+        Self { cell, client }
+    }
+
+    /// The first place of a part of `start`.
+    pub fn place(&self, part: &str) -> Value {
+        let (line, column) = place(self.cell.text(START), part);
+        at(&self.cell.path(START), line, column)
+    }
+
+    /// Asks about the first place of a part of `start`.
+    #[track_caller]
+    pub fn ask_at(&mut self, method: &str, part: &str) -> Value {
+        let place = self.place(part);
+        self.client.ask(method, place)
+    }
+
+    /// Asks about `start` as a whole.
+    #[track_caller]
+    pub fn ask(&mut self, method: &str) -> Value {
+        let params = json!({ "textDocument": { "uri": uri(&self.cell.path(START)) } });
+        self.client.ask(method, params)
+    }
+
+    /// Asks about a range that begins and ends at the first place of a part of `start`.
+    #[track_caller]
+    pub fn actions_at(&mut self, part: &str, only: Value) -> Value {
+        let mut params = self.place(part);
+        let place = params["position"].take();
+        params["range"] = json!({ "start": place, "end": place });
+        params["context"] = json!({ "diagnostics": [], "only": only });
+        self.client.ask("textDocument/codeAction", params)
+    }
+}
+
+/// What stands under a key of each member of a list.
+#[track_caller]
+pub fn each<'v>(list: &'v Value, key: &str) -> Vec<&'v str> {
+    let list = list.as_array().unwrap_or_else(|| panic!("no list: {list}"));
+    list.iter().map(|found| found[key].as_str().unwrap_or("")).collect()
+}
+
+/// The member of a list that has this under a key.
+#[track_caller]
+pub fn find(list: &Value, key: &str, wanted: &str) -> Value {
+    let found = list.as_array().and_then(|list| list.iter().find(|found| found[key] == wanted));
+    found.unwrap_or_else(|| panic!("no {wanted} in {list}")).clone()
+}

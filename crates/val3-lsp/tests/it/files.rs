@@ -1,0 +1,59 @@
+//! Files that the user renames, creates and deletes in the editor.
+
+use serde_json::{Value, json};
+
+use crate::asking::{Session, each};
+use crate::client::uri;
+use crate::codes;
+
+const CELL: &str = "call other()\nprogram other()\nbegin\n  cls()\nend";
+
+const OTHER: &str = "usrapp/main/other.pgx";
+const MANIFEST: &str = "usrapp/main/main.pjx";
+
+fn texts(edit: &Value, path: &str) -> Vec<String> {
+    let of_file = &edit["changes"][&uri(path)];
+    if of_file.is_null() { Vec::new() } else { each(of_file, "newText").into_iter().map(str::to_owned).collect() }
+}
+
+#[test]
+fn before_files_change() {
+    let mut session = Session::of(CELL, json!({}));
+    let (other, manifest) = (session.cell.path(OTHER), session.cell.path(MANIFEST));
+    let renamed = json!({ "oldUri": uri(&other), "newUri": uri(&session.cell.path("usrapp/main/second.pgx")) });
+    let edit = session.client.ask("workspace/willRenameFiles", json!({ "files": [renamed] }));
+    assert_eq!(texts(&edit, &manifest), ["second.pgx"]);
+    assert_eq!(texts(&edit, &other), ["second"]);
+    assert_eq!(texts(&edit, &session.cell.path(crate::asking::START)), ["second"]);
+    let created = json!({ "uri": uri(&session.cell.path("usrapp/main/third.pgx")) });
+    let edit = session.client.ask("workspace/willCreateFiles", json!({ "files": [created] }));
+    assert!(texts(&edit, &manifest)[0].contains("third.pgx"), "{edit}");
+    let edit = session.client.ask("workspace/willDeleteFiles", json!({ "files": [{ "uri": uri(&other) }] }));
+    assert_eq!(texts(&edit, &manifest), [""]);
+    let unknown = json!({ "uri": "file:///nowhere/other.txt" });
+    assert!(session.client.ask("workspace/willDeleteFiles", json!({ "files": [unknown] })).is_null());
+    assert!(session.client.ask("workspace/willDeleteFiles", json!({ "files": [{ "uri": "%" }] })).is_null());
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn after_files_changed() {
+    // A client that says it watches files, and tells nothing: what it tells of its own doing has to be enough.
+    let watching = json!({ "workspace": { "didChangeWatchedFiles": { "dynamicRegistration": true } } });
+    let mut session = Session::of(CELL, watching);
+    let (other, manifest) = (session.cell.path(OTHER), session.cell.path(MANIFEST));
+    session.client.findings(&session.cell.path(crate::asking::START), Some(1));
+    let other_text = session.cell.text(OTHER).to_owned();
+    session.cell.remove(OTHER);
+    session.client.notify("workspace/didDeleteFiles", json!({ "files": [{ "uri": uri(&other) }] }));
+    assert!(!session.client.findings(&manifest, None).is_empty());
+    session.cell.write(OTHER, &other_text);
+    session.client.notify("workspace/didCreateFiles", json!({ "files": [{ "uri": uri(&other) }] }));
+    assert_eq!(session.client.findings(&manifest, None), Vec::<Value>::new());
+    session.cell.remove(OTHER);
+    session.cell.write("usrapp/main/second.pgx", &other_text);
+    let renamed = json!({ "oldUri": uri(&other), "newUri": uri(&session.cell.path("usrapp/main/second.pgx")) });
+    session.client.notify("workspace/didRenameFiles", json!({ "files": [renamed] }));
+    assert!(!codes(&session.client.findings(&manifest, None)).is_empty());
+    assert_eq!(session.client.end(), 0);
+}

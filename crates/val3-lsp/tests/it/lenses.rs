@@ -1,0 +1,69 @@
+//! Lines above declarations and remarks in the code.
+
+use serde_json::{Value, json};
+
+use crate::asking::{START, Session, each};
+use crate::client::uri;
+
+const CELL: &str = "point pA\ntool tA\nmdesc mA\nnum nA\nnA=power(2,3)\nmovej(pA,tA,mA)\ncall other(7)\n\
+    program other(num x_n)\nbegin\n  nA=x_n\nend";
+
+const OTHER: &str = "usrapp/main/other.pgx";
+
+#[test]
+fn lines_above_programs() {
+    let commands = json!({ "commands": ["val3.run", "val3.debug", "val3.showReferences"] });
+    let mut session = Session::with(CELL, json!({}), commands);
+    let lenses = session.ask("textDocument/codeLens");
+    let titles: Vec<&Value> = lenses.as_array().unwrap().iter().map(|lens| &lens["command"]["title"]).collect();
+    assert_eq!(titles, [&json!("Run"), &json!("Debug"), &Value::Null]);
+    assert_eq!(lenses[0]["command"]["command"], "val3.run");
+    assert_eq!(lenses[0]["command"]["arguments"], json!([uri(&session.cell.path("usrapp/main/main.pjx"))]));
+    let params = json!({ "textDocument": { "uri": uri(&session.cell.path(OTHER)) } });
+    let of_other = session.client.ask("textDocument/codeLens", params);
+    let resolved = session.client.ask("codeLens/resolve", of_other[0].clone());
+    assert_eq!(resolved["command"]["title"], "1 reference");
+    assert_eq!(resolved["command"]["command"], "val3.showReferences");
+    let places = &resolved["command"]["arguments"][2];
+    assert_eq!(each(places, "uri"), [uri(&session.cell.path(START))]);
+    let unused = session.client.ask("codeLens/resolve", lenses[2].clone());
+    assert_eq!(unused["command"], json!({ "title": "0 references", "command": "" }));
+    session.client.change(&session.cell.path(START), 2, "");
+    assert_eq!(session.client.ask_in_vain("codeLens/resolve", lenses[2].clone()), -32801);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn clients_without_commands() {
+    let mut session = Session::of(CELL, json!({}));
+    let lenses = session.ask("textDocument/codeLens");
+    assert_eq!(lenses.as_array().unwrap().len(), 1, "{lenses}");
+    let params = json!({ "textDocument": { "uri": uri(&session.cell.path(OTHER)) } });
+    let of_other = session.client.ask("textDocument/codeLens", params);
+    let resolved = session.client.ask("codeLens/resolve", of_other[0].clone());
+    assert_eq!(resolved["command"], json!({ "title": "1 reference", "command": "" }));
+    assert_eq!(session.client.end(), 0);
+}
+
+fn hints(session: &mut Session) -> Vec<String> {
+    let everything = json!({ "start": { "line": 0, "character": 0 }, "end": { "line": 999, "character": 0 } });
+    let params = json!({ "textDocument": { "uri": uri(&session.cell.path(START)) }, "range": everything });
+    let hints = session.client.ask("textDocument/inlayHint", params);
+    each(&hints, "label").into_iter().map(str::to_owned).collect()
+}
+
+#[test]
+fn remarks_in_the_code() {
+    let abilities = json!({ "workspace": { "inlayHint": { "refreshSupport": true } } });
+    let mut session = Session::of(CELL, abilities);
+    let before = hints(&mut session);
+    for label in ["nX:", "nY:", "x_n:", "in world[0]"] {
+        assert!(before.iter().any(|found| found == label), "{label}: {before:?}");
+    }
+    let settings = json!({ "val3": { "inlayHints": { "parameterNames": false } } });
+    session.client.notify("workspace/didChangeConfiguration", json!({ "settings": settings }));
+    session.client.told("workspace/inlayHint/refresh");
+    let after = hints(&mut session);
+    assert_eq!(after, before.into_iter().filter(|label| !label.ends_with(':')).collect::<Vec<_>>());
+    assert_eq!(session.client.end(), 0);
+}
