@@ -49,27 +49,29 @@ fn editor() -> Value {
             "default": false,
             "description": "Opens a program of the view VAL 3 as code without its XML instead of as its file.",
         },
-        "val3.format.aroundAssignment": switch("Puts blanks around `=`."),
-        "val3.format.aroundOperators": switch("Puts blanks around operators such as `+` and `==`."),
-        "val3.format.afterComma": switch("Puts a blank behind a comma."),
-        "val3.format.blankLines": {
-            "type": ["integer", "null"],
-            "minimum": 0,
-            "default": null,
-            "markdownDescription": "The most blank lines that stay in a row. When not set, as `val3 fmt` has it.",
+        "val3.codeView.follow": {
+            "type": "boolean",
+            "default": true,
+            "description": "A definition that is asked for in a code view opens the code view of the program it leads \
+                to, instead of its file.",
         },
+        "val3.inlayHints.parameterNames": switch("The names of parameters before literal arguments."),
+        "val3.inlayHints.literalTypes": switch("The types of literals in braces, such as `trsf`."),
+        "val3.inlayHints.pointFrames": switch("The frame behind the point that a move leads to."),
+        "val3.inlayHints.blends": switch("How a move blends into the next, behind its motion descriptor."),
     })
 }
 
+/// A kind of inlay hints. What hints look like, and whether there are any, VS Code itself has settings for.
 fn switch(description: &str) -> Value {
     json!({
-        "type": ["boolean", "null"],
-        "default": null,
-        "markdownDescription": format!("{description} When not set, as `val3 fmt` has it."),
+        "type": "boolean",
+        "default": true,
+        "markdownDescription": format!("{description} All hints: `#editor.inlayHints.enabled#`."),
     })
 }
 
-/// What belongs to the programs themselves stands in a `val3.toml`.
+/// What belongs to the programs themselves, such as their layout, stands in a `val3.toml`.
 fn check() -> Value {
     json!({
         "val3.check.select": findings("The only findings that are shown; all when empty."),
@@ -96,7 +98,7 @@ fn findings(description: &str) -> Value {
         },
         "markdownDescription": format!(
             "{description} Names (`argument-type`), codes (`V0203`) or beginnings of codes (`V02`). Levels belong \
-             into a `val3.toml`, which CI reads as well."
+             into a `val3.toml`, and the layout of code as well: CI and other editors read it too."
         ),
     })
 }

@@ -1,54 +1,47 @@
 // The connection to `val3 lsp`.
 
 import * as vscode from "vscode";
-import { LanguageClient, type LanguageClientOptions, type Middleware, type ServerOptions, type State } from "vscode-languageclient/node";
+import { LanguageClient, type LanguageClientOptions, type Middleware, State } from "vscode-languageclient/node";
 import type { CodeFiles } from "./codeView/files";
-import { codeViewMiddleware, showFindings } from "./codeView/middleware";
+import { codeViewMiddleware } from "./codeView/middleware";
 import { SCHEME } from "./codeView/uris";
+import { SHOW_REFERENCES } from "./commands/showReferences";
+import type { Findings } from "./findings";
 import { findServer } from "./server";
 
+/** What the server may ask for where it offers it: see commands/showReferences.ts. */
+const COMMANDS = [SHOW_REFERENCES];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
 export class Client implements vscode.Disposable {
-  readonly output = vscode.window.createOutputChannel("VAL 3", { log: true });
   private readonly states = new vscode.EventEmitter<State>();
+  private readonly contents = new vscode.EventEmitter<void>();
   readonly onDidChangeState = this.states.event;
+  /** The server was told of a change, in an editor or on the disk. */
+  readonly onDidTellChange = this.contents.event;
   private running: LanguageClient | undefined;
+  /** Starts and stops come one after the other. */
+  private turns: Promise<void> = Promise.resolve();
   /** The command in use, once it was found. */
   command: string | undefined;
 
-  constructor(private readonly context: vscode.ExtensionContext, private readonly views: CodeFiles) {}
+  constructor(
+    private readonly context: vscode.ExtensionContext,
+    private readonly output: vscode.LogOutputChannel,
+    private readonly views: CodeFiles,
+    private readonly findings: Findings,
+  ) {}
 
-  /** Finds and starts the server. A server that does not start is told to the user, not to the caller. */
-  async start(): Promise<void> {
-    this.command = await findServer(this.context);
-    if (this.command === undefined) {
-      return;
-    }
-    const running = new LanguageClient("val3", "VAL 3", serverOptions(this.command), this.options());
-    this.running = running;
-    running.onDidChangeState(({ newState }) => this.states.fire(newState));
-    showFindings(running, this.views, this.context);
-    try {
-      await running.start();
-    } catch (error) {
-      this.output.error(`${this.command}: ${String(error)}`);
-      void vscode.window.showErrorMessage(`The server ${this.command} does not start: ${String(error)}`);
-    }
+  /** Starts the server, anew when it runs. What goes wrong is told to the user, not to the caller. */
+  async restart(): Promise<void> {
+    await this.turn(async () => {
+      await this.halt();
+      await this.begin();
+    });
   }
 
   async stop(): Promise<void> {
-    const running = this.running;
-    this.running = undefined;
-    if (running?.isRunning() === true) {
-      await running.stop();
-    }
-    await running?.dispose();
-  }
-
-  async restart(): Promise<void> {
-    await this.stop();
-    await this.start();
+    await this.turn(() => this.halt());
   }
 
   /** Sends a request of our own. Fails while there is no server. */
@@ -59,30 +52,88 @@ export class Client implements vscode.Disposable {
     return this.running.sendRequest<Answer>(method, params);
   }
 
-  get isRunning(): boolean {
-    return this.running?.isRunning() === true;
+  get state(): State {
+    return this.running?.state ?? State.Stopped;
+  }
+
+  /** The name and version that the server gives itself. */
+  get version(): string {
+    return this.running?.initializeResult?.serverInfo?.version ?? "";
   }
 
   dispose(): void {
-    void this.stop();
     this.states.dispose();
-    this.output.dispose();
+    this.contents.dispose();
+  }
+
+  private async turn(work: () => Promise<void>): Promise<void> {
+    this.turns = this.turns.then(work).catch((fault: unknown) => this.output.error(String(fault)));
+    await this.turns;
+  }
+
+  private async begin(): Promise<void> {
+    const settings = vscode.workspace.getConfiguration("val3");
+    const configured = settings.get("server.path", "");
+    const found = findServer({ configured, extension: this.context.extensionPath, path: process.env.PATH ?? "" });
+    if ("fault" in found) {
+      this.command = undefined;
+      this.states.fire(State.Stopped);
+      offer(found.fault, "Open Settings", "workbench.action.openSettings", "val3.server.path");
+      return;
+    }
+    this.command = found.command;
+    const server = { command: found.command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] };
+    const running = new LanguageClient("val3", "VAL 3", server, this.options());
+    this.running = running;
+    running.onDidChangeState(({ newState }) => this.states.fire(newState));
+    try {
+      await running.start();
+    } catch (fault) {
+      this.output.error(`${found.command}: ${String(fault)}`);
+      offer(`The server ${found.command} does not start: ${String(fault)}`, "Show Output", "val3.showOutput");
+    }
+  }
+
+  private async halt(): Promise<void> {
+    const running = this.running;
+    this.running = undefined;
+    // A server that died, or never started, has nothing to be told.
+    await running?.dispose();
   }
 
   private options(): LanguageClientOptions {
     const files = LANGUAGES.flatMap((language) => ["file", "untitled"].map((scheme) => ({ scheme, language })));
-    const middleware: Middleware = codeViewMiddleware(this.views);
     return {
       documentSelector: [...files, { scheme: SCHEME, language: "val3-code" }],
-      initializationOptions: vscode.workspace.getConfiguration("val3"),
+      initializationOptions: { ...vscode.workspace.getConfiguration("val3"), commands: COMMANDS },
       synchronize: { configurationSection: "val3" },
       outputChannel: this.output,
-      middleware,
+      diagnosticCollectionProvider: this.findings,
+      // Told by `begin`, once.
+      initializationFailedHandler: () => false,
+      middleware: { ...codeViewMiddleware(this.views), ...this.changeMiddleware() },
+    };
+  }
+
+  private changeMiddleware(): Middleware {
+    return {
+      didChange: async (event, next) => {
+        await next(event);
+        this.contents.fire();
+      },
+      workspace: {
+        didChangeWatchedFile: async (event, next) => {
+          await next(event);
+          this.contents.fire();
+        },
+      },
     };
   }
 }
 
-function serverOptions(command: string): ServerOptions {
-  const more = vscode.workspace.getConfiguration("val3").get<string[]>("server.arguments", []);
-  return { command, args: ["lsp", ...more] };
+/** Tells a fault and offers a command that helps. */
+function offer(fault: string, title: string, command: string, ...arguments_: string[]): void {
+  void vscode.window.showErrorMessage(fault, title).then((chosen) => {
+    return chosen === title ? vscode.commands.executeCommand(command, ...arguments_) : undefined;
+  });
 }

@@ -9,37 +9,47 @@ import { registerCheckWorkspace } from "./commands/checkWorkspace";
 import { registerNewApplication } from "./commands/newApplication";
 import { registerNewProgram } from "./commands/newProgram";
 import { registerPages } from "./commands/openPage";
+import { registerShowReferences } from "./commands/showReferences";
+import { Findings } from "./findings";
+import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { WorkspaceTree } from "./tree";
 
 let client: Client | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
-  const views = new CodeFiles();
-  client = new Client(context, views);
-  const tree = new WorkspaceTree(client);
+  const output = vscode.window.createOutputChannel("VAL 3", { log: true });
+  const views = new CodeFiles((fault) => output.error(String(fault)));
+  const findings = new Findings(views);
+  const started = new Client(context, output, views, findings);
+  const tree = new WorkspaceTree(started, output);
+  client = started;
   context.subscriptions.push(
+    output,
     views,
-    client,
+    findings,
+    started,
     tree,
     vscode.window.registerTreeDataProvider("val3.workspace", tree),
-    vscode.tasks.registerTaskProvider("val3", new CheckTasks(client)),
+    vscode.tasks.registerTaskProvider("val3", new CheckTasks(started)),
     vscode.commands.registerCommand("val3.refreshTree", () => tree.refresh()),
-    vscode.commands.registerCommand("val3.restartServer", () => client?.restart()),
-    vscode.commands.registerCommand("val3.showOutput", () => client?.output.show()),
-    client.onDidChangeState((state) => state === State.Running && tree.refresh()),
+    vscode.commands.registerCommand("val3.restartServer", () => started.restart()),
+    vscode.commands.registerCommand("val3.showOutput", () => output.show()),
+    started.onDidChangeState((state) => state !== State.Starting && tree.refresh()),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("val3.server")) {
-        void client?.restart();
+        void started.restart();
       }
     }),
+    ...registerStatus(started),
     ...registerCodeView(views),
     ...registerNewApplication(context),
     ...registerNewProgram(),
     ...registerCheckWorkspace(),
-    ...registerPages(client),
+    ...registerPages(started),
+    ...registerShowReferences(),
   );
-  await client.start();
+  await started.restart();
 }
 
 export async function deactivate(): Promise<void> {

@@ -1,26 +1,34 @@
 // Which `val3` runs: the one of the settings, else the one inside the extension, else the one on the PATH.
 
 import { accessSync, constants, statSync } from "node:fs";
-import { delimiter, join } from "node:path";
-import * as vscode from "vscode";
+import { homedir } from "node:os";
+import { basename, delimiter, join } from "node:path";
 
 const COMMAND = process.platform === "win32" ? "val3.exe" : "val3";
 
-/** The path of the server. Tells the user what to do, and gives nothing, when there is none. */
-export async function findServer(context: vscode.ExtensionContext): Promise<string | undefined> {
-  const configured = vscode.workspace.getConfiguration("val3").get<string>("server.path", "").trim();
-  if (configured !== "") {
-    return isExecutable(configured) ? configured : offerSettings(`The setting val3.server.path names "${configured}", which cannot be run.`);
-  }
-  const candidates = [context.asAbsolutePath(join("server", COMMAND)), ...onPath()];
-  return candidates.find(isExecutable) ?? offerSettings(
-    "The command val3 was found neither in the extension nor on the PATH. Install it, or name it in the setting val3.server.path.",
-  );
+export interface Places {
+  /** What the user has set; may be empty, a path, or a command of the PATH. */
+  configured: string;
+  /** The folder of the extension. */
+  extension: string;
+  /** The environment variable. */
+  path: string;
 }
 
-function onPath(): string[] {
-  const folders = (process.env.PATH ?? "").split(delimiter).filter((folder) => folder !== "");
-  return folders.map((folder) => join(folder, COMMAND));
+/** The path of the server, or why there is none. */
+export function findServer({ configured, extension, path }: Places): { command: string } | { fault: string } {
+  const wanted = configured.trim().replace(/^~(?=[/\\])/, homedir());
+  if (wanted !== "") {
+    const command = (basename(wanted) === wanted ? onPath(path, wanted) : [wanted]).find(isExecutable);
+    return command === undefined ? { fault: `The setting val3.server.path names "${configured}", which cannot be run.` } : { command };
+  }
+  const command = [join(extension, "server", COMMAND), ...onPath(path, COMMAND)].find(isExecutable);
+  return command === undefined ? { fault: "The command val3 was found neither in the extension nor on the PATH." } : { command };
+}
+
+function onPath(path: string, command: string): string[] {
+  const folders = path.split(delimiter).filter((folder) => folder !== "");
+  return folders.map((folder) => join(folder, command));
 }
 
 function isExecutable(path: string): boolean {
@@ -30,14 +38,4 @@ function isExecutable(path: string): boolean {
   } catch {
     return false;
   }
-}
-
-async function offerSettings(message: string): Promise<undefined> {
-  const settings = "Open Settings";
-  void vscode.window.showErrorMessage(message, settings).then((chosen) => {
-    if (chosen === settings) {
-      void vscode.commands.executeCommand("workbench.action.openSettings", "val3.server.path");
-    }
-  });
-  return undefined;
 }

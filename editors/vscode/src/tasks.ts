@@ -1,4 +1,4 @@
-// `val3 check` as a task, whose findings appear among the problems.
+// `val3 check` as a task: what CI would say. The server lists the same findings as problems, so that the task lists none.
 
 import * as vscode from "vscode";
 import type { Client } from "./client";
@@ -17,16 +17,16 @@ export class CheckTasks implements vscode.TaskProvider {
 
   resolveTask({ definition, scope, name }: vscode.Task): vscode.Task {
     const folder = typeof scope === "object" ? scope : vscode.TaskScope.Workspace;
-    return this.task(definition as Definition, folder, name);
+    return this.task(definition, folder, name);
   }
 
   private task(definition: Definition, scope: vscode.WorkspaceFolder | vscode.TaskScope.Workspace, name: string): vscode.Task {
     const paths = definition.paths ?? ["."];
     const words = ["check", "--format", "concise", ...(definition.arguments ?? []), ...paths];
     const run = new vscode.ProcessExecution(this.client.command ?? "val3", words);
-    const task = new vscode.Task(definition, scope, name, "val3", run, "$val3");
+    const task = new vscode.Task(definition, scope, name, "val3", run, []);
     task.group = vscode.TaskGroup.Build;
-    task.presentationOptions = { reveal: vscode.TaskRevealKind.Silent, clear: true };
+    task.presentationOptions = { reveal: vscode.TaskRevealKind.Always, clear: true };
     return task;
   }
 }

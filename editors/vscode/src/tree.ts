@@ -1,7 +1,7 @@
 // The view "VAL 3": applications with their programs, data, libraries and types, as the server sees them.
 
 import * as vscode from "vscode";
-import type { Location, Range } from "vscode-languageclient/node";
+import { type Location, type Range, State } from "vscode-languageclient/node";
 import type { Client } from "./client";
 
 /** What the server answers to `val3/workspaceTree`: one of these for each `.pjx`. */
@@ -28,23 +28,31 @@ const KINDS: [Kind, string, string][] = [
 
 /** A line of the view. */
 interface Node {
+  label: string;
   item: vscode.TreeItem;
   children: Node[];
 }
 
+/** Milliseconds that the view waits for a pause in the typing. */
+const PAUSE = 300;
+
 export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<void>();
   readonly onDidChangeTreeData = this.changes.event;
-  private readonly subscriptions: vscode.Disposable[];
+  private readonly subscription: vscode.Disposable;
+  private pause: NodeJS.Timeout | undefined;
+  private projects: Node[] = [];
 
-  constructor(private readonly client: Client) {
-    const files = vscode.workspace.createFileSystemWatcher("**/*.{pjx,pgx,dtx}");
-    const refresh = (): void => this.refresh();
-    this.subscriptions = [files, files.onDidCreate(refresh), files.onDidChange(refresh), files.onDidDelete(refresh)];
+  constructor(private readonly client: Client, private readonly output: vscode.LogOutputChannel) {
+    this.subscription = client.onDidTellChange(() => {
+      clearTimeout(this.pause);
+      this.pause = setTimeout(() => this.refresh(), PAUSE);
+    });
   }
 
   dispose(): void {
-    this.subscriptions.forEach((subscription) => subscription.dispose());
+    clearTimeout(this.pause);
+    this.subscription.dispose();
     this.changes.dispose();
   }
 
@@ -56,8 +64,15 @@ export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disp
     if (parent !== undefined) {
       return parent.children;
     }
-    const projects = this.client.isRunning ? await this.client.request<Project[]>("val3/workspaceTree") : [];
-    return projects.map(projectNode).sort(byLabel);
+    try {
+      const isRunning = this.client.state === State.Running;
+      const projects = isRunning ? await this.client.request<Project[]>("val3/workspaceTree") : [];
+      this.projects = projects.map(projectNode).sort(byLabel);
+    } catch (fault) {
+      // What was known before is better than nothing.
+      this.output.warn(`val3/workspaceTree: ${String(fault)}`);
+    }
+    return this.projects;
   }
 
   getTreeItem({ item }: Node): vscode.TreeItem {
@@ -71,7 +86,7 @@ function projectNode(project: Project): Node {
   const item = collapsible(project.name, "package", "project", project.uri);
   item.description = vscode.workspace.asRelativePath(vscode.Uri.joinPath(uri, ".."));
   item.resourceUri = uri;
-  return { item, children };
+  return { label: project.name, item, children };
 }
 
 function groupNode(project: Project, [kind, label, icon]: (typeof KINDS)[number]): Node[] {
@@ -81,7 +96,7 @@ function groupNode(project: Project, [kind, label, icon]: (typeof KINDS)[number]
   }
   const group = collapsible(label, "folder", "group", `${project.uri}#${kind}`);
   group.description = String(items.length);
-  return [{ item: group, children: items.map((item) => itemNode(item, icon, kind)).sort(byLabel) }];
+  return [{ label, item: group, children: items.map((item) => itemNode(item, icon, kind)).sort(byLabel) }];
 }
 
 function itemNode({ name, detail, location }: Item, icon: string, kind: Kind): Node {
@@ -89,10 +104,10 @@ function itemNode({ name, detail, location }: Item, icon: string, kind: Kind): N
   item.iconPath = new vscode.ThemeIcon(icon);
   item.description = detail;
   item.contextValue = kind === "programs" ? "program" : kind;
-  item.command = openCommand(kind, location);
-  // "Open Code" of the context menu gets the item, of which it wants the file.
+  item.command = openCommand(kind, name, location);
+  // "Open Code" of the context menu gets the item, of which it wants the file and the program.
   item.resourceUri = vscode.Uri.parse(location.uri);
-  return { item, children: [] };
+  return { label: name, item, children: [] };
 }
 
 /** Lines with the same `id` stay open when the view is filled anew. */
@@ -104,11 +119,11 @@ function collapsible(label: string, icon: string, context: string, id: string): 
   return item;
 }
 
-function openCommand(kind: Kind, location: Location): vscode.Command {
+function openCommand(kind: Kind, label: string, location: Location): vscode.Command {
   const uri = vscode.Uri.parse(location.uri);
   const asCode = vscode.workspace.getConfiguration("val3").get<boolean>("codeView.openByDefault", false);
   if (kind === "programs" && asCode) {
-    return { command: "val3.openCode", title: "Open", arguments: [uri] };
+    return { command: "val3.openCode", title: "Open", arguments: [{ item: { label, resourceUri: uri } }] };
   }
   return { command: "vscode.open", title: "Open", arguments: [uri, { selection: selection(location.range) }] };
 }
@@ -118,5 +133,5 @@ function selection({ start, end }: Range): vscode.Range {
 }
 
 function byLabel(left: Node, right: Node): number {
-  return String(left.item.label).localeCompare(String(right.item.label));
+  return left.label.localeCompare(right.label);
 }

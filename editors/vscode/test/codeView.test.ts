@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Mapping } from "../src/codeView/mapping";
-import { Projection } from "../src/codeView/projection";
+import { placeInCode } from "../src/codeView/place";
+import { programsOf, Projection } from "../src/codeView/projection";
 import { toCode, toFile } from "../src/codeView/requests";
 
 const CDATA = '<Program name="a">\r\n  <Description><![CDATA[<Code>]]></Description>\r\n  <Code><![CDATA[begin\r\n  a=b[1]\r\nend]]></Code>\r\n</Program>';
@@ -58,7 +59,7 @@ test("any edit of any code gives the file that has it", () => {
     for (let step = 0; step < 400; step += 1) {
       const code = projection(file).code;
       const from = random(code.length + 1);
-      const wanted = code.slice(0, from) + words[random(words.length)] + code.slice(from + random(4));
+      const wanted = code.slice(0, from) + (words[random(words.length)] ?? "") + code.slice(from + random(4));
       file = edited(file, wanted);
       assert.equal(projection(file).code, wanted, JSON.stringify(file));
     }
@@ -94,4 +95,38 @@ test("semantic tokens follow entities, and those outside of the code are left ou
   const answer = { data: [0, 1, 1, 9, 0, 1, 6, 1, 2, 0, 0, 5, 1, 3, 0, 1, 0, 1, 4, 0] };
   const tokens = toCode("textDocument/semanticTokens/full", answer, { ...target, mapping });
   assert.deepEqual(tokens, { data: [0, 0, 1, 2, 0, 0, 2, 1, 3, 0, 1, 0, 1, 4, 0] });
+});
+
+const TWO = '<Programs>\n  <Program name="a">\n    <Code><![CDATA[begin\n  call b()\nend]]></Code>\n  </Program>\n  <!-- <Program name="c"> -->\n'
+  + '  <Program public="true" name="b">\n    <Locals><Local name="l"/></Locals>\n    <Code><![CDATA[begin\n  l=1\nend]]></Code>\n  </Program>\n</Programs>';
+
+test("each program of a file has a view of its own", () => {
+  assert.deepEqual(programsOf(TWO).map(({ name }) => name), ["a", "b"]);
+  assert.equal(Projection.of(TWO, 0)?.code, "begin\n  call b()\nend");
+  const second = Projection.of(TWO, 1);
+  assert.equal(second?.code, "begin\n  l=1\nend");
+  const change = second.replacement("begin\n  l=2\nend");
+  assert.ok(change !== undefined);
+  assert.equal(TWO.slice(0, change.start) + change.text + TWO.slice(change.end), TWO.replace("l=1", "l=2"));
+  assert.equal(Projection.of(TWO, 2), undefined);
+});
+
+function placed(text: string): unknown {
+  const before = TWO.slice(0, TWO.indexOf(text));
+  const start = { line: before.split("\n").length - 1, character: before.length - before.lastIndexOf("\n") - 1 };
+  return placeInCode(TWO, { start, end: { line: start.line, character: start.character + text.length } });
+}
+
+test("a definition is seen in the view where it lies in code, or is the program", () => {
+  assert.deepEqual(placed("l=1"), { index: 1, range: { start: { line: 1, character: 2 }, end: { line: 1, character: 5 } } });
+  const beginning = { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } };
+  assert.deepEqual(placed('b">'), { index: 1, range: beginning });
+  assert.deepEqual(placed('a">'), { index: 0, range: beginning });
+  assert.equal(placed('l"/>'), undefined);
+});
+
+test("calls from other files keep their ranges", () => {
+  const calls = [{ from: { uri: "file:///b.pgx", range: inFile }, fromRanges: [inFile] }, { from: { uri: target.file, range: inFile }, fromRanges: [inFile] }];
+  const expected = [calls[0], { from: { uri: target.code, range: inCode }, fromRanges: [inCode] }];
+  assert.deepEqual(toCode("callHierarchy/incomingCalls", calls, target), expected);
 });

@@ -1,6 +1,6 @@
 // VS Code as a server on this machine, with a profile and extensions of its own.
 const { spawn, spawnSync } = require("node:child_process");
-const { mkdirSync, writeFileSync, createWriteStream } = require("node:fs");
+const { chmodSync, createWriteStream, mkdirSync, readdirSync, renameSync, writeFileSync } = require("node:fs");
 const { createServer } = require("node:net");
 const { join } = require("node:path");
 
@@ -44,6 +44,7 @@ async function startVsCode(folder, vsix) {
   if (install.status !== 0) {
     throw new Error(`The extension cannot be installed: ${install.stdout}${install.stderr}`);
   }
+  record(extensions);
   const port = await freePort();
   const server = spawn(process.execPath, [...common, "--host", "127.0.0.1", "--port", String(port),
     "--without-connection-token", "--enable-smoke-test-driver"], { env: environment });
@@ -54,6 +55,21 @@ async function startVsCode(folder, vsix) {
   const address = `http://127.0.0.1:${port}`;
   await untilReady(address);
   return { address, stop: () => server.kill() };
+}
+
+/** Puts a recorder in front of the server that came with the extension. */
+function record(extensions) {
+  const [extension] = readdirSync(extensions).filter((name) => name.startsWith("val3-tools.val3"));
+  const server = join(extensions, extension, "server/val3");
+  const recorded = `${server}.recorded`;
+  renameSync(server, recorded);
+  const recorder = join(process.env.VAL3_ROOT, "tests/editors/record");
+  const trace = join(process.env.VAL3_OUTPUT, "traces/vscode.jsonl");
+  // Only the language server speaks the protocol.
+  const script = ["#!/bin/sh", `export VAL3_SERVER='${recorded}' VAL3_TRACE='${trace}'`,
+    `case $1 in lsp) exec '${recorder}' "$@" ;; *) exec '${recorded}' "$@" ;; esac`, ""];
+  writeFileSync(server, script.join("\n"));
+  chmodSync(server, 0o755);
 }
 
 async function untilReady(address) {

@@ -2,9 +2,11 @@
 
 import * as vscode from "vscode";
 import type { CodeFiles } from "./files";
+import { programUri } from "./follow";
 import { Mapping, type Position } from "./mapping";
+import { type Program, programsOf } from "./projection";
 import { APPLY_EDITS } from "./requests";
-import { codeUri, fileUri, SCHEME } from "./uris";
+import { fileUri, SCHEME } from "./uris";
 
 export function registerCodeView(views: CodeFiles): vscode.Disposable[] {
   return [
@@ -14,33 +16,59 @@ export function registerCodeView(views: CodeFiles): vscode.Disposable[] {
   ];
 }
 
-/** A line of the view "VAL 3". */
+/** A line of the view "VAL 3", which stands for the program of its name. */
 interface TreeNode {
   item: vscode.TreeItem;
 }
 
 async function openCode(target?: vscode.Uri | TreeNode): Promise<void> {
   const editor = vscode.window.activeTextEditor;
-  const file = (target instanceof vscode.Uri ? target : target?.item.resourceUri) ?? editor?.document.uri;
+  const item = target instanceof vscode.Uri ? undefined : target?.item;
+  const file = item?.resourceUri ?? (target instanceof vscode.Uri ? target : await programFile(editor));
   if (file === undefined || file.scheme === SCHEME) {
     return;
   }
   const document = await vscode.workspace.openTextDocument(file);
-  const mapping = Mapping.of(document);
-  if (mapping === undefined) {
+  const text = document.getText();
+  const cursor = editor?.document === document ? editor.selection.active : undefined;
+  const programs = programsOf(text);
+  const index = await chooseProgram(programs, programs.findIndex(({ name }) => name === item?.label), cursor && document.offsetAt(cursor));
+  if (programs.length === 0) {
     void vscode.window.showWarningMessage(`${vscode.workspace.asRelativePath(file)} has no element <Code>.`);
-    return;
+  } else if (index !== undefined) {
+    await show(programUri(file, text, index), cursor && Mapping.of(text, index)?.toCode(cursor));
   }
-  const isShown = editor?.document === document;
-  await show(codeUri(file), isShown ? mapping.toCode(editor.selection.active) : undefined);
+}
+
+/** The program in the editor, else one that the user picks. */
+async function programFile(editor: vscode.TextEditor | undefined): Promise<vscode.Uri | undefined> {
+  if (editor?.document.languageId === "val3") {
+    return editor.document.uri;
+  }
+  const files = await vscode.workspace.findFiles("**/*.{pgx,PGX}");
+  const items = files.map((uri) => ({ label: vscode.workspace.asRelativePath(uri), uri }));
+  items.sort((left, right) => left.label.localeCompare(right.label));
+  return (await vscode.window.showQuickPick(items, { placeHolder: "The program whose code is shown" }))?.uri;
+}
+
+/** Which program of a file: the only one, the one that is wanted, else the one that the user picks. */
+async function chooseProgram(programs: Program[], wanted: number, cursor?: number): Promise<number | undefined> {
+  if (programs.length < 2 || wanted >= 0) {
+    return programs.length === 1 ? 0 : wanted >= 0 ? wanted : undefined;
+  }
+  const here = cursor === undefined ? -1 : programs.findLastIndex(({ tagStart }) => tagStart <= cursor);
+  const items = programs.map(({ name }, index) => ({ label: name, index }));
+  // The one with the cursor is the first, so that Enter takes it.
+  items.sort((left, right) => Number(right.index === here) - Number(left.index === here));
+  return (await vscode.window.showQuickPick(items, { placeHolder: "The program of this file whose code is shown" }))?.index;
 }
 
 async function openFile(views: CodeFiles): Promise<void> {
   const editor = vscode.window.activeTextEditor;
-  const uri = editor?.document.uri;
-  if (uri?.scheme === SCHEME) {
-    await views.find(uri)?.settled();
-    await show(fileUri(uri), views.find(uri)?.mapping()?.toFile(editor!.selection.active));
+  if (editor?.document.uri.scheme === SCHEME) {
+    const link = views.find(editor.document.uri);
+    await link?.settled();
+    await show(fileUri(editor.document.uri), link?.mapping()?.toFile(editor.selection.active));
   }
 }
 

@@ -2,7 +2,7 @@
 
 import * as vscode from "vscode";
 import { Link } from "./link";
-import { codeUri, SCHEME } from "./uris";
+import { SCHEME } from "./uris";
 
 export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
   private readonly changes = new vscode.EventEmitter<vscode.FileChangeEvent[]>();
@@ -11,28 +11,39 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
   private readonly open = new Map<string, Link>();
   private readonly subscriptions: vscode.Disposable[];
 
-  constructor() {
+  /** `report` is told what fails while nobody waits for it. */
+  constructor(private readonly report: (fault: unknown) => void) {
     this.subscriptions = [
       vscode.workspace.registerFileSystemProvider(SCHEME, this, { isCaseSensitive: true }),
       vscode.workspace.onDidChangeTextDocument(({ document, contentChanges }) => {
         if (contentChanges.length > 0) {
-          void this.follow(document);
+          this.follow(document).catch(this.report);
         }
       }),
-      vscode.workspace.onDidSaveTextDocument((document) => void this.saved(document)),
+      vscode.workspace.onDidSaveTextDocument((document) => void this.saved(document).catch(this.report)),
       vscode.workspace.onDidCloseTextDocument((document) => this.forget(document.uri)),
     ];
   }
 
   dispose(): void {
-    this.subscriptions.forEach((subscription) => subscription.dispose());
+    vscode.Disposable.from(...this.subscriptions).dispose();
     this.changes.dispose();
   }
 
-  /** The open code view with this address, or of the file with this address. */
-  find(uri: string | vscode.Uri): Link | undefined {
-    const parsed = typeof uri === "string" ? vscode.Uri.parse(uri) : uri;
-    return this.open.get((parsed.scheme === SCHEME ? parsed : codeUri(parsed)).toString());
+  /** The open code view with this address. */
+  find(code: vscode.Uri): Link | undefined {
+    return this.open.get(code.toString());
+  }
+
+  /** The open code views of a file; of a code view, that view alone. */
+  of(uri: vscode.Uri): Link[] {
+    const isOf = ({ code, file }: Link): boolean => (uri.scheme === SCHEME ? code : file.uri).toString() === uri.toString();
+    return [...this.open.values()].filter(isOf);
+  }
+
+  /** All open code views. */
+  all(): Link[] {
+    return [...this.open.values()];
   }
 
   async stat(uri: vscode.Uri): Promise<vscode.FileStat> {
@@ -51,8 +62,9 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
     await link.save();
   }
 
+  /** Changes are told whether they are watched for or not. */
   watch(): vscode.Disposable {
-    return new vscode.Disposable(() => undefined);
+    return vscode.Disposable.from();
   }
 
   readDirectory(): [string, vscode.FileType][] {
@@ -86,30 +98,26 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
     return opening;
   }
 
-  private async follow(document: vscode.TextDocument): Promise<void> {
-    const link = this.find(document.uri);
-    await (document.uri.scheme === SCHEME ? link?.push() : link?.pull());
+  private async follow({ uri }: vscode.TextDocument): Promise<void> {
+    await Promise.all(this.of(uri).map((link) => (uri.scheme === SCHEME ? link.push() : link.pull())));
   }
 
   /** A view whose changes were saved with its file has no changes of its own left. */
   private async saved(document: vscode.TextDocument): Promise<void> {
-    const view = document.uri.scheme === SCHEME ? undefined : this.find(document.uri)?.document();
-    if (view?.isDirty === true) {
-      await view.save();
-    }
+    const views = document.uri.scheme === SCHEME ? [] : this.of(document.uri);
+    const changed = views.flatMap((view) => view.document() ?? []).filter((view) => view.isDirty);
+    await Promise.all(changed.map((view) => view.save()));
   }
 
   /** VS Code closes the document of a file that no editor shows: the view then opens it anew. */
   private forget(uri: vscode.Uri): void {
-    const link = this.find(uri);
-    if (link === undefined) {
-      return;
-    }
-    const key = link.code.toString();
-    this.links.delete(key);
-    this.open.delete(key);
-    if (uri.scheme !== SCHEME && link.document() !== undefined) {
-      void this.link(link.code);
+    for (const link of this.of(uri)) {
+      const key = link.code.toString();
+      this.links.delete(key);
+      this.open.delete(key);
+      if (uri.scheme !== SCHEME && link.document() !== undefined) {
+        this.link(link.code).catch(this.report);
+      }
     }
   }
 }

@@ -6,31 +6,35 @@
 import * as vscode from "vscode";
 import { Mapping } from "./mapping";
 import { difference, Projection } from "./projection";
-import { codeUri, fileUri } from "./uris";
+import { fileUri, programIndex } from "./uris";
 
 export class Link {
-  readonly code: vscode.Uri;
+  private readonly index: number;
   private pending = 0;
   private queue: Promise<unknown> = Promise.resolve();
   /** Milliseconds; grows with each change that VS Code has to read. */
   changed = Date.now();
 
-  private constructor(readonly file: vscode.TextDocument, private readonly reload: (code: vscode.Uri) => void) {
-    this.code = codeUri(file.uri);
+  private constructor(
+    readonly code: vscode.Uri,
+    readonly file: vscode.TextDocument,
+    private readonly reload: (code: vscode.Uri) => void,
+  ) {
+    this.index = programIndex(code);
   }
 
   /** Opens the file of a code view. Fails where there is no such file. */
   static async open(code: vscode.Uri, reload: (code: vscode.Uri) => void): Promise<Link> {
-    return new Link(await vscode.workspace.openTextDocument(fileUri(code)), reload);
+    return new Link(code, await vscode.workspace.openTextDocument(fileUri(code)), reload);
   }
 
   /** The code as the file has it; nothing where it has none. */
   text(): string | undefined {
-    return Projection.of(this.file.getText())?.code;
+    return Projection.of(this.file.getText(), this.index)?.code;
   }
 
   mapping(): Mapping | undefined {
-    return Mapping.of(this.file);
+    return Mapping.of(this.file.getText(), this.index);
   }
 
   /** Ends when all edits of the code so far are in the file. */
@@ -78,7 +82,7 @@ export class Link {
   }
 
   private async write(text: string | undefined): Promise<void> {
-    const projection = Projection.of(this.file.getText());
+    const projection = Projection.of(this.file.getText(), this.index);
     if (text === undefined || projection === undefined) {
       return;
     }

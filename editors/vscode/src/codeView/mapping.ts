@@ -1,6 +1,5 @@
 // Positions of a code view as positions of its file, and back, for one version of the file.
 
-import type * as vscode from "vscode";
 import { Projection } from "./projection";
 
 /** As the protocol and VS Code both spell it; characters are UTF-16 units. */
@@ -24,9 +23,9 @@ export class Mapping {
   }
 
   /** Nothing where the file has no code. */
-  static of(file: vscode.TextDocument): Mapping | undefined {
-    const projection = Projection.of(file.getText());
-    return projection && new Mapping(projection, file.getText());
+  static of(file: string, index: number): Mapping | undefined {
+    const projection = Projection.of(file, index);
+    return projection && new Mapping(projection, file);
   }
 
   toFile(position: Position): Position {
@@ -35,6 +34,10 @@ export class Mapping {
 
   rangeToFile(range: Range): Range {
     return { start: this.toFile(range.start), end: this.toFile(range.end) };
+  }
+
+  offsetInFile(position: Position): number {
+    return this.file.offsetAt(position);
   }
 
   /** Nothing for a position outside of the code. */

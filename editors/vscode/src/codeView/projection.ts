@@ -1,7 +1,7 @@
 // The code of a program file and where each of its characters stands in the file. Knows text alone.
 //
-// The code is the content of the first <Code> element: of its CDATA sections, or, in the old dialect, its text with
-// entities. A place of the code and the place of the file that it came from are offsets in UTF-16 units.
+// The code is the content of a <Code> element: of its CDATA sections, or, in the old dialect, its text with entities.
+// A place of the code and the place of the file that it came from are offsets in UTF-16 units.
 
 /** A stretch of code and of the file that stand for each other: verbatim when both are equally long. */
 interface Chunk {
@@ -18,7 +18,16 @@ export interface Replacement {
   text: string;
 }
 
-const OUTSIDE = /<!--[^]*?(?:-->|$)|<!\[CDATA\[[^]*?(?:\]\]>|$)|<(?:Code|code)(?:\s[^>]*)?>/g;
+/** A program of a file, with its name and its opening tag as far as it has one. */
+export interface Program {
+  name: string;
+  tagStart: number;
+  tagEnd: number;
+  codeStart: number;
+}
+
+/** What may speak of code without being any, and the tags that lead to it. */
+const OUTSIDE = /<!--[^]*?(?:-->|$)|<!\[CDATA\[[^]*?(?:\]\]>|$)|<(?:Program|program)\s[^>]*>|<(?:Code|code)(?:\s[^>]*)?>/g;
 const PIECE = /<!\[CDATA\[([^]*?)(?:\]\]>|$)|<!--[^]*?-->|&(?:#[xX][0-9a-fA-F]+|#\d+|\w+);|<\/(?:Code|code)\s*>|[^<&]+|[^]/g;
 const CDATA_OPEN = "<![CDATA[";
 const ENTITIES: Record<string, string> = { "&lt;": "<", "&gt;": ">", "&amp;": "&", "&quot;": '"', "&apos;": "'" };
@@ -33,9 +42,9 @@ export class Projection {
     private readonly fileStart: number,
   ) {}
 
-  /** The code of a program file; nothing where it has none. */
-  static of(file: string): Projection | undefined {
-    const start = codeStart(file);
+  /** The code of the program that is number `index` in its file; nothing where it has none. */
+  static of(file: string, index = 0): Projection | undefined {
+    const start = programsOf(file)[index]?.codeStart;
     if (start === undefined) {
       return undefined;
     }
@@ -131,14 +140,19 @@ function isVerbatim(chunk: Chunk): boolean {
   return chunk.codeLength === chunk.fileLength;
 }
 
-/** Where the content of the first element with code starts. Comments and descriptions may speak of code. */
-function codeStart(file: string): number | undefined {
-  for (const match of file.matchAll(OUTSIDE)) {
-    if (/^<code/i.test(match[0])) {
-      return match[0].endsWith("/>") ? undefined : match.index + match[0].length;
+/** The programs of a file that have code. Comments and descriptions may speak of code as well. */
+export function programsOf(file: string): Program[] {
+  const programs: Program[] = [];
+  let tag = { name: "", tagStart: 0, tagEnd: 0 };
+  for (const { 0: text, index } of file.matchAll(OUTSIDE)) {
+    const end = index + text.length;
+    if (/^<program/i.test(text)) {
+      tag = { name: /\sname\s*=\s*["']([^"']*)/.exec(text)?.[1] ?? "", tagStart: index, tagEnd: end };
+    } else if (/^<code/i.test(text) && !text.endsWith("/>")) {
+      programs.push({ ...tag, codeStart: end });
     }
   }
-  return undefined;
+  return programs;
 }
 
 function readPieces(file: string, start: number): Piece[] {

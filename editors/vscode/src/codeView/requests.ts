@@ -56,6 +56,9 @@ function toCodeValue(value: Json, target: Target): Json {
     return value;
   } else if (typeof value.uri === "string" || typeof value.targetUri === "string") {
     return toCodeLocation(value, target);
+  } else if (isObject(value.from) && value.from.uri !== target.file) {
+    // A call from another file, with ranges of that file.
+    return value;
   }
   return toCodeObject(value, target);
 }
@@ -68,7 +71,7 @@ function toCodeObject(value: JsonObject, target: Target): JsonObject | undefined
     if (mapped === undefined && (isRange(part) || isPosition(part))) {
       return undefined;
     } else if (mapped !== undefined) {
-      result[key] = key === "newText" ? target.mapping.projection.decode(String(mapped)) : mapped;
+      result[key] = key === "newText" && typeof mapped === "string" ? target.mapping.projection.decode(mapped) : mapped;
     }
   }
   return result;

@@ -2,6 +2,7 @@
 
 import * as vscode from "vscode";
 import { nameFault } from "./names";
+import { entry, isOld } from "./projectEntry";
 
 export function registerNewProgram(): vscode.Disposable[] {
   return [vscode.commands.registerCommand("val3.newProgram", newProgram)];
@@ -42,43 +43,18 @@ function folderOf({ path }: vscode.Uri): string {
 
 async function create(project: vscode.Uri, name: string): Promise<void> {
   const document = await vscode.workspace.openTextDocument(project);
-  const isOld = document.getText().includes("ProjectNameSpace");
+  const text = document.getText();
   const file = vscode.Uri.joinPath(project, "..", `${name}.pgx`);
-  const contents = Buffer.from(isOld ? oldProgram(name) : program(name));
-  await vscode.workspace.fs.writeFile(file, contents);
-  const entry = entryEdit(document, name, isOld);
-  if (entry !== undefined && !document.getText().includes(`"${name}.pgx"`)) {
+  await vscode.workspace.fs.writeFile(file, Buffer.from(isOld(text) ? oldProgram(name) : program(name)));
+  const change = entry(text, name);
+  if (change !== undefined) {
     const edit = new vscode.WorkspaceEdit();
-    edit.set(project, [entry]);
+    const range = new vscode.Range(document.positionAt(change.start), document.positionAt(change.end));
+    edit.replace(project, range, change.text);
     await vscode.workspace.applyEdit(edit);
     await document.save();
   }
   await vscode.commands.executeCommand("vscode.open", file);
-}
-
-/** The entry in the list of programs, in front of the first that follows by name, else behind the last. */
-function entryEdit(project: vscode.TextDocument, name: string, isOld: boolean): vscode.TextEdit | undefined {
-  const text = project.getText();
-  const eol = project.eol === vscode.EndOfLine.CRLF ? "\r\n" : "\n";
-  const element = isOld ? `<program file="${name}.pgx" />` : `<Program file="${name}.pgx" />`;
-  const entries = [...text.matchAll(/^[ \t]*<[Pp]rogram\s[^>]*?file="([^"]+)\.pgx"[^>]*>/gm)];
-  const next = entries.find(([, other]) => (other ?? "").toLowerCase() > name.toLowerCase());
-  const last = entries.at(-1);
-  if (next !== undefined) {
-    return vscode.TextEdit.insert(project.positionAt(next.index), `    ${element}${eol}`);
-  } else if (last !== undefined) {
-    return vscode.TextEdit.insert(project.positionAt(last.index + last[0].length), `${eol}    ${element}`);
-  }
-  return emptyListEdit(project, element, eol);
-}
-
-function emptyListEdit(project: vscode.TextDocument, element: string, eol: string): vscode.TextEdit | undefined {
-  const list = /<(Programs|programSection)\s*(?:\/>|>\s*<\/\1>)/.exec(project.getText());
-  if (list === null) {
-    return undefined;
-  }
-  const range = new vscode.Range(project.positionAt(list.index), project.positionAt(list.index + list[0].length));
-  return vscode.TextEdit.replace(range, `<${list[1]}>${eol}    ${element}${eol}  </${list[1]}>`);
 }
 
 function program(name: string): string {

@@ -1,0 +1,54 @@
+// A definition that was asked for in a code view leads to another code view, not to the XML around it.
+
+import * as vscode from "vscode";
+import type { Range } from "./mapping";
+import { placeInCode } from "./place";
+import { programsOf } from "./projection";
+import { codeUri } from "./uris";
+
+export const FOLLOWED = new Set([
+  "textDocument/definition",
+  "textDocument/declaration",
+  "textDocument/typeDefinition",
+  "textDocument/implementation",
+]);
+
+interface Target {
+  uri?: string;
+  range?: Range;
+  targetUri?: string;
+  targetRange?: Range;
+  targetSelectionRange?: Range;
+}
+
+/** The answer to one of those requests, with places in code views for those in files that have one. */
+export async function inCodeViews(answer: unknown): Promise<unknown> {
+  if (answer === null || typeof answer !== "object" || !vscode.workspace.getConfiguration("val3").get<boolean>("codeView.follow", true)) {
+    return answer;
+  }
+  const targets = [answer].flat() as Target[];
+  return Promise.all(targets.map(follow));
+}
+
+async function follow(target: Target): Promise<Target> {
+  const uri = vscode.Uri.parse(target.targetUri ?? target.uri ?? "", true);
+  const range = target.targetSelectionRange ?? target.range;
+  if (!/\.pgx$/i.test(uri.path) || uri.scheme !== "file" || range === undefined) {
+    return target;
+  }
+  const text = (await vscode.workspace.openTextDocument(uri)).getText();
+  const place = placeInCode(text, range);
+  if (place === undefined) {
+    return target;
+  }
+  const code = programUri(uri, text, place.index).toString();
+  return target.targetUri === undefined
+    ? { uri: code, range: place.range }
+    : { ...target, targetUri: code, targetRange: place.range, targetSelectionRange: place.range };
+}
+
+/** The code view of a program of the file. */
+export function programUri(file: vscode.Uri, text: string, index: number): vscode.Uri {
+  const programs = programsOf(text);
+  return codeUri(file, index, programs.length > 1 ? programs[index]?.name : undefined);
+}
