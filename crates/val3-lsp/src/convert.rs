@@ -13,7 +13,6 @@ use val3_check::rule::Severity;
 use val3_config::ConfigError;
 use val3_ide as ide;
 
-use crate::loose;
 use crate::published::{Finder, ProjectFindings};
 use crate::snapshot::Snapshot;
 
@@ -26,7 +25,7 @@ pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Ve
     let mut files: Vec<(File, Vec<Diagnostic>)> = Vec::new();
     for found in ide::project_diagnostics(snapshot.db(), settings, project) {
         let file = found.place.file;
-        if loose::is_manifest(file.path(snapshot.db())) {
+        if !snapshot.is_shown(file) {
             continue;
         }
         let converted = diagnostic(snapshot, found);
@@ -169,9 +168,10 @@ pub(crate) fn edits<'e>(
 
 /// Locations, or links that know what they lead away from.
 pub(crate) fn targets(snapshot: &Snapshot, from: File, targets: &[ide::Target]) -> GotoDefinitionResponse {
+    let targets = targets.iter().filter(|target| snapshot.is_shown(target.to.file));
     if snapshot.session.client.has_links {
-        let links = targets.iter().map(|target| snapshot.link(snapshot.range(from, target.from), target.to));
+        let links = targets.map(|target| snapshot.link(snapshot.range(from, target.from), target.to));
         return GotoDefinitionResponse::Link(links.collect());
     }
-    GotoDefinitionResponse::Array(targets.iter().map(|target| snapshot.location(target.to)).collect())
+    GotoDefinitionResponse::Array(targets.map(|target| snapshot.location(target.to)).collect())
 }

@@ -42,17 +42,38 @@ use crate::{initialize, sync, watching, workspace_folders};
 pub(crate) fn routes() -> Routes {
     let mut routes = Routes::default();
     notifications(&mut routes);
+    showing(&mut routes);
+    navigation(&mut routes);
+    writing(&mut routes);
+    routes
+}
+
+/// What is shown around the text and in it.
+fn showing(routes: &mut Routes) {
     routes.on::<r::HoverRequest>(Latency, Refuse, hover::hover);
-    routes.on::<r::Completion>(Latency, Refuse, completion::completion);
-    routes.on::<r::ResolveCompletionItem>(Latency, Retry, completion::resolve);
-    routes.on::<r::SignatureHelpRequest>(Latency, Refuse, signature_help::signature_help);
+    routes.on::<r::DocumentHighlightRequest>(Latency, Refuse, document_highlight::document_highlight);
+    routes.on::<r::DocumentSymbolRequest>(Latency, Retry, document_symbol::document_symbol);
+    routes.on::<r::CodeLensRequest>(Latency, Retry, code_lens::code_lens);
+    routes.on::<r::CodeLensResolve>(Latency, Refuse, code_lens::resolve);
+    routes.on::<r::InlayHintRequest>(Latency, Refuse, inlay_hint::inlay_hint);
+    routes.on::<r::FoldingRangeRequest>(Latency, Retry, folding_range::folding_range);
+    routes.on::<r::SelectionRangeRequest>(Latency, Refuse, selection_range::selection_range);
+    routes.on::<r::SemanticTokensFullRequest>(Latency, Retry, semantic_tokens::full);
+    routes.on::<r::SemanticTokensFullDeltaRequest>(Latency, Retry, semantic_tokens::delta);
+    routes.on::<r::SemanticTokensRangeRequest>(Latency, Refuse, semantic_tokens::range);
+    routes.on::<r::DocumentDiagnosticRequest>(Latency, Retry, diagnostics::document);
+    routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
+    routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
+    routes.on::<page::Page>(Latency, Retry, page::page);
+}
+
+/// Ways from one place to another.
+fn navigation(routes: &mut Routes) {
     routes.on::<r::GotoDefinition>(Latency, Refuse, definition::definition);
     routes.on::<r::GotoDeclaration>(Latency, Refuse, definition::declaration);
     routes.on::<r::GotoTypeDefinition>(Latency, Refuse, definition::type_definition);
     routes.on::<r::GotoImplementation>(Latency, Refuse, definition::implementation);
     routes.on::<r::References>(Latency, Refuse, references::references);
-    routes.on::<r::DocumentHighlightRequest>(Latency, Refuse, document_highlight::document_highlight);
-    routes.on::<r::DocumentSymbolRequest>(Latency, Retry, document_symbol::document_symbol);
     routes.on::<r::WorkspaceSymbolRequest>(Latency, Retry, workspace_symbol::workspace_symbol);
     routes.on::<r::WorkspaceSymbolResolve>(Latency, Retry, workspace_symbol::resolve);
     routes.on::<r::CallHierarchyPrepare>(Latency, Refuse, call_hierarchy::prepare);
@@ -61,18 +82,17 @@ pub(crate) fn routes() -> Routes {
     routes.on::<r::TypeHierarchyPrepare>(Latency, Refuse, type_hierarchy::prepare);
     routes.on::<r::TypeHierarchySupertypes>(Latency, Retry, type_hierarchy::supertypes);
     routes.on::<r::TypeHierarchySubtypes>(Latency, Retry, type_hierarchy::subtypes);
+    routes.on::<r::DocumentLinkRequest>(Latency, Retry, document_link::document_link);
+}
+
+/// What changes texts.
+fn writing(routes: &mut Routes) {
+    routes.on::<r::Completion>(Latency, Refuse, completion::completion);
+    routes.on::<r::ResolveCompletionItem>(Latency, Retry, completion::resolve);
+    routes.on::<r::SignatureHelpRequest>(Latency, Refuse, signature_help::signature_help);
     routes.on::<r::CodeActionRequest>(Latency, Refuse, code_action::code_action);
     routes.on::<r::CodeActionResolveRequest>(Latency, Refuse, code_action::resolve);
-    routes.on::<r::CodeLensRequest>(Latency, Retry, code_lens::code_lens);
-    routes.on::<r::CodeLensResolve>(Latency, Refuse, code_lens::resolve);
-    routes.on::<r::InlayHintRequest>(Latency, Refuse, inlay_hint::inlay_hint);
-    routes.on::<r::DocumentLinkRequest>(Latency, Retry, document_link::document_link);
     routes.on::<r::LinkedEditingRange>(Latency, Refuse, linked_editing_range::linked_editing_range);
-    routes.on::<r::FoldingRangeRequest>(Latency, Retry, folding_range::folding_range);
-    routes.on::<r::SelectionRangeRequest>(Latency, Refuse, selection_range::selection_range);
-    routes.on::<r::SemanticTokensFullRequest>(Latency, Retry, semantic_tokens::full);
-    routes.on::<r::SemanticTokensFullDeltaRequest>(Latency, Retry, semantic_tokens::delta);
-    routes.on::<r::SemanticTokensRangeRequest>(Latency, Refuse, semantic_tokens::range);
     routes.on::<r::PrepareRenameRequest>(Latency, Refuse, rename::prepare);
     routes.on::<r::Rename>(Latency, Refuse, rename::rename);
     routes.on::<r::Formatting>(Latency, Refuse, formatting::whole);
@@ -82,11 +102,6 @@ pub(crate) fn routes() -> Routes {
     routes.on::<r::WillCreateFiles>(Latency, Retry, file_operations::will_create);
     routes.on::<r::WillDeleteFiles>(Latency, Retry, file_operations::will_delete);
     routes.on::<r::ExecuteCommand>(Latency, Retry, execute_command::execute_command);
-    routes.on::<r::DocumentDiagnosticRequest>(Latency, Retry, diagnostics::document);
-    routes.on::<r::WorkspaceDiagnosticRequest>(Background, Retry, diagnostics::workspace);
-    routes.on::<workspace_tree::WorkspaceTree>(Background, Retry, workspace_tree::workspace_tree);
-    routes.on::<page::Page>(Latency, Retry, page::page);
-    routes
 }
 
 fn notifications(routes: &mut Routes) {

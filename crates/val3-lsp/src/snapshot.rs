@@ -11,6 +11,7 @@ use val3_syntax::TextRange;
 use crate::documents::{Document, Documents};
 use crate::inbox::Inbox;
 use crate::line_index::{Lines, line_index};
+use crate::loose;
 use crate::session::Session;
 use crate::uri;
 
@@ -102,6 +103,11 @@ impl Snapshot {
     /// As [`uri`](Self::uri), for any path.
     pub(crate) fn uri_of(&self, path: &Utf8Path) -> Url {
         self.documents.at(path).map_or_else(|| uri::of(path), |document| document.uri.clone())
+    }
+
+    /// Clients can open the file; the project file that a document without a project gets, they cannot.
+    pub(crate) fn is_shown(&self, file: File) -> bool {
+        !loose::is_manifest(file.path(&self.db))
     }
 
     /// Whether a document is a file of a project.

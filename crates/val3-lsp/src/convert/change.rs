@@ -5,7 +5,6 @@ use val3_analysis::db::File;
 use val3_ide::SourceChange;
 
 use super::edits;
-use crate::loose;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Why a change cannot be made in this editor, in a sentence for the user.
@@ -48,8 +47,7 @@ pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &SourceChange) -> Resu
 
 fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), NotPossible> {
     let can = snapshot.session.client.changes_files;
-    let is_given = |file: File| loose::is_manifest(file.path(snapshot.db()));
-    if change.edits.iter().any(|edit| is_given(edit.file)) {
+    if change.edits.iter().any(|edit| !snapshot.is_shown(edit.file)) {
         return Err(NotPossible("no project file lists this file, and the change has to be made in one"));
     }
     if !change.creates.is_empty() && !can.creates {

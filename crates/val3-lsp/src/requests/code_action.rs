@@ -11,7 +11,6 @@ use val3_ide::{Assist, AssistKind, FileRange, QuickFix};
 
 use super::execute_command::apply;
 use crate::convert::{NotPossible, diagnostic, workspace_edit};
-use crate::loose;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// All safe fixes of a file; no assist is called like that.
@@ -135,7 +134,7 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     let client = snapshot.session.client;
     let can_all = client.changes_files.creates && client.changes_files.renames && client.changes_files.deletes;
     let owner = val3_ide::owner(snapshot.db(), file);
-    let is_listed = owner.is_some_and(|project| !loose::is_manifest(project.manifest(&snapshot.db).path(&snapshot.db)));
+    let is_listed = owner.is_some_and(|project| snapshot.is_shown(project.manifest(&snapshot.db)));
     client.resolves_edits && can_all && is_listed
 }
 

@@ -31,8 +31,8 @@ pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<
         CodeLens { range: lines.range(found.range), command, data }
     };
     let is_known = |found: &val3_ide::CodeLens| match found.kind {
-        LensKind::Run(_) => commands.runs,
-        LensKind::Debug(_) => commands.debugs,
+        LensKind::Run(manifest) => commands.runs && snapshot.is_shown(manifest),
+        LensKind::Debug(manifest) => commands.debugs && snapshot.is_shown(manifest),
         LensKind::References => true,
     };
     Ok(Some(val3_ide::code_lenses(snapshot.db(), file).into_iter().filter(is_known).map(lens).collect()))

@@ -7,5 +7,6 @@ use crate::snapshot::{Refusal, Snapshot};
 pub(crate) fn references(snapshot: &Snapshot, params: &ReferenceParams) -> Result<Option<Vec<Location>>, Refusal> {
     let at = snapshot.position(&params.text_document_position)?;
     let found = val3_ide::references(snapshot.db(), at, params.context.include_declaration);
-    Ok(Some(found.into_iter().map(|place| snapshot.location(place)).collect()))
+    let found = found.into_iter().filter(|place| snapshot.is_shown(place.file));
+    Ok(Some(found.map(|place| snapshot.location(place)).collect()))
 }

@@ -24,10 +24,11 @@ pub(crate) fn workspace_symbol(
     snapshot: &Snapshot,
     params: &WorkspaceSymbolParams,
 ) -> Result<Option<WorkspaceSymbolResponse>, Refusal> {
-    let found = val3_ide::workspace_symbols(snapshot.db(), &params.query, LIMIT);
+    let found = val3_ide::workspace_symbols(snapshot.db(), &params.query, LIMIT).into_iter();
+    let found = found.filter(|found| snapshot.is_shown(found.place.file));
     Ok(Some(match snapshot.session.client.resolves_symbols {
-        true => WorkspaceSymbolResponse::Nested(found.into_iter().map(|found| unresolved(snapshot, found)).collect()),
-        false => WorkspaceSymbolResponse::Flat(found.into_iter().map(|found| whole(snapshot, found)).collect()),
+        true => WorkspaceSymbolResponse::Nested(found.map(|found| unresolved(snapshot, found)).collect()),
+        false => WorkspaceSymbolResponse::Flat(found.map(|found| whole(snapshot, found)).collect()),
     }))
 }
 

@@ -8,7 +8,6 @@ use val3_analysis::db::Project;
 use val3_analysis::occurrences::project_files;
 use val3_ide::{OutlineItem, SymbolKind};
 
-use crate::loose;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// The request. It takes no parameters.
@@ -41,8 +40,7 @@ pub(crate) struct TreeItem {
 }
 
 pub(crate) fn workspace_tree(snapshot: &Snapshot, _: &Option<Value>) -> Result<Vec<TreeProject>, Refusal> {
-    let manifest = |project: &Project| project.manifest(snapshot.db()).path(snapshot.db());
-    let real = snapshot.projects.iter().filter(|project| !loose::is_manifest(manifest(project)));
+    let real = snapshot.projects.iter().filter(|project| snapshot.is_shown(project.manifest(snapshot.db())));
     Ok(real.map(|project| tree(snapshot, *project)).collect())
 }
 

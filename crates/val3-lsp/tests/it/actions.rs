@@ -112,7 +112,7 @@ fn clients_that_know_commands_alone() {
 }
 
 #[test]
-fn a_file_without_a_project() {
+fn changes_of_a_file_without_a_project() {
     let folder = tempfile::tempdir().unwrap();
     let loose = folder.path().canonicalize().unwrap().join("loose.pgx").to_str().unwrap().to_owned();
     let mut session = Session::of(CELL, able());

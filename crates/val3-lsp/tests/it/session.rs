@@ -117,7 +117,7 @@ fn what_is_too_large_ends_the_session() {
 fn an_untitled_document_and_one_without_a_project() {
     let cell = Cell::new("call anything()\nnSomething=1+\"a\"");
     let text = cell.text("usrapp/main/start.pgx").to_owned();
-    let mut client = Client::start(&[]);
+    let mut client = Client::start_with(&[], json!({}), json!({ "commands": ["val3.run", "val3.debug"] }));
     client.open("untitled:Untitled-1", &text);
     // A string is added to a number; the names may be declared elsewhere.
     let untitled = client.findings("untitled:Untitled-1", Some(1));
@@ -130,6 +130,17 @@ fn an_untitled_document_and_one_without_a_project() {
     let (line, column) = place(&text, "call");
     let hover = client.ask("textDocument/hover", at(&loose, line, column));
     assert!(hover["contents"]["value"].as_str().unwrap().contains("call"), "{hover}");
+    // Nothing leads to the project file that it gets, which does not exist.
+    let (line, column) = place(&text, "start");
+    let mut start = at(&loose, line, column);
+    start["context"] = json!({ "includeDeclaration": true });
+    for method in ["textDocument/declaration", "textDocument/references", "textDocument/documentLink"] {
+        let answer = client.ask(method, start.clone()).to_string();
+        assert!(!answer.contains("loose.pjx"), "{method}: {answer}");
+    }
+    let symbols = client.ask("workspace/symbol", json!({ "query": "loose" }));
+    assert_eq!(symbols, json!([]));
+    assert_eq!(client.ask("textDocument/codeLens", start).as_array().map(Vec::len), Some(1));
     client.notify("textDocument/didClose", json!({ "textDocument": { "uri": uri(&loose) } }));
     assert_eq!(client.findings(&loose, None), Vec::<Value>::new());
     assert_eq!(client.end(), 0);
