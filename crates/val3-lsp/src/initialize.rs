@@ -5,6 +5,7 @@ use tower_lsp::lsp_types::{InitializeParams, InitializeResult, InitializedParams
 use tower_lsp::{LanguageServer, async_trait};
 
 use crate::inbox::Inbox;
+use crate::log::Log;
 use crate::requests::capabilities;
 use crate::session::Session;
 use crate::{parent_process, watching};
@@ -12,6 +13,7 @@ use crate::{parent_process, watching};
 /// The part of the session that tower-lsp itself keeps track of.
 pub(crate) struct Lifecycle {
     pub(crate) inbox: Inbox,
+    pub(crate) log: Log,
 }
 
 #[async_trait]
@@ -35,7 +37,8 @@ impl LanguageServer for Lifecycle {
     async fn initialized(&self, _: InitializedParams) {}
 
     async fn shutdown(&self) -> Result<()> {
-        self.inbox.post(|world| world.log("the session ends"));
+        // Not by way of the main loop: the process may end before its turn comes.
+        self.log.write("the session ends");
         Ok(())
     }
 }

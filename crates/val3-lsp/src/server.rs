@@ -51,13 +51,14 @@ pub(crate) fn serve(
     let pump = Pump::start(output)?;
     let (inbox, messages) = Inbox::new();
     let outbox = Outbox::new(pump.clone(), inbox.clone());
-    let world = World::new(inbox.clone(), outbox.clone(), Pool::start()?, Log::open(options.log.as_deref())?);
+    let log = Log::open(options.log.as_deref())?;
+    let world = World::new(inbox.clone(), outbox.clone(), Pool::start()?, log.clone());
     let main_loop = thread::Builder::new().name("main loop".to_owned()).stack_size(STACK_SIZE);
     main_loop.spawn(move || world.run(&messages))?;
     let (requests, intake) = Intake::new();
     start_reading(BufReader::new(input), requests, outbox, pump.clone())?;
     let (exit, exited) = unbounded_channel();
-    let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone() });
+    let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone() });
     let router = Router::new(lifecycle, routes, inbox, pump.clone(), exit);
     // No limit: what limits the work is the pool.
     let server = Server::new(intake, PumpWriter(pump.clone()), socket).concurrency_level(usize::MAX);
