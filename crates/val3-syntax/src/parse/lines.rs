@@ -34,7 +34,8 @@ impl Parse {
         let read = parse_within(&[head, code, tail].concat(), depth(&run.parent));
         let inside = read.sole_run()?;
         let is_whole = inside.start == TextSize::of(head) && inside.len() == new.len();
-        if !is_whole || !read.has_line_faults_only() || inside.elements.iter().any(concerns_others) {
+        let ends_line = inside.elements.last().is_some_and(is_line_end) && starts_as_before(new_text, new.end());
+        if !is_whole || !ends_line || !read.has_line_faults_only() || inside.elements.iter().any(concerns_others) {
             return None;
         }
         let place = |at: TextSize| at - TextSize::of(head) + old.start();
@@ -70,6 +71,13 @@ fn around(text: &str, parent: &SyntaxNode, at: TextSize) -> (&'static str, &'sta
 /// The lines hold what may be the end of their stretch of code.
 fn leaves_stretch(code: &str, tail: &str) -> bool {
     code.contains("]]>") || tail.starts_with("end<") && code.contains('<')
+}
+
+/// The first token of the line at `at` is what it was, however the line is indented: it goes on with no blank, and
+/// starts no mark of a merge conflict.
+fn starts_as_before(text: &str, at: TextSize) -> bool {
+    let next = text.as_bytes().get(usize::from(at));
+    next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=".contains(byte))
 }
 
 /// The levels around a node, or more.
@@ -116,12 +124,14 @@ impl Run {
         self.elements.iter().map(len).sum()
     }
 
-    /// The elements from the line end before an edit to the one behind it.
+    /// The elements from the line end before an edit to the one behind it, or in which it ends.
     fn lines_around(&self, edit: TextRange) -> Option<Range<usize>> {
         let (mut first, mut at) = (None, self.start);
         for (index, element) in self.elements.iter().enumerate() {
             match first {
-                Some(first) if is_line_end(element) && at >= edit.end() => return Some(first..index + 1),
+                Some(first) if is_line_end(element) && at + len(element) >= edit.end() => {
+                    return Some(first..index + 1);
+                }
                 _ if is_line_end(element) && at < edit.start() => first = Some(index),
                 _ => {}
             }
@@ -184,4 +194,46 @@ fn is_of_blocks(kind: SyntaxKind) -> bool {
         || matches!(kind, WHILE_KW | END_WHILE_KW | DO_KW | UNTIL_KW | FOR_KW | END_FOR_KW)
         || matches!(kind, SWITCH_KW | CASE_KW | END_SWITCH_KW);
     is_word || matches!(kind, XML_COMMENT | CDATA_OPEN | CDATA_CLOSE | CONFLICT_MARKER)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse::parse;
+
+    const CDATA: &str = "<a>\n<Code><![CDATA[begin\n  x=1\n  if x==1\n    put(x)\n    // two\n    y=\n  else\n  endIf\n\n  z=3\nend]]></Code>\n</a>";
+
+    /// Whether an edit of `old` to `new` needs its own lines alone.
+    fn is_local(text: &str, old: &str, new: &str) -> bool {
+        let new_text = text.replacen(old, new, 1);
+        let start = TextSize::try_from(text.find(old).unwrap()).unwrap();
+        let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };
+        let again = parse(text).reparse_lines(text, &new_text, change);
+        assert!(again.as_ref().is_none_or(|again| *again == parse(&new_text)));
+        again.is_some()
+    }
+
+    #[test]
+    fn lines_without_blocks() {
+        let edits = [("x=1", "x=12"), ("  x=1\n", ""), ("  x=1", "  w=2\n  x=1"), ("z=3", "z=3\n\n"), ("two", "2")];
+        for (old, new) in edits.into_iter().chain([("y=", "y=f(2"), ("put(x)", "put(x)\n    Call p()"), ("(x)", "(")]) {
+            assert!(is_local(CDATA, old, new), "{old} {new}");
+        }
+    }
+
+    #[test]
+    fn lines_that_concern_others() {
+        for (old, new) in
+            [("x==1", "x==2"), ("x=1", "endIf"), ("z=3", "]]>"), ("endIf", ""), ("begin", "begin "), ("z=3", "end if")]
+        {
+            assert!(!is_local(CDATA, old, new), "{old} {new}");
+        }
+    }
+
+    #[test]
+    fn escaped_code() {
+        let text = "<a><code>begin\nx=1 &lt; 2\ny=2\nend</code></a>";
+        assert!(is_local(text, "1 &lt;", "1 &gt;") && is_local(text, "y=2", "y=&quot;&quot;"));
+        assert!(!is_local(text, "y=2", "y=1 < 2") && !is_local(text, "y=2", "</code>"));
+    }
 }

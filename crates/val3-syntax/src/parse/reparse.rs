@@ -40,7 +40,7 @@ impl Edit {
 #[derive(Clone, Copy)]
 pub(super) struct Change {
     pub(super) range: TextRange,
-    inserted: TextSize,
+    pub(super) inserted: TextSize,
 }
 
 impl Change {
