@@ -169,11 +169,12 @@ pub(crate) fn edits<'e>(
 /// A change of several files. Clients that do not know better get the edits alone.
 pub(crate) fn workspace_edit(snapshot: &Snapshot, change: &ide::SourceChange) -> WorkspaceEdit {
     let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
-    for edit in &change.edits {
-        let converted = edits(snapshot, edit.file, [(edit.range, edit.text.as_str())]);
-        match files.iter_mut().find(|(file, _)| *file == edit.file) {
+    for of_file in change.edits.chunk_by(|one, other| one.file == other.file) {
+        let Some(file) = of_file.first().map(|edit| edit.file) else { continue };
+        let converted = edits(snapshot, file, of_file.iter().map(|edit| (edit.range, edit.text.as_str())));
+        match files.iter_mut().find(|(known, _)| *known == file) {
             Some((_, of_file)) => of_file.extend(converted),
-            None => files.push((edit.file, converted)),
+            None => files.push((file, converted)),
         }
     }
     if !snapshot.session.client.has_document_changes {
