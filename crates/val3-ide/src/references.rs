@@ -174,22 +174,23 @@ mod tests {
                 *log.lock().unwrap() += usize::from(format!("{database_key:?}").starts_with("occurrences("));
             }
         });
-        let fixture =
-            Fixture::parse("num nA\nnA=1\nprogram other()\nbegin\n  nA=2\nend\nprogram third()\nbegin\n  nA=3\nend");
+        // More than the names of all can be kept of.
+        let programs: String = (0..300).map(|number| format!("program p{number}()\nbegin\n  nA=2\nend\n")).collect();
+        let fixture = Fixture::parse(&format!("num nA\nnA=1\n{programs}"));
         let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
         let mut db = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap().db;
         let find = |name: &str| {
             let files = Sources::get(&db).files(&db);
             *files.iter().find(|(path, _)| path.contains(name)).unwrap().1
         };
-        let (start, other) = (find("start.pgx"), find("other.pgx"));
+        let (start, other) = (find("start.pgx"), find("p7.pgx"));
         let offset = TextSize::try_from(start.text(&db).find("nA=").unwrap()).unwrap();
         let count = |db: &Database| references(db, FilePosition { file: start, offset }, true).len();
-        assert_eq!(count(&db), 4);
+        assert_eq!(count(&db), 302);
         let text = other.text(&db).replace("nA=2", "nA=nA");
         other.set_text(&mut db).to(text.into());
         *ran.lock().unwrap() = 0;
-        assert_eq!(count(&db), 5);
+        assert_eq!(count(&db), 303);
         assert_eq!(*ran.lock().unwrap(), 1);
     }
 }
