@@ -95,7 +95,13 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
 /// Some program uses an item called `name` of some library. Libraries are loaded in place of each other, so it may be
 /// the item of any project.
 pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
-    library_items(db, Sources::get(db)).contains(name)
+    is_mentioned(db, Sources::get(db), name.into())
+}
+
+/// One name alone: who asks about it has nothing to do with the other names.
+#[salsa::tracked(returns(copy))]
+fn is_mentioned(db: &dyn Db, sources: Sources, name: SmolStr) -> bool {
+    library_items(db, sources).contains(&name)
 }
 
 #[salsa::tracked]

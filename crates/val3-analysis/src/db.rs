@@ -3,12 +3,16 @@
 //! Everything read from the disk is an input, set by the loader (`load`); queries never touch a file system.
 
 mod inputs;
+mod latest_trees;
+
+use std::sync::Arc;
 
 use camino::Utf8Path;
 use val3_config::Config;
 use val3_lang::types::Arm;
 
 pub use inputs::{Cell, Configuration, File, FileStatus, Project, Sources};
+pub use latest_trees::LatestTrees;
 
 /// The key under which a path is found: files are looked up without regard to letter case.
 pub fn path_key(path: &str) -> String {
@@ -17,25 +21,33 @@ pub fn path_key(path: &str) -> String {
 
 /// What queries need of a database.
 #[salsa::db]
-pub trait Db: salsa::Database {}
+pub trait Db: salsa::Database {
+    /// The trees that were made last.
+    fn latest_trees(&self) -> &LatestTrees;
+}
 
 /// The database. Clones share all data; a clone is a snapshot for another thread.
 #[salsa::db]
 #[derive(Clone, Default)]
 pub struct Database {
     storage: salsa::Storage<Self>,
+    latest_trees: Arc<LatestTrees>,
 }
 
 #[salsa::db]
 impl salsa::Database for Database {}
 
 #[salsa::db]
-impl Db for Database {}
+impl Db for Database {
+    fn latest_trees(&self) -> &LatestTrees {
+        &self.latest_trees
+    }
+}
 
 impl Database {
     /// A database that tells `observer` each query it runs; for tests of incrementality.
     pub fn observed(observer: impl Fn(salsa::Event) + Send + Sync + 'static) -> Self {
-        Self { storage: salsa::Storage::new(Some(Box::new(observer))) }
+        Self { storage: salsa::Storage::new(Some(Box::new(observer))), latest_trees: Arc::default() }
     }
 }
 

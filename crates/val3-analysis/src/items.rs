@@ -22,7 +22,7 @@ use crate::db::{Db, File, FileStatus};
 /// The tree of a file. Only the most recent ones are kept; they are cheap to make again.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn parse(db: &dyn Db, file: File) -> Parse {
-    val3_syntax::parse(file.text(db))
+    db.latest_trees().parse(file, file.text(db))
 }
 
 /// The file was read, and its XML is well formed.

@@ -4,6 +4,7 @@ mod code;
 mod texts;
 mod xml_names;
 
+use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 use val3_syntax::{TextRange, TextSize};
@@ -74,6 +75,44 @@ pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence>
     found.sort_by_key(|occurrence| occurrence.range.start());
     found.dedup();
     found
+}
+
+/// Where each symbol stands in a file. It is small, so that it is kept when the names themselves are dropped: a search
+/// through a workspace looks at it and at nothing else.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+struct Places {
+    /// Each symbol with the end of its part of `ranges`.
+    symbols: Box<[(Symbol, usize)]>,
+    ranges: Box<[TextRange]>,
+}
+
+#[salsa::tracked]
+fn places(db: &dyn Db, project: Project, file: File) -> Places {
+    let mut by_symbol: FxHashMap<&Symbol, Vec<TextRange>> = FxHashMap::default();
+    for Occurrence { symbol, range, .. } in occurrences(db, project, file) {
+        by_symbol.entry(symbol).or_default().push(*range);
+    }
+    let mut by_symbol: Vec<(&Symbol, Vec<TextRange>)> = by_symbol.into_iter().collect();
+    by_symbol.sort_unstable_by_key(|(_, ranges)| ranges.first().map(|first| first.start()));
+    let mut end = 0;
+    let symbols = by_symbol.iter().map(|(symbol, ranges)| {
+        end += ranges.len();
+        ((*symbol).clone(), end)
+    });
+    Places { symbols: symbols.collect(), ranges: by_symbol.iter().flat_map(|(_, ranges)| ranges).copied().collect() }
+}
+
+/// Where `symbol` stands in `file` as a part of `project`, in the order of the text.
+pub fn places_of<'db>(db: &'db dyn Db, project: Project, file: File, symbol: &Symbol) -> &'db [TextRange] {
+    let Places { symbols, ranges } = places(db, project, file);
+    let Some(at) = symbols.iter().position(|(known, _)| known == symbol) else { return &[] };
+    let start = at.checked_sub(1).and_then(|before| symbols.get(before)).map_or(0, |(_, end)| *end);
+    symbols.get(at).and_then(|(_, end)| ranges.get(start..*end)).unwrap_or(&[])
+}
+
+/// Finds out where the symbols of a project stand, so that nobody has to wait for it later.
+pub fn index(db: &dyn Db, project: Project) {
+    project_files(db, project).for_each(|file| _ = places(db, project, file));
 }
 
 /// The name at an offset: the one that covers it, or ends there.

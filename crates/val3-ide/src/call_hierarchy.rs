@@ -51,10 +51,10 @@ pub fn incoming_calls(db: &dyn Db, file: File) -> Vec<Call> {
     let Some(project) = owner(db, file) else { return Vec::new() };
     let Some(callee) = item_of(db, project, file) else { return Vec::new() };
     let mut calls: Vec<Call> = Vec::new();
-    for (caller, from, found) in uses(db, &Symbol::Program(project, callee.name)) {
-        let Some(call) = called(body(db, caller), found.range) else { continue };
+    for (caller, from, range) in uses(db, &Symbol::Program(project, callee.name)) {
+        let Some(call) = called(body(db, caller), range) else { continue };
         let Some(item) = item_of(db, from, caller) else { continue };
-        add(&mut calls, item, found.range, call.in_task);
+        add(&mut calls, item, range, call.in_task);
     }
     calls.sort_by(|a, b| a.item.file.path(db).cmp(b.item.file.path(db)));
     calls

@@ -73,7 +73,7 @@ pub fn lens_references(db: &dyn Db, at: FileRange) -> Vec<FileRange> {
         return Vec::new();
     }
     // The entry of a program in its `.pjx` is no use of it.
-    let places = uses(db, &symbol).map(|(file, _, found)| FileRange { file, range: found.range });
+    let places = uses(db, &symbol).map(|(file, _, range)| FileRange { file, range });
     let mut found: Vec<FileRange> = places.filter(|place| *place != at && place.file != project.manifest(db)).collect();
     found.sort_unstable_by_key(|place| (place.file.path(db), place.range.start()));
     found.dedup();

@@ -32,7 +32,7 @@ fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
 mod tests {
     use std::sync::{Arc, Mutex};
 
-    use salsa::Setter as _;
+    use salsa::{Durability, Setter as _};
     use val3_analysis::db::{Database, Sources};
     use val3_analysis::load::load_into;
     use val3_analysis::system::Memory;
@@ -72,5 +72,33 @@ mod tests {
         let ran = ran.lock().unwrap();
         assert_eq!(ran.iter().filter(|name| name.starts_with("checked(")).count(), 1, "{ran:?}");
         assert_eq!(ran.iter().filter(|name| name.starts_with("project_diagnostics(")).count(), 1);
+    }
+
+    #[test]
+    fn an_edit_looks_at_nothing_of_projects_that_it_does_not_reach() {
+        let looked = Arc::new(Mutex::new(Vec::new()));
+        let log = Arc::clone(&looked);
+        let db = Database::observed(move |event| {
+            if let salsa::EventKind::DidValidateMemoizedValue { database_key } = event.kind {
+                log.lock().unwrap().push(format!("{database_key:?}"));
+            }
+        });
+        let fixture = Fixture::parse(CELL);
+        let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
+        let mut workspace = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap();
+        let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+        let settings = CheckSettings::builder(settings).durability(Durability::MEDIUM).new(&workspace.db);
+        let other = Sources::get(&workspace.db).files(&workspace.db).iter().find(|(path, _)| path.contains("other"));
+        let (_, other) = other.unwrap();
+        let other = *other;
+        for number in 0..3 {
+            let text = other.text(&workspace.db).replace("nB=", &format!("nB={number}"));
+            other.set_text(&mut workspace.db).with_durability(Durability::LOW).to(text.into());
+            looked.lock().unwrap().clear();
+            workspace.projects.iter().for_each(|project| _ = project_diagnostics(&workspace.db, settings, *project));
+        }
+        // Of the three programs, the one that was not edited and belongs to the edited project.
+        let looked = looked.lock().unwrap();
+        assert_eq!(looked.iter().filter(|name| name.starts_with("infer(")).count(), 1, "{looked:?}");
     }
 }

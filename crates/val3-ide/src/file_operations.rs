@@ -123,7 +123,7 @@ fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec
         let symbol = Symbol::Program(*project, name.clone());
         let manifest = project.manifest(db);
         let places = uses(db, &symbol).filter(|(file, ..)| *file != manifest);
-        edits.extend(places.map(|(file, _, found)| FileEdit { file, range: found.range, text: new.to_owned() }));
+        edits.extend(places.map(|(file, _, range)| FileEdit { file, range, text: new.to_owned() }));
     }
     edits
 }

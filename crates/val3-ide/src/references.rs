@@ -4,7 +4,8 @@ use memchr::memmem;
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::items::project::items;
-use val3_analysis::occurrences::{Occurrence, Symbol, occurrences, project_files};
+use val3_analysis::occurrences::{Symbol, places_of, project_files};
+use val3_syntax::TextRange;
 
 use crate::navigate::name_at;
 use crate::{FilePosition, FileRange};
@@ -14,7 +15,7 @@ pub fn references(db: &dyn Db, at: FilePosition, with_declaration: bool) -> Vec<
     let Some((_, found)) = name_at(db, at) else { return Vec::new() };
     let declaration = crate::navigate::declaration(db, &found.symbol);
     let mut places: Vec<FileRange> = uses(db, &found.symbol)
-        .map(|(file, _, occurrence)| FileRange { file, range: occurrence.range })
+        .map(|(file, _, range)| FileRange { file, range })
         .filter(|place| with_declaration || Some(*place) != declaration)
         .collect();
     places.sort_unstable_by_key(|place| (place.file.path(db), place.range.start()));
@@ -22,18 +23,16 @@ pub fn references(db: &dyn Db, at: FilePosition, with_declaration: bool) -> Vec<
     places
 }
 
-/// Every use of a symbol: file, project it is read in, and the name there.
-pub(crate) fn uses<'db>(db: &'db dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, Project, &'db Occurrence)> {
-    let name = text(symbol);
-    let candidates = candidates(db, symbol);
-    let finder = memmem::Finder::new(name.as_bytes()).into_owned();
-    let holds_name = move |(_, file): &(Project, File)| finder.find(file.text(db).as_bytes()).is_some();
-    let symbol = symbol.clone();
-    candidates.into_iter().filter(holds_name).flat_map(move |(project, file)| {
-        let symbol = symbol.clone();
-        let found = occurrences(db, project, file).iter().filter(move |occurrence| occurrence.symbol == symbol);
-        found.map(move |occurrence| (file, project, occurrence))
-    })
+/// Every use of a symbol: file, project it is read in, and where the name stands there.
+pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, Project, TextRange)> {
+    // Most files do not hold the name at all; the rest need not be looked at.
+    let finder = memmem::Finder::new(text(symbol));
+    let candidates = candidates(db, symbol).into_iter();
+    let with_name = candidates.filter(|(_, file)| finder.find(file.text(db).as_bytes()).is_some());
+    let places = with_name.flat_map(|(project, file)| {
+        places_of(db, project, file, symbol).iter().map(move |range| (file, project, *range))
+    });
+    places.collect::<Vec<_>>().into_iter()
 }
 
 /// The name as it is written.
@@ -103,7 +102,15 @@ fn files(db: &dyn Db, project: Project) -> Vec<(Project, File)> {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::{Arc, Mutex};
+
     use expect_test::expect;
+    use salsa::Setter as _;
+    use val3_analysis::db::Database;
+    use val3_analysis::load::load_into;
+    use val3_analysis::system::Memory;
+    use val3_syntax::TextSize;
+    use val3_test::{Fixture, ROOT};
 
     use super::*;
     use crate::testing::{Marked, shown_all};
@@ -156,5 +163,34 @@ mod tests {
             main/start.pgx:6 fTable
         "#]]
         .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), true)));
+    }
+
+    #[test]
+    fn a_search_after_an_edit_looks_for_names_in_the_edited_file_alone() {
+        let ran = Arc::new(Mutex::new(0));
+        let log = Arc::clone(&ran);
+        let db = Database::observed(move |event| {
+            if let salsa::EventKind::WillExecute { database_key } = event.kind {
+                *log.lock().unwrap() += usize::from(format!("{database_key:?}").starts_with("occurrences("));
+            }
+        });
+        // More than the names of all can be kept of.
+        let programs: String = (0..300).map(|number| format!("program p{number}()\nbegin\n  nA=2\nend\n")).collect();
+        let fixture = Fixture::parse(&format!("num nA\nnA=1\n{programs}"));
+        let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
+        let mut db = load_into(db, &Memory::new(files), &[ROOT.into()]).unwrap().db;
+        let find = |name: &str| {
+            let files = Sources::get(&db).files(&db);
+            *files.iter().find(|(path, _)| path.contains(name)).unwrap().1
+        };
+        let (start, other) = (find("start.pgx"), find("p7.pgx"));
+        let offset = TextSize::try_from(start.text(&db).find("nA=").unwrap()).unwrap();
+        let count = |db: &Database| references(db, FilePosition { file: start, offset }, true).len();
+        assert_eq!(count(&db), 302);
+        let text = other.text(&db).replace("nA=2", "nA=nA");
+        other.set_text(&mut db).to(text.into());
+        *ran.lock().unwrap() = 0;
+        assert_eq!(count(&db), 303);
+        assert_eq!(*ran.lock().unwrap(), 1);
     }
 }

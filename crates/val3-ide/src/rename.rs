@@ -50,10 +50,10 @@ pub fn rename(db: &dyn Db, at: FilePosition, new_name: &str) -> Result<SourceCha
     let mut change = SourceChange::default();
     for symbol in &symbols {
         let edit = |(file, _, range): (File, Project, TextRange)| FileEdit { file, range, text: new_name.to_owned() };
-        change.edits.extend(uses(db, symbol).map(|(file, project, found)| edit((file, project, found.range))));
+        change.edits.extend(uses(db, symbol).map(edit));
         change.moves.extend(moved_file(db, symbol, new_name));
     }
-    change.edits.sort_by_key(|edit| (edit.file.path(db).clone(), edit.range.start()));
+    change.edits.sort_by_key(|edit| (edit.file.path(db), edit.range.start()));
     change.edits.dedup();
     Ok(change)
 }

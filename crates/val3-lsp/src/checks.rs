@@ -13,7 +13,7 @@ use crate::snapshot::Snapshot;
 use crate::world::World;
 
 /// Files after which trees that are no longer needed are freed.
-const BATCH: usize = 512;
+const BATCH: usize = 128;
 
 /// What is left to check.
 #[derive(Debug, Default)]
@@ -173,5 +173,8 @@ fn work(batch: &Batch, snapshot: &Snapshot) {
         let found = published::findings(snapshot, *project);
         let generation = batch.generation;
         snapshot.inbox.post(move |world| world.found(generation, found));
+        if batch.lane == Lane::Background {
+            val3_analysis::occurrences::index(snapshot.db(), *project);
+        }
     }
 }

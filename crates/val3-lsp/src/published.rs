@@ -31,8 +31,8 @@ pub(crate) struct ProjectFindings {
 /// What was sent.
 #[derive(Debug, Default)]
 pub(crate) struct Published {
-    /// The latest findings, by file and who found them.
-    found: FxHashMap<Url, FxHashMap<Finder, Vec<Diagnostic>>>,
+    /// The latest findings, by who found them and file.
+    found: FxHashMap<Finder, FxHashMap<Url, Vec<Diagnostic>>>,
     /// What the client has.
     sent: FxHashMap<Url, (Option<i32>, Vec<Diagnostic>)>,
 }
@@ -63,27 +63,25 @@ pub(crate) fn findings(snapshot: &Snapshot, project: Project) -> ProjectFindings
 impl Published {
     /// Takes in the findings of a project and sends what is new to the client.
     pub(crate) fn project(&mut self, found: ProjectFindings, documents: &Documents, outbox: &Outbox) {
-        let finder = found.finder;
         let now: FxHashMap<Url, Vec<Diagnostic>> = found.files.into_iter().collect();
-        let known = self.found.iter().filter(|(_, by)| by.contains_key(&finder)).map(|(uri, _)| uri);
-        let gone: Vec<Url> = known.filter(|uri| !now.contains_key(*uri)).cloned().collect();
-        for uri in gone {
-            self.found.get_mut(&uri).into_iter().for_each(|by| drop(by.remove(&finder)));
-            self.send(&uri, documents, outbox);
-        }
-        for (uri, diagnostics) in now {
-            self.found.entry(uri.clone()).or_default().insert(finder, diagnostics);
-            self.send(&uri, documents, outbox);
-        }
+        let known = self.found.remove(&found.finder).unwrap_or_default();
+        let gone = known.keys().filter(|uri| !now.contains_key(*uri));
+        // Every version of an open document has its findings, also where they are the same.
+        let is_news = |uri: &Url, found| known.get(uri) != Some(found) || documents.get(uri).is_some();
+        let news = now.iter().filter(|(uri, found)| is_news(uri, found)).map(|(uri, _)| uri);
+        let changed: Vec<Url> = gone.chain(news).cloned().collect();
+        self.found.insert(found.finder, now);
+        changed.iter().for_each(|uri| self.send(uri, documents, outbox));
     }
 
     /// Projects that are no more have no findings.
     pub(crate) fn keep(&mut self, projects: &[Project], documents: &Documents, outbox: &Outbox) {
         let kept: FxHashSet<Project> = projects.iter().copied().collect();
         let is_gone = |finder: &Finder| matches!(finder, Finder::Project(project) if !kept.contains(project));
-        let gone: FxHashSet<Finder> = self.found.values().flat_map(FxHashMap::keys).copied().filter(is_gone).collect();
+        let gone: FxHashSet<Finder> = self.found.keys().copied().filter(is_gone).collect();
         for finder in gone {
             self.project(ProjectFindings { finder, files: Vec::new() }, documents, outbox);
+            self.found.remove(&finder);
         }
     }
 
@@ -96,8 +94,8 @@ impl Published {
 
     /// Sends the findings in a file, unless the client has them.
     fn send(&mut self, uri: &Url, documents: &Documents, outbox: &Outbox) {
-        let by = self.found.get(uri);
-        let mut diagnostics: Vec<Diagnostic> = by.into_iter().flatten().flat_map(|(_, found)| found).cloned().collect();
+        let found = self.found.values().filter_map(|files| files.get(uri));
+        let mut diagnostics: Vec<Diagnostic> = found.flatten().cloned().collect();
         diagnostics.sort_by(|a, b| place(a).cmp(&place(b)));
         // A file that two projects share has most of its findings twice.
         diagnostics.dedup();

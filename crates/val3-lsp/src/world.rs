@@ -8,7 +8,7 @@ use std::sync::mpsc::{Receiver, TryRecvError};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
-use salsa::{Cancelled, Database as _, Setter as _};
+use salsa::{Cancelled, Database as _, Durability, Setter as _};
 use tower_lsp::jsonrpc::{Error, Result};
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::load::Workspace;
@@ -225,7 +225,8 @@ impl World {
             && **file.text(&self.workspace.db) != **text
         {
             self.workspace.db.trigger_cancellation();
-            file.set_text(&mut self.workspace.db).to(Arc::clone(text));
+            // What is edited once is edited again: from then on its changes are no changes of what is stored.
+            file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
         }
     }

@@ -221,6 +221,11 @@ impl SyntaxErrorKind {
         )
     }
 
+    /// A fault of a line that means nothing to other lines.
+    pub(crate) fn is_local_to_line(&self) -> bool {
+        self.is_local_to_code() && !self.is_about_blocks() && !matches!(self, Self::MissingBegin | Self::NoCode)
+    }
+
     /// Which element holds which is not certain.
     pub fn breaks_structure(&self) -> bool {
         matches!(self, Self::UnclosedElement { .. } | Self::UnmatchedEndTag { .. } | Self::Unterminated(_))

@@ -2,6 +2,7 @@
 
 #[cfg(test)]
 mod linear;
+mod lines;
 mod merge;
 mod reparse;
 

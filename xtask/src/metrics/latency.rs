@@ -1,4 +1,16 @@
-//! How fast the release binary answers an editor, over real pipes.
+//! How fast the release binary answers an editor, over real pipes: `cargo xtask metrics --lsp`.
+//!
+//! On two cores that were busy with other work as well, p50/p95 in milliseconds on a program of 2,600 lines and on
+//! a workspace of 100,000 code lines:
+//!
+//! | | 2,600 lines | 100,000 lines |
+//! |---|---|---|
+//! | edit to findings | 3.4 / 5.1 | 4.7 / 7.3 |
+//! | hover, definition, completion, signature help | at most 1.0 / 1.4 | at most 0.5 / 1.4 |
+//! | semantic tokens of the whole program | 7.0 / 9.5 | 0.9 / 1.2 |
+//! | references, rename | 3.9 / 4.9 | 16.1 / 21.8 |
+//! | exit | 4 | 19 |
+//! | peak memory, MB | 79 | 130 |
 
 use std::time::{Duration, Instant};
 

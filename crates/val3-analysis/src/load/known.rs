@@ -14,6 +14,10 @@ use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Source
 use crate::paths::Roots;
 use crate::system::Content;
 
+/// How seldom what lies on the disk changes, next to documents that are being edited: after an edit nobody looks through
+/// what was computed from stored files alone.
+const STORED: Durability = Durability::MEDIUM;
+
 /// The inputs of a workspace by what they stand for.
 #[derive(Debug, Default)]
 pub(super) struct Known {
@@ -59,20 +63,24 @@ impl Loader<'_> {
     /// The input for a file with this content.
     pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: Content) -> File {
         let known = self.known.files.get(&key).copied();
+        // What is being edited changes often.
+        let durability = if content.status.is_some() { STORED } else { Durability::LOW };
         let status = content.status.unwrap_or_else(|| self.edited_status(known));
         let file = match known {
             Some(file) => {
                 if **file.text(&self.db) != *content.text {
-                    file.set_text(&mut self.db).to(content.text);
+                    file.set_text(&mut self.db).with_durability(durability).to(content.text);
                 }
                 if *file.status(&self.db) != status {
                     file.set_status(&mut self.db).to(status);
                 }
                 file
             }
-            None => {
-                File::builder(path.to_owned(), content.text, status).path_durability(Durability::HIGH).new(&self.db)
-            }
+            None => File::builder(path.to_owned(), content.text, status)
+                .durability(STORED)
+                .text_durability(durability)
+                .path_durability(Durability::HIGH)
+                .new(&self.db),
         };
         self.files.insert(key, file);
         file
@@ -87,7 +95,8 @@ impl Loader<'_> {
     pub(super) fn project_input(&mut self, key: &str, described: Described) -> Project {
         let Described { file, roots, cell, beside, configuration } = described;
         let Some(project) = self.known.projects.get(key).copied() else {
-            return Project::new(&self.db, file, roots, cell, beside, configuration);
+            let input = Project::builder(file, roots, cell, beside, configuration);
+            return input.durability(STORED).new(&self.db);
         };
         let db = &mut self.db;
         if project.manifest(db) != file {
@@ -110,20 +119,20 @@ impl Loader<'_> {
 
     pub(super) fn configuration_input(&mut self, file: ConfigFile) -> Configuration {
         let Some(configuration) = self.known.configurations.get(&file.path).copied() else {
-            return Configuration::builder(file).durability(Durability::MEDIUM).new(&self.db);
+            return Configuration::builder(file).durability(STORED).new(&self.db);
         };
         if *configuration.file(&self.db) != file {
-            configuration.set_file(&mut self.db).with_durability(Durability::MEDIUM).to(file);
+            configuration.set_file(&mut self.db).with_durability(STORED).to(file);
         }
         configuration
     }
 
     pub(super) fn cell_input(&mut self, key: &CellKey, config: CellConfig) -> Cell {
         let Some(cell) = self.known.cells.get(key).copied() else {
-            return Cell::builder(config).durability(Durability::MEDIUM).new(&self.db);
+            return Cell::builder(config).durability(STORED).new(&self.db);
         };
         if *cell.config(&self.db) != config {
-            cell.set_config(&mut self.db).with_durability(Durability::MEDIUM).to(config);
+            cell.set_config(&mut self.db).with_durability(STORED).to(config);
         }
         cell
     }
@@ -131,15 +140,15 @@ impl Loader<'_> {
     pub(super) fn store_sources(&mut self) {
         let (files, projects) = (std::mem::take(&mut self.files), std::mem::take(&mut self.projects));
         let Some(sources) = self.known.sources else {
-            let _ = Sources::builder(files, projects).durability(Durability::MEDIUM).new(&self.db);
+            let _ = Sources::builder(files, projects).durability(STORED).new(&self.db);
             return;
         };
         if *sources.files(&self.db) != files {
             self.forget_missing(&files);
-            sources.set_files(&mut self.db).with_durability(Durability::MEDIUM).to(files);
+            sources.set_files(&mut self.db).with_durability(STORED).to(files);
         }
         if *sources.projects(&self.db) != projects {
-            sources.set_projects(&mut self.db).with_durability(Durability::MEDIUM).to(projects);
+            sources.set_projects(&mut self.db).with_durability(STORED).to(projects);
         }
     }
 

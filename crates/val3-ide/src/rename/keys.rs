@@ -96,8 +96,8 @@ pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceCh
     let mut change = SourceChange::default();
     let mut edit = |file: File, range| change.edits.push(FileEdit { file, range, text: new_key.to_owned() });
     let symbol = Symbol::Data(found.project, found.data.clone());
-    for (file, _, occurrence) in uses(db, &symbol) {
-        match index(file.text(db), occurrence.range.end()) {
+    for (file, _, range) in uses(db, &symbol) {
+        match index(file.text(db), range.end()) {
             Index::Literal(key, range) if key == found.key => edit(file, range),
             Index::Computed => {
                 let reason = format!("`{}` is also asked for keys that are computed", found.data);

@@ -65,11 +65,12 @@ fn check(snapshot: &Snapshot, change: &SourceChange) -> Result<(), NotPossible> 
 /// The edits of each file, files in the order of their first edit.
 fn by_file(snapshot: &Snapshot, change: &SourceChange) -> Vec<(File, Vec<TextEdit>)> {
     let mut files: Vec<(File, Vec<TextEdit>)> = Vec::new();
-    for edit in &change.edits {
-        let converted = edits(snapshot, edit.file, [(edit.range, edit.text.as_str())]);
-        match files.iter_mut().find(|(file, _)| *file == edit.file) {
+    for of_file in change.edits.chunk_by(|one, other| one.file == other.file) {
+        let Some(file) = of_file.first().map(|edit| edit.file) else { continue };
+        let converted = edits(snapshot, file, of_file.iter().map(|edit| (edit.range, edit.text.as_str())));
+        match files.iter_mut().find(|(known, _)| *known == file) {
             Some((_, of_file)) => of_file.extend(converted),
-            None => files.push((edit.file, converted)),
+            None => files.push((file, converted)),
         }
     }
     files

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
-use salsa::Setter as _;
+use salsa::{Durability, Setter as _};
 use val3_analysis::load::Workspace;
 use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
@@ -100,7 +100,7 @@ impl World {
             Err(errors) => (WorkspaceSettings::default(), errors),
         };
         match self.settings {
-            None => self.settings = Some(CheckSettings::new(db, settings)),
+            None => self.settings = Some(CheckSettings::builder(settings).durability(Durability::MEDIUM).new(db)),
             Some(known) if *known.settings(db) != settings => _ = known.set_settings(db).to(settings),
             Some(_) => {}
         }

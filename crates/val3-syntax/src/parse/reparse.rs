@@ -1,4 +1,5 @@
-//! Parsing again after an edit: only the innermost element around it, where that is safe.
+//! Parsing again after an edit: only its lines ([`lines`](super::lines)) or the innermost element around it, where that
+//! is safe.
 //!
 //! An element's tree depends on nothing outside of it as long as its own XML is in order; then the element can be
 //! parsed alone and put in the place of the old one. Everything else is parsed anew as a whole.
@@ -37,14 +38,27 @@ impl Edit {
 
 /// An edit that fits its text.
 #[derive(Clone, Copy)]
-struct Change {
-    range: TextRange,
-    inserted: TextSize,
+pub(super) struct Change {
+    pub(super) range: TextRange,
+    pub(super) inserted: TextSize,
 }
 
 impl Change {
+    /// What lies between the equal beginnings and the equal ends of two texts.
+    fn between(text: &str, new_text: &str) -> Self {
+        let same = |(a, b): &(u8, u8)| a == b;
+        let start = text.bytes().zip(new_text.bytes()).take_while(same).count();
+        let start = text.floor_char_boundary(start);
+        let (rest, new_rest) = (text.get(start..).unwrap_or(""), new_text.get(start..).unwrap_or(""));
+        let end = rest.bytes().rev().zip(new_rest.bytes().rev()).take_while(same).count();
+        // The equal ends begin with a whole character, which is then one of both texts.
+        let end = text.len() - text.ceil_char_boundary(text.len() - end);
+        let inserted = crate::lexer::range(start, new_text.len() - end).len();
+        Self { range: crate::lexer::range(start, text.len() - end), inserted }
+    }
+
     /// Where a place behind the edit is afterwards.
-    fn moved(self, at: TextSize) -> TextSize {
+    pub(super) fn moved(self, at: TextSize) -> TextSize {
         at - self.range.len() + self.inserted
     }
 }
@@ -54,7 +68,19 @@ impl Parse {
     pub fn reparse(&self, text: &str, edit: &Edit) -> Parse {
         let new_text = edit.apply(text);
         let change = Change { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) };
-        self.reparse_element(text, &new_text, change).unwrap_or_else(|| parse(&new_text))
+        self.reparse_change(text, &new_text, change)
+    }
+
+    /// The parse of `new_text`, where `self` is the parse of `text`: equal to `parse(new_text)`, and fast where both
+    /// texts are alike but for one place.
+    pub fn reparse_as(&self, text: &str, new_text: &str) -> Parse {
+        self.reparse_change(text, new_text, Change::between(text, new_text))
+    }
+
+    fn reparse_change(&self, text: &str, new_text: &str, change: Change) -> Parse {
+        let lines = self.reparse_lines(text, new_text, change);
+        let again = lines.or_else(|| self.reparse_element(text, new_text, change));
+        again.unwrap_or_else(|| parse(new_text))
     }
 
     fn reparse_element(&self, text: &str, new_text: &str, change: Change) -> Option<Parse> {
@@ -67,27 +93,42 @@ impl Parse {
         let new = TextRange::new(old.start(), change.moved(old.end()));
         let fragment = parse_within(new_text.get(Range::<usize>::from(new))?, depth(&element));
         let green = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
-        let errors = self.spliced_errors(old, change, &fragment);
+        let place = |at| at + old.start();
+        let errors = self.spliced_errors(old, change, &fragment, place);
         // The faults of one line are judged together, also across the edge of an element.
         if reach_edge(text, &self.errors, old) || reach_edge(new_text, &errors, new) {
             return None;
         }
-        let odd_keywords = self.spliced_keywords(old, change, &fragment).into();
+        let odd_keywords = self.spliced_keywords(old, change, &fragment, place).into();
         Some(Parse { green: element.replace_with(green), errors: errors.into(), odd_keywords })
     }
 
-    /// The old errors outside of `old`, moved by the edit, and those of the fragment.
-    fn spliced_errors(&self, old: TextRange, change: Change, fragment: &Parse) -> Vec<SyntaxError> {
+    /// The old errors outside of `old`, moved by the edit, and those of the fragment; `place` tells where it stands.
+    pub(super) fn spliced_errors(
+        &self,
+        old: TextRange,
+        change: Change,
+        fragment: &Parse,
+        place: impl Fn(TextSize) -> TextSize,
+    ) -> Vec<SyntaxError> {
         let before = self.errors.iter().filter(|error| error.range.end() <= old.start()).cloned();
-        let inside = fragment.errors.iter().map(|error| shifted(error, |at| at + old.start()));
+        let inside = fragment.errors.iter().map(|error| shifted(error, &place));
         let behind = self.errors.iter().filter(|error| error.range.start() >= old.end());
-        before.chain(inside).chain(behind.map(|error| shifted(error, |at| change.moved(at)))).collect()
+        // What it has to do with may stand before the edit.
+        let by = |at| if at >= old.end() { change.moved(at) } else { at };
+        before.chain(inside).chain(behind.map(|error| shifted(error, by))).collect()
     }
 
     /// As [`spliced_errors`](Self::spliced_errors), of the keywords in an unusual letter case.
-    fn spliced_keywords(&self, old: TextRange, change: Change, fragment: &Parse) -> Vec<TextRange> {
+    pub(super) fn spliced_keywords(
+        &self,
+        old: TextRange,
+        change: Change,
+        fragment: &Parse,
+        place: impl Fn(TextSize) -> TextSize,
+    ) -> Vec<TextRange> {
         let before = self.odd_keywords.iter().filter(|range| range.end() <= old.start()).copied();
-        let inside = fragment.odd_keywords.iter().map(|range| *range + old.start());
+        let inside = fragment.odd_keywords.iter().map(|range| moved(*range, &place));
         let behind = self.odd_keywords.iter().filter(|range| range.start() >= old.end());
         before.chain(inside).chain(behind.map(|range| moved(*range, |at| change.moved(at)))).collect()
     }
@@ -128,7 +169,18 @@ fn sole_element(fragment: &Parse) -> Option<GreenNode> {
     let root = fragment.root();
     let element = root.first_child().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
     let whole = element.text_range() == root.text_range();
-    (whole && is_closed(&element)).then(|| element.green().into_owned())
+    (whole && is_closed(&element) && has_own_tags_only(&element)).then(|| element.green().into_owned())
+}
+
+/// No tag in it may belong to an element around it. A fault of the lexer on its line would hide that this one is too many.
+fn has_own_tags_only(element: &SyntaxNode) -> bool {
+    let is_own = |child: SyntaxNode| match child.kind() {
+        SyntaxKind::ERROR => false,
+        SyntaxKind::END_TAG => element.last_child().is_some_and(|last| last == child),
+        SyntaxKind::ELEMENT => has_own_tags_only(&child),
+        _ => true,
+    };
+    element.children().all(is_own)
 }
 
 /// A fault stands on the line where `element` starts or ends.

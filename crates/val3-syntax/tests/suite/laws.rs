@@ -182,6 +182,7 @@ fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(
         let (again, anew) = (before.reparse(&text, &edit), parse(&new_text));
         prop_assert_eq!(again.errors(), anew.errors(), "{:?}\n{:?}", &text, &edit);
         prop_assert!(again == anew, "{:?}\n{:?}", &text, &edit);
+        prop_assert!(before.reparse_as(&text, &new_text) == anew, "{:?}\n{:?}", &text, &edit);
         (text, before) = (new_text, anew);
     }
     Ok(())
