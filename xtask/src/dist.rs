@@ -8,21 +8,22 @@ use camino::Utf8Path;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
-use crate::{project, vsix};
+use crate::project;
+use crate::vsix::{self, Arguments};
 
 /// What lies beside the binary.
 const DOCUMENTS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Builds the release, and packs it as `target/dist/val3-VERSION-TARGET.tar.gz` and into the extension.
+/// Builds `val3`, and packs it as `target/dist/val3-VERSION-TARGET.tar.gz` and into the extension; what is built for tests
+/// lies in `target/editors`.
 ///
 /// # Errors
 /// When the build fails or the archive cannot be written.
-pub fn run() -> anyhow::Result<()> {
-    let vsix = vsix::release()?;
-    let target_folder = project::target_folder()?;
-    let binary = target_folder.join("release").join(format!("val3{}", std::env::consts::EXE_SUFFIX));
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let binary = vsix::binary(arguments)?;
+    let vsix = vsix::extension(&binary, arguments)?;
     let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), project::host()?);
-    let folder = target_folder.join("dist");
+    let folder = project::target_folder()?.join(if arguments.debug { "editors" } else { "dist" });
     fs::create_dir_all(&folder).with_context(|| format!("cannot make {folder}"))?;
     let archive = folder.join(format!("{name}.tar.gz"));
     pack(&archive, &name, &binary).with_context(|| format!("cannot write {archive}"))?;

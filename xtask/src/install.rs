@@ -4,7 +4,8 @@ use std::process::Command;
 
 use camino::Utf8Path;
 
-use crate::{project, vsix};
+use crate::project;
+use crate::vsix::{self, Arguments};
 
 /// Editors that take the extension, by their commands.
 const EDITORS: &[&str] = &["code", "codium", "code-server"];
@@ -13,14 +14,16 @@ const EDITORS: &[&str] = &["code", "codium", "code-server"];
 ///
 /// # Errors
 /// When a build or an installation fails.
-pub fn run() -> anyhow::Result<()> {
-    project::succeed(&mut project::cargo(&["install", "--path", "crates/val3-cli", "--locked"]))?;
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
+    let install = ["install", "--path", "crates/val3-cli", "--locked"];
+    let profile: &[&str] = if arguments.debug { &["--debug"] } else { &[] };
+    project::succeed(&mut project::cargo(&[&install, profile].concat()))?;
     let editors: Vec<&str> = EDITORS.iter().copied().filter(|editor| is_command(editor)).collect();
     if editors.is_empty() {
         println!("No VS Code was found on the PATH. `cargo xtask vsix` makes the extension.");
         return Ok(());
     }
-    let vsix = vsix::release()?;
+    let vsix = vsix::extension(&vsix::binary(arguments)?, arguments)?;
     editors.into_iter().try_for_each(|editor| install_extension(editor, &vsix))
 }
 

@@ -24,11 +24,11 @@ enum Task {
     /// Run every check and every test of the project
     Test,
     /// Pack the release into target/dist: the archive, and the VS Code extension with the server inside
-    Dist,
+    Dist(vsix::Arguments),
     /// Pack the VS Code extension with the server inside
     Vsix(vsix::Arguments),
     /// Install `val3` for this user, and the extension in their VS Code
-    Install,
+    Install(vsix::Arguments),
     /// Write a large workspace of VAL 3 applications
     Workspace(workspace::Arguments),
     /// Count the code and measure `val3 check` on a generated workspace
@@ -50,9 +50,9 @@ fn run(task: Task) -> anyhow::Result<()> {
         Task::Fmt(arguments) => format::run(&arguments),
         Task::Tidy => tidy::run(),
         Task::Test => test::run(),
-        Task::Dist => dist::run(),
+        Task::Dist(arguments) => dist::run(&arguments),
         Task::Vsix(arguments) => vsix::run(&arguments),
-        Task::Install => install::run(),
+        Task::Install(arguments) => install::run(&arguments),
         Task::Workspace(arguments) => workspace::run(&arguments),
         Task::Metrics(arguments) => metrics::run(&arguments),
     }

@@ -8,12 +8,12 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::project;
 
-/// Options of `vsix`.
+/// Options of `vsix`, `dist` and `install`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// With the server as tests build it, not the release
+    /// As tests build it, not the release
     #[arg(long)]
-    debug: bool,
+    pub debug: bool,
 }
 
 /// Builds the server and packs it with the extension.
@@ -21,30 +21,33 @@ pub struct Arguments {
 /// # Errors
 /// When a build fails or npm is missing.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let vsix = if arguments.debug {
-        project::succeed(&mut project::cargo(&["build", "--locked", "--package", "val3-cli"]))?;
-        let binary = binary("debug")?;
-        pack(&binary, &project::target_folder()?.join("editors/val3.vsix"))?
-    } else {
-        release()?
-    };
-    println!("{vsix}");
+    println!("{}", extension(&binary(arguments)?, arguments)?);
     Ok(())
 }
 
-/// Builds the release and returns the path of its extension, `target/dist/val3-VERSION-PLATFORM.vsix`.
+/// Builds `val3` and returns its path.
 ///
 /// # Errors
-/// When a build fails or npm is missing.
-pub fn release() -> anyhow::Result<Utf8PathBuf> {
-    project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
-    let name = format!("val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&project::host()?)?);
-    pack(&binary("release")?, &project::target_folder()?.join("dist").join(name))
+/// When the build fails.
+pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
+    let build = ["build", "--locked", "--package", "val3-cli"];
+    let profile: &[&str] = if arguments.debug { &[] } else { &["--release"] };
+    project::succeed(&mut project::cargo(&[&build, profile].concat()))?;
+    let folder = if arguments.debug { "debug" } else { "release" };
+    Ok(project::target_folder()?.join(folder).join(format!("val3{}", std::env::consts::EXE_SUFFIX)))
 }
 
-fn binary(profile: &str) -> anyhow::Result<Utf8PathBuf> {
-    let name = format!("val3{}", std::env::consts::EXE_SUFFIX);
-    Ok(project::target_folder()?.join(profile).join(name))
+/// Packs the extension with `binary` as its server. The path of the release is `target/dist/val3-VERSION-PLATFORM.vsix`,
+/// of that of the tests `target/editors/val3.vsix`.
+///
+/// # Errors
+/// When npm is missing or a step of its build fails.
+pub fn extension(binary: &Utf8Path, arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
+    let name = match arguments.debug {
+        true => "editors/val3.vsix".to_owned(),
+        false => format!("dist/val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&project::host()?)?),
+    };
+    pack(binary, &project::target_folder()?.join(name))
 }
 
 /// Packs the extension with `binary` as its server.

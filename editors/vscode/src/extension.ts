@@ -35,7 +35,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     vscode.commands.registerCommand("val3.refreshTree", () => tree.refresh()),
     vscode.commands.registerCommand("val3.restartServer", () => started.restart()),
     vscode.commands.registerCommand("val3.showOutput", () => output.show()),
-    started.onDidChangeState((state) => state !== State.Starting && tree.refresh()),
+    started.onDidChangeState((state) => state === State.Running && tree.refresh()),
     vscode.workspace.onDidChangeConfiguration((change) => {
       if (change.affectsConfiguration("val3.server")) {
         void started.restart();

@@ -16,7 +16,7 @@ export function registerStatus(client: Client): vscode.Disposable[] {
     status.text = runs ? `val3 ${client.version}` : state === State.Starting ? "val3 starts" : "val3 does not run";
     status.detail = client.command ?? "";
     status.severity = runs || status.busy ? vscode.LanguageStatusSeverity.Information : vscode.LanguageStatusSeverity.Error;
-    // For the welcome of the view "VAL 3", and for tests.
+    // For the welcome of the view "VAL 3" and the walkthrough.
     void vscode.commands.executeCommand("setContext", "val3.serverRuns", runs);
   };
   show(client.state);

@@ -1,6 +1,6 @@
 // A user opens the example cell and works in it. Every step leaves a screenshot in target/editors/output.
 const assert = require("node:assert/strict");
-const { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } = require("node:fs");
+const { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { User } = require("./user");
@@ -26,6 +26,13 @@ function after(name, ...replacements) {
 const OLD = ['<?xml version="1.0" encoding="utf-8" ?>', '<programList xmlns="ProgramNameSpace" >', '  <program name="old" public="false" >',
   "    <source><code>begin", "  if nAbove&lt;3", "  endIf", "end", "    </code></source>", "  </program>", "</programList>", ""].join("\r\n");
 
+/** A file with two programs. */
+const TWO = '<?xml version="1.0" encoding="utf-8"?>\n<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">\n'
+  + ["two", "second"].map((name) => `  <Program name="${name}">\n    <Code><![CDATA[begin\n  bOverrun=${name === "second"}\nend]]></Code>\n  </Program>\n`).join("")
+  + "</Programs>\n";
+
+const row = (text) => `.part.sidebar .monaco-list-row:has-text(${JSON.stringify(text)})`;
+
 /** Waits until a file on the disk has this text. */
 async function becomes(name, expected) {
   for (let attempt = 0; attempt < 100 && read(name) !== expected; attempt += 1) {
@@ -41,7 +48,21 @@ const STEPS = {
     await user.coloured("movej(l_pNear", 3);
   },
 
+  async "files have icons of their own"(user) {
+    await user.icon("pick.pgx", "program-light.svg");
+    await user.icon("palletiser.pjx", "project-light.svg");
+    await user.keys("F1");
+    await user.choose("Preferences: File Icon Theme", undefined, "VAL 3");
+    await user.icon("palletiser.dtx", "data-light.svg");
+  },
+
+  async "a lens counts the calls of a program"(user) {
+    await user.goTo(1, 1);
+    await user.opensLens("1 reference", ".peekview-widget .view-line:has-text('call pick')");
+  },
+
   async "a mistake is found while it is typed, and its repair as well"(user) {
+    await user.keys("Escape");
     await user.goTo(24, 17);
     await user.type("1");
     await user.problem("waitEndMove");
@@ -64,15 +85,18 @@ const STEPS = {
   },
 
   async "what was completed can be undone"(user) {
-    await user.keys("Tab");
+    await user.takes("pSafe");
     await user.sees("movej(pSafe");
     await user.command("File: Revert File");
     await user.seesNot("movej(pSafe");
   },
 
-  async "the check of the workspace is a task with problems"(user) {
+  async "the check of the workspace says the same, and lists nothing twice"(user) {
     await user.command("VAL 3: Check Workspace");
-    await user.page.waitForSelector(".markers-panel .monaco-list-row:has-text('val3 check')");
+    await user.terminal("info[V0531]");
+    await user.terminal("2 infos in 1 of");
+    await user.keys("Control+Shift+M");
+    await user.problems("lies in the folder and is not listed", 2);
     await user.focusEditor();
   },
 
@@ -101,6 +125,8 @@ const STEPS = {
     await user.goTo(13, 8);
     await user.type("   ");
     await user.sees("x_bOk   =isInRange");
+    await user.command("File: Save");
+    await becomes("home.pgx", after("home.pgx", ["x_bOk=isInRange", "x_bOk   =isInRange"]));
     await user.command("Format Document");
     await user.command("File: Save");
     await becomes("home.pgx", original("home.pgx"));
@@ -119,7 +145,19 @@ const STEPS = {
     await user.keys("Enter");
     await user.type("bCarries=nAbove");
     await user.problem("a `num` cannot be assigned");
+    await user.problems("a `num` cannot be assigned", 1);
     await user.focusEditor();
+  },
+
+  async "the finding follows the user to the file and back"(user) {
+    await user.command("VAL 3: Open the Program File");
+    await user.tab("place.pgx");
+    await user.page.waitForSelector(".editor-instance .squiggly-error", { state: "attached" });
+    await user.problems("a `num` cannot be assigned", 1);
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("place.val3");
+    await user.page.waitForSelector(".editor-instance .squiggly-error", { state: "attached" });
+    await user.problems("a `num` cannot be assigned", 1);
   },
 
   async "hover and completion work in the code view"(user) {
@@ -131,7 +169,7 @@ const STEPS = {
     }
     await user.type("bOver");
     await user.completes("bOverrun");
-    await user.keys("Tab");
+    await user.takes("bOverrun");
     await user.noSquiggle();
   },
 
@@ -146,14 +184,35 @@ const STEPS = {
     await user.tab("old.val3");
     await user.sees("if nAbove<3");
     await user.goTo(2, 14);
-    await user.type(' or "a"<"b"');
+    await user.type(' or libPath()!="<&>"');
     await user.command("File: Save");
-    await becomes("old.pgx", OLD.replace("&lt;3", "&lt;3 or &quot;a&quot;&lt;&quot;b&quot;"));
+    await becomes("old.pgx", OLD.replace("&lt;3", "&lt;3 or libPath()!=&quot;&lt;&amp;&gt;&quot;"));
+  },
+
+  async "definition leads from code view to code view"(user) {
+    await user.openFile("cycle.pgx");
+    await user.goTo(22, 9);
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("cycle.val3");
+    await user.keys("F12");
+    await user.tab("pick.val3");
+    await user.sees("io:doConveyor=true");
+  },
+
+  async "a file with several programs has a code view for each"(user) {
+    await user.openFile("two.pgx");
+    await user.keys("F1");
+    await user.choose("VAL 3: Open Code without XML", undefined, "second");
+    await user.tab("second.val3");
+    await user.sees("bOverrun=true");
+    await user.goTo(2, 16);
+    await user.type(" and bRun");
+    await user.command("File: Save");
+    await becomes("two.pgx", TWO.replace("bOverrun=true", "bOverrun=true and bRun"));
   },
 
   async "the tree shows applications and programs"(user) {
     await user.command("View: Show VAL 3");
-    const row = (text) => `.part.sidebar .monaco-list-row:has-text(${JSON.stringify(text)})`;
     await user.page.click(row("palletiser"));
     await user.page.click(row("Programs"));
     await user.page.waitForSelector(row("clearPallet"));
@@ -164,6 +223,7 @@ const STEPS = {
     await user.commandWith("VAL 3: New Program", "The name of the program", "phase");
     await user.tab("phase.pgx");
     await user.sees("// phase");
+    await user.page.waitForSelector(row("phase"));
     const next = '    <Program file="pick.pgx" />\n';
     await becomes("palletiser.pjx", after("palletiser.pjx", [next, `    <Program file="phase.pgx" />\n${next}`]));
   },
@@ -183,12 +243,52 @@ const STEPS = {
     await user.focusEditor();
     await user.command("VAL 3: Open the Page of a Finding");
     await user.page.waitForSelector('.tab.active:has-text("Preview V0204")');
+    await user.webview("Every parameter of a program");
+  },
+
+  async "a server that was started anew knows what the old one knew"(user) {
+    await user.openFile("pick.pgx");
+    await user.command("VAL 3: Restart Server");
+    await user.problem("waitEndMove");
+    await user.problems("waitEndMove", 1);
+    await user.command("File: Revert File");
+    await user.problems("waitEndMove", 0);
+  },
+
+  async "the settings are described"(user) {
+    await user.keys("F1");
+    await user.choose("Preferences: Open Settings (UI)");
+    await user.page.waitForSelector(".settings-editor .suggest-input-container .view-line");
+    await user.type("@ext:val3-tools.val3 inlay");
+    await user.page.waitForSelector('.setting-item:has-text("Point Frames")');
+  },
+
+  async "the walkthrough leads through the first steps"(user) {
+    await user.keys("F1");
+    await user.choose("Welcome: Open Walkthrough", undefined, "Write VAL 3");
+    await user.page.click('.getting-started-step:has-text("Write code without XML")');
+    await user.page.click('.getting-started-step.expanded .monaco-button:has-text("Open Code without XML")');
+    await user.page.waitForSelector('.quick-input-widget:visible input[placeholder="The program whose code is shown"]');
+    await user.keys("Escape");
+    await user.page.waitForSelector(".getting-started-step.expanded [role=checkbox][aria-checked=true]");
+  },
+
+  async "a folder without an application is told how to get one"(user) {
+    const empty = join(folder, "empty");
+    mkdirSync(empty);
+    await user.openFolder(empty);
+    await user.command("View: Show VAL 3");
+    await user.page.waitForSelector('.welcome-view:has-text("This folder has no VAL 3 application yet.")');
+    await user.commandWith("VAL 3: New Application", "The name of the application", "sorter");
+    await user.tab("start.pgx");
+    await user.page.waitForSelector(row("sorter"));
   },
 };
 
 async function main() {
   cpSync(EXAMPLE, cell, { recursive: true });
   writeFileSync(join(APPLICATION, "old.pgx"), OLD);
+  writeFileSync(join(APPLICATION, "two.pgx"), TWO);
   const vscode = await startVsCode(folder, process.env.VAL3_VSIX);
   const user = await User.open(vscode.address, cell);
   let number = 0;

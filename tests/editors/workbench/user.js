@@ -6,18 +6,24 @@ const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-ba
 const PATIENCE = 20000;
 
 class User {
-  constructor(browser, page) {
+  constructor(browser, page, address) {
     this.browser = browser;
     this.page = page;
+    this.address = address;
   }
 
   static async open(address, folder) {
     const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args: FLAGS });
     const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
     page.setDefaultTimeout(PATIENCE);
-    await page.goto(`${address}/?folder=${folder}`, { waitUntil: "domcontentloaded" });
-    await page.waitForSelector(".monaco-workbench .statusbar", { timeout: 60000 });
-    return new User(browser, page);
+    const user = new User(browser, page, address);
+    await user.openFolder(folder);
+    return user;
+  }
+
+  async openFolder(folder) {
+    await this.page.goto(`${this.address}/?folder=${folder}`, { waitUntil: "domcontentloaded" });
+    await this.page.waitForSelector(".monaco-workbench .statusbar", { timeout: 60000 });
   }
 
   async leave() {
@@ -34,13 +40,21 @@ class User {
     await this.page.keyboard.type(text, { delay: 15 });
   }
 
-  /** Types into the open quick input, waits for the choice and takes it. */
-  async choose(text, choice = text) {
+  /** Types into the open quick input, waits for the choice and takes it; a further choice may follow. */
+  async choose(text, choice = text, further = undefined) {
     await this.page.waitForSelector(".quick-input-widget:visible");
+    await this.take(text, choice);
+    if (further !== undefined) {
+      await this.page.waitForSelector(`.quick-input-list .monaco-list-row:has-text(${JSON.stringify(further)})`);
+      await this.take(further);
+    }
+    await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
+  }
+
+  async take(text, choice = text) {
     await this.type(text);
     await this.page.waitForSelector(`.quick-input-list .monaco-list-row.focused:has-text(${JSON.stringify(choice)})`);
     await this.keys("Enter");
-    await this.page.waitForSelector(".quick-input-widget", { state: "hidden" });
   }
 
   async command(title) {
@@ -122,6 +136,59 @@ class User {
   async completes(label) {
     await this.keys("Control+Space");
     await this.page.waitForSelector(`.suggest-widget.visible .monaco-list-row:has-text(${JSON.stringify(label)})`);
+  }
+
+  /** Takes the completion `label` of the open list. */
+  async takes(label) {
+    await this.page.click(`.suggest-widget.visible .monaco-list-row:has-text(${JSON.stringify(label)})`);
+    await this.page.waitForSelector(".suggest-widget.visible", { state: "detached" });
+  }
+
+  /** Waits until the list of problems has so many rows with this text. */
+  async problems(text, count) {
+    await this.page.waitForFunction(([text, count]) => {
+      const rows = [...document.querySelectorAll(".markers-panel .monaco-list-row")];
+      return rows.filter((row) => row.querySelector(".marker-icon") !== null && row.textContent.includes(text)).length === count;
+    }, [text, count]);
+  }
+
+  /** Waits until the terminal holds this text. */
+  async terminal(text) {
+    await this.page.waitForFunction((text) => {
+      const rows = [...document.querySelectorAll(".xterm-rows > div")].map((row) => row.textContent.replaceAll("\u00a0", " "));
+      return rows.join("").includes(text);
+    }, text);
+  }
+
+  /** Waits for an icon of a file in the explorer or the tabs whose picture has this name. */
+  async icon(file, picture) {
+    await this.page.waitForFunction(([file, picture]) => {
+      const labels = [...document.querySelectorAll(".explorer-folders-view .monaco-icon-label")];
+      const label = labels.find((label) => label.textContent === file);
+      return label !== undefined && getComputedStyle(label, "::before").backgroundImage.includes(picture);
+    }, [file, picture]);
+  }
+
+  /** Clicks a lens until it shows what it leads to: lenses that are drawn anew under the mouse miss the click. */
+  async opensLens(text, shown) {
+    const lens = this.page.locator(".codelens-decoration a", { hasText: text });
+    for (let attempt = 0; attempt < 10 && !(await this.page.isVisible(shown)); attempt += 1) {
+      await lens.click();
+      await this.page.waitForSelector(shown, { timeout: 2000 }).catch(() => undefined);
+    }
+    await this.page.waitForSelector(shown);
+  }
+
+  /** Waits until a web view shows this text. */
+  async webview(text) {
+    const shows = (frame) => frame.evaluate((text) => document.body?.textContent.includes(text) === true, text).catch(() => false);
+    for (const end = Date.now() + PATIENCE; Date.now() < end; await this.page.waitForTimeout(50)) {
+      const frames = await Promise.all(this.page.frames().filter((frame) => frame !== this.page.mainFrame()).map(shows));
+      if (frames.includes(true)) {
+        return;
+      }
+    }
+    throw new Error(`No web view shows ${text}`);
   }
 
   async focusEditor() {

@@ -24,6 +24,8 @@ const SETTINGS = {
   "chat.commandCenter.enabled": false,
   "window.commandCenter": false,
   "editor.minimap.enabled": false,
+  // Text of the terminal that a test can read.
+  "terminal.integrated.gpuAcceleration": "off",
   "files.autoSave": "off",
 };
 

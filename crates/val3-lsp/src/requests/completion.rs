@@ -52,7 +52,7 @@ fn item(
         kind: Some(completion_kind(found.kind)),
         detail: (!found.detail.is_empty()).then(|| found.detail.clone()),
         sort_text: Some(format!("{rank:05}")),
-        filter_text: Some(found.label.clone()),
+        filter_text: Some(filter_text(found)),
         insert_text_format: Some(if is_snippet { InsertTextFormat::SNIPPET } else { InsertTextFormat::PLAIN_TEXT }),
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: snapshot.range(file, found.range), new_text })),
         additional_text_edits: (!additional.is_empty()).then_some(additional),
@@ -60,6 +60,12 @@ fn item(
         data: data.filter(|_| found.symbol.is_some() || found.kind == CompletionKind::Keyword),
         ..CompletionItem::default()
     })
+}
+
+/// Editors put first what fits in whole. A name that would be declared always does, and must not come before those that
+/// begin like it.
+fn filter_text(found: &Completion) -> String {
+    if found.additional.is_empty() { found.label.clone() } else { format!("{} ", found.label) }
 }
 
 /// The edits of an item in other files, which the client is asked to make once the item was taken.

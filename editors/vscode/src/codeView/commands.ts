@@ -48,7 +48,7 @@ async function programFile(editor: vscode.TextEditor | undefined): Promise<vscod
   const files = await vscode.workspace.findFiles("**/*.{pgx,PGX}");
   const items = files.map((uri) => ({ label: vscode.workspace.asRelativePath(uri), uri }));
   items.sort((left, right) => left.label.localeCompare(right.label));
-  return (await vscode.window.showQuickPick(items, { placeHolder: "The program whose code is shown" }))?.uri;
+  return (await vscode.window.showQuickPick(items, { placeHolder: "The program whose code is shown", ignoreFocusOut: true }))?.uri;
 }
 
 /** Which program of a file: the only one, the one that is wanted, else the one that the user picks. */
@@ -82,10 +82,13 @@ interface ProtocolEdit {
   newText: string;
 }
 
-async function applyEdits(uri: string, edits: ProtocolEdit[]): Promise<void> {
+async function applyEdits(uri: string, edits: ProtocolEdit[], then?: { command: string; arguments?: unknown[] }): Promise<void> {
   const edit = new vscode.WorkspaceEdit();
   for (const { range: { start, end }, newText } of edits) {
     edit.replace(vscode.Uri.parse(uri), new vscode.Range(start.line, start.character, end.line, end.character), newText);
   }
   await vscode.workspace.applyEdit(edit);
+  if (then !== undefined) {
+    await vscode.commands.executeCommand(then.command, ...(then.arguments ?? []));
+  }
 }

@@ -94,7 +94,8 @@ function toCodeFold(fold: JsonObject, target: Target): JsonObject | undefined {
   return start && end && { ...fold, startLine: start.line, endLine: end.line, startCharacter: undefined, endCharacter: undefined };
 }
 
-/** The command that makes the edits of a completion that lie outside of the code, such as a new global. */
+/** The command that makes the edits of a completion that lie outside of the code, such as a new local, and then runs the
+ * command that the completion has itself. */
 export const APPLY_EDITS = "val3.applyEdits";
 
 function withOutsideEdits(answer: Json, target: Target): Json {
@@ -105,7 +106,7 @@ function withOutsideEdits(answer: Json, target: Target): Json {
   const items = list.map((item: JsonObject) => {
     const edits = (item.additionalTextEdits ?? []) as { range: Range }[];
     const outside = edits.filter((edit) => target.mapping.rangeToCode(edit.range) === undefined);
-    const command = { title: "", command: APPLY_EDITS, arguments: [target.file, outside] };
+    const command = { title: "", command: APPLY_EDITS, arguments: [target.file, outside, item.command] };
     return outside.length === 0 ? item : { ...item, command };
   });
   return list === answer ? items : { ...(answer as JsonObject), items };

@@ -18,6 +18,7 @@ async function newApplication(template: vscode.Uri): Promise<void> {
   const taken = new Set((await vscode.workspace.fs.readDirectory(parent)).map(([name]) => name.toLowerCase()));
   const name = await vscode.window.showInputBox({
     prompt: `The name of the application, which becomes a folder in ${vscode.workspace.asRelativePath(parent)}`,
+    ignoreFocusOut: true,
     validateInput: (name) => nameFault(name, (lower) => taken.has(lower)),
   });
   if (name === undefined) {
@@ -38,7 +39,7 @@ async function chooseFolder(): Promise<vscode.Uri | undefined> {
     return (await vscode.window.showOpenDialog({ canSelectFolders: true, canSelectFiles: false }))?.[0];
   }
   const items = unique.map((uri) => ({ label: vscode.workspace.asRelativePath(uri), description: uri.fsPath, uri }));
-  const picked = items.length === 1 ? items[0] : await vscode.window.showQuickPick(items, { placeHolder: "The folder of the new application" });
+  const picked = items.length === 1 ? items[0] : await vscode.window.showQuickPick(items, { placeHolder: "The folder of the new application", ignoreFocusOut: true });
   return picked?.uri;
 }
 
