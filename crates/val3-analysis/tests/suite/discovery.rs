@@ -225,7 +225,7 @@ fn what_cannot_be_read() {
 
 #[test]
 fn utf16_is_no_text_of_a_controller() {
-    let root = fresh_folder();
+    let root = fresh_folder("utf16");
     let app = root.join("usrapp/a");
     std::fs::create_dir_all(&app).unwrap();
     std::fs::write(app.join("a.pjx"), manifest(&[])).unwrap();
@@ -242,7 +242,7 @@ fn utf16_is_no_text_of_a_controller() {
 #[cfg(unix)]
 #[test]
 fn links_in_a_circle_on_a_real_disk() {
-    let root = fresh_folder();
+    let root = fresh_folder("links_in_a_circle");
     let app = root.join("usrapp/a");
     std::fs::create_dir_all(&app).unwrap();
     std::fs::write(app.join("a.pjx"), manifest(&["Disk://a.pgx"])).unwrap();
@@ -258,9 +258,9 @@ fn links_in_a_circle_on_a_real_disk() {
     .assert_eq(&shown);
 }
 
-#[cfg(unix)]
-fn fresh_folder() -> Utf8PathBuf {
-    let folder = Utf8PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("links_in_a_circle");
+/// An empty place on the real disk that the test called `test` has for itself.
+fn fresh_folder(test: &str) -> Utf8PathBuf {
+    let folder = Utf8PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
     std::fs::remove_dir_all(&folder).ok();
     folder
 }
