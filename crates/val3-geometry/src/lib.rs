@@ -1,0 +1,1 @@
+//! Transformations, frames and interpolation in space: lengths in mm, angles in degrees.

@@ -1,0 +1,1 @@
+//! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.

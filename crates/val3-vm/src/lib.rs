@@ -1,0 +1,1 @@
+//! Runs images: tasks, frames of programs, data, scheduling.
