@@ -23,4 +23,5 @@ pub mod runtime_errors;
 pub mod statements;
 pub mod tasks;
 pub mod types;
+pub mod values;
 pub mod versions;

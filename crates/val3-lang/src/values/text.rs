@@ -1,0 +1,149 @@
+//! The value of a `string`: at most 128 bytes of UTF-8, stored inline (3.4.1).
+
+use std::fmt;
+use std::ops::{Add, Deref};
+
+use arrayvec::ArrayString;
+
+/// The value of a `string`.
+///
+/// What does not fit is cut at a character, and nothing follows after the cut. The order is that of the code points
+/// and thus of the bytes: `"Z"` stands before `"a"`; in it the keys of a collection follow each other (2.5.6).
+#[derive(Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Text(ArrayString<{ Text::CAPACITY }>);
+
+impl Text {
+    /// How many bytes a string holds.
+    pub const CAPACITY: usize = 128;
+
+    /// The empty string, which a `string` is at first.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The characters.
+    #[must_use]
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+
+    /// Appends what fits; whether that was all of `part`.
+    fn push(&mut self, part: &str) -> bool {
+        let fits = part.get(..part.floor_char_boundary(self.0.remaining_capacity())).unwrap_or(part);
+        self.0.try_push_str(fits).is_ok() && fits.len() == part.len()
+    }
+}
+
+impl From<&str> for Text {
+    fn from(text: &str) -> Self {
+        Self::from_iter([text])
+    }
+}
+
+/// The parts one after the other.
+impl<'a> FromIterator<&'a str> for Text {
+    fn from_iter<I: IntoIterator<Item = &'a str>>(parts: I) -> Self {
+        let mut text = Self::new();
+        for part in parts {
+            if !text.push(part) {
+                break;
+            }
+        }
+        text
+    }
+}
+
+/// `+` of strings (3.4.2): at most the first 128 bytes of both.
+impl Add<&str> for Text {
+    type Output = Self;
+
+    fn add(mut self, right: &str) -> Self {
+        self.push(right);
+        self
+    }
+}
+
+impl Deref for Text {
+    type Target = str;
+
+    fn deref(&self) -> &str {
+        &self.0
+    }
+}
+
+/// An error once something was cut.
+impl fmt::Write for Text {
+    fn write_str(&mut self, part: &str) -> fmt::Result {
+        if self.push(part) { Ok(()) } else { Err(fmt::Error) }
+    }
+}
+
+impl fmt::Display for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self)
+    }
+}
+
+impl fmt::Debug for Text {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Debug::fmt(self.as_str(), f)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Text;
+
+    fn joined(left: &str, right: &str) -> String {
+        (Text::from(left) + right).to_string()
+    }
+
+    #[test]
+    fn holds_128_bytes() {
+        assert_eq!(Text::from("a".repeat(127).as_str()).len(), 127);
+        assert_eq!(Text::from("a".repeat(128).as_str()).len(), 128);
+        assert_eq!(Text::from("a".repeat(129).as_str()).len(), 128);
+    }
+
+    #[test]
+    fn holds_42_chinese_characters() {
+        assert_eq!(*Text::from("机".repeat(42).as_str()), *"机".repeat(42));
+        assert_eq!(*Text::from("机".repeat(43).as_str()), *"机".repeat(42));
+    }
+
+    #[test]
+    fn starts_empty() {
+        assert_eq!(Text::new().as_str(), "");
+    }
+
+    #[test]
+    fn plus_keeps_the_first_128_bytes() {
+        assert_eq!(joined("hello", " world"), "hello world");
+        assert_eq!(joined("", ""), "");
+        let long = "a".repeat(127);
+        assert_eq!(joined(&long, "b"), format!("{long}b"));
+        assert_eq!(joined(&long, "bc"), format!("{long}b"));
+        assert_eq!(joined("b", &"a".repeat(128)), format!("b{long}"));
+    }
+
+    #[test]
+    fn is_cut_at_a_character_and_ends_there() {
+        let long = "a".repeat(127);
+        assert_eq!(joined(&long, "éb"), long);
+        assert_eq!(Text::from_iter([long.as_str(), "é", "b"]).as_str(), long);
+    }
+
+    #[test]
+    fn is_ordered_by_code_point() {
+        let sorted = ["", "Z", "a", "aa", "b", "é", "机", "🤖"].map(Text::from);
+        assert!(sorted.is_sorted_by(|left, right| left < right));
+    }
+
+    #[test]
+    fn equal_texts_have_the_same_characters() {
+        assert_eq!(Text::from("ab"), Text::from("a") + "b");
+        assert_ne!(Text::from("ab"), Text::from("aB"));
+        assert_ne!(Text::from("a"), Text::from("a "));
+    }
+}
