@@ -3,8 +3,8 @@
 //! The same numbers give the same bits on every machine: what is not exact by IEEE 754 comes from the `libm` crate and
 //! never from the platform. Hence of nalgebra only products, sums and roots are used, not what it offers for angles.
 
-pub mod degrees;
 mod angles;
+pub mod degrees;
 #[cfg(test)]
 mod testing;
 mod trsf;
