@@ -3,7 +3,7 @@
 /// A lane of the current frame, by its number among those of its sort; or a number in a table of the program.
 pub type Register = u16;
 
-/// A container that an operation works on: its kind in the upper two bits, its number in the others.
+/// A container that an operation works on: its kind in the upper bits, its number in the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Whole(u16);
 
@@ -18,13 +18,15 @@ pub enum WholeKind {
     View(u16),
     /// Data of a library.
     Import(u16),
+    /// `world` (0) or `flange` (1).
+    Builtin(u16),
 }
 
 impl Whole {
-    const BITS: u16 = 14;
+    const BITS: u16 = 13;
     const MASK: u16 = (1 << Self::BITS) - 1;
 
-    /// Packs a container; `None` where its number is beyond 16,383.
+    /// Packs a container; `None` where its number is beyond 8,191.
     #[must_use]
     pub fn new(kind: WholeKind) -> Option<Self> {
         let (tag, number) = match kind {
@@ -32,6 +34,7 @@ impl Whole {
             WholeKind::Part(number) => (1, number),
             WholeKind::View(number) => (2, number),
             WholeKind::Import(number) => (3, number),
+            WholeKind::Builtin(number) => (4, number),
         };
         (number <= Self::MASK).then_some(Self(tag << Self::BITS | number))
     }
@@ -45,7 +48,8 @@ impl Whole {
             0 => WholeKind::Data(number),
             1 => WholeKind::Part(number),
             2 => WholeKind::View(number),
-            _ => WholeKind::Import(number),
+            3 => WholeKind::Import(number),
+            _ => WholeKind::Builtin(number),
         }
     }
 }

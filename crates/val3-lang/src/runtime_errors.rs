@@ -68,6 +68,18 @@ pub const LIBRARY_ITEM_MISSING: u16 = 80;
 /// A task cannot have this name (5.10).
 pub const BAD_TASK_NAME: u16 = 29;
 
+/// There is no task of this name (5.10).
+pub const NO_TASK: u16 = 30;
+
+/// There is a task of this name already (5.10).
+pub const TASK_EXISTS: u16 = 31;
+
+/// A third period of synchronous tasks (5.10).
+pub const PERIODS: u16 = 32;
+
+/// A task cannot go on where `taskResume` asks for (5.10).
+pub const NO_LINE: u16 = 90;
+
 /// An argument that the instruction does not take.
 pub const INVALID_PARAMETER: u16 = 70;
 
