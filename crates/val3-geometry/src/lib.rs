@@ -3,12 +3,17 @@
 //! The same numbers give the same bits on every machine: what is not exact by IEEE 754 comes from the `libm` crate and
 //! never from the platform. Hence of nalgebra only products, sums and roots are used, not what it offers for angles.
 
-pub mod degrees;
 mod angles;
+mod arc;
+pub mod degrees;
+mod interpolate;
+mod rotation;
 #[cfg(test)]
 mod testing;
 mod trsf;
 
 pub use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
 
+pub use self::arc::{Arc, ArcError};
+pub use self::interpolate::{InterpolationError, Line, interpolate_c, interpolate_l};
 pub use self::trsf::Trsf;

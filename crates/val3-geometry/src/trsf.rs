@@ -43,10 +43,16 @@ impl Trsf {
         Vector3::new(self.x, self.y, self.z)
     }
 
+    /// The angles `rx`, `ry`, `rz`, in degrees.
+    #[must_use]
+    pub const fn angles(&self) -> [f64; 3] {
+        [self.rx, self.ry, self.rz]
+    }
+
     /// As matrices, for computing: quarter turns are exact.
     #[must_use]
     pub fn isometry(&self) -> IsometryMatrix3<f64> {
-        let rotation = angles::to_rotation([self.rx, self.ry, self.rz]);
+        let rotation = angles::to_rotation(self.angles());
         IsometryMatrix3::from_parts(Translation3::from(self.translation()), rotation)
     }
 
