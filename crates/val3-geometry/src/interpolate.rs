@@ -77,12 +77,7 @@ pub fn interpolate_l(start: &Trsf, end: &Trsf, fraction: f64) -> Result<Trsf, In
 ///
 /// # Errors
 /// A fraction outside ]-1, 2[; places that define no arc, even where the fraction is 0 or 1.
-pub fn interpolate_c(
-    start: &Trsf,
-    intermediate: &Trsf,
-    end: &Trsf,
-    fraction: f64,
-) -> Result<Trsf, InterpolationError> {
+pub fn interpolate_c(start: &Trsf, intermediate: &Trsf, end: &Trsf, fraction: f64) -> Result<Trsf, InterpolationError> {
     let arc = Arc::through(&start.isometry(), &intermediate.isometry(), &end.isometry());
     let arc = arc.map_err(InterpolationError::Arc)?;
     at_fraction(start, end, fraction, || arc.at(fraction))
