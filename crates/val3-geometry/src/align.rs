@@ -94,7 +94,8 @@ mod tests {
             let z = axes.inverse() * (after * Vector3::z());
             prop_assert!((z.amax() - 1.0).abs() < 1e-12 && z.iter().filter(|part| part.abs() < 1e-12).count() == 2);
             let turn = rotation::to_vector(&(after * before.inverse())).norm().to_degrees();
-            let smallest = z.dot(&(axes.inverse() * (before * Vector3::z()))).clamp(-1.0, 1.0).acos().to_degrees();
+            let cos = z.dot(&(axes.inverse() * (before * Vector3::z())));
+            let smallest = crate::degrees::acos(cos.min(1.0)).unwrap();
             prop_assert!((turn - smallest).abs() < 1e-5 && turn < 54.736);
             prop_assert_eq!(aligned.translation(), position.translation());
             prop_assert_eq!(align(&aligned, &reference), aligned);

@@ -6,13 +6,8 @@ use std::fmt;
 
 use nalgebra::{IsometryMatrix3, Rotation3, Translation3, Vector3};
 
+use crate::circle::Circle;
 use crate::rotation;
-
-/// Two positions nearer than this, in mm, are one.
-const SAME_PLACE: f64 = 1e-3;
-
-/// Three positions whose legs enclose an angle of less than this sine are on one line.
-const COLLINEAR: f64 = 1e-6;
 
 /// So near to half a turn, in radians, either direction could be meant: a thousandth of a degree.
 const HALF_TURN: f64 = PI - PI / 180.0 * 1e-3;
@@ -110,47 +105,6 @@ fn nearest(rotation: &Rotation3<f64>, expected: &Vector3<f64>) -> Vector3<f64> {
     let Some(axis) = shortest.try_normalize(0.0) else { return shortest };
     let turns = ((expected - shortest).dot(&axis) / TAU).round();
     shortest + axis * (turns * TAU)
-}
-
-/// A circle in space, run through from its first point.
-///
-/// It is described from that point and not from the centre, which is far away where the points are nearly on one line.
-#[derive(Clone, Copy, Debug)]
-struct Circle {
-    first: Vector3<f64>,
-    /// From the centre to the first point.
-    radius: Vector3<f64>,
-    /// As long as the radius, in the direction of travel at the first point.
-    tangent: Vector3<f64>,
-}
-
-impl Circle {
-    /// The circle that comes from `first` through `second` to `third`.
-    fn through(first: &Vector3<f64>, second: &Vector3<f64>, third: &Vector3<f64>) -> Result<Self, ArcError> {
-        let (a, b) = (second - first, third - first);
-        let (near, far, between) = (a.norm(), b.norm(), (third - second).norm());
-        if near.min(far).min(between) < SAME_PLACE {
-            return Err(ArcError::TooClose);
-        }
-        let normal = a.cross(&b);
-        if normal.norm() < COLLINEAR * near * between {
-            return Err(ArcError::Collinear);
-        }
-        let radius = (a * (far * far) - b * (near * near)).cross(&normal) / (2.0 * normal.norm_squared());
-        Ok(Self { first: *first, radius, tangent: normal.normalize().cross(&radius) })
-    }
-
-    /// How far on a point of the circle is, in ]0, 2π[ radians: twice the angle of its chord with the tangent.
-    fn angle_to(&self, point: &Vector3<f64>) -> f64 {
-        let chord = point - self.first;
-        2.0 * libm::atan2(-chord.dot(&self.radius), chord.dot(&self.tangent))
-    }
-
-    /// The point so many radians on.
-    fn at(&self, angle: f64) -> Vector3<f64> {
-        let (sin, cos) = libm::sincos(angle / 2.0);
-        self.first + (self.tangent * cos - self.radius * sin) * (2.0 * sin)
-    }
 }
 
 #[cfg(test)]

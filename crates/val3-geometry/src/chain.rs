@@ -97,7 +97,7 @@ mod tests {
         let (first, second) = (Trsf::new([0.0, 0.0, 100.0], [0.0; 3]), Trsf::new([30.0, 40.0, 100.0], [0.0; 3]));
         assert_eq!(position(&[first], &[]).distance(&position(&[second], &[])), 50.0);
         assert_eq!(distance(&[first, TABLE], &[second, TABLE]), 50.0);
-        assert_eq!(distance(&[first, TABLE], &[second, PALLET, TABLE]), 30.0_f64.hypot(50.0));
+        assert_eq!(distance(&[first, TABLE], &[second, PALLET, TABLE]), 3400.0_f64.sqrt());
     }
 
     /// The first example of `compose` (manual 9.6.3).

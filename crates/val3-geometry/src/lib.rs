@@ -7,6 +7,7 @@ mod align;
 mod angles;
 mod arc;
 pub mod chain;
+mod circle;
 pub mod degrees;
 mod frame;
 mod interpolate;
