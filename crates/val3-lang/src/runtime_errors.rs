@@ -40,12 +40,33 @@ impl TaskState {
 /// An input, output or serial line is used without a link (3.5 to 3.7).
 pub const UNLINKED: u16 = 123;
 
+/// A number for which an instruction is not defined, or a result that is too large (3.2.3).
+pub const INVALID_NUMBER: u16 = 11;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }
 
 /// A division by zero (3.2.2).
 pub const DIVISION_BY_ZERO: u16 = 10;
+
+/// An index is not below the size, or a key is not in the collection (2.5.3).
+pub const INDEX_TOO_LARGE: u16 = 20;
+
+/// An index is below zero (2.5.3).
+pub const INDEX_NEGATIVE: u16 = 21;
+
+/// There is no memory left, or a variable would hold more values than it may (2.5.4).
+pub const NO_MEMORY: u16 = 40;
+
+/// The stack of a task is full.
+pub const STACK_FULL: u16 = 41;
+
+/// The interpreter cannot go on.
+pub const INTERPRETER: u16 = 61;
+
+/// Data or a program of a library that is not loaded, or that lacks them (6.4).
+pub const LIBRARY_ITEM_MISSING: u16 = 80;
 
 /// A task cannot have this name (5.10).
 pub const BAD_TASK_NAME: u16 = 29;

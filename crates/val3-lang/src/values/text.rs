@@ -1,6 +1,6 @@
 //! The value of a `string`: at most 128 bytes of UTF-8, stored inline (3.4.1).
 
-use std::fmt;
+use std::fmt::{self, Write};
 use std::ops::{Add, Deref};
 
 use arrayvec::ArrayString;
@@ -54,6 +54,16 @@ impl<'a> FromIterator<&'a str> for Text {
     }
 }
 
+/// The text that the arguments format to, as far as it fits.
+impl From<fmt::Arguments<'_>> for Text {
+    fn from(arguments: fmt::Arguments<'_>) -> Self {
+        let mut text = Self::new();
+        match text.write_fmt(arguments) {
+            Ok(()) | Err(fmt::Error) => text,
+        }
+    }
+}
+
 /// `+` of strings (3.4.2): at most the first 128 bytes of both.
 impl Add<&str> for Text {
     type Output = Self;
@@ -73,7 +83,7 @@ impl Deref for Text {
 }
 
 /// An error once something was cut.
-impl fmt::Write for Text {
+impl Write for Text {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         if self.push(part) { Ok(()) } else { Err(fmt::Error) }
     }
