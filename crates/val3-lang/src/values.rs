@@ -6,9 +6,11 @@
 
 pub mod binary;
 pub mod bits;
+pub mod date;
 pub mod number_reading;
 pub mod number_text;
 pub mod numbers;
+pub mod printed;
 pub mod strings;
 pub mod text;
 

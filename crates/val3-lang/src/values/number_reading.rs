@@ -72,6 +72,7 @@ fn without_digits(text: &str) -> &str {
 }
 
 #[cfg(test)]
+#[expect(clippy::approx_constant, reason = "the manual writes pi and e out")]
 mod tests {
     use proptest::prelude::{any, prop_assert_eq, proptest};
 

@@ -114,6 +114,7 @@ fn without_final_zeros(number: &str) -> &str {
 }
 
 #[cfg(test)]
+#[expect(clippy::approx_constant, reason = "the manual writes pi and e out")]
 mod tests {
     use super::{significant, to_string};
     use crate::fault::Fault;

@@ -1,3 +1,5 @@
+#![expect(clippy::approx_constant, reason = "the manual writes pi and e out")]
+
 use proptest::prelude::{any, prop_assert, prop_assert_eq, proptest};
 
 use super::*;
