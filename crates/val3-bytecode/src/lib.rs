@@ -1,1 +1,17 @@
-//! The instruction set of the virtual controller: programs as images, with a source map.
+//! The instruction set of the virtual controller: applications as images, with the way back to their source.
+//!
+//! An image is what an application or library is compiled to. Its code is for a register machine: the frame of a
+//! program has lanes of numbers, texts, links and containers (see [`val3_lang::memory`]), and operations name the
+//! lanes of the current frame. Parameters come first, then locals, then constants, then temporaries.
+
+mod disassembly;
+mod image;
+mod op;
+mod program;
+mod site;
+
+pub use disassembly::disassemble;
+pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
+pub use op::{Op, Register, Whole, WholeKind};
+pub use program::{FrameSize, Line, Param, Passing, Program, SourceRange};
+pub use site::{ArgumentSite, CallSite, CopySite, InstructionSite, Operand, ProgramRef, SlotSite, TaskSite};

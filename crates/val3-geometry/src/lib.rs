@@ -1,1 +1,14 @@
-//! Transformations, frames and interpolation in space: lengths in mm, angles in degrees.
+//! The geometry of VAL 3 that needs no arm (manual 3.2, 9.3 to 9.6): lengths in mm, angles in degrees.
+//!
+//! The same numbers give the same bits on every machine: what is not exact by IEEE 754 comes from the `libm` crate and
+//! never from the platform. Hence of nalgebra only products, sums and roots are used, not what it offers for angles.
+
+mod angles;
+pub mod degrees;
+#[cfg(test)]
+mod testing;
+mod trsf;
+
+pub use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
+
+pub use self::trsf::Trsf;

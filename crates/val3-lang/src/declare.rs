@@ -5,7 +5,8 @@
 /// The doc comment is its page. The head line gives name, family and manual section, then the clauses
 /// `blocking`, `errors [numbers]`, `since major`, `until major` and `with_add_on "name"`. Every further line is
 /// a form: `function` (only yields a value) or `modifier` (may stand alone), parameters as in a syntax line,
-/// `-> type` for a value, `on library` for a form of a library identifier, `since major` for a younger form.
+/// `-> type` for a value, `on library` for a form of a library identifier, `since major` for a younger form,
+/// `= function` for its handler, whose parameters are those of the line ([`Take`](crate::call::Take)).
 /// Instead of a type a parameter says `any`, `Whole`, `Slot`, `Item`
 /// ([`Shape`](crate::instruction::Shape)) or `program` (the call of a program).
 macro_rules! instruction {
@@ -16,7 +17,7 @@ macro_rules! instruction {
         $(
             $class:ident ($(
                 $ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?
-            ),*) $(-> $result:ident)? $(on $library:ident)? $(since $since:literal)?;
+            ),*) $(-> $result:ident)? $(on $library:ident)? $(since $since:literal)? $(= $run:path)?;
         )+
     ) => {
         $(#[doc = $line])*
@@ -32,6 +33,10 @@ macro_rules! instruction {
                         result: $crate::declare::result!($($result)?),
                         class: $crate::declare::class!($class),
                         since: $crate::declare::optional!($($since)?),
+                        run: $crate::declare::run!(
+                            [$($run)?] [$($library)?]
+                            $($ty $($by_value)? $(& $by_reference)? $([$($dims)*])?),*
+                        ),
                     }
                 ),+])
                 $(.$clause($($value)? $(&[$($item),*])?))*;
@@ -162,6 +167,115 @@ macro_rules! optional {
     };
 }
 pub(crate) use optional;
+
+/// The function that takes the arguments of a form, calls its handler and gives back the value.
+macro_rules! run {
+    ([] [$($library:ident)?] $($param:tt)*) => {
+        None
+    };
+    ([$run:path] [] $($ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?),*) => {
+        Some(|call| {
+            $($crate::declare::take!(call, $ty $($by_value)? $(& $by_reference)? $([$($dims)*])?);)*
+            let outcome = $run(call, $($($by_value)? $($by_reference)?),*);
+            $crate::call::Outcome::settle(outcome, call)
+        })
+    };
+    ([$run:path] [$library:ident] $($ty:ident $($by_value:ident)? $(& $by_reference:ident)? $([$($dims:tt)*])?),*) => {
+        Some(|call| {
+            let $library: $crate::call::LibraryRef = $crate::call::Take::take(call)?;
+            $($crate::declare::take!(call, $ty $($by_value)? $(& $by_reference)? $([$($dims)*])?);)*
+            let outcome = $run(call, $library, $($($by_value)? $($by_reference)?),*);
+            $crate::call::Outcome::settle(outcome, call)
+        })
+    };
+}
+pub(crate) use run;
+
+/// Takes one argument into a variable of the parameter's name.
+macro_rules! take {
+    ($call:ident, program $name:ident) => {
+        compile_error!("a program is called by a statement of its own")
+    };
+    ($call:ident, Whole $name:ident) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::memory::View = $crate::call::Take::take($call)?;
+    };
+    ($call:ident, Slot $name:ident) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::memory::Slot = $crate::call::Take::take($call)?;
+    };
+    ($call:ident, Item $name:ident) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::memory::Slot = $crate::call::Take::take($call)?;
+    };
+    ($call:ident, $ty:ident $name:ident) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::declare::value!($ty) = $crate::call::Take::take($call)?;
+    };
+    ($call:ident, $ty:ident & $name:ident) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::call::Var<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;
+    };
+    ($call:ident, $ty:ident & $name:ident [""]) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::memory::View = $crate::call::Take::take($call)?;
+    };
+    ($call:ident, $ty:ident & $name:ident []) => {
+        #[allow(non_snake_case, reason = "named as in the syntax line")]
+        let $name: $crate::call::Arr<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;
+    };
+}
+pub(crate) use take;
+
+/// The type of a handler's parameter.
+macro_rules! value {
+    (any) => {
+        $crate::call::Any
+    };
+    (bool) => {
+        bool
+    };
+    (num) => {
+        f64
+    };
+    (string) => {
+        $crate::values::Text
+    };
+    (dio) => {
+        $crate::call::IoRef
+    };
+    (aio) => {
+        $crate::call::IoRef
+    };
+    (sio) => {
+        $crate::call::IoRef
+    };
+    (screen) => {
+        $crate::call::ScreenRef
+    };
+    (trsf) => {
+        val3_geometry::Trsf
+    };
+    (frame) => {
+        $crate::call::FrameRef
+    };
+    (tool) => {
+        $crate::call::ToolRef
+    };
+    (point) => {
+        $crate::call::PointRef
+    };
+    (joint) => {
+        [f64; 6]
+    };
+    (config) => {
+        $crate::call::ConfigValue
+    };
+    (mdesc) => {
+        $crate::call::MdescValue
+    };
+}
+pub(crate) use value;
 
 /// Declares the files of the catalogue, family by family, and the list of their instructions.
 macro_rules! catalogue {

@@ -2,6 +2,7 @@
 
 use std::hash::{Hash, Hasher};
 
+use crate::call::Run;
 use crate::{types::BaseType, versions::Version};
 
 mod syntax;
@@ -29,7 +30,7 @@ pub struct Instruction {
 }
 
 /// One form of an instruction.
-#[derive(Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Overload {
     /// It is called on a library identifier: `id:libLoad(…)`.
     pub on_library: bool,
@@ -42,6 +43,8 @@ pub struct Overload {
     pub class: Class,
     /// First major version with this form, where the form is younger than the instruction.
     pub since: Option<u8>,
+    /// What it does at run time; `None` where the virtual controller does not have it.
+    pub run: Option<Run>,
 }
 
 /// One parameter of an instruction.
@@ -185,6 +188,15 @@ impl Hash for Instruction {
         self.name.hash(state);
     }
 }
+
+/// Forms are equal where they are the same form of the catalogue.
+impl PartialEq for Overload {
+    fn eq(&self, other: &Self) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl Eq for Overload {}
 
 impl Overload {
     /// Whether a controller of this version has the form, given that it has the instruction.

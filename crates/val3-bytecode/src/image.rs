@@ -1,0 +1,124 @@
+//! An application or library as it is loaded.
+
+use std::sync::Arc;
+
+use val3_lang::memory::{Kind, PartInit};
+use val3_lang::types::{BaseType, Container};
+
+use crate::Program;
+
+/// Everything of an application or library that the run time needs.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Image {
+    /// Its name: that of its folder.
+    pub name: String,
+    /// The path of its project file.
+    pub path: String,
+    /// Its files; programs refer to them by number.
+    pub files: Vec<String>,
+    /// It is of s8 or later: the limit of 9999 values does not hold.
+    pub unlimited: bool,
+    /// Bytes of stack of each task.
+    pub stack_size: u32,
+    /// Global data.
+    pub data: Vec<DataDef>,
+    /// Links between data, and to inputs and outputs, to be made when the data exist.
+    pub links: Vec<LinkInit>,
+    /// Programs.
+    pub programs: Vec<Program>,
+    /// Library identifiers.
+    pub libraries: Vec<LibraryDef>,
+    /// What it uses of libraries.
+    pub imports: Vec<Import>,
+}
+
+/// Global data.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DataDef {
+    /// The name.
+    pub name: String,
+    /// Other applications may use it.
+    pub public: bool,
+    /// Type, container and values at the start.
+    pub init: PartInit,
+}
+
+/// A link of one value at the start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinkInit {
+    /// The data, by number.
+    pub data: u32,
+    /// The way from a value of the data through fields of user types: number of the value, then of the field.
+    pub path: Vec<(u32, u32)>,
+    /// The number of the value in the innermost container.
+    pub value: u32,
+    /// The number of the link among those of the value.
+    pub link: u32,
+    /// What it is linked to.
+    pub target: LinkTarget,
+}
+
+/// What a value is linked to.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LinkTarget {
+    /// An input, output or line, by type and path as the file writes it (`BasicIO-1\%I0`).
+    Port(BaseType, String),
+    /// A frame or tool.
+    Father(FatherLink),
+}
+
+/// The reference frame or tool of a value, as a file names it: `fTray[0]`, `lib:fTray`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FatherLink {
+    /// The library identifier, if it is data of a library.
+    pub library: Option<String>,
+    /// The name of the data; `world` and `flange` too.
+    pub name: String,
+    /// The number of its value: an index, or a key.
+    pub at: String,
+}
+
+/// A library identifier.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct LibraryDef {
+    /// The identifier.
+    pub alias: String,
+    /// The path of the interface as the project writes it.
+    pub path: String,
+    /// It is loaded with the application.
+    pub autoload: bool,
+}
+
+/// What an application uses of a library.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Import {
+    /// The library identifier, by number.
+    pub library: u16,
+    /// The name of the data or program.
+    pub name: String,
+    /// What it has to be.
+    pub kind: ImportKind,
+}
+
+/// What an import has to be.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ImportKind {
+    /// Data of this type.
+    Data(Arc<Kind>, Container),
+    /// A program with these parameters: type, container, by reference.
+    Program(Vec<(Arc<Kind>, Container, bool)>),
+}
+
+impl Image {
+    /// The number of a program.
+    #[must_use]
+    pub fn program(&self, name: &str) -> Option<u16> {
+        self.programs.iter().position(|program| program.name == name).and_then(|at| u16::try_from(at).ok())
+    }
+
+    /// The number of global data.
+    #[must_use]
+    pub fn data(&self, name: &str) -> Option<u16> {
+        self.data.iter().position(|data| data.name == name).and_then(|at| u16::try_from(at).ok())
+    }
+}

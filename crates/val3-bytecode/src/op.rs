@@ -1,0 +1,166 @@
+//! The operations.
+
+/// A lane of the current frame, by its number among those of its sort; or a number in a table of the program.
+pub type Register = u16;
+
+/// A container that an operation works on: its kind in the upper two bits, its number in the others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Whole(u16);
+
+/// Where a container is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WholeKind {
+    /// Global data of the application.
+    Data(u16),
+    /// A container of the frame: a local array or local of a user type.
+    Part(u16),
+    /// A container by reference.
+    View(u16),
+    /// Data of a library.
+    Import(u16),
+}
+
+impl Whole {
+    const BITS: u16 = 14;
+    const MASK: u16 = (1 << Self::BITS) - 1;
+
+    /// Packs a container; `None` where its number is beyond 16,383.
+    #[must_use]
+    pub fn new(kind: WholeKind) -> Option<Self> {
+        let (tag, number) = match kind {
+            WholeKind::Data(number) => (0, number),
+            WholeKind::Part(number) => (1, number),
+            WholeKind::View(number) => (2, number),
+            WholeKind::Import(number) => (3, number),
+        };
+        (number <= Self::MASK).then_some(Self(tag << Self::BITS | number))
+    }
+
+    /// Where it is found.
+    #[inline]
+    #[must_use]
+    pub fn kind(self) -> WholeKind {
+        let number = self.0 & Self::MASK;
+        match self.0 >> Self::BITS {
+            0 => WholeKind::Data(number),
+            1 => WholeKind::Part(number),
+            2 => WholeKind::View(number),
+            _ => WholeKind::Import(number),
+        }
+    }
+}
+
+/// One operation. Targets of jumps are numbers of operations in the program.
+#[allow(missing_docs, reason = "the line above each tells its operands")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Op {
+    /// An instruction line begins: what the scheduler counts and where the task stops for others.
+    Line,
+    /// Goes on elsewhere.
+    Jump { to: u32 },
+    /// Goes on elsewhere if `condition` is false.
+    JumpUnless { condition: Register, to: u32 },
+    /// Goes on elsewhere if `condition` is true.
+    JumpIf { condition: Register, to: u32 },
+    /// Goes on elsewhere unless `a < b`.
+    UnlessLess { a: Register, b: Register, to: u32 },
+    /// Goes on elsewhere unless `a <= b`.
+    UnlessLessEqual { a: Register, b: Register, to: u32 },
+    /// Goes on elsewhere unless `a == b`.
+    UnlessEqual { a: Register, b: Register, to: u32 },
+    /// Goes on elsewhere if `a == b`.
+    IfEqual { a: Register, b: Register, to: u32 },
+
+    /// `to = from`
+    Move { to: Register, from: Register },
+    /// `to = a + b`
+    Add { to: Register, a: Register, b: Register },
+    /// `to = a - b`
+    Subtract { to: Register, a: Register, b: Register },
+    /// `to = a * b`
+    Multiply { to: Register, a: Register, b: Register },
+    /// `to = a / b`; error 10 if `b` is 0.
+    Divide { to: Register, a: Register, b: Register },
+    /// `to = a % b`; error 10 if `b` is 0.
+    Remainder { to: Register, a: Register, b: Register },
+    /// `to = -a`
+    Negate { to: Register, a: Register },
+    /// `to = !a`
+    Not { to: Register, a: Register },
+    /// `to = a < b`
+    Less { to: Register, a: Register, b: Register },
+    /// `to = a <= b`
+    LessEqual { to: Register, a: Register, b: Register },
+    /// `to = a == b`
+    Equal { to: Register, a: Register, b: Register },
+    /// `to = a != b`, on truth values also `a xor b`
+    NotEqual { to: Register, a: Register, b: Register },
+
+    /// A text of the program's table.
+    TextConstant { to: Register, constant: Register },
+    /// `to = from`
+    TextMove { to: Register, from: Register },
+    /// `to = a + b`
+    Concatenate { to: Register, a: Register, b: Register },
+    /// `to = a == b`
+    TextEqual { to: Register, a: Register, b: Register },
+
+    /// A number of the first value of a container.
+    LoadFirst { to: Register, whole: Whole, lane: u16 },
+    /// Writes a number of the first value of a container.
+    StoreFirst { whole: Whole, lane: u16, from: Register },
+    /// A number of an array.
+    LoadElement { to: Register, whole: Whole, index: Register },
+    /// Writes a number of an array.
+    StoreElement { whole: Whole, index: Register, from: Register },
+    /// A number of an array of two dimensions.
+    LoadElement2 { to: Register, whole: Whole, i: Register, j: Register },
+    /// Writes a number of an array of two dimensions.
+    StoreElement2 { whole: Whole, i: Register, j: Register, from: Register },
+
+    /// Looks up the first value of a container.
+    LocateFirst { to: Register, whole: Whole },
+    /// Looks up a value of an array.
+    Locate { to: Register, whole: Whole, index: Register },
+    /// Looks up a value of an array of two dimensions.
+    Locate2 { to: Register, whole: Whole, i: Register, j: Register },
+    /// Looks up a value of an array of three dimensions; the indexes follow one another from `i` on.
+    Locate3 { to: Register, whole: Whole, i: Register },
+    /// Looks up the value under a key.
+    LocateKey { to: Register, whole: Whole, key: Register },
+    /// The container of a field of a value of a user type.
+    Field { to: Register, place: Register, field: u16 },
+    /// A number at a place.
+    Load { to: Register, place: Register, lane: u16 },
+    /// Writes a number at a place.
+    Store { place: Register, lane: u16, from: Register },
+    /// A text at a place.
+    LoadText { to: Register, place: Register },
+    /// Writes a text at a place.
+    StoreText { place: Register, from: Register },
+
+    /// Copies a value: [`CopySite`](crate::CopySite).
+    Copy { site: u32 },
+    /// Compares two values: [`CopySite`](crate::CopySite).
+    Compare { to: Register, site: u32 },
+    /// Executes an instruction: [`InstructionSite`](crate::InstructionSite).
+    Instruction { site: u32 },
+    /// Calls a program: [`CallSite`](crate::CallSite).
+    Call { site: u32 },
+    /// Ends the program.
+    Return,
+    /// Creates a task: [`TaskSite`](crate::TaskSite).
+    CreateTask { site: u32 },
+
+    /// The task waits unless `condition` is true; it goes on at `retry`, where the condition is computed anew.
+    WaitUntil { condition: Register, retry: u32 },
+    /// `to` becomes true when `condition` is, and false when `seconds` have passed; until then the task waits and goes
+    /// on at `retry`.
+    Watch { to: Register, condition: Register, seconds: Register, retry: u32 },
+
+    /// Begins a `for`: goes to `exit` if the counter is beyond `limit`; the step is the lane behind `limit`.
+    ForTest { counter: Register, limit: Register, exit: u32 },
+    /// The next round of a `for`, which counts as a line: adds the step and goes to `body` unless the counter is
+    /// beyond `limit`.
+    ForNext { counter: Register, limit: Register, body: u32 },
+}

@@ -1,0 +1,106 @@
+//! The code of one program.
+
+use std::sync::Arc;
+
+use val3_lang::memory::{Kind, Lanes, PartInit};
+use val3_lang::types::{BaseType, Container};
+use val3_lang::values::Text;
+
+use crate::{CallSite, CopySite, InstructionSite, Op, TaskSite};
+
+/// A program, ready to run.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Program {
+    /// Its name.
+    pub name: String,
+    /// Other applications may call it.
+    pub public: bool,
+    /// Its file, by its number in [`Image::files`](crate::Image::files).
+    pub file: u32,
+    /// Its parameters.
+    pub params: Vec<Param>,
+    /// The names of its parameters and locals with their places, for debuggers.
+    pub frame: FrameSize,
+    /// The numbers of a new frame: defaults of locals, and constants.
+    pub nums: Vec<f64>,
+    /// The containers of a new frame: local arrays, and values of user types.
+    pub parts: Vec<PartInit>,
+    /// The operations.
+    pub code: Vec<Op>,
+    /// Instruction lines in the order of the text.
+    pub lines: Vec<Line>,
+    /// Text constants.
+    pub texts: Vec<Text>,
+    /// Copies and comparisons.
+    pub copies: Vec<CopySite>,
+    /// Instructions and operators.
+    pub instructions: Vec<InstructionSite>,
+    /// Calls.
+    pub calls: Vec<CallSite>,
+    /// Creations of tasks.
+    pub tasks: Vec<TaskSite>,
+}
+
+/// How many lanes a frame has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct FrameSize {
+    /// Numbers, texts, links and containers.
+    pub lanes: Lanes,
+    /// Places.
+    pub places: u32,
+    /// Views.
+    pub views: u32,
+}
+
+/// A parameter.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Param {
+    /// Its name.
+    pub name: String,
+    /// Its type.
+    pub kind: Arc<Kind>,
+    /// An element, array or collection.
+    pub container: Container,
+    /// Where a call puts it.
+    pub passing: Passing,
+}
+
+/// Where a call puts an argument in the frame of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Passing {
+    /// A copy of a value of a built-in type.
+    Value(BaseType, Lanes),
+    /// A copy of a value of a user type: the container with this number.
+    UserValue(u32),
+    /// A reference to a value: the place with this number.
+    Reference(u32),
+    /// A reference to a container: the view with this number.
+    View(u32),
+}
+
+/// Bytes of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SourceRange {
+    /// The first byte.
+    pub start: u32,
+    /// The byte behind the last.
+    pub end: u32,
+}
+
+/// An instruction line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Line {
+    /// Its first operation.
+    pub op: u32,
+    /// Where it stands in the file.
+    pub range: SourceRange,
+}
+
+impl Program {
+    /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
+    #[must_use]
+    pub fn line_of(&self, op: u32) -> Option<usize> {
+        let before = |(_, line): &(usize, &Line)| line.op <= op;
+        self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op).map(|(number, _)| number)
+    }
+}

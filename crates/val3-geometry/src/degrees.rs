@@ -1,0 +1,203 @@
+//! Trigonometry in degrees (manual 3.2.3), correct to the last bit or the one before.
+//!
+//! A radian is never rounded on the way, so what is exact on paper is exact here: `sin(180)` is 0, `sin(30)` and
+//! `cos(60)` are 0.5, `tan(45)` is 1, and `asin(0.5)` is 30. No function returns -0.
+
+/// π/180 as the sum of two doubles.
+const RADIANS: (f64, f64) = (0.017453292519943295, 2.9486522708701687e-19);
+
+/// π/180, cut in two halves whose products with another half are exact.
+const RADIANS_HEAD: f64 = 0.01745329238474369;
+const RADIANS_TAIL: f64 = 1.3519960498364902e-10;
+
+/// What the tangent is at odd multiples of 90°, where it has no value: that of the double next to π/2.
+///
+/// The manual gives `tan` no run-time error, and a number must not be infinite.
+const TANGENT_AT_POLE: f64 = 1.633123935319537e16;
+
+/// The sine of an angle in degrees.
+#[must_use]
+pub fn sin(degrees: f64) -> f64 {
+    sin_cos(degrees).0
+}
+
+/// The cosine of an angle in degrees.
+#[must_use]
+pub fn cos(degrees: f64) -> f64 {
+    sin_cos(degrees).1
+}
+
+/// The sine and the cosine of an angle in degrees.
+#[must_use]
+pub fn sin_cos(degrees: f64) -> (f64, f64) {
+    let (quarter, rest) = reduce(degrees);
+    let (radians, error) = to_radians(rest);
+    let (sin, cos) = libm::sincos(radians);
+    let (sin, cos) = (sin + cos * error, cos - sin * error);
+    let (sin, cos) = match quarter {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    };
+    (sin + 0.0, cos + 0.0)
+}
+
+/// The tangent of an angle in degrees; ±1.633e16 with the sign of the angle at odd multiples of 90°.
+#[must_use]
+pub fn tan(degrees: f64) -> f64 {
+    let (quarter, rest) = reduce(degrees);
+    let (radians, error) = to_radians(rest);
+    let tan = libm::tan(radians);
+    let tan = tan + error * (1.0 + tan * tan);
+    match quarter & 1 {
+        0 => tan + 0.0,
+        _ if tan == 0.0 => TANGENT_AT_POLE.copysign(degrees),
+        _ => -1.0 / tan,
+    }
+}
+
+/// The angle in [-90, 90] degrees with this sine; none for a value outside [-1, 1].
+#[must_use]
+pub fn asin(value: f64) -> Option<f64> {
+    let angle = libm::asin(value).to_degrees();
+    (value.abs() <= 1.0).then(|| whole_if(angle, |whole| sin(whole) == value))
+}
+
+/// The angle in [0, 180] degrees with this cosine; none for a value outside [-1, 1].
+#[must_use]
+pub fn acos(value: f64) -> Option<f64> {
+    let angle = libm::acos(value).to_degrees();
+    (value.abs() <= 1.0).then(|| whole_if(angle, |whole| cos(whole) == value))
+}
+
+/// The angle in [-90, 90] degrees with this tangent.
+#[must_use]
+pub fn atan(value: f64) -> f64 {
+    whole_if(libm::atan(value).to_degrees(), |whole| tan(whole) == value)
+}
+
+/// The angle in ]-180, 180] degrees of the direction (`x`, `y`); 0 when both are 0.
+#[must_use]
+pub fn atan2(y: f64, x: f64) -> f64 {
+    let angle = libm::atan2(y, x).to_degrees() + 0.0;
+    if angle == -180.0 { 180.0 } else { angle }
+}
+
+/// The whole number of degrees next to `angle` when it is an exact answer, else `angle`.
+fn whole_if(angle: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
+    let whole = angle.round();
+    let near = (angle - whole).abs() < 1e-12;
+    if near && is_exact(whole) { whole + 0.0 } else { angle + 0.0 }
+}
+
+/// The quarter of the turn, 0 to 3, whose direction is nearest, and what is left of the angle: at most 45°, exactly.
+fn reduce(degrees: f64) -> (u8, f64) {
+    let turn = degrees % 360.0;
+    let quarters = (turn / 90.0).round();
+    ((quarters as i8 & 3) as u8, turn - quarters * 90.0)
+}
+
+/// The angle in radians, and what rounding has taken from it.
+fn to_radians(degrees: f64) -> (f64, f64) {
+    let radians = degrees * RADIANS.0;
+    (radians, product_error(degrees, radians) + degrees * RADIANS.1)
+}
+
+/// What `product`, the rounded product of `degrees` and π/180, lacks (T. J. Dekker).
+fn product_error(degrees: f64, product: f64) -> f64 {
+    let scaled = degrees * 134_217_729.0;
+    let head = scaled - (scaled - degrees);
+    let tail = degrees - head;
+    ((head * RADIANS_HEAD - product) + head * RADIANS_TAIL + tail * RADIANS_HEAD) + tail * RADIANS_TAIL
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn the_examples_of_the_manual() {
+        assert_eq!(sin(30.0), 0.5);
+        assert_eq!(asin(0.5), Some(30.0));
+        assert_eq!(cos(60.0), 0.5);
+        assert_eq!(acos(0.5), Some(60.0));
+        assert_eq!(tan(45.0), 1.0);
+        assert_eq!(atan(1.0), 45.0);
+    }
+
+    #[test]
+    fn quarter_turns_are_exact_and_never_minus_zero() {
+        for turns in [-1e9, -7.0, -1.0, 0.0, 1.0, 3.0, 1e9] {
+            let values = [0.0, 90.0, 180.0, 270.0].map(|angle| sin_cos(angle + 360.0 * turns));
+            assert_eq!(values, [(0.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-1.0, 0.0)]);
+            assert!(values.iter().all(|(sin, cos)| [sin, cos].iter().all(|value| value.to_bits() != 1 << 63)));
+        }
+        assert_eq!(sin(-0.0).to_bits(), 0);
+        assert_eq!(tan(-180.0).to_bits(), 0);
+        assert_eq!(atan2(-0.0, 1.0).to_bits(), 0);
+    }
+
+    #[test]
+    fn the_tangent_stays_finite() {
+        assert_eq!([90.0, 270.0, 450.0].map(tan), [TANGENT_AT_POLE; 3]);
+        assert_eq!(tan(-90.0), -TANGENT_AT_POLE);
+    }
+
+    #[test]
+    fn outside_of_their_range_arcs_have_no_value() {
+        assert_eq!([asin(-1.0), asin(1.0), acos(-1.0), acos(1.0)], [Some(-90.0), Some(90.0), Some(180.0), Some(0.0)]);
+        let above = 1.0_f64.next_up();
+        assert_eq!([asin(above), asin(-above), acos(above), acos(-above), acos(f64::NAN)], [None; 5]);
+    }
+
+    #[test]
+    fn directions() {
+        let around = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (0.0, -1.0), (-0.0, -1.0), (-1.0, 0.0), (0.0, 0.0)];
+        assert_eq!(around.map(|(y, x)| atan2(y, x)), [0.0, 45.0, 90.0, 180.0, 180.0, -90.0, 0.0]);
+    }
+
+    #[test]
+    fn whole_degrees_come_back() {
+        for whole in -90_i8..=90 {
+            let angle = f64::from(whole);
+            assert_eq!(asin(sin(angle)), Some(angle));
+            assert_eq!(acos(cos(angle + 90.0)), Some(angle + 90.0));
+            assert!(whole.abs() == 90 || atan(tan(angle)) == angle, "{whole}");
+        }
+    }
+
+    #[test]
+    fn the_bits_are_the_same_everywhere() {
+        let bits = [sin(12.3), cos(12.3), tan(12.3), atan(12.3), asin(0.123).unwrap(), acos(0.123).unwrap()];
+        let expected = [
+            0.21303038627497659,
+            0.9770455744352636,
+            0.21803526043102855,
+            85.35202930861297,
+            7.065272930650028,
+            82.93472706934998,
+        ];
+        assert_eq!(bits, expected);
+    }
+
+    proptest! {
+        #[test]
+        fn a_turn_changes_nothing(quarter_degrees in -100_000_i32..100_000) {
+            let angle = f64::from(quarter_degrees) / 4.0;
+            prop_assert_eq!(sin_cos(angle), sin_cos(angle + 360.0));
+            prop_assert_eq!(sin(angle), cos(angle - 90.0));
+            prop_assert_eq!(sin(angle) + 0.0, -sin(-angle) + 0.0);
+        }
+
+        #[test]
+        fn they_are_what_the_machine_has_in_radians(angle in -720.0..720.0_f64) {
+            let (sin, cos) = sin_cos(angle);
+            prop_assert!((sin - angle.to_radians().sin()).abs() < 1e-14);
+            prop_assert!((cos - angle.to_radians().cos()).abs() < 1e-14);
+            prop_assert!((sin * sin + cos * cos - 1.0).abs() < 1e-15);
+        }
+    }
+}

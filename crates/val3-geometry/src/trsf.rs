@@ -1,0 +1,145 @@
+//! The type `trsf` (manual 9.3).
+
+use std::ops::Mul;
+
+use nalgebra::{IsometryMatrix3, Translation3, Vector3};
+
+use crate::angles;
+
+/// A translation, and a rotation about x, then about the new y, then about the new z (manual 9.3.1, 9.3.2).
+///
+/// Fields hold what was written into them: angles of any size, as often turned as you like. What is computed has
+/// angles in ]-180, 180], of which at least two are in [-90, 90] (unless `rx` is 180 and `ry` is 0); `rx` is 0 where `ry`
+/// is ±90; nothing is -0. Equality compares the fields (manual 9.3.3), so one rotation written in two ways differs.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Trsf {
+    /// Along x, in mm.
+    pub x: f64,
+    /// Along y, in mm.
+    pub y: f64,
+    /// Along z, in mm.
+    pub z: f64,
+    /// About x, in degrees.
+    pub rx: f64,
+    /// About the y axis that `rx` leaves, in degrees.
+    pub ry: f64,
+    /// About the z axis that `rx` and `ry` leave, in degrees.
+    pub rz: f64,
+}
+
+impl Trsf {
+    /// What changes nothing, and what a variable holds at first.
+    pub const IDENTITY: Self = Self::new([0.0; 3], [0.0; 3]);
+
+    /// From the fields in the manual's order: lengths in mm, angles in degrees.
+    #[must_use]
+    pub const fn new([x, y, z]: [f64; 3], [rx, ry, rz]: [f64; 3]) -> Self {
+        Self { x, y, z, rx, ry, rz }
+    }
+
+    /// The translation, in mm.
+    #[must_use]
+    pub fn translation(&self) -> Vector3<f64> {
+        Vector3::new(self.x, self.y, self.z)
+    }
+
+    /// As matrices, for computing: quarter turns are exact.
+    #[must_use]
+    pub fn isometry(&self) -> IsometryMatrix3<f64> {
+        let rotation = angles::to_rotation([self.rx, self.ry, self.rz]);
+        IsometryMatrix3::from_parts(Translation3::from(self.translation()), rotation)
+    }
+
+    /// The operator `!` (manual 9.3.3): what undoes this transformation.
+    #[must_use]
+    pub fn inverse(&self) -> Self {
+        self.isometry().inverse().into()
+    }
+}
+
+/// The operator `*` (manual 9.3.3): `right` is meant in the place that `self` leads to.
+///
+/// The instruction `appro` is this product, with the point on the left (manual 9.6.3).
+impl Mul for Trsf {
+    type Output = Self;
+
+    fn mul(self, right: Self) -> Self {
+        (self.isometry() * right.isometry()).into()
+    }
+}
+
+impl From<IsometryMatrix3<f64>> for Trsf {
+    fn from(isometry: IsometryMatrix3<f64>) -> Self {
+        let translation = isometry.translation.vector.add_scalar(0.0);
+        Self::new(translation.into(), angles::from_rotation(&isometry.rotation))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use proptest::prelude::*;
+
+    use super::*;
+    use crate::testing::{any_trsf, assert_near, near};
+
+    /// The picture of manual 9.3.2: each angle turns about an axis that the ones before have turned.
+    #[test]
+    fn angles_turn_one_after_the_other_about_the_new_axes() {
+        let whole = Trsf::new([250.0, 350.0, 450.0], [20.0, 10.0, 30.0]);
+        let place = Trsf::new([250.0, 350.0, 450.0], [0.0; 3]);
+        let about = |angles| Trsf::new([0.0; 3], angles);
+        assert_eq!(place * about([20.0, 0.0, 0.0]) * about([0.0, 10.0, 0.0]) * about([0.0, 0.0, 30.0]), whole);
+        assert_eq!(Trsf::default() * whole, whole);
+    }
+
+    #[test]
+    fn a_product_moves_in_the_place_that_its_left_side_leads_to() {
+        let turned = Trsf::new([10.0, 0.0, 0.0], [0.0, 0.0, 90.0]);
+        let step = Trsf::new([5.0, 0.0, 0.0], [0.0; 3]);
+        assert_eq!(turned * step, Trsf::new([10.0, 5.0, 0.0], [0.0, 0.0, 90.0]));
+        assert_eq!(step * turned, Trsf::new([15.0, 0.0, 0.0], [0.0, 0.0, 90.0]));
+    }
+
+    /// The example of `appro` (manual 9.6.3): 100 mm back along z of the destination.
+    #[test]
+    fn an_approach_goes_along_the_axes_of_the_destination() {
+        let destination = Trsf::new([400.0, 0.0, 300.0], [180.0, 0.0, 0.0]);
+        let approach = Trsf::new([0.0, 0.0, -100.0], [0.0; 3]);
+        assert_eq!(destination * approach, Trsf::new([400.0, 0.0, 400.0], [180.0, 0.0, 0.0]));
+    }
+
+    #[test]
+    fn an_inverse_of_quarter_turns_is_exact() {
+        let trsf = Trsf::new([10.0, 20.0, 30.0], [0.0, 0.0, 90.0]);
+        assert_eq!(trsf.inverse(), Trsf::new([-20.0, 10.0, -30.0], [0.0, 0.0, -90.0]));
+        assert_eq!(format!("{:?}", Trsf::IDENTITY.inverse()), format!("{:?}", Trsf::IDENTITY));
+    }
+
+    #[test]
+    fn equality_compares_fields() {
+        assert_ne!(Trsf::new([0.0; 3], [0.0, 0.0, 180.0]), Trsf::new([0.0; 3], [0.0, 0.0, -180.0]));
+        assert_ne!(Trsf::new([1.0, 0.0, 0.0], [0.0; 3]), Trsf::new([1.0_f64.next_up(), 0.0, 0.0], [0.0; 3]));
+        assert_eq!(Trsf::new([-0.0; 3], [0.0; 3]), Trsf::IDENTITY);
+    }
+
+    proptest! {
+        #[test]
+        fn products_may_be_grouped_as_you_like(a in any_trsf(), b in any_trsf(), c in any_trsf()) {
+            assert_near(&((a * b) * c), &(a * (b * c)))?;
+        }
+
+        #[test]
+        fn an_inverse_undoes_on_either_side(trsf in any_trsf()) {
+            assert_near(&(trsf * trsf.inverse()), &Trsf::IDENTITY)?;
+            assert_near(&(trsf.inverse() * trsf), &Trsf::IDENTITY)?;
+            assert_near(&trsf.inverse().inverse(), &trsf)?;
+        }
+
+        #[test]
+        fn nothing_changes_nothing(trsf in any_trsf()) {
+            prop_assert!(near(&(trsf * Trsf::IDENTITY), &trsf));
+            prop_assert_eq!(trsf * Trsf::IDENTITY, Trsf::IDENTITY * trsf);
+            prop_assert_eq!((trsf * Trsf::IDENTITY).translation(), trsf.translation());
+        }
+    }
+}

@@ -1,0 +1,91 @@
+//! What handlers yield.
+
+use val3_geometry::Trsf;
+
+use super::{Call, ConfigValue, Flow, Stored};
+use crate::fault::Result;
+use crate::memory::{Link, Place};
+use crate::values::Text;
+
+/// The value of an instruction.
+pub trait Give {
+    /// Writes it to where the program wants it.
+    ///
+    /// # Errors
+    /// 20 or 61 if that is gone.
+    fn give(self, call: &mut Call<'_>) -> Result<()>;
+}
+
+impl Give for () {
+    fn give(self, _: &mut Call<'_>) -> Result<()> {
+        Ok(())
+    }
+}
+
+/// A point: its position in a frame, how the arm reaches it, and the frame.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointValue {
+    /// Position in the reference frame.
+    pub trsf: Trsf,
+    /// Arm configuration.
+    pub config: ConfigValue,
+    /// The reference frame.
+    pub frame: Link,
+}
+
+impl Stored for PointValue {
+    fn read(memory: &crate::memory::Memory, at: Place) -> Result<Self> {
+        let trsf = Trsf::read(memory, at)?;
+        Ok(Self { trsf, config: ConfigValue(memory.nums(at, 6)?), frame: memory.link(at, 0)? })
+    }
+
+    fn write(self, memory: &mut crate::memory::Memory, at: Place) -> Result<()> {
+        self.trsf.write(memory, at)?;
+        memory.set_nums(at, 6, self.config.0)?;
+        memory.set_link(at, 0, self.frame)
+    }
+}
+
+macro_rules! stored {
+    ($($ty:ty),*) => {
+        $(impl Give for $ty {
+            fn give(self, call: &mut Call<'_>) -> Result<()> {
+                match call.result() {
+                    Some(place) => self.write(call.memory, place),
+                    None => Ok(()),
+                }
+            }
+        })*
+    };
+}
+stored!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, PointValue);
+
+/// What a handler returns: a value, or that the task has to wait.
+pub trait Outcome {
+    /// Writes the value, if there is one.
+    ///
+    /// # Errors
+    /// The run-time error of the instruction.
+    fn settle(self, call: &mut Call<'_>) -> Result<Flow>;
+}
+
+impl<T: Give> Outcome for T {
+    fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
+        self.give(call).map(Flow::Done)
+    }
+}
+
+impl<T: Give> Outcome for Flow<T> {
+    fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
+        match self {
+            Self::Done(value) => value.give(call).map(Flow::Done),
+            Self::Wait(wait) => Ok(Flow::Wait(wait)),
+        }
+    }
+}
+
+impl<T: Outcome> Outcome for Result<T> {
+    fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
+        self?.settle(call)
+    }
+}

@@ -1,0 +1,358 @@
+//! Arguments as the parameters of handlers.
+
+use std::marker::PhantomData;
+
+use val3_geometry::Trsf;
+
+use super::{Argument, Call};
+use crate::fault::{Fault, Result};
+use crate::memory::{Link, Memory, Place, Slot, View};
+use crate::types::BaseType;
+use crate::values::Text;
+
+/// A parameter of a handler.
+pub trait Take: Sized {
+    /// Reads the next argument.
+    ///
+    /// # Errors
+    /// 20 or 61 if what it refers to is gone.
+    fn take(call: &mut Call<'_>) -> Result<Self>;
+}
+
+/// A variable by reference, whose values are read and written as `T`.
+#[derive(Debug)]
+pub struct Var<T> {
+    /// Where it is.
+    pub place: Place,
+    value: PhantomData<T>,
+}
+
+/// An array by reference.
+#[derive(Debug)]
+pub struct Arr<T> {
+    /// Which values it has.
+    pub view: View,
+    value: PhantomData<T>,
+}
+
+/// A value of any type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Any {
+    /// Where it is.
+    pub place: Place,
+    /// Its type; `None` for a user type.
+    pub base: Option<BaseType>,
+}
+
+/// The number of an input, output or line of the controller; `None` where the variable has no link (error 123).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct IoRef {
+    /// The variable.
+    pub place: Place,
+    /// What it is linked to.
+    pub port: Option<u32>,
+}
+
+/// The variable that is a screen (4.2).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ScreenRef(pub Place);
+
+/// A frame; the variable where the argument is one, so that it can be linked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FrameRef(pub Place);
+
+/// A tool; the variable where the argument is one, so that it can be linked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ToolRef(pub Place);
+
+/// A point; the variable where the argument is one, so that it can be linked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PointRef(pub Place);
+
+/// A configuration: shoulder, elbow, wrist, each by its place among the values of its type.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ConfigValue(pub [f64; 3]);
+
+/// A motion descriptor (10.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MdescValue {
+    /// Highest joint acceleration in per cent.
+    pub accel: f64,
+    /// Highest joint speed in per cent.
+    pub vel: f64,
+    /// Highest joint deceleration in per cent.
+    pub decel: f64,
+    /// Highest speed of the tool in mm/s.
+    pub tvel: f64,
+    /// Highest turning speed of the tool in degrees/s.
+    pub rvel: f64,
+    /// `joint` 0, `off` 1, `Cartesian` 2.
+    pub blend: f64,
+    /// Distance before the target at which blending starts, in mm.
+    pub leave: f64,
+    /// Distance behind the target at which blending ends, in mm.
+    pub reach: f64,
+}
+
+/// A value that a variable holds.
+pub trait Stored: Sized {
+    /// Reads it.
+    ///
+    /// # Errors
+    /// 20 or 61 if it is gone.
+    fn read(memory: &Memory, at: Place) -> Result<Self>;
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// 20 or 61 if it is gone.
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()>;
+}
+
+impl Stored for f64 {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        memory.num(at, 0)
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_num(at, 0, self)
+    }
+}
+
+impl Stored for bool {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        Ok(memory.num(at, 0)? != 0.0)
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_num(at, 0, f64::from(u8::from(self)))
+    }
+}
+
+impl Stored for Text {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        memory.text(at).copied()
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_text(at, self)
+    }
+}
+
+impl Stored for Trsf {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        let [x, y, z, rx, ry, rz] = memory.nums(at, 0)?;
+        Ok(Self { x, y, z, rx, ry, rz })
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_nums(at, 0, [self.x, self.y, self.z, self.rx, self.ry, self.rz])
+    }
+}
+
+/// A joint position: six numbers, those that the arm lacks are 0.
+impl Stored for [f64; 6] {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        memory.nums(at, 0)
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_nums(at, 0, self)
+    }
+}
+
+impl Stored for ConfigValue {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        Ok(Self(memory.nums(at, 0)?))
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_nums(at, 0, self.0)
+    }
+}
+
+impl Stored for MdescValue {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        let [accel, vel, decel, tvel, rvel, blend, leave, reach] = memory.nums(at, 0)?;
+        Ok(Self { accel, vel, decel, tvel, rvel, blend, leave, reach })
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        let Self { accel, vel, decel, tvel, rvel, blend, leave, reach } = self;
+        memory.set_nums(at, 0, [accel, vel, decel, tvel, rvel, blend, leave, reach])
+    }
+}
+
+impl<T: Stored> Var<T> {
+    /// Its value.
+    ///
+    /// # Errors
+    /// 20 or 61 if it is gone.
+    pub fn get(&self, call: &Call<'_>) -> Result<T> {
+        T::read(call.memory, self.place)
+    }
+
+    /// Gives it a value.
+    ///
+    /// # Errors
+    /// 20 or 61 if it is gone.
+    pub fn set(&self, call: &mut Call<'_>, value: T) -> Result<()> {
+        value.write(call.memory, self.place)
+    }
+}
+
+impl<T: Stored> Arr<T> {
+    /// The number of its values.
+    ///
+    /// # Errors
+    /// 61 if it is gone.
+    pub fn len(&self, call: &Call<'_>) -> Result<usize> {
+        Ok(call.memory.len(self.view)? as usize)
+    }
+
+    /// There is no value in it.
+    ///
+    /// # Errors
+    /// 61 if it is gone.
+    pub fn is_empty(&self, call: &Call<'_>) -> Result<bool> {
+        Ok(self.len(call)? == 0)
+    }
+
+    /// One of its values.
+    ///
+    /// # Errors
+    /// 20 beyond the size.
+    pub fn get(&self, call: &Call<'_>, index: usize) -> Result<T> {
+        T::read(call.memory, self.place(call, index)?)
+    }
+
+    /// Changes one of its values.
+    ///
+    /// # Errors
+    /// 20 beyond the size.
+    pub fn set(&self, call: &mut Call<'_>, index: usize, value: T) -> Result<()> {
+        let place = self.place(call, index)?;
+        value.write(call.memory, place)
+    }
+
+    /// All its values.
+    ///
+    /// # Errors
+    /// 61 if it is gone.
+    pub fn all(&self, call: &Call<'_>) -> Result<Vec<T>> {
+        (0..self.len(call)?).map(|index| self.get(call, index)).collect()
+    }
+
+    /// Where one of its values is.
+    ///
+    /// # Errors
+    /// 20 beyond the size.
+    pub fn place(&self, call: &Call<'_>, index: usize) -> Result<Place> {
+        call.memory.element(self.view, u32::try_from(index).map_err(|_| Fault::INDEX_TOO_LARGE)?)
+    }
+}
+
+fn place(call: &mut Call<'_>) -> Result<Place> {
+    match call.argument()? {
+        Argument::Value(place, _) | Argument::UserValue(place) => Ok(place),
+        Argument::View(view) => call.memory.element(view, 0),
+        Argument::Slot(_) | Argument::Library(_) => Err(Fault::INTERPRETER),
+    }
+}
+
+macro_rules! by_value {
+    ($($ty:ty),*) => {
+        $(impl Take for $ty {
+            fn take(call: &mut Call<'_>) -> Result<Self> {
+                let place = place(call)?;
+                Self::read(call.memory, place)
+            }
+        })*
+    };
+}
+by_value!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, MdescValue);
+
+macro_rules! by_place {
+    ($($ty:ident),*) => {
+        $(impl Take for $ty {
+            fn take(call: &mut Call<'_>) -> Result<Self> {
+                place(call).map(Self)
+            }
+        })*
+    };
+}
+by_place!(ScreenRef, FrameRef, ToolRef, PointRef);
+
+impl Take for IoRef {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        let place = place(call)?;
+        Self::read(call.memory, place)
+    }
+}
+
+impl Stored for IoRef {
+    fn read(memory: &Memory, at: Place) -> Result<Self> {
+        let port = match memory.link(at, 0)? {
+            Link::Port(port) => Some(port),
+            Link::None | Link::Data(_) => None,
+        };
+        Ok(Self { place: at, port })
+    }
+
+    fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
+        memory.set_link(at, 0, self.port.map_or(Link::None, Link::Port))
+    }
+}
+
+impl<T> Take for Var<T> {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        Ok(Self { place: place(call)?, value: PhantomData })
+    }
+}
+
+impl<T> Take for Arr<T> {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        Ok(Self { view: View::take(call)?, value: PhantomData })
+    }
+}
+
+impl Take for View {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        match call.argument()? {
+            Argument::View(view) => Ok(view),
+            _ => Err(Fault::INTERPRETER),
+        }
+    }
+}
+
+impl Take for Slot {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        match call.argument()? {
+            Argument::Slot(slot) => Ok(slot),
+            _ => Err(Fault::INTERPRETER),
+        }
+    }
+}
+
+impl Take for Any {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        match call.argument()? {
+            Argument::Value(place, base) => Ok(Self { place, base: Some(base) }),
+            Argument::UserValue(place) => Ok(Self { place, base: None }),
+            _ => Err(Fault::INTERPRETER),
+        }
+    }
+}
+
+/// The library identifier that a form `on library` is called on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LibraryRef(pub u16);
+
+impl Take for LibraryRef {
+    fn take(call: &mut Call<'_>) -> Result<Self> {
+        match call.argument()? {
+            Argument::Library(number) => Ok(Self(number)),
+            _ => Err(Fault::INTERPRETER),
+        }
+    }
+}

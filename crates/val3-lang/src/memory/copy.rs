@@ -1,0 +1,140 @@
+//! New containers, and copies of values.
+
+use std::sync::Arc;
+
+use super::{Element, Kind, Lanes, Memory, PartInit, Place, Store, StoreId};
+use crate::fault::{Fault, Result};
+
+impl Memory {
+    /// A new container with these values.
+    pub fn create(&mut self, init: &PartInit) -> StoreId {
+        let mut store = Store::filled(init.kind.clone(), init.shape.clone());
+        let count = init.shape.len();
+        for (number, value) in (0..count).zip(&init.values) {
+            if let Some(value) = value {
+                write_lanes(&mut store, number, value);
+            }
+        }
+        if init.kind.size.part > 0 {
+            let values = init.values.iter().map(Option::as_ref).chain(std::iter::repeat(None));
+            let values: Vec<_> = values.take(count as usize).collect();
+            store.parts = values.into_iter().flat_map(|value| self.create_parts(&init.kind, value)).collect();
+        }
+        self.add(store)
+    }
+
+    /// The containers of one value of a user type.
+    pub(super) fn create_parts(&mut self, kind: &Arc<Kind>, value: Option<&Element>) -> Vec<StoreId> {
+        let parts = match value {
+            Some(value) if !value.parts.is_empty() => &value.parts,
+            _ => &kind.default.parts,
+        };
+        parts.iter().map(|part| self.create(part)).collect()
+    }
+
+    /// Copies a value of the type `kind`: `to = from` (2.3, 7.3). The fields of a user type get as many values as
+    /// those that are copied.
+    ///
+    /// # Errors
+    /// 20 if one of the values is gone, 61 if its container is.
+    pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
+        let Lanes { num, text, link, part } = kind.size;
+        if num == 6 {
+            // Transformations and joints, by far the most frequent.
+            let nums: [f64; 6] = self.nums(from, 0)?;
+            self.set_nums(to, 0, nums)?;
+        } else {
+            (0..num).try_for_each(|lane| self.num(from, lane).and_then(|value| self.set_num(to, lane, value)))?;
+        }
+        for lane in 0..text {
+            let lane = Lanes { text: lane, ..Lanes::default() };
+            let value = *self.text(from.behind(lane))?;
+            self.set_text(to.behind(lane), value)?;
+        }
+        (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
+        (0..part).try_for_each(|lane| {
+            let (from, to) = (self.part(from, lane)?, self.part(to, lane)?);
+            self.copy_store(from, to)
+        })
+    }
+
+    /// Makes the container `to` hold what `from` holds.
+    fn copy_store(&mut self, from: StoreId, to: StoreId) -> Result<()> {
+        if from == to {
+            return Ok(());
+        }
+        let source = self.store(from)?.clone();
+        let parts = source.parts.iter().map(|part| self.duplicate(*part)).collect::<Result<Vec<_>>>()?;
+        let target = self.store_mut(to)?;
+        let old = std::mem::replace(&mut target.parts, parts);
+        (target.shape, target.gaps) = (source.shape, source.gaps);
+        (target.nums, target.texts, target.links) = (source.nums, source.texts, source.links);
+        old.into_iter().for_each(|part| self.remove(part));
+        Ok(())
+    }
+
+    /// A copy of a container.
+    ///
+    /// # Errors
+    /// 61 if it is gone.
+    pub fn duplicate(&mut self, id: StoreId) -> Result<StoreId> {
+        let mut copy = self.store(id)?.clone();
+        copy.parts = copy.parts.iter().map(|part| self.duplicate(*part)).collect::<Result<_>>()?;
+        Ok(self.add(copy))
+    }
+
+    /// Whether two values of one type are equal, field by field; links do not count.
+    ///
+    /// # Errors
+    /// 20 if one of the values is gone.
+    pub fn equal(&self, kind: &Kind, a: Place, b: Place) -> Result<bool> {
+        let Lanes { num, text, .. } = kind.size;
+        for lane in 0..num {
+            if self.num(a, lane)? != self.num(b, lane)? {
+                return Ok(false);
+            }
+        }
+        for lane in 0..text {
+            let lane = Lanes { text: lane, ..Lanes::default() };
+            if self.text(a.behind(lane))? != self.text(b.behind(lane))? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Gives a value of a container its default again.
+    ///
+    /// # Errors
+    /// 61 if the container is gone.
+    pub(super) fn reset(&mut self, id: StoreId, number: u32) -> Result<()> {
+        let kind = self.store(id)?.kind.clone();
+        write_lanes(self.store_mut(id)?, number, &kind.default);
+        for lane in 0..kind.size.part {
+            let part = self.part(Place::new(id, kind.size * number), lane)?;
+            let init = kind.default.parts.get(lane as usize).ok_or(Fault::INTERPRETER)?;
+            let fresh = self.create(init);
+            let at = (kind.size.part * number + lane) as usize;
+            if let Some(slot) = self.store_mut(id)?.parts.get_mut(at) {
+                *slot = fresh;
+            }
+            self.remove(part);
+        }
+        Ok(())
+    }
+}
+
+/// Writes numbers, texts and links of one value.
+fn write_lanes(store: &mut Store, number: u32, value: &Element) {
+    let at = store.kind.size * number;
+    write(&mut store.nums, at.num, &value.nums);
+    write(&mut store.texts, at.text, &value.texts);
+    write(&mut store.links, at.link, &value.links);
+}
+
+fn write<T: Copy>(lanes: &mut [T], at: u32, values: &[T]) {
+    let at = at as usize;
+    if let Some(found) = lanes.get_mut(at..at + values.len()) {
+        found.copy_from_slice(values);
+    }
+}

@@ -1,0 +1,188 @@
+//! What a container holds: the type of its values and their defaults.
+
+use std::sync::Arc;
+
+use super::{Lanes, Link, Shape};
+use crate::types::{Arm, BaseType, DefaultValue, Field, fields};
+use crate::values::Text;
+use crate::{enumerations, types};
+
+/// A type at run time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Kind {
+    /// Which type it is.
+    pub base: KindBase,
+    /// The lanes of one value.
+    pub size: Lanes,
+    /// The fields of a user type, in the order of its parts.
+    pub fields: Vec<FieldKind>,
+    /// The value that `insert`, `append`, `resize` and a new local give.
+    pub default: Element,
+}
+
+/// Which type it is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum KindBase {
+    /// A built-in type; positions are of an arm.
+    Builtin(BaseType, Option<Arm>),
+    /// A user type, by its name where it was compiled.
+    User(String),
+}
+
+/// A field of a user type: a container of its own (7.1).
+#[derive(Debug, Clone, PartialEq)]
+pub struct FieldKind {
+    /// Its name.
+    pub name: String,
+    /// Its values at the start.
+    pub init: PartInit,
+}
+
+/// The values of a container at the start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PartInit {
+    /// The type of its values.
+    pub kind: Arc<Kind>,
+    /// Sizes, or keys in the order of the values.
+    pub shape: Shape,
+    /// Its values; those that are missing have the default of the type.
+    pub values: Vec<Option<Element>>,
+}
+
+/// One value, apart from any container.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Element {
+    /// Its numbers.
+    pub nums: Vec<f64>,
+    /// Its texts.
+    pub texts: Vec<Text>,
+    /// Its links.
+    pub links: Vec<Link>,
+    /// Its containers, if it is of a user type and differs from the default.
+    pub parts: Vec<PartInit>,
+}
+
+impl Kind {
+    /// A built-in type.
+    #[must_use]
+    pub fn builtin(base: BaseType, arm: Option<Arm>) -> Self {
+        let default = default_of(base, arm);
+        Self { base: KindBase::Builtin(base, arm), size: lanes(base), fields: Vec::new(), default }
+    }
+
+    /// A user type with these fields.
+    #[must_use]
+    pub fn user(name: String, fields: Vec<FieldKind>) -> Self {
+        let parts: Vec<PartInit> = fields.iter().map(|field| field.init.clone()).collect();
+        let size = Lanes { part: u32::try_from(fields.len()).unwrap_or(u32::MAX), ..Lanes::default() };
+        Self { base: KindBase::User(name), size, fields, default: Element { parts, ..Element::default() } }
+    }
+
+    /// The built-in type, if it is one.
+    #[must_use]
+    pub fn base_type(&self) -> Option<BaseType> {
+        match self.base {
+            KindBase::Builtin(base, _) => Some(base),
+            KindBase::User(_) => None,
+        }
+    }
+}
+
+/// The lanes of a value of a built-in type. A joint always has six numbers, a configuration three: those that the arm
+/// lacks stay 0.
+const fn lanes(base: BaseType) -> Lanes {
+    let (num, text, link) = match base {
+        BaseType::Bool | BaseType::Num => (1, 0, 0),
+        BaseType::Blend | BaseType::Shoulder | BaseType::Elbow | BaseType::Wrist => (1, 0, 0),
+        BaseType::String => (0, 1, 0),
+        BaseType::Dio | BaseType::Aio | BaseType::Sio | BaseType::Screen => (0, 0, 1),
+        BaseType::Trsf | BaseType::Joint => (6, 0, 0),
+        BaseType::Frame => (6, 0, 1),
+        // Opening and closing times; the reference tool, then the gripper.
+        BaseType::Tool => (8, 0, 2),
+        BaseType::Point => (9, 0, 1),
+        BaseType::Config => (3, 0, 0),
+        BaseType::Mdesc => (8, 0, 0),
+    };
+    Lanes { num, text, link, part: 0 }
+}
+
+/// The lanes of a built-in type before a field of it.
+///
+/// The reference of a frame, tool or point is its first link, so the gripper of a tool is the second.
+#[must_use]
+pub fn field_offset(base: BaseType, arm: Option<Arm>, name: &str) -> Option<Lanes> {
+    let field = types::field(base, arm, name)?;
+    let before = fields(base, arm).iter().take_while(|other| other.name != name);
+    let mut offset = before.fold(Lanes::default(), |sum, field| Lanes { link: 0, ..sum + lanes(field.ty) });
+    if base == BaseType::Tool && field.ty == BaseType::Dio {
+        offset.link = 1;
+    }
+    Some(offset)
+}
+
+fn default_of(base: BaseType, arm: Option<Arm>) -> Element {
+    let size = lanes(base);
+    let mut nums = Vec::new();
+    numbers(base, arm, &mut nums);
+    nums.resize(size.num as usize, 0.0);
+    Element {
+        nums,
+        texts: vec![Text::default(); size.text as usize],
+        links: vec![Link::None; size.link as usize],
+        parts: Vec::new(),
+    }
+}
+
+fn numbers(base: BaseType, arm: Option<Arm>, nums: &mut Vec<f64>) {
+    let fields: &[Field] = fields(base, arm);
+    for field in fields {
+        match field.default {
+            DefaultValue::Number(number) => nums.push(number),
+            DefaultValue::Enumerator(name) => nums.push(enumerator(name)),
+            DefaultValue::OfFields => numbers(field.ty, arm, nums),
+            DefaultValue::False => nums.push(0.0),
+            DefaultValue::EmptyText | DefaultValue::Unlinked => {}
+        }
+    }
+}
+
+/// The number that stands for an enumerator: its place among those of its type.
+#[must_use]
+pub fn enumerator(name: &str) -> f64 {
+    let Some(found) = enumerations::find(name) else { return 0.0 };
+    let mut values = enumerations::values(found.ty);
+    values.position(|value| value == found).and_then(|at| u32::try_from(at).ok()).map_or(0.0, f64::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BaseType, Kind, enumerator, field_offset};
+    use crate::memory::Lanes;
+
+    #[test]
+    fn defaults_are_those_of_the_manual() {
+        let default = |base| Kind::builtin(base, None).default.nums;
+        assert_eq!(default(BaseType::Mdesc), [100.0, 100.0, 100.0, 9999.0, 9999.0, enumerator("joint"), 50.0, 50.0]);
+        assert_eq!(default(BaseType::Point).len(), 9);
+        assert_eq!(default(BaseType::Num), [0.0]);
+    }
+
+    #[test]
+    fn fields_lie_one_behind_the_other() {
+        let offset = |base, name| field_offset(base, None, name);
+        assert_eq!(offset(BaseType::Trsf, "rz"), Some(Lanes::nums(5)));
+        assert_eq!(offset(BaseType::Point, "config"), Some(Lanes::nums(6)));
+        assert_eq!(offset(BaseType::Tool, "otime"), Some(Lanes::nums(6)));
+        assert_eq!(offset(BaseType::Tool, "gripper").map(|lanes| lanes.link), Some(1));
+        assert_eq!(offset(BaseType::Trsf, "w"), None);
+    }
+
+    #[test]
+    fn as_many_defaults_as_lanes() {
+        for base in BaseType::DECLARABLE {
+            let kind = Kind::builtin(base, None);
+            assert_eq!(kind.default.nums.len(), kind.size.num as usize, "{base:?}");
+        }
+    }
+}

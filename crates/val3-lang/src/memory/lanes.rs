@@ -1,0 +1,46 @@
+//! How many lanes a value takes, or where its lanes begin.
+
+use std::ops::{Add, Mul};
+
+/// A number of lanes of each sort, or an offset in each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+pub struct Lanes {
+    /// Numbers, truth values, enumerators.
+    pub num: u32,
+    /// Texts.
+    pub text: u32,
+    /// Links.
+    pub link: u32,
+    /// Containers within a value.
+    pub part: u32,
+}
+
+impl Lanes {
+    /// So many numbers and nothing else.
+    #[must_use]
+    pub const fn nums(num: u32) -> Self {
+        Self { num, text: 0, link: 0, part: 0 }
+    }
+}
+
+impl Add for Lanes {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            num: self.num + other.num,
+            text: self.text + other.text,
+            link: self.link + other.link,
+            part: self.part + other.part,
+        }
+    }
+}
+
+/// The lanes of so many values, one behind the other.
+impl Mul<u32> for Lanes {
+    type Output = Self;
+
+    fn mul(self, count: u32) -> Self {
+        Self { num: self.num * count, text: self.text * count, link: self.link * count, part: self.part * count }
+    }
+}

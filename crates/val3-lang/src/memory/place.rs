@@ -1,0 +1,106 @@
+//! Where a value is.
+
+use super::Lanes;
+use crate::values::Text;
+
+/// A container of the memory. One that was removed has no successor under the same name.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct StoreId {
+    pub(super) index: u32,
+    pub(super) generation: u32,
+}
+
+impl StoreId {
+    /// The stack of the task that runs.
+    pub const STACK: Self = Self { index: u32::MAX, generation: 0 };
+}
+
+/// Where the lanes of a value begin: an element by reference (2.6.2).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct Place {
+    /// The container, or the stack.
+    pub store: StoreId,
+    /// The first of its numbers.
+    pub num: u32,
+    /// The first of its texts.
+    pub text: u32,
+    /// The first of its links.
+    pub link: u32,
+    /// The first of its containers.
+    pub part: u32,
+}
+
+impl Place {
+    /// The place in a container whose lanes begin at `lanes`.
+    #[must_use]
+    pub const fn new(store: StoreId, lanes: Lanes) -> Self {
+        Self { store, num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part }
+    }
+
+    /// A place on the stack of the task that runs.
+    #[must_use]
+    pub const fn on_stack(lanes: Lanes) -> Self {
+        Self::new(StoreId::STACK, lanes)
+    }
+
+    /// The first value of a container.
+    #[must_use]
+    pub const fn first(store: StoreId) -> Self {
+        Self::new(store, Lanes::nums(0))
+    }
+
+    /// The place `lanes` behind this one: a field.
+    #[must_use]
+    pub fn behind(self, lanes: Lanes) -> Self {
+        Self::new(self.store, Lanes { num: self.num, text: self.text, link: self.link, part: self.part } + lanes)
+    }
+}
+
+/// A container by reference, a one-dimensional array from an index on (2.6.3).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct View {
+    /// The container.
+    pub store: StoreId,
+    /// The first value that can be reached.
+    pub start: u32,
+}
+
+impl View {
+    /// The whole of a container.
+    #[must_use]
+    pub const fn whole(store: StoreId) -> Self {
+        Self { store, start: 0 }
+    }
+}
+
+/// A place in a container that need not exist: `insert(x[3])`, `isDefined(x["k"])`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slot {
+    /// The container; `None` where a library lacks it.
+    pub view: Option<View>,
+    /// The index or key; none for the whole variable.
+    pub at: SlotAt,
+}
+
+/// An index, a key, or none.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SlotAt {
+    /// The whole variable.
+    Whole,
+    /// Up to three indexes.
+    Index([f64; 3], u8),
+    /// A key.
+    Key(Text),
+}
+
+/// What a value is linked to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Link {
+    /// Nothing.
+    #[default]
+    None,
+    /// Its reference frame or tool (9.4 to 9.6).
+    Data(Place),
+    /// An input, output or serial line of the controller (3.5 to 3.7), or a screen (4.2), by its number there.
+    Port(u32),
+}

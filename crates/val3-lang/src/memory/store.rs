@@ -1,0 +1,181 @@
+//! One container with its values.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::{Element, Kind, Link, Place, StoreId, View};
+use crate::fault::{Fault, Result};
+use crate::types::BaseType;
+use crate::values::Text;
+
+/// How the values of a container are reached.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// Under 1 to 3 indexes; the dimensions that are missing have size 1.
+    Array {
+        /// Number of dimensions.
+        dims: u8,
+        /// Their sizes.
+        sizes: [u32; 3],
+    },
+    /// Under keys, in alphabetical order; each has the place of its value among all values.
+    Collection(BTreeMap<Text, u32>),
+}
+
+impl Shape {
+    /// One value.
+    pub const ELEMENT: Self = Self::Array { dims: 1, sizes: [1, 1, 1] };
+
+    /// An array of so many values.
+    #[must_use]
+    pub const fn array(size: u32) -> Self {
+        Self::Array { dims: 1, sizes: [size, 1, 1] }
+    }
+
+    /// The number of values.
+    #[must_use]
+    pub fn len(&self) -> u32 {
+        match self {
+            Self::Array { sizes, .. } => sizes.iter().product(),
+            Self::Collection(keys) => u32::try_from(keys.len()).unwrap_or(u32::MAX),
+        }
+    }
+
+    /// There is no value.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// A container: its shape and its values in lanes.
+///
+/// The value of number `n` has its lanes at `n * kind.size`. A value that leaves a collection leaves a gap, which the
+/// next one fills: the others keep their places, and with them what refers to them.
+#[derive(Debug, Clone)]
+pub struct Store {
+    pub(super) generation: u32,
+    /// The type of its values.
+    pub kind: Arc<Kind>,
+    /// How they are reached.
+    pub shape: Shape,
+    /// It is local to a program: it cannot grow or shrink (2.5.4), and no global may refer to it (error 165).
+    pub local: bool,
+    pub(super) gaps: Vec<u32>,
+    /// Numbers.
+    pub nums: Vec<f64>,
+    /// Texts.
+    pub texts: Vec<Text>,
+    /// Links.
+    pub links: Vec<Link>,
+    /// Containers within the values.
+    pub parts: Vec<StoreId>,
+}
+
+impl Store {
+    /// A container of values of a built-in type, each with the default. For user types:
+    /// [`Memory::create`](super::Memory::create).
+    pub(super) fn filled(kind: Arc<Kind>, shape: Shape) -> Self {
+        let count = shape.len() as usize;
+        Self {
+            generation: 0,
+            nums: kind.default.nums.repeat(count),
+            texts: vec![Text::default(); kind.default.texts.len() * count],
+            links: kind.default.links.repeat(count),
+            parts: Vec::new(),
+            kind,
+            shape,
+            local: false,
+            gaps: Vec::new(),
+        }
+    }
+
+    pub(super) fn gone(generation: u32) -> Self {
+        let kind = Arc::new(Kind::builtin(BaseType::Num, None));
+        Self { generation, ..Self::filled(kind, Shape::array(0)) }
+    }
+
+    /// The place of a value by its number among all values.
+    #[must_use]
+    pub fn place(&self, id: StoreId, number: u32) -> Place {
+        Place::new(id, self.kind.size * number)
+    }
+
+    /// The number of a value of a one-dimensional array from an index, which is rounded (2.5.3).
+    ///
+    /// # Errors
+    /// 21 below zero, 20 beyond the size.
+    #[inline]
+    pub fn number1(&self, view: View, index: f64) -> Result<u32> {
+        match self.shape {
+            Shape::Array { dims: 1, sizes: [size, ..] } => {
+                within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
+            }
+            _ => Err(Fault::INDEX_TOO_LARGE),
+        }
+    }
+
+    /// The number of a value of an array of two dimensions.
+    ///
+    /// # Errors
+    /// 21 below zero, 20 beyond the size.
+    #[inline]
+    pub fn number2(&self, [i, j]: [f64; 2]) -> Result<u32> {
+        match self.shape {
+            Shape::Array { dims: 2, sizes: [rows, columns, _] } => Ok(within(i, rows)? * columns + within(j, columns)?),
+            _ => Err(Fault::INDEX_TOO_LARGE),
+        }
+    }
+
+    /// The number of a value of an array of three dimensions.
+    ///
+    /// # Errors
+    /// 21 below zero, 20 beyond the size.
+    pub fn number3(&self, [i, j, k]: [f64; 3]) -> Result<u32> {
+        match self.shape {
+            Shape::Array { dims: 3, sizes: [x, y, z] } => Ok((within(i, x)? * y + within(j, y)?) * z + within(k, z)?),
+            _ => Err(Fault::INDEX_TOO_LARGE),
+        }
+    }
+
+    /// The number of the value under a key.
+    ///
+    /// # Errors
+    /// 20 if there is no such key.
+    pub fn number_of(&self, key: &Text) -> Result<u32> {
+        match &self.shape {
+            Shape::Collection(keys) => keys.get(key).copied().ok_or(Fault::INDEX_TOO_LARGE),
+            Shape::Array { .. } => Err(Fault::INDEX_TOO_LARGE),
+        }
+    }
+
+    /// Adds the default lanes of one value of a built-in type behind the others; of a user type all but its parts.
+    pub(super) fn push_default(&mut self) {
+        let Element { nums, texts, links, .. } = &self.kind.default;
+        self.nums.extend_from_slice(nums);
+        self.texts.extend_from_slice(texts);
+        self.links.extend_from_slice(links);
+    }
+}
+
+/// The number of a value by its index in a view of an array with `size` values.
+#[inline]
+pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
+    within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
+}
+
+/// The whole number nearest to `index` if it is one of `size` indexes.
+#[inline]
+fn within(index: f64, size: u32) -> Result<u32> {
+    // `round` is floor(x + 0.5), as everywhere in VAL 3.
+    let rounded = (index + 0.5).floor();
+    if rounded < 0.0 {
+        return Err(Fault::INDEX_NEGATIVE);
+    }
+    // A number that is none is no index either.
+    if !(rounded < f64::from(size)) {
+        return Err(Fault::INDEX_TOO_LARGE);
+    }
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and below a u32")]
+    Ok(rounded as u32)
+}
