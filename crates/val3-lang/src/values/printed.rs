@@ -1,7 +1,5 @@
 //! Values as `val3 eval` and a debugger print them: each on one line, as VAL 3 writes it.
 
-use std::borrow::Borrow;
-
 pub use super::number_text::significant as num;
 
 /// A truth value.
@@ -28,7 +26,8 @@ pub fn string(text: &str) -> String {
 
 /// The fields of a structure, each already printed: `{1,2,3}`.
 #[must_use]
-pub fn structure<T: Borrow<str>>(fields: &[T]) -> String {
+pub fn structure<T: AsRef<str>>(fields: &[T]) -> String {
+    let fields: Vec<&str> = fields.iter().map(AsRef::as_ref).collect();
     format!("{{{}}}", fields.join(","))
 }
 
