@@ -40,6 +40,9 @@ impl TaskState {
 /// An input, output or serial line is used without a link (3.5 to 3.7).
 pub const UNLINKED: u16 = 123;
 
+/// A number for which an instruction is not defined, or a result that is too large (3.2.3).
+pub const INVALID_NUMBER: u16 = 11;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }
