@@ -40,6 +40,15 @@ impl TaskState {
 /// An input, output or serial line is used without a link (3.5 to 3.7).
 pub const UNLINKED: u16 = 123;
 
+/// A system input is written (3.5, 3.6).
+pub const WRITE_TO_INPUT: u16 = 122;
+
+/// A program writes an output of the system (3.5, 3.6).
+pub const PROTECTED_OUTPUT: u16 = 124;
+
+/// The device of an input, output or serial line does not answer (3.5 to 3.7).
+pub const NO_ANSWER: u16 = 125;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }

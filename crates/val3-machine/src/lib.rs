@@ -1,1 +1,3 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
+
+pub mod screen;
