@@ -9,6 +9,7 @@ mod declare;
 pub mod add_on;
 pub mod arguments;
 pub mod builtins;
+pub mod components;
 pub mod enumerations;
 pub mod instruction;
 pub mod instructions;

@@ -1,3 +1,4 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
 
+pub mod controller_state;
 pub mod screen;

@@ -9,7 +9,7 @@ const LONGEST: usize = 128;
 ///
 /// The manual does not name the keys that edit. Here a character goes in where the place of editing is, at first the
 /// end; Bksp deletes the character before it; Left, Right, Home and End move it. Other keys do nothing.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(super) struct LineEditor {
     before: String,
     after: String,

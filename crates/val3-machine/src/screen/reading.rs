@@ -41,7 +41,7 @@ pub enum Entry {
 }
 
 /// A `get` under way.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub(super) struct Reading {
     asked: Asked,
     editor: Option<LineEditor>,
