@@ -72,7 +72,10 @@ mod tests {
     #[test]
     fn the_clock_of_twelve_hours() {
         let at = |hour| date_text("%I %p", date(hour, 0));
-        assert_eq!([at(0), at(1), at(11), at(12), at(13), at(23)], ["12 AM", "01 AM", "11 AM", "12 PM", "01 PM", "11 PM"]);
+        assert_eq!(
+            [at(0), at(1), at(11), at(12), at(13), at(23)],
+            ["12 AM", "01 AM", "11 AM", "12 PM", "01 PM", "11 PM"]
+        );
     }
 
     #[test]

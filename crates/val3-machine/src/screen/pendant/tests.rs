@@ -36,7 +36,10 @@ fn a_page_is_written_whether_it_is_shown_or_not() {
     pendant.put(setup, "hidden", true);
     pendant.put(PageId::DEFAULT, "default", false);
     assert_eq!(pendant.shown(), PageId::DEFAULT);
-    assert_eq!((lines(&pendant, setup)[0].as_str(), lines(&pendant, PageId::DEFAULT)[0].as_str()), ("hidden", "default"));
+    assert_eq!(
+        (lines(&pendant, setup)[0].as_str(), lines(&pendant, PageId::DEFAULT)[0].as_str()),
+        ("hidden", "default")
+    );
     pendant.show(setup);
     assert_eq!((pendant.shown(), pendant.name(setup)), (setup, "scSetup"));
     pendant.show(PageId::DEFAULT);
