@@ -1,5 +1,6 @@
 //! The controller beside the programs: power, modes, safety, users, log, versions (4.3, chapter 8).
 
+mod cs9;
 mod date;
 mod event_log;
 mod languages;
@@ -10,6 +11,7 @@ mod severity;
 mod versions;
 mod working_mode;
 
+pub use cs9::Cs9;
 pub use date::{date_after, date_text};
 pub use event_log::{EventLog, LogEntry};
 pub use languages::Languages;

@@ -1,13 +1,17 @@
 //! All user pages, the one that is shown, and what programs do with them (4.2, 4.3).
 
+mod event;
+mod html;
 mod operator;
 
-use std::collections::{BTreeMap, VecDeque};
+pub use event::{PopUp, ScreenEvent};
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use val3_lang::keys;
 
 use super::keyboard::Keyboard;
-use super::page::{Page, Position};
+use super::page::Page;
 use super::reading::{Answer, Asked};
 use super::text_mode::TextMode;
 use super::user_page::{Echo, UserPage};
@@ -26,41 +30,6 @@ impl PageId {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ReadingId(u64);
 
-/// A message above whatever the pendant shows (`popUpMsg`).
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct PopUp {
-    /// The message.
-    pub text: String,
-    /// Its kind.
-    pub severity: Severity,
-}
-
-/// What happened on the pendant.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum ScreenEvent {
-    /// Another page is shown.
-    Shown(PageId),
-    /// Text was written.
-    Put {
-        /// The page.
-        page: PageId,
-        /// Where the text begins.
-        at: Position,
-        /// The text.
-        text: String,
-        /// The cursor went to the next line after it.
-        ends_line: bool,
-    },
-    /// A page has another title.
-    Title(PageId, String),
-    /// A page was emptied.
-    Cleared(PageId),
-    /// A pop-up came up.
-    PopUp(PopUp),
-    /// The operator has confirmed the pop-up.
-    PopUpConfirmed,
-}
-
 /// The pendant: pages, keys, pop-up.
 ///
 /// It always shows a user page, the default one at first: the other pages of a real pendant do not exist here.
@@ -75,6 +44,8 @@ pub struct Pendant {
     typed: VecDeque<u16>,
     polled: bool,
     pop_up: Option<PopUp>,
+    questions: VecDeque<html::Question>,
+    html_pages: BTreeSet<String>,
     answers: BTreeMap<ReadingId, Answer>,
     events: Vec<ScreenEvent>,
 }
@@ -91,6 +62,8 @@ impl Default for Pendant {
             typed: VecDeque::new(),
             polled: false,
             pop_up: None,
+            questions: VecDeque::new(),
+            html_pages: BTreeSet::new(),
             answers: BTreeMap::new(),
             events: Vec::new(),
         }
@@ -223,8 +196,7 @@ impl Pendant {
 impl Pendant {
     /// `get` begins; [`Self::take_answer`] tells when it has ended.
     pub fn begin_reading(&mut self, page: PageId, asked: Asked) -> ReadingId {
-        let id = ReadingId(self.next_reading);
-        self.next_reading += 1;
+        let id = self.new_reading();
         let echo = self.pages.get_mut(&page).and_then(|user| user.begin(id, asked));
         self.echo(page, echo);
         id
@@ -238,6 +210,7 @@ impl Pendant {
     /// The task of a `get` was killed.
     pub fn cancel_reading(&mut self, reading: ReadingId) {
         self.answers.remove(&reading);
+        self.questions.retain(|question| question.id() != reading);
         for user in self.pages.values_mut() {
             user.cancel(reading);
         }
@@ -257,6 +230,12 @@ impl Pendant {
         let pressed = seen && self.keyboard.is_down(code);
         self.polled |= seen && !pressed && self.typed.front() == Some(&code);
         pressed
+    }
+
+    fn new_reading(&mut self) -> ReadingId {
+        let id = ReadingId(self.next_reading);
+        self.next_reading += 1;
+        id
     }
 
     fn echo(&mut self, page: PageId, echo: Option<Echo>) {

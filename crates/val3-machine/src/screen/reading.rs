@@ -9,6 +9,8 @@ use super::line_editor::LineEditor;
 pub enum Asked {
     /// Any key; it is not shown.
     Key,
+    /// Return or a menu key for yes, Esc for no; other keys do nothing (`userPageConfirm`).
+    Confirmation,
     /// A text, at first this one, which is shown at the cursor.
     Text(String),
     /// A number, at first this one.
@@ -27,6 +29,14 @@ pub struct Answer {
     pub key: u16,
     /// What the variable becomes.
     pub entry: Entry,
+}
+
+impl Answer {
+    /// The operator has accepted: any key but Esc has ended it.
+    #[must_use]
+    pub fn is_accepted(&self) -> bool {
+        self.key != keys::ESC
+    }
 }
 
 /// What the operator entered.
@@ -61,30 +71,30 @@ pub(super) enum Step {
 impl Reading {
     pub(super) fn new(asked: Asked) -> Self {
         let editor = match &asked {
-            Asked::Key => None,
+            Asked::Key | Asked::Confirmation => None,
             Asked::Text(text) => Some(LineEditor::new(text, |_| true)),
             Asked::Number { shown, .. } => Some(LineEditor::new(shown, of_a_number)),
         };
         Self { asked, editor }
     }
 
-    /// What the page shows for it; `None` for a key.
+    /// What the page shows for it, if it is an entry.
     pub(super) fn shown(&self) -> Option<String> {
         self.editor.as_ref().map(LineEditor::text)
     }
 
     /// The operator presses a key.
     pub(super) fn press(&mut self, key: u16) -> Step {
-        let Some(editor) = &mut self.editor else {
+        if self.asked == Asked::Key {
             return Step::Ended(Answer { key, entry: Entry::Unchanged });
-        };
+        }
         match key {
             keys::ESC => {
                 *self = Self::new(self.asked.clone());
                 Step::Ended(Answer { key, entry: Entry::Unchanged })
             }
             _ if key == keys::RETURN || keys::is_menu(key) => Step::Ended(Answer { key, entry: self.entry() }),
-            _ if editor.press(key) => Step::Edited,
+            _ if self.editor.as_mut().is_some_and(|editor| editor.press(key)) => Step::Edited,
             _ => Step::Nothing,
         }
     }
@@ -94,7 +104,7 @@ impl Reading {
     fn entry(&self) -> Entry {
         let text = self.shown().unwrap_or_default();
         match &self.asked {
-            Asked::Key => Entry::Unchanged,
+            Asked::Key | Asked::Confirmation => Entry::Unchanged,
             Asked::Text(_) => Entry::Text(text),
             Asked::Number { value, shown } if *shown == text => Entry::Number(*value),
             Asked::Number { .. } => match text.parse::<f64>() {
@@ -139,6 +149,13 @@ mod tests {
         for key in [97, 255, 263, 270, 278, 283] {
             assert_eq!(read(Asked::Key, &[key]), (None, answer(key, Entry::Unchanged)));
         }
+    }
+
+    #[test]
+    fn a_question_is_answered_with_yes_or_no() {
+        let (_, yes) = read(Asked::Confirmation, &[97, 281, 270]);
+        let (_, no) = read(Asked::Confirmation, &[255]);
+        assert_eq!((yes.unwrap().is_accepted(), no.unwrap().is_accepted()), (true, false));
     }
 
     #[test]

@@ -27,8 +27,8 @@ impl Pendant {
     }
 
     /// Keys that the operator taps one after the other, each as soon as the program asks: when a `get` waits on the
-    /// page that is shown, `getKey` has given -1 there, `isKeyPressed` asks for the key and it is up, or a pop-up is to
-    /// be confirmed and the key is Esc.
+    /// page that is shown, `getKey` has given -1 there, `isKeyPressed` asks for the key and it is up, a question
+    /// is to be answered, or a pop-up is to be confirmed and the key is Esc.
     pub fn type_when_asked(&mut self, codes: impl IntoIterator<Item = u16>) {
         self.typed.extend(codes);
     }
@@ -85,13 +85,16 @@ impl Pendant {
     fn is_asked(&self) -> bool {
         let reads = self.pages.get(&self.shown).is_some_and(super::UserPage::is_read);
         let confirms = self.pop_up.is_some() && self.typed.front() == Some(&keys::ESC);
-        reads || confirms || self.polled
+        reads || confirms || self.polled || self.question().is_some()
     }
 
-    /// Esc confirms a pop-up; every other key goes to the page that is shown.
+    /// Esc confirms a pop-up; a question takes every key; else a key goes to the page that is shown.
     fn strike(&mut self, code: u16) {
         if code == keys::ESC && self.pop_up.is_some() {
             return self.confirm_pop_up();
+        }
+        if self.answer_question(code) {
+            return;
         }
         let page = self.shown;
         let Some(user) = self.pages.get_mut(&page) else { return };

@@ -24,6 +24,9 @@ fn check_events(pendant: &mut Pendant, expected: Expect) {
         ScreenEvent::Cleared(page) => format!("cleared {}\n", place(page)),
         ScreenEvent::PopUp(pop_up) => format!("pop-up {:?} {}\n", pop_up.severity, pop_up.text),
         ScreenEvent::PopUpConfirmed => "pop-up confirmed\n".to_owned(),
+        ScreenEvent::HtmlShown(page) => format!("html {page}\n"),
+        ScreenEvent::HtmlSet { page, id, attribute, value } => format!("html {page} {id}.{attribute}={value}\n"),
+        ScreenEvent::Question(text) => format!("question {text}\n"),
     };
     let text: Vec<String> = pendant.take_events().into_iter().map(line).collect();
     expected.assert_eq(&text.concat());
@@ -284,4 +287,50 @@ fn keys_are_typed_when_a_program_asks_for_them() {
     assert!(!pendant.is_key_pressed(PageId::DEFAULT, F1));
     pendant.advance(0);
     assert!(pendant.is_key_pressed(PageId::DEFAULT, F1));
+}
+
+#[test]
+fn pages_made_with_html_tell_what_changes() {
+    let mut pendant = Pendant::default();
+    pendant.add_html_page("main");
+    assert_eq!((pendant.show_html("main"), pendant.show_html("other")), (0, -1));
+    pendant.set_html("main", "lblDone", "innerHTML", "12");
+    check_events(
+        &mut pendant,
+        expect![[r#"
+            html main
+            html main lblDone.innerHTML=12
+        "#]],
+    );
+}
+
+#[test]
+fn a_question_takes_the_keys_before_the_page() {
+    let mut pendant = Pendant::default();
+    let reading = pendant.begin_reading(PageId::DEFAULT, Asked::Key);
+    let prompt = pendant.ask("Order number", Asked::Text("A".to_owned()));
+    let confirmation = pendant.ask("Empty the gripper?", Asked::Confirmation);
+    assert_eq!(pendant.question(), Some(("Order number", Some("A".to_owned()))));
+    for key in [55, RETURN] {
+        pendant.tap(key, 0);
+    }
+    assert_eq!(pendant.take_answer(prompt).unwrap().entry, Entry::Text("A7".to_owned()));
+    assert_eq!(pendant.question(), Some(("Empty the gripper?", None)));
+    pendant.tap(ESC, 0);
+    assert!(!pendant.take_answer(confirmation).unwrap().is_accepted());
+    assert_eq!(pendant.take_key(PageId::DEFAULT), None);
+    assert_eq!(pendant.question(), None);
+    assert_eq!(pendant.take_answer(reading), None);
+}
+
+#[test]
+fn a_question_of_a_killed_task_goes() {
+    let mut pendant = Pendant::default();
+    let question = pendant.ask("Empty the gripper?", Asked::Confirmation);
+    pendant.cancel_reading(question);
+    assert_eq!(pendant.question(), None);
+    pendant.type_when_asked([RETURN]);
+    assert_eq!(pendant.next_due(0), None);
+    pendant.ask("Go on?", Asked::Confirmation);
+    assert_eq!(pendant.next_due(0), Some(0));
 }
