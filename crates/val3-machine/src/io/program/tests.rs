@@ -285,3 +285,22 @@ fn a_failed_signal_names_its_module() {
     cell.io.set_fault(id, Some(Fault::Failed));
     assert_eq!(cell.io.bus_faults(), ["-3:BasicIO-1", "-3:J207\\Box1"]);
 }
+
+#[test]
+fn the_operator_holds_an_output_against_the_other_side_as_well() {
+    let mut cell = cell();
+    let output = cell.links("Q", 1)[0];
+    let id = cell.id("BasicIO-1\\%Q0");
+    cell.io.lock(id, Some(1.0));
+    cell.io.set(id, 0.0);
+    assert_eq!(cell.io.read_digital(output), Ok(true));
+}
+
+#[test]
+fn a_device_is_known_by_its_whole_name() {
+    let mut cell = cell();
+    cell.io.declare(Signal::from_path("BasicIO-10\\%I0", true));
+    let other = cell.io.link("BasicIO-10\\%I0");
+    cell.io.set_device_fault("BasicIO-1", Some(71));
+    assert_eq!(cell.io.digital_status(other).number(), 0);
+}

@@ -186,3 +186,12 @@ fn what_is_written_over_ends_with_the_page() {
     let lines: Vec<String> = page.lines().collect();
     assert_eq!((lines[0].as_str(), lines[13].trim_start()), ("keep", "ab"));
 }
+
+#[test]
+fn what_stands_behind_a_cut_character_keeps_its_column() {
+    let mut page = Page::default();
+    page.put("中文z");
+    page.go_to(2.0, 0.0);
+    page.put("a");
+    assert_eq!(page.lines().next().unwrap(), "中a z");
+}

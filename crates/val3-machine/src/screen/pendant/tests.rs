@@ -334,3 +334,15 @@ fn a_question_of_a_killed_task_goes() {
     pendant.ask("Go on?", Asked::Confirmation);
     assert_eq!(pendant.next_due(0), Some(0));
 }
+
+#[test]
+fn nothing_is_typed_for_a_page_that_is_not_shown() {
+    let mut pendant = Pendant::default();
+    let page = pendant.create("scMain");
+    pendant.type_when_asked([97]);
+    assert_eq!(pendant.take_key(page), None);
+    pendant.begin_reading(page, Asked::Key);
+    assert_eq!(pendant.next_due(0), None);
+    pendant.show(page);
+    assert_eq!(pendant.next_due(0), Some(0));
+}
