@@ -1,1 +1,5 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
+
+pub mod controller_state;
+pub mod io;
+pub mod screen;
