@@ -1,1 +1,4 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
+
+pub mod files;
+pub mod sio;
