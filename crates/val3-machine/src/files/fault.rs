@@ -78,8 +78,21 @@ mod tests {
     fn every_fault_is_a_row_of_the_manual() {
         use FileFault::*;
         let all = [
-            NoLibrary, CannotLoad, BadRoot, BadPath, BadName, NotEncrypted, Medium, LibraryThere, NoDevice, TimedOut,
-            WriteProtected, DiskFull, NotFound, ReadOnly, Refused,
+            NoLibrary,
+            CannotLoad,
+            BadRoot,
+            BadPath,
+            BadName,
+            NotEncrypted,
+            Medium,
+            LibraryThere,
+            NoDevice,
+            TimedOut,
+            WriteProtected,
+            DiskFull,
+            NotFound,
+            ReadOnly,
+            Refused,
         ];
         for fault in all {
             let row = val3_lang::library_errors::find(fault.code());

@@ -50,7 +50,9 @@ fn unknown_media() {
 #[test]
 fn no_step_leads_out() {
     let (_folder, _, roots) = disk();
-    for path in ["Disk://../../etc", "Disk://..", "../..", "a/../../usrapp/Parts", "Disk://../usrapp", "../../../secret"] {
+    for path in
+        ["Disk://../../etc", "Disk://..", "../..", "a/../../usrapp/Parts", "Disk://../usrapp", "../../../secret"]
+    {
         assert_eq!(place(&roots, path), Err(21), "{path}");
     }
     assert_eq!(place(&roots, "/etc/passwd"), Ok(("etc/passwd".to_owned(), EntryKind::Missing)));
