@@ -4,8 +4,12 @@
 
 mod fault;
 mod path;
+mod rewrite;
 mod roots;
+mod saved_data;
 
 pub use fault::FileFault;
 pub use path::ControllerPath;
+pub use rewrite::rewrite;
 pub use roots::{EntryKind, Place, Roots};
+pub use saved_data::{Content, SavedData, SavedField, SavedValue, Shape, number_text};
