@@ -3,3 +3,5 @@
 pub mod controller_state;
 pub mod io;
 pub mod screen;
+pub mod files;
+pub mod sio;
