@@ -2,3 +2,4 @@
 
 pub mod files;
 pub mod sio;
+mod string_bytes;

@@ -85,6 +85,14 @@ impl Roots {
         }
         Ok(place)
     }
+
+    /// The place is a folder that a medium starts in, or one around it.
+    pub(super) fn is_base(&self, place: &Place<'_>) -> bool {
+        let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
+        self.media
+            .iter()
+            .any(|medium| std::ptr::eq(place.dir, &raw const medium.dir) && start(medium).starts_with(&place.path))
+    }
 }
 
 impl<'r> Place<'r> {
