@@ -5,3 +5,4 @@ pub mod io;
 pub mod screen;
 pub mod files;
 pub mod sio;
+mod string_bytes;

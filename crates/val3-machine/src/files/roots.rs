@@ -3,7 +3,7 @@
 
 use std::io;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use cap_std::ambient_authority;
 use cap_std::fs_utf8::Dir;
 
@@ -85,6 +85,14 @@ impl Roots {
         }
         Ok(place)
     }
+
+    /// The place is a folder that a medium starts in, or one around it.
+    pub(super) fn is_base(&self, place: &Place<'_>) -> bool {
+        let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
+        self.media
+            .iter()
+            .any(|medium| std::ptr::eq(place.dir, &raw const medium.dir) && start(medium).starts_with(&place.path))
+    }
 }
 
 impl<'r> Place<'r> {
@@ -119,6 +127,18 @@ impl<'r> Place<'r> {
         let wanted = name.to_lowercase();
         let found = self.names()?.into_iter().find(|found| found.to_lowercase() == wanted);
         Ok(found.map_or(exact, |found| Self { dir: self.dir, path: self.path.join(found) }))
+    }
+
+    /// The place at `path` from this folder on, part by part as [`Self::child`].
+    ///
+    /// # Errors
+    /// [`FileFault::BadPath`] for a path that is absolute or steps up, and as [`Self::child`].
+    pub(super) fn child_path(&self, path: &Utf8Path) -> Result<Self, FileFault> {
+        path.components().try_fold(self.clone(), |place, part| match part {
+            Utf8Component::Normal(name) => place.child(name),
+            Utf8Component::CurDir => Ok(place),
+            _ => Err(FileFault::BadPath),
+        })
     }
 
     /// The names in this folder, sorted without regard to letter case.

@@ -1,9 +1,9 @@
 //! The lists of s5 and s6: `<num name="n"><valueNum index="0" value="3" /></num>`. Every value is spelt with all its
 //! attributes, some of them on elements inside, and the father of a variable stands once for all its values.
 
+use val3_syntax::TextRange;
 use val3_syntax::view::View;
 use val3_syntax::xml::{self, Attribute, Element};
-use val3_syntax::TextRange;
 
 use super::super::{SavedData, SavedValue, Shape, saved_data};
 use super::edits::Edits;
@@ -25,8 +25,7 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
         }
     }
     let added: Vec<String> = (found.len()..count).map(|index| copy(layout, *last, data, index)).collect();
-    let text: String =
-        added.into_iter().map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
+    let text: String = added.into_iter().map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
     if !text.is_empty() {
         edits.replace(TextRange::empty(last.view().range().end()), text);
     }

@@ -19,9 +19,7 @@ pub(super) fn escaped(text: &str) -> String {
 
 /// The element holds the value already.
 pub(super) fn is_same(type_name: &str, element: Element<'_>, value: &SavedValue) -> bool {
-    let same = |name: &str| {
-        saved_data::same_text(type_name, name, element.value(name).as_deref(), value.text(name))
-    };
+    let same = |name: &str| saved_data::same_text(type_name, name, element.value(name).as_deref(), value.text(name));
     names(type_name, value).iter().all(|name| same(name))
 }
 

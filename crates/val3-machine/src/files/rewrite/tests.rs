@@ -52,7 +52,12 @@ fn what_is_the_same_stays_byte_for_byte() {
     let same = [
         array("nCount", "num", &[1], &[("0", &[("value", "0")])]),
         array("nList", "num", &[4], &[("0", &[("value", "1.5")]), ("1", &[]), ("2", &[("value", "3")])]),
-        array("pA", "pointRx", &[1], &[("0", &[("x", "10.0"), ("shoulder", "lefty"), ("fatherId", "world"), ("y", "0")])]),
+        array(
+            "pA",
+            "pointRx",
+            &[1],
+            &[("0", &[("x", "10.0"), ("shoulder", "lefty"), ("fatherId", "world"), ("y", "0")])],
+        ),
         collection("dIn", "dio", &[("door", &[("link", r"BasicIO-1\%I0")])]),
         array("nowhere", "num", &[1], &[("0", &[("value", "5")])]),
     ];
@@ -64,14 +69,23 @@ fn what_is_the_same_stays_byte_for_byte() {
 fn a_value_changes_in_its_place() {
     let data = [
         array("nList", "num", &[4], &[("0", &[("value", "1.5")]), ("2", &[("value", "-0.25")])]),
-        array("pA", "pointRx", &[1], &[("0", &[("x", "10"), ("rz", "90"), ("elbow", "epositive"), ("fatherId", "fA[1]")])]),
+        array(
+            "pA",
+            "pointRx",
+            &[1],
+            &[("0", &[("x", "10"), ("rz", "90"), ("elbow", "epositive"), ("fatherId", "fA[1]")])],
+        ),
     ];
-    check(NEW, &data, expect![[r#"
+    check(
+        NEW,
+        &data,
+        expect![[r#"
         -      <Value  key='2'   value='3'/>
         -      <Value key="0" x="10" shoulder="lefty" fatherId="world[0]" />
         +      <Value key="2" value="-0.25" />
         +      <Value key="0" x="10" rz="90" elbow="epositive" fatherId="fA[1]" />
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -82,7 +96,10 @@ fn values_come_and_go() {
         collection("dIn", "dio", &[("a<b\"", &[("link", "x")]), ("new\n", &[])]),
         array("pA", "pointRx", &[1], &[("0", &[])]),
     ];
-    check(NEW, &data, expect![[r#"
+    check(
+        NEW,
+        &data,
+        expect![[r#"
         -    <Data name="nCount" access="private" xsi:type="array" type="num" size="1" />
         -    <Data name="nList" access="public" xsi:type="array" type="num" size="4">
         -      <Value key="0" value="1.50" />
@@ -97,29 +114,43 @@ fn values_come_and_go() {
         +    <Data name="pA" access="public" xsi:type="array" type="pointRx" size="1" />
         +      <Value key="a&lt;b&quot;" link="x" />
         +      <Value key="new&#10;" />
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_smaller_array_loses_what_is_beyond() {
     let data = [array("nList", "num", &[2], &[("0", &[("value", "1.5")])])];
-    check(NEW, &data, expect![[r#"
+    check(
+        NEW,
+        &data,
+        expect![[r#"
         -    <Data name="nList" access="public" xsi:type="array" type="num" size="4">
         -      <Value  key='2'   value='3'/>
         +    <Data name="nList" access="public" xsi:type="array" type="num" size="2">
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn tables_are_in_order() {
     let text = "<Database><Datas>\r\n<Data name=\"n\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"3 4\" >\r\n  <Value key=\"1,2\" value=\"5\"/>\r\n</Data>\r\n</Datas></Database>";
-    let data = [array("n", "num", &[3, 4], &[("0,3", &[("value", "1")]), ("1,2", &[("value", "5")]), ("2,0", &[("value", "9")])])];
+    let data = [array(
+        "n",
+        "num",
+        &[3, 4],
+        &[("0,3", &[("value", "1")]), ("1,2", &[("value", "5")]), ("2,0", &[("value", "9")])],
+    )];
     let after = rewrite(text, &data);
     assert!(!after.replace("\r\n", "").contains('\n'));
-    check(text, &data, expect![[r#"
+    check(
+        text,
+        &data,
+        expect![[r#"
         +  <Value key="0,3" value="1"/>
         +  <Value key="2,0" value="9"/>
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -162,12 +193,19 @@ fn slots(values: Vec<SavedValue>) -> [SavedData; 1] {
 
 #[test]
 fn fields_of_user_types() {
-    check(SLOTS, &slots(vec![slot("0", "10", ""), slot("1", "0", "x"), slot("2", "0", "")]), expect![[r#"
+    check(
+        SLOTS,
+        &slots(vec![slot("0", "10", ""), slot("1", "0", "x"), slot("2", "0", "")]),
+        expect![[r#"
         -        <Field name="old" xsi:type="array" type="num" size="1" />
         +        <Field name="sID" xsi:type="array" type="string" size="1">
         +          <Value key="0" value="x" />
-    "#]]);
-    check(SLOTS, &slots(vec![slot("0", "11", "a"), slot("1", "12", ""), slot("2", "13", "c")]), expect![[r#"
+    "#]],
+    );
+    check(
+        SLOTS,
+        &slots(vec![slot("0", "11", "a"), slot("1", "12", ""), slot("2", "13", "c")]),
+        expect![[r#"
         -          <Value key="0" x="10" fatherId="world[0]" />
         -        <Field name="old" xsi:type="array" type="num" size="1" />
         +          <Value key="0" x="11" fatherId="world[0]" />
@@ -178,7 +216,8 @@ fn fields_of_user_types() {
         +          <Value key="0" x="13" fatherId="world[0]" />
         +        <Field name="sID" xsi:type="array" type="string" size="1">
         +          <Value key="0" value="c" />
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -207,7 +246,10 @@ fn the_lists_of_s6() {
         array("nA", "num", &[3], &[("0", &[("value", "3")]), ("1", &[("value", "4")])]),
         array("pA", "point", &[1], &[("0", &[("y", "5.5"), ("wrist", "wfree"), ("fatherId", "fB[2]")])]),
     ];
-    check(text, &data, expect![[r#"
+    check(
+        text,
+        &data,
+        expect![[r#"
         -      <pFather alias="" name="world" fatherIndex="0" />
         -        <tpValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
         -        <cpValue shoulder="ssame" elbow="esame" wrist="wsame" />
@@ -216,7 +258,8 @@ fn the_lists_of_s6() {
         +      <pFather alias="" name="fB" fatherIndex="2" />
         +        <tpValue x="0" y="5.5" z="0" rx="0" ry="0" rz="0" />
         +        <cpValue shoulder="ssame" elbow="esame" wrist="wfree" />
-    "#]]);
+    "#]],
+    );
     let grown = rewrite(text, &data);
     let shrunk = rewrite(&grown, &same);
     assert_eq!(shrunk.matches("valueNum").count(), 1);

@@ -3,11 +3,10 @@
 
 use std::collections::VecDeque;
 
+use crate::string_bytes::fill;
+
 /// The most that waits to be read, in bytes: as much as one datagram can hold.
 pub(super) const CAPACITY: usize = 65_536;
-
-/// The most bytes of a string (3.4.1).
-const STRING: usize = 128;
 
 #[derive(Debug, Default)]
 pub(super) struct Input {
@@ -61,34 +60,4 @@ impl Input {
             self.bytes = text.bytes().collect();
         }
     }
-}
-
-/// The start of some bytes as a string.
-struct Filled {
-    text: String,
-    /// How many bytes it was made of.
-    used: usize,
-    /// Nothing more fits.
-    full: bool,
-}
-
-/// Bytes that are no UTF-8 are passed over, and so is the zero that ends a string in memory.
-fn fill(bytes: &[u8]) -> Filled {
-    let mut filled = Filled { text: String::new(), used: 0, full: false };
-    for chunk in bytes.utf8_chunks() {
-        for character in chunk.valid().chars() {
-            if character != '\0' && filled.text.len() + character.len_utf8() > STRING {
-                filled.full = true;
-                return filled;
-            }
-            filled.used += character.len_utf8();
-            filled.text.extend(Some(character).filter(|character| *character != '\0'));
-            if filled.text.len() == STRING {
-                filled.full = true;
-                return filled;
-            }
-        }
-        filled.used += chunk.invalid().len();
-    }
-    filled
 }
