@@ -3,6 +3,16 @@
 //! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
 //! the controller's clock.
 
+mod io;
+mod media;
+mod robot;
+mod screen;
+
+pub use io::Io;
+pub use media::Media;
+pub use robot::Robot;
+pub use screen::Screen;
+
 use std::sync::Arc;
 
 use crate::call::Flow;
@@ -18,7 +28,7 @@ pub type Time = u64;
 pub const SECOND: Time = 1_000_000_000;
 
 /// Everything outside programs and their data.
-pub trait Ports {
+pub trait Ports: Io + Screen + Robot + Media {
     /// Where the next calls come from. The run time tells it before each instruction.
     fn origin(&mut self, origin: Origin);
 
@@ -27,9 +37,6 @@ pub trait Ports {
 
     /// The number of an input, output or line by its path in a file (`BasicIO-1\%I0`); `None` where there is none.
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
-
-    /// Shows a line of text that `?` prints.
-    fn print(&mut self, text: &str);
 }
 
 /// A task, by its number in the order of creation.
