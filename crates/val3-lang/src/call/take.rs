@@ -243,6 +243,14 @@ impl<T: Stored> Arr<T> {
         (0..self.len(call)?).map(|index| self.get(call, index)).collect()
     }
 
+    /// Changes its values, from the first one on.
+    ///
+    /// # Errors
+    /// 20 beyond the size.
+    pub fn set_all(&self, call: &mut Call<'_>, values: impl IntoIterator<Item = T>) -> Result<()> {
+        values.into_iter().enumerate().try_for_each(|(index, value)| self.set(call, index, value))
+    }
+
     /// Where one of its values is.
     ///
     /// # Errors
