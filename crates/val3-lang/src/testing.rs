@@ -93,6 +93,12 @@ impl Bench {
         self
     }
 
+    /// Sets the clock, in nanoseconds.
+    pub(crate) fn at(mut self, now: Time) -> Self {
+        self.now = now;
+        self
+    }
+
     /// Executes a call, or an assignment of one, and prints its value: `12`, `"a"`, `{1,2,3,0,0,0}`. Else prints
     /// `error 20`, `waits`, `sleeps until 1.5`.
     #[track_caller]

@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::call::Flow;
 use crate::fault::{Fault, Result};
-use crate::memory::{Kind, Memory, View};
+use crate::memory::{Kind, View};
 use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
 use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
@@ -50,14 +49,13 @@ impl Tasks for TaskList {
         Ok(())
     }
 
-    fn resume(&mut self, name: &str, _: f64) -> Result<Flow> {
+    fn resume(&mut self, name: &str, _: f64) -> Result<()> {
         *self.state(name)? = TaskState::Running;
-        Ok(Flow::Done(()))
+        Ok(())
     }
 
-    fn kill(&mut self, _: &mut Memory, name: &str) -> Result<Flow> {
+    fn kill(&mut self, name: &str) {
         self.states.remove(name);
-        Ok(Flow::Done(()))
     }
 
     fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16> {
