@@ -3,10 +3,8 @@
 //! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
 //! the controller's clock.
 
-use std::sync::Arc;
-
 use crate::fault::{Fault, Result};
-use crate::memory::{Kind, View};
+use crate::memory::View;
 use crate::types::BaseType;
 use crate::values::Text;
 
@@ -120,7 +118,7 @@ pub trait Tasks {
     ///
     /// # Errors
     /// That of `getData`: -1 no such data, -2 no such library identifier.
-    fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16>;
+    fn data(&self, name: &str) -> std::result::Result<View, i16>;
 
     /// Asks for what only the run time can do.
     fn request(&mut self, request: Request);

@@ -86,6 +86,15 @@ impl Bench {
         self
     }
 
+    /// Gives a collection keys, in this order.
+    pub(crate) fn with_keys(mut self, name: &str, keys: &[&str]) -> Self {
+        let store = self.view(name).store;
+        for key in keys {
+            self.memory.insert_key(store, Text::from(*key), None).unwrap();
+        }
+        self
+    }
+
     /// Lets a parameter stand for an array from an index on (2.6.3).
     pub(crate) fn part(mut self, name: &str, of: &str, start: u32) -> Self {
         let (view, base) = self.variables[of];
@@ -224,16 +233,7 @@ impl Bench {
 
     fn place(&self, spoken: &Spoken<'_>) -> Place {
         let Spoken::Name(name, at) = spoken else { panic!("no variable") };
-        let view = self.view(name);
-        let store = self.memory.store(view.store).unwrap();
-        let number = match at {
-            SlotAt::Whole => view.start,
-            SlotAt::Index([i, ..], 1) => store.number1(view, *i).unwrap(),
-            SlotAt::Index([i, j, _], 2) => store.number2([*i, *j]).unwrap(),
-            SlotAt::Index(indexes, _) => store.number3(*indexes).unwrap(),
-            SlotAt::Key(key) => store.number_of(key).unwrap(),
-        };
-        store.place(view.store, number)
+        self.memory.locate(&Slot { view: Some(self.view(name)), at: *at }).unwrap()
     }
 
     fn printed(&self, place: Place, base: BaseType) -> Result<String> {

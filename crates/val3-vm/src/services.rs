@@ -1,10 +1,8 @@
 //! Tasks and libraries as the task that runs reaches them.
 
-use std::sync::Arc;
-
 use smallvec::SmallVec;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Kind, View};
+use val3_lang::memory::View;
 use val3_lang::ports::{Request, TaskChange, TaskNumber, Tasks};
 use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
 
@@ -72,7 +70,7 @@ impl Tasks for Services<'_> {
         }
     }
 
-    fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16> {
+    fn data(&self, name: &str) -> std::result::Result<View, i16> {
         const NO_DATA: i16 = -1;
         const NO_LIBRARY: i16 = -2;
         let own = self.instances.get(usize::from(self.owner.0)).ok_or(NO_DATA)?;
@@ -86,9 +84,8 @@ impl Tasks for Services<'_> {
             }
         };
         let number = instance.image.data(name).map(usize::from).ok_or(NO_DATA)?;
-        let found = instance.image.data.get(number).filter(|data| data.public || !public).ok_or(NO_DATA)?;
-        let store = instance.data.get(number).copied().ok_or(NO_DATA)?;
-        Ok((View::whole(store), Arc::clone(&found.init.kind)))
+        instance.image.data.get(number).filter(|data| data.public || !public).ok_or(NO_DATA)?;
+        instance.data.get(number).copied().map(View::whole).ok_or(NO_DATA)
     }
 
     fn request(&mut self, request: Request) {

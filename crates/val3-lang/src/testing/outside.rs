@@ -1,10 +1,9 @@
 //! What is outside the program: nothing but a list of tasks.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
 use crate::fault::{Fault, Result};
-use crate::memory::{Kind, View};
+use crate::memory::View;
 use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
 use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
@@ -28,7 +27,7 @@ impl Ports for Nothing {
 #[derive(Debug, Default)]
 pub(crate) struct TaskList {
     pub(crate) states: BTreeMap<String, TaskState>,
-    pub(crate) data: BTreeMap<String, (View, Arc<Kind>)>,
+    pub(crate) data: BTreeMap<String, View>,
     /// The library identifiers.
     pub(crate) libraries: Vec<&'static str>,
 }
@@ -58,9 +57,9 @@ impl Tasks for TaskList {
         self.states.remove(name);
     }
 
-    fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16> {
+    fn data(&self, name: &str) -> std::result::Result<View, i16> {
         let is_known = name.split_once(':').is_none_or(|(library, _)| self.libraries.contains(&library));
-        self.data.get(name).cloned().ok_or(if is_known { -1 } else { -2 })
+        self.data.get(name).copied().ok_or(if is_known { -1 } else { -2 })
     }
 
     fn request(&mut self, _: Request) {}
