@@ -60,6 +60,8 @@ pub(crate) struct ClientAbilities {
     pub(crate) resolves_symbols: bool,
     /// It asks for inlay hints anew when it is told to.
     pub(crate) refreshes_hints: bool,
+    /// It asks for code lenses anew when it is told to.
+    pub(crate) refreshes_lenses: bool,
     /// It knows edits that name the version they are made for.
     pub(crate) has_document_changes: bool,
     /// It shows an outline with levels.
@@ -202,6 +204,7 @@ impl ClientAbilities {
                 && action.and_then(|it| it.resolve_support.as_ref()).is_some_and(|it| names(&it.properties, "edit")),
             resolves_symbols: found.is_some_and(|it| names(&it.properties, "location.range")),
             refreshes_hints: yes(workspace.and_then(|it| it.inlay_hint.as_ref()?.refresh_support)),
+            refreshes_lenses: yes(workspace.and_then(|it| it.code_lens.as_ref()?.refresh_support)),
             has_document_changes,
             has_nested_symbols: yes(symbols.and_then(|it| it.hierarchical_document_symbol_support)),
             folds_lines: yes(folding.and_then(|it| it.line_folding_only)),

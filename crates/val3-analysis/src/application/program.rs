@@ -97,7 +97,11 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         takes_mutex: calls_of(SET_MUTEX).next().is_some(),
         shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
-        tended_tasks: TENDING.into_iter().flat_map(calls_of).filter_map(|call| first_argument_text(body, call)).collect(),
+        tended_tasks: TENDING
+            .into_iter()
+            .flat_map(calls_of)
+            .filter_map(|call| first_argument_text(body, call))
+            .collect(),
         named_in_texts: calls_of(GET_DATA).filter_map(|call| first_argument_text(body, call)).collect(),
         ..Summary::default()
     };
