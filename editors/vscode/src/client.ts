@@ -139,8 +139,12 @@ export class Client implements vscode.Disposable {
     const running = this.running;
     this.running = undefined;
     this.life = undefined;
-    // A server that died, or never started, has nothing to be told.
-    await running?.dispose();
+    try {
+      await running?.dispose();
+    } catch (fault) {
+      // One that never started cannot be stopped, and one that hangs does not answer: the next one starts nevertheless.
+      this.output.warn(String(fault));
+    }
   }
 
   private options(life: Life): LanguageClientOptions {

@@ -177,6 +177,15 @@ const STEPS = {
     await becomes("place.pgx", after("place.pgx", ["bHolding", "bCarries"], ["[begin\n", "[begin\n  bCarries=bOverrun\n"]));
   },
 
+  async "a lens above the first line counts the calls of the program"(user) {
+    await user.openFile("tower.pgx");
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("tower.val3");
+    await user.opensLens(/^\d+ references$/, ".peekview-widget .view-line:has-text('call tower(')");
+    await user.tab("tower.val3");
+    await user.keys("Escape");
+  },
+
   async "the code view of the old dialect keeps entities and line ends"(user) {
     await user.openFile("old.pgx");
     await user.command("VAL 3: Open Code without XML");

@@ -139,6 +139,17 @@ const STEPS = {
     await found(user, "nLeft");
     await found(user, "nThird");
   },
+
+  async "a server that hangs is replaced when the user asks for it"(user) {
+    await until(() => servers().length === 1, "no server runs");
+    const [id] = servers();
+    process.kill(id, "SIGSTOP");
+    const before = begun();
+    await user.command("VAL 3: Restart Server");
+    await until(() => begun() > before, "no other server is started");
+    await found(user, "nThird");
+    await until(() => !servers().includes(id), "the old server lives on");
+  },
 };
 
 ["nLeft", "nRight", "nThird"].forEach(makeCell);
