@@ -33,6 +33,9 @@ pub struct Place<'r> {
     pub(super) path: Utf8PathBuf,
 }
 
+/// The most bytes of a file that is read whole.
+const LARGEST: u64 = 256 << 20;
+
 /// What stands at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EntryKind {
@@ -108,7 +111,9 @@ impl<'r> Place<'r> {
     pub fn kind(&self) -> Result<EntryKind, FileFault> {
         match self.dir.metadata(self.relative()) {
             Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
-            Ok(_) => Ok(EntryKind::File),
+            Ok(found) if found.is_file() => Ok(EntryKind::File),
+            // A pipe or device would hold the run up.
+            Ok(_) => Err(FileFault::BadPath),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(EntryKind::Missing),
             Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileFault::BadPath),
             Err(error) => Err(error.into()),
@@ -169,9 +174,10 @@ impl<'r> Place<'r> {
     /// The bytes of the file here.
     ///
     /// # Errors
-    /// If it cannot be read.
+    /// If it cannot be read, or is larger than anything a controller holds.
     pub fn read(&self) -> Result<Vec<u8>, FileFault> {
-        Ok(self.dir.read(self.relative())?)
+        let size = self.dir.metadata(self.relative())?.len();
+        if size > LARGEST { Err(FileFault::Medium) } else { Ok(self.dir.read(self.relative())?) }
     }
 }
 
