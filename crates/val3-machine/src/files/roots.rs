@@ -7,6 +7,7 @@ use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use cap_std::ambient_authority;
 use cap_std::fs_utf8::Dir;
 
+use super::path::DISK;
 use super::{ControllerPath, FileFault};
 
 /// What is mounted: `Disk`, `USB0`, `Floppy`, and whatever else the outside names.
@@ -54,6 +55,21 @@ impl Roots {
     /// If the folder cannot be opened.
     pub fn mount(&mut self, name: &str, folder: &Utf8Path) -> io::Result<()> {
         self.mount_inside(name, folder, Utf8Path::new(""))
+    }
+
+    /// Lets `Disk` stand for the folder of the applications. That of a cell is `usr/usrapp`: its paths can go up to
+    /// `usr`, where the templates are, and no further.
+    ///
+    /// # Errors
+    /// If the folder cannot be opened.
+    pub fn mount_disk(&mut self, folder: &Utf8Path) -> io::Result<()> {
+        let is = |path: &Utf8Path, name: &str| path.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
+        match (folder.parent(), folder.file_name()) {
+            (Some(outer), Some(name)) if is(folder, "usrapp") && is(outer, "usr") => {
+                self.mount_inside(DISK, outer, Utf8Path::new(name))
+            }
+            _ => self.mount(DISK, folder),
+        }
     }
 
     /// Lets `name` stand for the folder `start` inside of `outer`. Its paths can go up to `outer`, as those of a cell

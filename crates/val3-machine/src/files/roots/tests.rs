@@ -61,10 +61,12 @@ fn no_step_leads_out() {
 #[test]
 fn a_cell_has_a_folder_above() {
     let (_folder, outer, mut roots) = disk();
-    roots.mount_inside("Disk", &outer.join("usr"), Utf8Path::new("usrapp")).unwrap();
+    roots.mount_disk(&outer.join("usr/usrapp")).unwrap();
     assert_eq!(place(&roots, "Disk://parts").unwrap().0, "usrapp/Parts");
     assert_eq!(place(&roots, "Disk://..//templates/x").unwrap().0, "templates/x");
     assert_eq!(place(&roots, "Disk://../../secret"), Err(21));
+    roots.mount_disk(&outer.join("usr")).unwrap();
+    assert_eq!(place(&roots, "Disk://../secret"), Err(21));
 }
 
 #[cfg(unix)]
