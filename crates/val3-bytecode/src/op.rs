@@ -18,22 +18,32 @@ pub enum WholeKind {
     View(u16),
     /// Data of a library.
     Import(u16),
+    /// The variable `world` (9.4).
+    World,
+    /// The variable `flange` (9.5).
+    Flange,
 }
 
 impl Whole {
     const BITS: u16 = 14;
     const MASK: u16 = (1 << Self::BITS) - 1;
 
-    /// Packs a container; `None` where its number is beyond 16,383.
+    /// The highest numbers of imports stand for what is built in.
+    const WORLD: u16 = Self::MASK;
+    const FLANGE: u16 = Self::MASK - 1;
+
+    /// Packs a container; `None` where its number is beyond 16,383, or 16,381 for an import.
     #[must_use]
     pub fn new(kind: WholeKind) -> Option<Self> {
-        let (tag, number) = match kind {
-            WholeKind::Data(number) => (0, number),
-            WholeKind::Part(number) => (1, number),
-            WholeKind::View(number) => (2, number),
-            WholeKind::Import(number) => (3, number),
+        let (tag, number, most) = match kind {
+            WholeKind::Data(number) => (0, number, Self::MASK),
+            WholeKind::Part(number) => (1, number, Self::MASK),
+            WholeKind::View(number) => (2, number, Self::MASK),
+            WholeKind::Import(number) => (3, number, Self::FLANGE - 1),
+            WholeKind::World => (3, Self::WORLD, Self::WORLD),
+            WholeKind::Flange => (3, Self::FLANGE, Self::FLANGE),
         };
-        (number <= Self::MASK).then_some(Self(tag << Self::BITS | number))
+        (number <= most).then_some(Self(tag << Self::BITS | number))
     }
 
     /// Where it is found.
@@ -45,6 +55,8 @@ impl Whole {
             0 => WholeKind::Data(number),
             1 => WholeKind::Part(number),
             2 => WholeKind::View(number),
+            _ if number == Self::WORLD => WholeKind::World,
+            _ if number == Self::FLANGE => WholeKind::Flange,
             _ => WholeKind::Import(number),
         }
     }
@@ -163,4 +175,39 @@ pub enum Op {
     /// The next round of a `for`, which counts as a line: adds the step and goes to `body` unless the counter is
     /// beyond `limit`.
     ForNext { counter: Register, limit: Register, body: u32 },
+}
+
+impl Op {
+    /// Where the operation may go on instead of at the next one.
+    pub fn target_mut(&mut self) -> Option<&mut u32> {
+        match self {
+            Self::Jump { to }
+            | Self::JumpUnless { to, .. }
+            | Self::JumpIf { to, .. }
+            | Self::UnlessLess { to, .. }
+            | Self::UnlessLessEqual { to, .. }
+            | Self::UnlessEqual { to, .. }
+            | Self::IfEqual { to, .. }
+            | Self::WaitUntil { retry: to, .. }
+            | Self::Watch { retry: to, .. }
+            | Self::ForTest { exit: to, .. }
+            | Self::ForNext { body: to, .. } => Some(to),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Whole, WholeKind};
+
+    #[test]
+    fn containers_are_packed() {
+        let last = [WholeKind::Data(16_383), WholeKind::Part(16_383), WholeKind::View(16_383), WholeKind::Import(16_381)];
+        for kind in last.into_iter().chain([WholeKind::Data(0), WholeKind::World, WholeKind::Flange]) {
+            assert_eq!(Whole::new(kind).map(Whole::kind), Some(kind));
+        }
+        assert_eq!(Whole::new(WholeKind::Data(16_384)), None);
+        assert_eq!(Whole::new(WholeKind::Import(16_382)), None);
+    }
 }
