@@ -76,6 +76,11 @@ fn syntax_knows_text_alone() {
 }
 
 #[test]
+fn geometry_knows_numbers_alone() {
+    check_only("val3-geometry", &[], &["salsa", "rowan", "serde", "serde_json", "clap", "tokio", "camino"]);
+}
+
+#[test]
 fn lang_knows_no_tree() {
     check_only("val3-lang", &["val3-geometry"], &["salsa", "rowan", "clap", "tokio"]);
 }
@@ -174,8 +179,17 @@ fn xtask_builds_without_the_toolchain() {
 #[test]
 fn no_crate_below_the_binaries_touches_the_system() {
     let metadata = metadata();
-    let pure =
-        ["val3-syntax", "val3-lang", "val3-config", "val3-check", "val3-fmt", "val3-ide", "val3-vm", "val3-motion"];
+    let pure = [
+        "val3-geometry",
+        "val3-syntax",
+        "val3-lang",
+        "val3-config",
+        "val3-check",
+        "val3-fmt",
+        "val3-ide",
+        "val3-vm",
+        "val3-motion",
+    ];
     for package in metadata.packages.iter().filter(|package| pure.contains(&package.name.as_str())) {
         let folder = package.manifest_path.parent().unwrap().join("src");
         let wrong = sources(&folder).into_iter().filter(|path| touches_the_system(path)).collect::<Vec<_>>();

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use val3_lang::memory::{Kind, PartInit};
 use val3_lang::types::{BaseType, Container};
+use val3_lang::versions::Version;
 
 use crate::Program;
 
@@ -16,8 +17,8 @@ pub struct Image {
     pub path: String,
     /// Its files; programs refer to them by number.
     pub files: Vec<String>,
-    /// It is of s8 or later: the limit of 9999 values does not hold.
-    pub unlimited: bool,
+    /// The version it is written for.
+    pub version: Version,
     /// Bytes of stack of each task.
     pub stack_size: u32,
     /// Global data.

@@ -3,7 +3,7 @@
 /// A lane of the current frame, by its number among those of its sort; or a number in a table of the program.
 pub type Register = u16;
 
-/// A container that an operation works on: its kind in the upper two bits, its number in the others.
+/// A container that an operation works on: its kind in the upper bits, its number in the others.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Whole(u16);
 
@@ -18,32 +18,25 @@ pub enum WholeKind {
     View(u16),
     /// Data of a library.
     Import(u16),
-    /// The variable `world` (9.4).
-    World,
-    /// The variable `flange` (9.5).
-    Flange,
+    /// `world` (0) or `flange` (1).
+    Builtin(u16),
 }
 
 impl Whole {
-    const BITS: u16 = 14;
+    const BITS: u16 = 13;
     const MASK: u16 = (1 << Self::BITS) - 1;
 
-    /// The highest numbers of imports stand for what is built in.
-    const WORLD: u16 = Self::MASK;
-    const FLANGE: u16 = Self::MASK - 1;
-
-    /// Packs a container; `None` where its number is beyond 16,383, or 16,381 for an import.
+    /// Packs a container; `None` where its number is beyond 8,191.
     #[must_use]
     pub fn new(kind: WholeKind) -> Option<Self> {
-        let (tag, number, most) = match kind {
-            WholeKind::Data(number) => (0, number, Self::MASK),
-            WholeKind::Part(number) => (1, number, Self::MASK),
-            WholeKind::View(number) => (2, number, Self::MASK),
-            WholeKind::Import(number) => (3, number, Self::FLANGE - 1),
-            WholeKind::World => (3, Self::WORLD, Self::WORLD),
-            WholeKind::Flange => (3, Self::FLANGE, Self::FLANGE),
+        let (tag, number) = match kind {
+            WholeKind::Data(number) => (0, number),
+            WholeKind::Part(number) => (1, number),
+            WholeKind::View(number) => (2, number),
+            WholeKind::Import(number) => (3, number),
+            WholeKind::Builtin(number) => (4, number),
         };
-        (number <= most).then_some(Self(tag << Self::BITS | number))
+        (number <= Self::MASK).then_some(Self(tag << Self::BITS | number))
     }
 
     /// Where it is found.
@@ -55,9 +48,8 @@ impl Whole {
             0 => WholeKind::Data(number),
             1 => WholeKind::Part(number),
             2 => WholeKind::View(number),
-            _ if number == Self::WORLD => WholeKind::World,
-            _ if number == Self::FLANGE => WholeKind::Flange,
-            _ => WholeKind::Import(number),
+            3 => WholeKind::Import(number),
+            _ => WholeKind::Builtin(number),
         }
     }
 }
@@ -203,11 +195,10 @@ mod tests {
 
     #[test]
     fn containers_are_packed() {
-        let last = [WholeKind::Data(16_383), WholeKind::Part(16_383), WholeKind::View(16_383), WholeKind::Import(16_381)];
-        for kind in last.into_iter().chain([WholeKind::Data(0), WholeKind::World, WholeKind::Flange]) {
+        let last = [WholeKind::Data(8_191), WholeKind::Part(8_191), WholeKind::View(8_191), WholeKind::Import(8_191)];
+        for kind in last.into_iter().chain([WholeKind::Data(0), WholeKind::Builtin(1)]) {
             assert_eq!(Whole::new(kind).map(Whole::kind), Some(kind));
         }
-        assert_eq!(Whole::new(WholeKind::Data(16_384)), None);
-        assert_eq!(Whole::new(WholeKind::Import(16_382)), None);
+        assert_eq!(Whole::new(WholeKind::Data(8_192)), None);
     }
 }

@@ -20,7 +20,7 @@ pub struct CompileError {
 pub enum Limit {
     /// Values that one program holds at a time: 65,535 of each sort.
     Registers,
-    /// Containers of one program, of the global data, or used of libraries: 16,381.
+    /// Containers of one program, of the global data, or used of libraries: 8,191.
     Containers,
     /// Programs, library identifiers, texts or fields of a type: 65,535.
     Items,
@@ -37,7 +37,7 @@ impl fmt::Display for Limit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Registers => "the program holds more than 65,535 values",
-            Self::Containers => "there are more than 16,381 variables",
+            Self::Containers => "there are more than 8,191 variables",
             Self::Items => "there are more than 65,535 programs, libraries, texts or fields",
             Self::Operations => "the program is too long",
             Self::Unclear => "it cannot be told what is meant here",

@@ -3,12 +3,23 @@
 //! The same numbers give the same bits on every machine: what is not exact by IEEE 754 comes from the `libm` crate and
 //! never from the platform. Hence of nalgebra only products, sums and roots are used, not what it offers for angles.
 
+mod align;
 mod angles;
+mod arc;
+pub mod chain;
+mod circle;
 pub mod degrees;
+mod frame;
+mod interpolate;
+mod rotation;
 #[cfg(test)]
 mod testing;
 mod trsf;
 
 pub use nalgebra::{IsometryMatrix3, Rotation3, Vector3};
 
+pub use self::align::align;
+pub use self::arc::{Arc, ArcError};
+pub use self::frame::{FrameError, set_frame};
+pub use self::interpolate::{InterpolationError, Line, interpolate_c, interpolate_l};
 pub use self::trsf::Trsf;

@@ -2,7 +2,7 @@
 
 use std::ops::Mul;
 
-use nalgebra::{IsometryMatrix3, Translation3, Vector3};
+use nalgebra::{IsometryMatrix3, Rotation3, Translation3, Vector3};
 
 use crate::angles;
 
@@ -37,16 +37,34 @@ impl Trsf {
         Self { x, y, z, rx, ry, rz }
     }
 
+    /// With the angles that the controller computes for this rotation; the translation is in mm.
+    #[must_use]
+    pub fn from_parts(translation: Vector3<f64>, rotation: &Rotation3<f64>) -> Self {
+        Self::new(translation.add_scalar(0.0).into(), angles::from_rotation(rotation))
+    }
+
     /// The translation, in mm.
     #[must_use]
     pub fn translation(&self) -> Vector3<f64> {
         Vector3::new(self.x, self.y, self.z)
     }
 
+    /// The angles `rx`, `ry`, `rz`, in degrees.
+    #[must_use]
+    pub const fn angles(&self) -> [f64; 3] {
+        [self.rx, self.ry, self.rz]
+    }
+
+    /// The instruction `distance` of two transformations (manual 9.3.4), in mm: both are meant in one place.
+    #[must_use]
+    pub fn distance(&self, other: &Self) -> f64 {
+        (other.translation() - self.translation()).norm()
+    }
+
     /// As matrices, for computing: quarter turns are exact.
     #[must_use]
     pub fn isometry(&self) -> IsometryMatrix3<f64> {
-        let rotation = angles::to_rotation([self.rx, self.ry, self.rz]);
+        let rotation = angles::to_rotation(self.angles());
         IsometryMatrix3::from_parts(Translation3::from(self.translation()), rotation)
     }
 
@@ -70,8 +88,7 @@ impl Mul for Trsf {
 
 impl From<IsometryMatrix3<f64>> for Trsf {
     fn from(isometry: IsometryMatrix3<f64>) -> Self {
-        let translation = isometry.translation.vector.add_scalar(0.0);
-        Self::new(translation.into(), angles::from_rotation(&isometry.rotation))
+        Self::from_parts(isometry.translation.vector, &isometry.rotation)
     }
 }
 
@@ -122,6 +139,12 @@ mod tests {
         assert_eq!(Trsf::new([-0.0; 3], [0.0; 3]), Trsf::IDENTITY);
     }
 
+    #[test]
+    fn a_distance_does_not_ask_for_orientations() {
+        let (a, b) = (Trsf::new([1.0, 2.0, 3.0], [0.0; 3]), Trsf::new([4.0, 6.0, 15.0], [10.0, 20.0, 30.0]));
+        assert_eq!(a.distance(&b), 13.0);
+    }
+
     proptest! {
         #[test]
         fn products_may_be_grouped_as_you_like(a in any_trsf(), b in any_trsf(), c in any_trsf()) {
@@ -133,6 +156,14 @@ mod tests {
             assert_near(&(trsf * trsf.inverse()), &Trsf::IDENTITY)?;
             assert_near(&(trsf.inverse() * trsf), &Trsf::IDENTITY)?;
             assert_near(&trsf.inverse().inverse(), &trsf)?;
+        }
+
+        #[test]
+        fn a_distance_is_the_same_from_either_end(a in any_trsf(), b in any_trsf(), c in any_trsf()) {
+            prop_assert_eq!(a.distance(&b), b.distance(&a));
+            prop_assert_eq!(a.distance(&a), 0.0);
+            prop_assert!(a.distance(&c) <= a.distance(&b) + b.distance(&c) + 1e-9);
+            prop_assert!(((c * a).distance(&(c * b)) - a.distance(&b)).abs() < 1e-9);
         }
 
         #[test]

@@ -16,6 +16,7 @@ use crate::fault::{Fault, Result};
 use crate::memory::{Memory, Place, Slot, View};
 use crate::ports::{Ports, Tasks, Time};
 use crate::types::BaseType;
+use crate::versions::Version;
 
 /// Executes one form of an instruction.
 pub type Run = fn(&mut Call<'_>) -> Result<Flow>;
@@ -32,8 +33,10 @@ pub enum Flow<T = ()> {
 /// What a task waits for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Wait {
-    /// When time alone ends the wait; `None` where only the doing of others does.
+    /// When time ends the wait; `None` where only the doing of others does.
     pub wake: Option<Time>,
+    /// Nothing but time ends it.
+    pub sleeps: bool,
 }
 
 /// One argument as the program passes it.
@@ -59,10 +62,14 @@ pub struct Call<'c> {
     pub ports: &'c mut dyn Ports,
     /// Tasks and libraries, as the calling task sees them.
     pub tasks: &'c mut dyn Tasks,
-    /// When the task reached this line.
-    pub since: Time,
-    /// The application is of s8 or later: some limits of the manual do not hold.
-    pub unlimited: bool,
+    /// The controller's clock.
+    now: Time,
+    /// When the task reached this instruction, if it has waited in it.
+    since: Option<Time>,
+    /// The instruction has looked at the clock: what it yields depends on the time.
+    pub reads_clock: bool,
+    /// The version of the application: what limits hold.
+    pub version: Version,
     arguments: &'c [Argument],
     next: usize,
     result: Option<Place>,
@@ -72,11 +79,12 @@ impl<'c> Call<'c> {
     /// A call with these arguments, whose value goes to `result`.
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
-        (since, unlimited): (Time, bool),
+        (now, since): (Time, Option<Time>),
+        version: Version,
         arguments: &'c [Argument],
         result: Option<Place>,
     ) -> Self {
-        Self { memory, ports, tasks, since, unlimited, arguments, next: 0, result }
+        Self { memory, ports, tasks, now, since, reads_clock: false, version, arguments, next: 0, result }
     }
 
     /// The next argument.
@@ -95,9 +103,34 @@ impl<'c> Call<'c> {
         self.result
     }
 
-    /// How long the task has been at this line.
-    pub fn waited(&mut self) -> Time {
-        self.ports.now().saturating_sub(self.since)
+    /// Nanoseconds since the controller was started; for instructions that yield the time.
+    pub fn now(&mut self) -> Time {
+        self.reads_clock = true;
+        self.now
+    }
+
+    /// The instruction is not called again after a wait.
+    #[must_use]
+    pub fn is_first(&self) -> bool {
+        self.since.is_none()
+    }
+
+    /// Nanoseconds that the task has waited in this instruction.
+    #[must_use]
+    pub fn waited(&self) -> Time {
+        self.now.saturating_sub(self.since.unwrap_or(self.now))
+    }
+
+    /// The wait until something happens, or `time` nanoseconds have passed since the task reached the instruction.
+    #[must_use]
+    pub fn wait_at_most<T>(&self, time: Time) -> Flow<T> {
+        Flow::Wait(Wait { wake: Some(self.since.unwrap_or(self.now).saturating_add(time)), sleeps: false })
+    }
+
+    /// The wait until `time` nanoseconds have passed since the task reached the instruction.
+    #[must_use]
+    pub fn sleep<T>(&self, time: Time) -> Flow<T> {
+        Flow::Wait(Wait { wake: Some(self.since.unwrap_or(self.now).saturating_add(time)), sleeps: true })
     }
 }
 

@@ -230,3 +230,75 @@ impl Default for Memory {
         Self::new()
     }
 }
+
+/// Numbers of arrays, without a place in between: what loops over numbers do most.
+impl Memory {
+    /// A number of the first value of a view.
+    ///
+    /// # Errors
+    /// 20 if there is none.
+    #[inline]
+    pub fn first_num(&self, view: View, lane: u32) -> Result<f64> {
+        let store = self.store(view.store)?;
+        let at = view.start * store.kind.size.num + lane;
+        store.nums.get(at as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+    }
+
+    /// Writes what [`first_num`](Self::first_num) reads.
+    ///
+    /// # Errors
+    /// 20 if there is no value.
+    #[inline]
+    pub fn set_first_num(&mut self, view: View, lane: u32, value: f64) -> Result<()> {
+        let store = self.store_mut(view.store)?;
+        let at = view.start * store.kind.size.num + lane;
+        *store.nums.get_mut(at as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        Ok(())
+    }
+
+    /// A value of an array of numbers or truth values.
+    ///
+    /// # Errors
+    /// 21 for an index below zero, 20 for one beyond the size.
+    #[inline]
+    pub fn element_num(&self, view: View, index: f64) -> Result<f64> {
+        let store = self.store(view.store)?;
+        let number = store.number1(view, index)?;
+        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+    }
+
+    /// Writes what [`element_num`](Self::element_num) reads.
+    ///
+    /// # Errors
+    /// 21 for an index below zero, 20 for one beyond the size.
+    #[inline]
+    pub fn set_element_num(&mut self, view: View, index: f64, value: f64) -> Result<()> {
+        let store = self.store_mut(view.store)?;
+        let number = store.number1(view, index)?;
+        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        Ok(())
+    }
+
+    /// A value of an array of numbers or truth values of two dimensions.
+    ///
+    /// # Errors
+    /// 21 for an index below zero, 20 for one beyond the size.
+    #[inline]
+    pub fn element2_num(&self, id: StoreId, at: [f64; 2]) -> Result<f64> {
+        let store = self.store(id)?;
+        let number = store.number2(at)?;
+        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+    }
+
+    /// Writes what [`element2_num`](Self::element2_num) reads.
+    ///
+    /// # Errors
+    /// 21 for an index below zero, 20 for one beyond the size.
+    #[inline]
+    pub fn set_element2_num(&mut self, id: StoreId, at: [f64; 2], value: f64) -> Result<()> {
+        let store = self.store_mut(id)?;
+        let number = store.number2(at)?;
+        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        Ok(())
+    }
+}

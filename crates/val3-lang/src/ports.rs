@@ -3,10 +3,12 @@
 //! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
 //! the controller's clock.
 
+use std::sync::Arc;
+
 use crate::call::Flow;
 use crate::fault::Result;
 use crate::memory::{Kind, Memory, View};
-use std::sync::Arc;
+use crate::types::BaseType;
 
 /// Nanoseconds since the controller was started.
 pub type Time = u64;
@@ -16,8 +18,8 @@ pub const SECOND: Time = 1_000_000_000;
 
 /// Everything outside programs and their data.
 pub trait Ports {
-    /// The controller's clock.
-    fn now(&mut self) -> Time;
+    /// The number of an input, output or line by its path in a file (`BasicIO-1\%I0`); `None` where there is none.
+    fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
 
     /// Shows a line of text that `?` prints.
     fn print(&mut self, text: &str);

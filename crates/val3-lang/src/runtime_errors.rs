@@ -40,6 +40,9 @@ impl TaskState {
 /// An input, output or serial line is used without a link (3.5 to 3.7).
 pub const UNLINKED: u16 = 123;
 
+/// A number for which an instruction is not defined, or a result that is too large (3.2.3).
+pub const INVALID_NUMBER: u16 = 11;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }
@@ -67,6 +70,18 @@ pub const LIBRARY_ITEM_MISSING: u16 = 80;
 
 /// A task cannot have this name (5.10).
 pub const BAD_TASK_NAME: u16 = 29;
+
+/// There is no task of this name (5.10).
+pub const NO_TASK: u16 = 30;
+
+/// There is a task of this name already (5.10).
+pub const TASK_EXISTS: u16 = 31;
+
+/// A third period of synchronous tasks (5.10).
+pub const PERIODS: u16 = 32;
+
+/// A task cannot go on where `taskResume` asks for (5.10).
+pub const NO_LINE: u16 = 90;
 
 /// An argument that the instruction does not take.
 pub const INVALID_PARAMETER: u16 = 70;

@@ -4,6 +4,14 @@
 //! number of a run-time error. Numbers are IEEE doubles; the functions that the hardware or the system's library
 //! would compute differently from machine to machine come from `libm`.
 
+pub mod binary;
+pub mod bits;
+pub mod date;
+pub mod number_reading;
+pub mod number_text;
+pub mod numbers;
+pub mod printed;
+pub mod strings;
 pub mod text;
 
 pub use text::Text;

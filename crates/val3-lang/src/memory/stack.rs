@@ -1,6 +1,6 @@
 //! The stack of a task: the frames of the programs it is in, one behind the other.
 
-use super::{Link, Place, StoreId, View};
+use super::{Lanes, Link, Place, StoreId, View};
 use crate::values::Text;
 
 /// The lanes of all frames.
@@ -18,4 +18,38 @@ pub struct Stack {
     pub places: Vec<Place>,
     /// Containers by reference, and those that the code looks up.
     pub views: Vec<View>,
+}
+
+impl Stack {
+    /// The lanes that are in use or were.
+    #[must_use]
+    pub fn ends(&self) -> Lanes {
+        Lanes {
+            num: count(self.nums.len()),
+            text: count(self.texts.len()),
+            link: count(self.links.len()),
+            part: count(self.parts.len()),
+        }
+    }
+
+    /// Cuts off what begins at these lanes, places and views, as a stack of its own.
+    #[must_use]
+    pub fn split_off(&mut self, lanes: Lanes, places: u32, views: u32) -> Self {
+        Self {
+            nums: cut(&mut self.nums, lanes.num),
+            texts: cut(&mut self.texts, lanes.text),
+            links: cut(&mut self.links, lanes.link),
+            parts: cut(&mut self.parts, lanes.part),
+            places: cut(&mut self.places, places),
+            views: cut(&mut self.views, views),
+        }
+    }
+}
+
+fn count(len: usize) -> u32 {
+    u32::try_from(len).unwrap_or(u32::MAX)
+}
+
+fn cut<T>(lanes: &mut Vec<T>, at: u32) -> Vec<T> {
+    lanes.split_off(lanes.len().min(at as usize))
 }

@@ -149,6 +149,20 @@ impl Store {
         }
     }
 
+    /// The number of the value that a file names: `3`, `1,2`, `home`.
+    #[must_use]
+    pub fn number_of_text(&self, at: &str) -> Option<u32> {
+        let Shape::Array { sizes, .. } = &self.shape else { return self.number_of(&Text::from(at)).ok() };
+        let mut indexes = [0; 3];
+        for (index, text) in indexes.iter_mut().zip(at.split(',')) {
+            *index = text.trim().parse().ok()?;
+        }
+        let [x, y, z] = indexes;
+        let [_, rows, columns] = sizes;
+        (self.shape.len() > 0 && indexes.iter().zip(sizes).all(|(index, size)| index < size))
+            .then(|| (x * rows + y) * columns + z)
+    }
+
     /// Adds the default lanes of one value of a built-in type behind the others; of a user type all but its parts.
     pub(super) fn push_default(&mut self) {
         let Element { nums, texts, links, .. } = &self.kind.default;
@@ -164,18 +178,18 @@ pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
 }
 
-/// The whole number nearest to `index` if it is one of `size` indexes.
+/// The whole number nearest to `index` if it is one of `size` indexes. `round` is floor(x + 0.5), as everywhere in
+/// VAL 3; above zero, cutting the fraction is the floor.
 #[inline]
 fn within(index: f64, size: u32) -> Result<u32> {
-    // `round` is floor(x + 0.5), as everywhere in VAL 3.
-    let rounded = (index + 0.5).floor();
+    let rounded = index + 0.5;
     if rounded < 0.0 {
         return Err(Fault::INDEX_NEGATIVE);
     }
-    // A number that is none is no index either.
-    if !(rounded < f64::from(size)) {
-        return Err(Fault::INDEX_TOO_LARGE);
+    if rounded < f64::from(size) {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and below a u32")]
+        return Ok(rounded as u32);
     }
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and below a u32")]
-    Ok(rounded as u32)
+    // A number that is none is no index either.
+    Err(Fault::INDEX_TOO_LARGE)
 }

@@ -1,6 +1,6 @@
 //! The value of a `string`: at most 128 bytes of UTF-8, stored inline (3.4.1).
 
-use std::fmt;
+use std::fmt::{self, Write};
 use std::ops::{Add, Deref};
 
 use arrayvec::ArrayString;
@@ -54,6 +54,16 @@ impl<'a> FromIterator<&'a str> for Text {
     }
 }
 
+/// The text that the arguments format to, as far as it fits.
+impl From<fmt::Arguments<'_>> for Text {
+    fn from(arguments: fmt::Arguments<'_>) -> Self {
+        let mut text = Self::new();
+        match text.write_fmt(arguments) {
+            Ok(()) | Err(fmt::Error) => text,
+        }
+    }
+}
+
 /// `+` of strings (3.4.2): at most the first 128 bytes of both.
 impl Add<&str> for Text {
     type Output = Self;
@@ -72,8 +82,14 @@ impl Deref for Text {
     }
 }
 
+impl AsRef<str> for Text {
+    fn as_ref(&self) -> &str {
+        self
+    }
+}
+
 /// An error once something was cut.
-impl fmt::Write for Text {
+impl Write for Text {
     fn write_str(&mut self, part: &str) -> fmt::Result {
         if self.push(part) { Ok(()) } else { Err(fmt::Error) }
     }
@@ -138,6 +154,12 @@ mod tests {
     fn is_ordered_by_code_point() {
         let sorted = ["", "Z", "a", "aa", "b", "é", "机", "🤖"].map(Text::from);
         assert!(sorted.is_sorted_by(|left, right| left < right));
+    }
+
+    #[test]
+    fn is_padded_like_any_text() {
+        assert_eq!(format!("[{:>3}]", Text::from("a")), "[  a]");
+        assert_eq!(format!("{:?}", Text::from("a\"")), r#""a\"""#);
     }
 
     #[test]

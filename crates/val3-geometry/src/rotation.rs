@@ -1,0 +1,89 @@
+//! Rotations as vectors: the axis, as long as the angle in radians.
+
+use nalgebra::{Matrix3, Rotation3, Vector3};
+
+/// Below this sine the two directions of a half turn are told apart by noise alone.
+const NOISE: f64 = 1e-12;
+
+/// The shortest rotation vector, at most π long.
+///
+/// A half turn has two; of these it is the one whose largest component is positive.
+pub(crate) fn to_vector(rotation: &Rotation3<f64>) -> Vector3<f64> {
+    let m = rotation.matrix();
+    let twice_sine = Vector3::new(m.m32 - m.m23, m.m13 - m.m31, m.m21 - m.m12);
+    let sin = twice_sine.norm() / 2.0;
+    let cos = (m.trace() - 1.0) / 2.0;
+    let angle = libm::atan2(sin, cos);
+    if cos < 0.0 {
+        let axis = axis_of_wide(m, cos);
+        let backwards = sin > NOISE && axis.dot(&twice_sine) < 0.0;
+        return if backwards { -axis * angle } else { axis * angle };
+    }
+    if sin == 0.0 { Vector3::zeros() } else { twice_sine * (angle / (2.0 * sin)) }
+}
+
+/// The axis of a rotation by more than 90°, in the direction whose largest component is positive.
+///
+/// The symmetric part of the matrix is cos·I + (1-cos)·a·aᵀ; its columns are multiples of the axis.
+fn axis_of_wide(m: &Matrix3<f64>, cos: f64) -> Vector3<f64> {
+    let outer = (m + m.transpose()) / 2.0 - Matrix3::identity() * cos;
+    let columns = [outer.column(0), outer.column(1), outer.column(2)];
+    let [x, y, z] = [outer.m11, outer.m22, outer.m33];
+    let [first, second, third] = columns;
+    let largest = if x >= y && x >= z {
+        first
+    } else if y >= z {
+        second
+    } else {
+        third
+    };
+    largest.normalize()
+}
+
+/// The rotation about a vector by its length in radians.
+pub(crate) fn from_vector(vector: &Vector3<f64>) -> Rotation3<f64> {
+    let angle = vector.norm();
+    if angle == 0.0 {
+        return Rotation3::identity();
+    }
+    let axis = vector / angle;
+    let (sin, cos) = libm::sincos(angle);
+    let matrix = Matrix3::identity() * cos + axis.cross_matrix() * sin + axis * axis.transpose() * (1.0 - cos);
+    Rotation3::from_matrix_unchecked(matrix)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use proptest::prelude::*;
+
+    use super::*;
+
+    #[test]
+    fn a_half_turn_has_a_direction_that_noise_does_not_change() {
+        for noise in [-1e-13, 0.0, 1e-13] {
+            let turn = from_vector(&Vector3::new(0.0, -(PI + noise), 0.0));
+            assert!((to_vector(&turn) - Vector3::new(0.0, PI, 0.0)).amax() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn no_turn_has_no_length() {
+        assert_eq!(to_vector(&Rotation3::identity()), Vector3::zeros());
+        assert_eq!(from_vector(&Vector3::zeros()), Rotation3::identity());
+    }
+
+    proptest! {
+        #[test]
+        fn a_vector_comes_back(axis in [-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64], scale in -14..0) {
+            let axis = Vector3::from(axis);
+            prop_assume!(axis.norm() > 0.1);
+            let tenth = 10.0_f64.powi(scale);
+            for length in [tenth, 1.0, PI / 2.0, 3.0, PI - tenth.max(1e-11)] {
+                let vector = axis.normalize() * length;
+                prop_assert!((to_vector(&from_vector(&vector)) - vector).amax() < 1e-14_f64.max(length * 1e-13));
+            }
+        }
+    }
+}

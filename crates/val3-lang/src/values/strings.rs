@@ -1,0 +1,126 @@
+//! What the instructions of strings compute (3.4.3, `getDisplayLen` of 4.3).
+//!
+//! Positions and sizes count characters (code points) from 0 on and are rounded as an index is. A result beyond 128
+//! bytes is cut at a character.
+
+use unicode_width::UnicodeWidthChar;
+
+use super::{Text, numbers};
+use crate::fault::Result;
+
+/// `chr`: the character with this code point, rounded; empty where there is none, as for one half of a surrogate pair.
+#[must_use]
+pub fn chr(code_point: f64) -> Text {
+    let code_point = numbers::count_from_zero(code_point).and_then(|code| u32::try_from(code).ok());
+    match code_point.and_then(char::from_u32) {
+        Some(character) => Text::from(&*character.encode_utf8(&mut [0; 4])),
+        None => Text::new(),
+    }
+}
+
+/// `asc`: the code point of the character at `position`, -1 where there is none.
+#[must_use]
+pub fn asc(text: &str, position: f64) -> f64 {
+    let character = numbers::count_from_zero(position).and_then(|position| text.chars().nth(position));
+    character.map_or(-1.0, |character| f64::from(u32::from(character)))
+}
+
+/// `left`: the first `size` characters, all where there are fewer.
+///
+/// # Errors
+/// 70: `size` is negative.
+pub fn left(text: &str, size: f64) -> Result<Text> {
+    let (left, _) = split(text, numbers::count(size)?);
+    Ok(Text::from(left))
+}
+
+/// `right`: the last `size` characters, all where there are fewer.
+///
+/// # Errors
+/// 70: `size` is negative.
+pub fn right(text: &str, size: f64) -> Result<Text> {
+    let dropped = len(text).saturating_sub(numbers::count(size)?);
+    let (_, right) = split(text, dropped);
+    Ok(Text::from(right))
+}
+
+/// `mid`: `size` characters from `position` on, fewer where the text ends before.
+///
+/// # Errors
+/// 70: `size` or `position` is negative.
+pub fn mid(text: &str, size: f64, position: f64) -> Result<Text> {
+    let [_, middle, _] = cut_out(text, size, position)?;
+    Ok(Text::from(middle))
+}
+
+/// `insert`: with `insertion` before the character at `position`, behind all where there is none.
+///
+/// # Errors
+/// 70: `position` is negative.
+pub fn insert(text: &str, insertion: &str, position: f64) -> Result<Text> {
+    let (before, behind) = split(text, numbers::count(position)?);
+    Ok(Text::from_iter([before, insertion, behind]))
+}
+
+/// `delete`: without `size` characters from `position` on.
+///
+/// # Errors
+/// 70: `size` or `position` is negative.
+pub fn delete(text: &str, size: f64, position: f64) -> Result<Text> {
+    let [before, _, behind] = cut_out(text, size, position)?;
+    Ok(Text::from_iter([before, behind]))
+}
+
+/// `replace`: with `replacement` instead of `size` characters from `position` on.
+///
+/// Beyond the end nothing changes; directly at the end, which is not beyond it, the replacement is appended.
+///
+/// # Errors
+/// 70: `size` or `position` is negative.
+pub fn replace(text: &str, replacement: &str, size: f64, position: f64) -> Result<Text> {
+    let [before, _, behind] = cut_out(text, size, position)?;
+    let beyond = numbers::count(position)? > len(text);
+    Ok(Text::from_iter([before, if beyond { "" } else { replacement }, behind]))
+}
+
+/// `find`: where `wanted` stands first in `text`, -1 where it does not. The empty string stands at 0.
+#[must_use]
+pub fn find(text: &str, wanted: &str) -> f64 {
+    let before = text.find(wanted).and_then(|at| text.get(..at));
+    before.map_or(-1.0, |before| len(before) as f64)
+}
+
+/// `len`: how many characters a text has.
+#[must_use]
+pub fn len(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// `getDisplayLen`: how many columns a text takes on the pendant.
+#[must_use]
+pub fn display_len(text: &str) -> usize {
+    text.chars().map(columns).sum()
+}
+
+/// How many columns a character takes: 2 for a wide one, such as Chinese, 0 for one that joins the character before it,
+/// else 1. A control character takes one, for the pendant shows a mark in its place.
+#[must_use]
+pub fn columns(character: char) -> usize {
+    character.width().unwrap_or(1)
+}
+
+/// What stands before the character at `position`, and it with all behind it.
+fn split(text: &str, position: usize) -> (&str, &str) {
+    let at = text.char_indices().nth(position).map_or(text.len(), |(at, _)| at);
+    text.split_at_checked(at).unwrap_or((text, ""))
+}
+
+/// What stands before, in and behind the `size` characters from `position` on.
+fn cut_out(text: &str, size: f64, position: f64) -> Result<[&str; 3]> {
+    let (before, rest) = split(text, numbers::count(position)?);
+    let (middle, behind) = split(rest, numbers::count(size)?);
+    Ok([before, middle, behind])
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,132 @@
+//! Programs that begin and end: frames on the stack of a task (2.6).
+
+use val3_bytecode::{Passing, Program};
+use val3_lang::call::Argument;
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::{Lanes, Link, Memory, Place, StoreId, View};
+use val3_lang::values::Text;
+
+use crate::arguments::Arguments;
+use crate::task::Base;
+
+/// The first lanes behind a frame.
+pub(crate) fn behind(base: Base, program: &Program) -> Base {
+    let size = &program.frame;
+    Base {
+        num: base.num + size.lanes.num,
+        text: base.text + size.lanes.text,
+        link: base.link + size.lanes.link,
+        part: base.part + size.lanes.part,
+        place: base.place + size.places,
+        view: base.view + size.views,
+    }
+}
+
+/// Bytes that the frames up to `end` take of the stack that the project declares (2.1.4.2).
+fn bytes(end: Base) -> u32 {
+    const NUM: u32 = 8;
+    const TEXT: u32 = 132;
+    const REFERENCE: u32 = 16;
+    NUM * end.num + TEXT * end.text + REFERENCE * (end.link + end.part + end.place + end.view)
+}
+
+/// Makes the frame of `program` at `base`, with its parameters.
+pub(crate) fn enter(
+    memory: &mut Memory,
+    program: &Program,
+    base: Base,
+    arguments: &Arguments,
+    most: u32,
+) -> Result<()> {
+    let end = behind(base, program);
+    if bytes(end) > most {
+        return Err(Fault::STACK_FULL);
+    }
+    let stack = &mut memory.stack;
+    fill(&mut stack.nums, base.num, end.num, 0.0);
+    let template = base.num as usize..base.num as usize + program.nums.len();
+    if let Some(nums) = stack.nums.get_mut(template) {
+        nums.copy_from_slice(&program.nums);
+    }
+    fill(&mut stack.texts, base.text, end.text, Text::new());
+    clear(&mut stack.texts, base.text, end.text, Text::new());
+    fill(&mut stack.links, base.link, end.link, Link::None);
+    clear(&mut stack.links, base.link, end.link, Link::None);
+    fill(&mut stack.places, base.place, end.place, Place::first(StoreId::STACK));
+    fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
+    stack.parts.truncate(base.part as usize);
+    for part in &program.parts {
+        let store = memory.create(part);
+        memory.store_mut(store)?.local = true;
+        memory.stack.parts.push(store);
+    }
+    for (param, argument) in program.params.iter().zip(arguments) {
+        pass(memory, base, param.passing, &param.kind, *argument)?;
+    }
+    Ok(())
+}
+
+/// Drops what the frame at `base` holds in memory.
+pub(crate) fn leave(memory: &mut Memory, base: Base) {
+    while memory.stack.parts.len() > base.part as usize {
+        if let Some(part) = memory.stack.parts.pop() {
+            memory.remove(part);
+        }
+    }
+}
+
+fn pass(
+    memory: &mut Memory,
+    base: Base,
+    passing: Passing,
+    kind: &val3_lang::memory::Kind,
+    argument: Argument,
+) -> Result<()> {
+    match passing {
+        Passing::Value(_, lanes) => {
+            let from = value(memory, argument)?;
+            let Base { num, text, link, part, .. } = base;
+            let to = Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes);
+            memory.copy(kind, from, to)
+        }
+        Passing::UserValue(part) => {
+            let from = value(memory, argument)?;
+            let part = memory.stack.parts.get((base.part + part) as usize).copied().ok_or(Fault::INTERPRETER)?;
+            memory.copy(kind, from, Place::first(part))
+        }
+        Passing::Reference(number) => {
+            let from = value(memory, argument)?;
+            write(&mut memory.stack.places, base.place + number, from)
+        }
+        Passing::View(number) => {
+            let Argument::View(view) = argument else { return Err(Fault::INTERPRETER) };
+            write(&mut memory.stack.views, base.view + number, view)
+        }
+    }
+}
+
+fn value(memory: &Memory, argument: Argument) -> Result<Place> {
+    match argument {
+        Argument::Value(place, _) | Argument::UserValue(place) => Ok(place),
+        Argument::View(view) => memory.element(view, 0),
+        Argument::Slot(_) | Argument::Library(_) => Err(Fault::INTERPRETER),
+    }
+}
+
+fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
+    *lanes.get_mut(at as usize).ok_or(Fault::INTERPRETER)? = value;
+    Ok(())
+}
+
+/// Makes room up to `end`; a frame that was there before may leave its values.
+fn fill<T: Copy>(lanes: &mut Vec<T>, start: u32, end: u32, value: T) {
+    if end > start && lanes.len() < end as usize {
+        lanes.resize(end as usize, value);
+    }
+}
+
+fn clear<T: Copy>(lanes: &mut [T], start: u32, end: u32, value: T) {
+    if let Some(lanes) = lanes.get_mut(start as usize..end as usize) {
+        lanes.fill(value);
+    }
+}

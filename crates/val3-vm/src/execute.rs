@@ -1,0 +1,501 @@
+//! The interpreter: operations of the innermost program of one task, until its turn ends.
+
+use std::sync::Arc;
+
+use val3_bytecode::{Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
+use val3_lang::call::{Call, Flow, Wait};
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::{Memory, Place, StoreId, View};
+use val3_lang::ports::{Ports, SECOND, Time};
+use val3_lang::runtime_errors::DIVISION_BY_ZERO;
+
+use crate::arguments::{Arguments, Scope};
+use crate::enter::{behind, enter, leave};
+use crate::instance::Imported;
+use crate::roster::Roster;
+use crate::services::Services;
+use crate::task::{Base, Thread};
+use crate::{Event, Frame, Instance, InstanceId, Stop, TaskId, TaskState};
+
+/// What the interpreter works on during one turn.
+pub(crate) struct Machine<'v> {
+    pub(crate) memory: &'v mut Memory,
+    pub(crate) instances: &'v mut Vec<Instance>,
+    pub(crate) roster: &'v mut Roster,
+    pub(crate) ports: &'v mut dyn Ports,
+    pub(crate) events: &'v mut Vec<Event>,
+    /// The task that runs.
+    pub(crate) task: TaskId,
+    pub(crate) stack_size: u32,
+    /// Lines that may still be executed.
+    pub(crate) budget: u32,
+    /// The time at which the budget is used up, and what a line takes: the time now follows from both.
+    pub(crate) end: Time,
+    pub(crate) line_cost: Time,
+    /// Something asked for the time.
+    pub(crate) reads_clock: bool,
+}
+
+/// How the interpreter leaves a program.
+enum Leave {
+    /// For another program of the same application.
+    Program,
+    /// For a program of another one.
+    Instance,
+    /// The turn is over.
+    Turn(Stop),
+}
+
+impl Machine<'_> {
+    /// Executes lines until the turn ends.
+    pub(crate) fn run(&mut self, thread: &mut Thread) -> Result<Stop> {
+        loop {
+            let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
+            let instance = self.instance(frame.instance)?;
+            let (image, data) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
+            loop {
+                let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
+                let program = image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
+                match self.program(thread, &image, program, &data, frame)? {
+                    Leave::Program => {}
+                    Leave::Instance => break,
+                    Leave::Turn(stop) => return Ok(stop),
+                }
+            }
+        }
+    }
+
+    fn instance(&self, id: InstanceId) -> Result<&Instance> {
+        self.instances.get(usize::from(id.0)).ok_or(Fault::INTERPRETER)
+    }
+
+    pub(crate) fn now(&self) -> Time {
+        self.end - Time::from(self.budget) * self.line_cost
+    }
+
+    /// Executes the innermost program until it is left.
+    #[allow(clippy::too_many_lines, reason = "one arm an operation, each of them short")]
+    fn program(
+        &mut self,
+        thread: &mut Thread,
+        image: &Arc<Image>,
+        program: &Program,
+        data: &[StoreId],
+        frame: Frame,
+    ) -> Result<Leave> {
+        let code = program.code.as_slice();
+        let base = frame.base.num as usize;
+        let mut next = thread.next as usize;
+
+        macro_rules! get {
+            ($register:expr) => {
+                match self.memory.stack.nums.get(base + usize::from($register)) {
+                    Some(number) => *number,
+                    None => return Err(Fault::INTERPRETER),
+                }
+            };
+        }
+        macro_rules! set {
+            ($register:expr, $value:expr) => {{
+                let value: f64 = $value;
+                match self.memory.stack.nums.get_mut(base + usize::from($register)) {
+                    Some(number) => *number = value,
+                    None => return Err(Fault::INTERPRETER),
+                }
+            }};
+        }
+        macro_rules! truth {
+            ($value:expr) => {
+                f64::from(u8::from($value))
+            };
+        }
+        macro_rules! leave {
+            ($at:expr, $leave:expr) => {{
+                thread.next = u32::try_from($at).unwrap_or(u32::MAX);
+                return Ok($leave);
+            }};
+        }
+        macro_rules! view {
+            ($whole:expr) => {
+                match $whole.kind() {
+                    val3_bytecode::WholeKind::Data(number) => match data.get(usize::from(number)) {
+                        Some(store) => View::whole(*store),
+                        None => return Err(Fault::INTERPRETER),
+                    },
+                    _ => self.scope(frame)?.view($whole)?,
+                }
+            };
+        }
+
+        while let Some(op) = code.get(next) {
+            next += 1;
+            match *op {
+                Op::Line => {
+                    if self.budget == 0 {
+                        leave!(next - 1, Leave::Turn(Stop::Budget));
+                    }
+                    self.budget -= 1;
+                    thread.line = u32::try_from(next - 1).unwrap_or(u32::MAX);
+                }
+                Op::Jump { to } => next = to as usize,
+                Op::JumpUnless { condition, to } => {
+                    if get!(condition) == 0.0 {
+                        next = to as usize;
+                    }
+                }
+                Op::JumpIf { condition, to } => {
+                    if get!(condition) != 0.0 {
+                        next = to as usize;
+                    }
+                }
+                Op::UnlessLess { a, b, to } => {
+                    if !(get!(a) < get!(b)) {
+                        next = to as usize;
+                    }
+                }
+                Op::UnlessLessEqual { a, b, to } => {
+                    if !(get!(a) <= get!(b)) {
+                        next = to as usize;
+                    }
+                }
+                Op::UnlessEqual { a, b, to } => {
+                    if get!(a) != get!(b) {
+                        next = to as usize;
+                    }
+                }
+                Op::IfEqual { a, b, to } => {
+                    if get!(a) == get!(b) {
+                        next = to as usize;
+                    }
+                }
+
+                Op::Move { to, from } => set!(to, get!(from)),
+                Op::Add { to, a, b } => set!(to, get!(a) + get!(b)),
+                Op::Subtract { to, a, b } => set!(to, get!(a) - get!(b)),
+                Op::Multiply { to, a, b } => set!(to, get!(a) * get!(b)),
+                Op::Divide { to, a, b } => {
+                    let divisor = get!(b);
+                    if divisor == 0.0 {
+                        return Err(Fault(DIVISION_BY_ZERO));
+                    }
+                    set!(to, get!(a) / divisor);
+                }
+                Op::Remainder { to, a, b } => set!(to, remainder(get!(a), get!(b))?),
+                Op::Negate { to, a } => set!(to, -get!(a)),
+                Op::Not { to, a } => set!(to, truth!(get!(a) == 0.0)),
+                Op::Less { to, a, b } => set!(to, truth!(get!(a) < get!(b))),
+                Op::LessEqual { to, a, b } => set!(to, truth!(get!(a) <= get!(b))),
+                Op::Equal { to, a, b } => set!(to, truth!(get!(a) == get!(b))),
+                Op::NotEqual { to, a, b } => set!(to, truth!(get!(a) != get!(b))),
+
+                Op::TextConstant { to, constant } => {
+                    let text = *program.texts.get(usize::from(constant)).ok_or(Fault::INTERPRETER)?;
+                    self.set_text(frame.base, to, text)?;
+                }
+                Op::TextMove { to, from } => {
+                    let text = *self.text(frame.base, from)?;
+                    self.set_text(frame.base, to, text)?;
+                }
+                Op::Concatenate { to, a, b } => {
+                    let text = *self.text(frame.base, a)? + self.text(frame.base, b)?.as_str();
+                    self.set_text(frame.base, to, text)?;
+                }
+                Op::TextEqual { to, a, b } => {
+                    set!(to, truth!(self.text(frame.base, a)? == self.text(frame.base, b)?));
+                }
+
+                Op::LoadFirst { to, whole, lane } => {
+                    let view = view!(whole);
+                    set!(to, self.memory.first_num(view, u32::from(lane))?);
+                }
+                Op::StoreFirst { whole, lane, from } => {
+                    let (view, value) = (view!(whole), get!(from));
+                    self.memory.set_first_num(view, u32::from(lane), value)?;
+                }
+                Op::LoadElement { to, whole, index } => {
+                    let (view, index) = (view!(whole), get!(index));
+                    set!(to, self.memory.element_num(view, index)?);
+                }
+                Op::StoreElement { whole, index, from } => {
+                    let (view, index, value) = (view!(whole), get!(index), get!(from));
+                    self.memory.set_element_num(view, index, value)?;
+                }
+                Op::LoadElement2 { to, whole, i, j } => {
+                    let (view, at) = (view!(whole), [get!(i), get!(j)]);
+                    set!(to, self.memory.element2_num(view.store, at)?);
+                }
+                Op::StoreElement2 { whole, i, j, from } => {
+                    let (view, at, value) = (view!(whole), [get!(i), get!(j)], get!(from));
+                    self.memory.set_element2_num(view.store, at, value)?;
+                }
+
+                Op::LocateFirst { to, whole } => {
+                    let view = view!(whole);
+                    let place = self.memory.element(view, 0)?;
+                    self.set_place(frame.base, to, place)?;
+                }
+                Op::Locate { to, whole, index } => {
+                    let (view, index) = (view!(whole), get!(index));
+                    let store = self.memory.store(view.store)?;
+                    let place = store.place(view.store, store.number1(view, index)?);
+                    self.set_place(frame.base, to, place)?;
+                }
+                Op::Locate2 { to, whole, i, j } => {
+                    let (view, at) = (view!(whole), [get!(i), get!(j)]);
+                    let store = self.memory.store(view.store)?;
+                    let place = store.place(view.store, store.number2(at)?);
+                    self.set_place(frame.base, to, place)?;
+                }
+                Op::Locate3 { to, whole, i } => {
+                    let (view, at) = (view!(whole), [get!(i), get!(i + 1), get!(i + 2)]);
+                    let store = self.memory.store(view.store)?;
+                    let place = store.place(view.store, store.number3(at)?);
+                    self.set_place(frame.base, to, place)?;
+                }
+                Op::LocateKey { to, whole, key } => {
+                    let (view, key) = (view!(whole), *self.text(frame.base, key)?);
+                    let store = self.memory.store(view.store)?;
+                    let place = store.place(view.store, store.number_of(&key)?);
+                    self.set_place(frame.base, to, place)?;
+                }
+                Op::Field { to, place, field } => {
+                    let place = self.scope(frame)?.located(place)?;
+                    let view = View::whole(self.memory.part(place, u32::from(field))?);
+                    let at = frame.base.view as usize + usize::from(to);
+                    *self.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = view;
+                }
+                Op::Load { to, place, lane } => {
+                    let place = self.located(frame.base, place)?;
+                    set!(to, self.memory.num(place, u32::from(lane))?);
+                }
+                Op::Store { place, lane, from } => {
+                    let (place, value) = (self.located(frame.base, place)?, get!(from));
+                    self.memory.set_num(place, u32::from(lane), value)?;
+                }
+                Op::LoadText { to, place } => {
+                    let text = *self.memory.text(self.located(frame.base, place)?)?;
+                    self.set_text(frame.base, to, text)?;
+                }
+                Op::StoreText { place, from } => {
+                    let (place, text) = (self.located(frame.base, place)?, *self.text(frame.base, from)?);
+                    self.memory.set_text(place, text)?;
+                }
+
+                Op::Copy { site } => {
+                    let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                    let (from, to) = self.places(frame, site.from, site.to)?;
+                    self.memory.copy(&site.kind, from, to)?;
+                }
+                Op::Compare { to, site } => {
+                    let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                    let (a, b) = self.places(frame, site.from, site.to)?;
+                    set!(to, truth!(self.memory.equal(&site.kind, a, b)?));
+                }
+                Op::Instruction { site } => {
+                    let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                    if let Some(stop) = self.instruction(thread, image, frame, site)? {
+                        let again = matches!(stop, Stop::Waits);
+                        leave!(next - usize::from(again), Leave::Turn(stop));
+                    }
+                }
+                Op::Call { site } => {
+                    let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                    thread.next = u32::try_from(next).unwrap_or(u32::MAX);
+                    let arguments = self.scope(frame)?.arguments(&site.arguments)?;
+                    return self.call(thread, image, program, frame, (site.program, &arguments));
+                }
+                Op::Return => return Ok(self.end_program(thread, frame)),
+                Op::CreateTask { site } => {
+                    let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                    self.create_task(image, frame, site)?;
+                }
+
+                Op::WaitUntil { condition, retry } => {
+                    if get!(condition) == 0.0 {
+                        thread.since = Some(thread.since.unwrap_or(self.now()));
+                        thread.wait = Some(Wait::default());
+                        leave!(retry, Leave::Turn(Stop::Waits));
+                    }
+                    thread.since = None;
+                }
+                Op::Watch { to, condition, seconds, retry } => {
+                    let (holds, seconds) = (get!(condition) != 0.0, get!(seconds));
+                    match self.watch(thread, holds, seconds) {
+                        Some(answer) => set!(to, truth!(answer)),
+                        None => leave!(retry, Leave::Turn(Stop::Waits)),
+                    }
+                }
+
+                Op::ForTest { counter, limit, exit } => {
+                    if is_beyond(get!(counter), get!(limit), get!(limit + 1)) {
+                        next = exit as usize;
+                    }
+                }
+                Op::ForNext { counter, limit, body } => {
+                    if self.budget == 0 {
+                        leave!(next - 1, Leave::Turn(Stop::Budget));
+                    }
+                    self.budget -= 1;
+                    thread.line = u32::try_from(next - 1).unwrap_or(u32::MAX);
+                    let step = get!(limit + 1);
+                    let counted = get!(counter) + step;
+                    set!(counter, counted);
+                    if !is_beyond(counted, get!(limit), step) {
+                        next = body as usize;
+                    }
+                }
+            }
+        }
+        Err(Fault::INTERPRETER)
+    }
+
+    fn scope(&self, frame: Frame) -> Result<Scope<'_>> {
+        Ok(Scope { memory: self.memory, instance: self.instance(frame.instance)?, base: frame.base })
+    }
+
+    fn text(&self, base: Base, register: Register) -> Result<&val3_lang::values::Text> {
+        let at = base.text as usize + usize::from(register);
+        self.memory.stack.texts.get(at).ok_or(Fault::INTERPRETER)
+    }
+
+    fn set_text(&mut self, base: Base, register: Register, text: val3_lang::values::Text) -> Result<()> {
+        let at = base.text as usize + usize::from(register);
+        *self.memory.stack.texts.get_mut(at).ok_or(Fault::INTERPRETER)? = text;
+        Ok(())
+    }
+
+    fn located(&self, base: Base, register: Register) -> Result<Place> {
+        let at = base.place as usize + usize::from(register);
+        self.memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
+    }
+
+    fn set_place(&mut self, base: Base, register: Register, place: Place) -> Result<()> {
+        let at = base.place as usize + usize::from(register);
+        *self.memory.stack.places.get_mut(at).ok_or(Fault::INTERPRETER)? = place;
+        Ok(())
+    }
+
+    fn places(&self, frame: Frame, from: Operand, to: Operand) -> Result<(Place, Place)> {
+        let scope = self.scope(frame)?;
+        Ok((scope.place(from)?, scope.place(to)?))
+    }
+
+    /// Executes an instruction; `Some` if the turn ends with it.
+    fn instruction(
+        &mut self,
+        thread: &mut Thread,
+        image: &Image,
+        frame: Frame,
+        site: &InstructionSite,
+    ) -> Result<Option<Stop>> {
+        let run = site.run.ok_or(Fault::INTERPRETER)?.0;
+        let scope = self.scope(frame)?;
+        let arguments = scope.arguments(&site.arguments)?;
+        let result = site.result.map(|operand| scope.place(operand)).transpose()?;
+        let (now, instance) = (self.now(), frame.instance);
+        let mut services = Services { roster: self.roster, instances: self.instances, events: self.events, owner: instance };
+        let reach: (&mut Memory, &mut dyn Ports, &mut dyn val3_lang::ports::Tasks) =
+            (self.memory, self.ports, &mut services);
+        let mut call = Call::new(reach, (now, thread.since), image.version, &arguments, result);
+        let flow = run(&mut call)?;
+        self.reads_clock |= call.reads_clock;
+        match flow {
+            Flow::Done(()) => thread.since = None,
+            Flow::Wait(wait) => {
+                thread.since = Some(thread.since.unwrap_or(now));
+                thread.wait = Some(wait);
+                return Ok(Some(Stop::Waits));
+            }
+        }
+        Ok(self.is_stopped().then_some(Stop::Halted))
+    }
+
+    /// The task has halted or killed itself.
+    fn is_stopped(&self) -> bool {
+        let at = self.roster.position(self.task).and_then(|at| self.roster.tasks.get(at));
+        at.is_some_and(|task| task.state != TaskState::Running)
+    }
+
+    /// `watch`: its answer, or that the task waits (5.10).
+    fn watch(&mut self, thread: &mut Thread, holds: bool, seconds: f64) -> Option<bool> {
+        let now = self.now();
+        let wake = thread.since.map(|since| since.saturating_add(nanoseconds(seconds)));
+        let answer = match wake {
+            _ if holds => Some(true),
+            Some(wake) if now >= wake => Some(false),
+            _ => None,
+        };
+        if answer.is_some() {
+            thread.since = None;
+        } else {
+            let since = thread.since.unwrap_or(now);
+            thread.since = Some(since);
+            let wake = Some(since.saturating_add(nanoseconds(seconds)));
+            thread.wait = Some(Wait { wake, sleeps: false });
+        }
+        answer
+    }
+
+    fn call(
+        &mut self,
+        thread: &mut Thread,
+        image: &Arc<Image>,
+        caller: &Program,
+        frame: Frame,
+        (program, arguments): (ProgramRef, &Arguments),
+    ) -> Result<Leave> {
+        let base = behind(frame.base, caller);
+        let (instance, number) = self.resolve(frame.instance, program)?;
+        let other = (instance != frame.instance).then(|| self.instance(instance)).transpose()?;
+        let image = other.map_or_else(|| Arc::clone(image), |other| Arc::clone(&other.image));
+        let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+        enter(self.memory, callee, base, arguments, self.stack_size)?;
+        thread.frames.push(Frame { instance, program: number, back: thread.next, back_line: thread.line, base });
+        thread.next = 0;
+        Ok(if instance == frame.instance { Leave::Program } else { Leave::Instance })
+    }
+
+    pub(crate) fn resolve(&self, from: InstanceId, program: ProgramRef) -> Result<(InstanceId, u16)> {
+        match program {
+            ProgramRef::Own(number) => Ok((from, number)),
+            ProgramRef::Import(number) => match self.instance(from)?.imports.get(usize::from(number)) {
+                Some(Some(Imported::Program(instance, number))) => Ok((*instance, *number)),
+                _ => Err(Fault::LIBRARY_ITEM_MISSING),
+            },
+        }
+    }
+
+    fn end_program(&mut self, thread: &mut Thread, frame: Frame) -> Leave {
+        leave(self.memory, frame.base);
+        thread.frames.pop();
+        (thread.next, thread.line) = (frame.back, frame.back_line);
+        match thread.frames.last() {
+            None => Leave::Turn(Stop::Ended),
+            Some(caller) if caller.instance == frame.instance => Leave::Program,
+            Some(_) => Leave::Instance,
+        }
+    }
+}
+
+/// The remainder has the sign of the left side (3.2.2).
+fn remainder(a: f64, b: f64) -> Result<f64> {
+    if b == 0.0 { Err(Fault(DIVISION_BY_ZERO)) } else { Ok(a % b) }
+}
+
+/// The counter of a `for` has passed its limit (2.2.5).
+#[inline]
+fn is_beyond(counter: f64, limit: f64, step: f64) -> bool {
+    if step < 0.0 { counter < limit } else { counter > limit }
+}
+
+/// Seconds in nanoseconds; 0 below zero.
+fn nanoseconds(seconds: f64) -> Time {
+    #[allow(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        clippy::cast_precision_loss,
+        reason = "a cast of a number below 0 gives 0, one that is too large the largest"
+    )]
+    let nanoseconds = (seconds * SECOND as f64).round() as Time;
+    nanoseconds
+}

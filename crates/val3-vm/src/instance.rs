@@ -1,0 +1,36 @@
+//! An image in memory: the data of an application or library (6.6).
+
+use std::sync::Arc;
+
+use val3_bytecode::Image;
+use val3_lang::memory::StoreId;
+
+/// An application or library in memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct InstanceId(pub u16);
+
+/// An application or library in memory.
+#[derive(Debug, Clone)]
+pub struct Instance {
+    /// What it was loaded from.
+    pub image: Arc<Image>,
+    /// The path it was loaded from, as the program wrote it.
+    pub path: String,
+    /// Its global data.
+    pub data: Arc<[StoreId]>,
+    /// What its library identifiers stand for now.
+    pub libraries: Vec<Option<InstanceId>>,
+    /// What it uses of them; `None` where a library is not loaded or lacks the item (error 80).
+    pub imports: Vec<Option<Imported>>,
+    /// It is loaded; the number of one that is not is free.
+    pub loaded: bool,
+}
+
+/// An item of a library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Imported {
+    /// Data.
+    Data(StoreId),
+    /// A program.
+    Program(InstanceId, u16),
+}

@@ -1,0 +1,63 @@
+//! The tasks of a controller, in the order of their creation (5.4).
+
+use val3_lang::fault::{Fault, Result};
+use val3_lang::runtime_errors::{BAD_TASK_NAME, PERIODS, TASK_EXISTS};
+use val3_lang::tasks::{MAX_PERIODS, name_fault};
+use val3_lang::versions::Version;
+
+use crate::{InstanceId, Rate, Task, TaskId, TaskState};
+
+/// Every task that was created and has not ended.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Roster {
+    /// By creation. The task that runs is here too, without its stack.
+    pub(crate) tasks: Vec<Task>,
+    next: u64,
+}
+
+impl Roster {
+    pub(crate) fn find(&self, owner: InstanceId, name: &str) -> Option<usize> {
+        let alive = |task: &Task| task.state != TaskState::Killed;
+        self.tasks.iter().position(|task| task.owner == owner && task.name == name && alive(task))
+    }
+
+    pub(crate) fn position(&self, id: TaskId) -> Option<usize> {
+        self.tasks.iter().position(|task| task.id == id)
+    }
+
+    /// The name suits and is free.
+    ///
+    /// # Errors
+    /// 29 for a bad name, 31 for one in use.
+    pub(crate) fn check_name(&self, owner: InstanceId, name: &str, version: Version) -> Result<()> {
+        if name_fault(name, version).is_some() {
+            return Err(Fault(BAD_TASK_NAME));
+        }
+        if self.find(owner, name).is_some() { Err(Fault(TASK_EXISTS)) } else { Ok(()) }
+    }
+
+    /// One more period is possible.
+    pub(crate) fn check_period(&self, period: u64) -> Result<()> {
+        let mut periods: Vec<u64> = self.tasks.iter().filter_map(period_of).chain([period]).collect();
+        periods.sort_unstable();
+        periods.dedup();
+        if periods.len() > MAX_PERIODS { Err(Fault(PERIODS)) } else { Ok(()) }
+    }
+
+    pub(crate) fn new_id(&mut self) -> TaskId {
+        self.next += 1;
+        TaskId(self.next)
+    }
+
+    /// A task of this application or library is at work.
+    pub(crate) fn has_tasks_of(&self, owner: InstanceId) -> bool {
+        self.tasks.iter().any(|task| task.owner == owner && task.state != TaskState::Killed)
+    }
+}
+
+fn period_of(task: &Task) -> Option<u64> {
+    match task.rate {
+        Rate::Period { period, .. } => Some(period),
+        Rate::Priority(_) => None,
+    }
+}

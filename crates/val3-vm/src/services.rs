@@ -1,0 +1,102 @@
+//! Tasks and libraries as the task that runs reaches them.
+
+use std::sync::Arc;
+
+use val3_lang::call::Flow;
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::{Kind, Memory, View};
+use val3_lang::ports::Tasks;
+use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
+
+use crate::instance::Imported;
+use crate::resume::line_to_resume;
+use crate::roster::Roster;
+use crate::{Event, Instance, InstanceId, TaskState};
+
+/// What the programs of `owner` can reach.
+pub(crate) struct Services<'v> {
+    pub(crate) roster: &'v mut Roster,
+    pub(crate) instances: &'v mut Vec<Instance>,
+    pub(crate) events: &'v mut Vec<Event>,
+    pub(crate) owner: InstanceId,
+}
+
+impl Tasks for Services<'_> {
+    fn status(&self, name: &str) -> i16 {
+        let found = self.roster.find(self.owner, name).and_then(|at| self.roster.tasks.get(at));
+        found.map_or(Number::Absent.number(), |task| task.status())
+    }
+
+    fn suspend(&mut self, name: &str) -> Result<()> {
+        let at = self.roster.find(self.owner, name).ok_or(Fault(NO_TASK))?;
+        if let Some(task) = self.roster.tasks.get_mut(at)
+            && task.is_running()
+        {
+            task.state = TaskState::Halted;
+            self.events.push(Event::Halted(task.id));
+        }
+        Ok(())
+    }
+
+    fn resume(&mut self, name: &str, skip: f64) -> Result<Flow> {
+        let at = self.roster.find(self.owner, name).ok_or(Fault(NO_TASK))?;
+        let Some(task) = self.roster.tasks.get_mut(at) else { return Err(Fault(NO_TASK)) };
+        if task.is_running() {
+            return Ok(Flow::Done(()));
+        }
+        let frame = task.thread.frames.last().ok_or(Fault::INTERPRETER)?;
+        let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
+        let program = instance.image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
+        let op = line_to_resume(program, task.thread.line, skip)?;
+        // A task that was halted within a line goes on there; every other one begins a line.
+        if skip != 0.0 || task.state != TaskState::Halted {
+            (task.thread.next, task.thread.line) = (op, op);
+            (task.thread.since, task.thread.wait) = (None, None);
+        }
+        task.state = TaskState::Running;
+        self.events.push(Event::Resumed(task.id));
+        Ok(Flow::Done(()))
+    }
+
+    fn kill(&mut self, _: &mut Memory, name: &str) -> Result<Flow> {
+        let found = self.roster.find(self.owner, name);
+        if let Some(task) = found.and_then(|at| self.roster.tasks.get_mut(at)) {
+            task.state = TaskState::Killed;
+            self.events.push(Event::Killed(task.id));
+        }
+        Ok(Flow::Done(()))
+    }
+
+    fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16> {
+        const NO_DATA: i16 = -1;
+        const NO_LIBRARY: i16 = -2;
+        let own = self.instances.get(usize::from(self.owner.0)).ok_or(NO_DATA)?;
+        let (instance, name, public) = match name.split_once(':') {
+            None => (own, name, false),
+            Some((alias, name)) => {
+                let library = own.image.libraries.iter().position(|library| library.alias == alias);
+                let library = library.and_then(|at| own.libraries.get(at)).ok_or(NO_LIBRARY)?;
+                let id = library.ok_or(NO_DATA)?;
+                (self.instances.get(usize::from(id.0)).ok_or(NO_DATA)?, name, true)
+            }
+        };
+        let number = instance.image.data(name).map(usize::from).ok_or(NO_DATA)?;
+        let found = instance.image.data.get(number).filter(|data| data.public || !public).ok_or(NO_DATA)?;
+        let store = instance.data.get(number).copied().ok_or(NO_DATA)?;
+        Ok((View::whole(store), Arc::clone(&found.init.kind)))
+    }
+}
+
+impl Instance {
+    /// What `name` of this library is for another application.
+    pub(crate) fn export(&self, id: InstanceId, name: &str, of_program: bool) -> Option<Imported> {
+        if of_program {
+            let number = self.image.program(name)?;
+            let program = self.image.programs.get(usize::from(number)).filter(|program| program.public);
+            return program.map(|_| Imported::Program(id, number));
+        }
+        let number = usize::from(self.image.data(name)?);
+        self.image.data.get(number).filter(|data| data.public)?;
+        self.data.get(number).copied().map(Imported::Data)
+    }
+}

@@ -1,0 +1,127 @@
+//! A task: a program in execution with what it takes to go on (5.1).
+
+use val3_lang::call::Wait;
+use val3_lang::fault::Fault;
+use val3_lang::memory::{Place, Stack};
+use val3_lang::ports::Time;
+
+use crate::InstanceId;
+
+/// A task, by its number in the order of creation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct TaskId(pub u64);
+
+/// A task.
+#[derive(Debug, Clone)]
+pub struct Task {
+    /// Which one it is.
+    pub id: TaskId,
+    /// Its name.
+    pub name: String,
+    /// The application or library whose program has created it: only there it can be seen (5.3).
+    pub owner: InstanceId,
+    /// How often it runs.
+    pub rate: Rate,
+    /// Whether it runs.
+    pub state: TaskState,
+    /// Where it is.
+    pub thread: Thread,
+    /// Bytes of stack it may use.
+    pub stack_size: u32,
+    /// Lines it may still execute in its turn, when the end of a cycle came first.
+    pub left: u32,
+}
+
+/// Where a task is: what changes while it runs. The task that runs lends it to the interpreter.
+#[derive(Debug, Clone, Default)]
+pub struct Thread {
+    /// The programs it is in, the innermost last.
+    pub frames: Vec<Frame>,
+    /// Their data, while another task runs; the memory has it while this one does.
+    pub stack: Stack,
+    /// The operation to go on with, in the innermost program.
+    pub next: u32,
+    /// The first operation of the line it is in.
+    pub line: u32,
+    /// When it reached the instruction that it waits in.
+    pub since: Option<Time>,
+    /// It waits: when time alone lets it go on, if time does.
+    pub wait: Option<Wait>,
+}
+
+/// How often a task runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Rate {
+    /// An asynchronous task: lines in each turn (5.4).
+    Priority(u32),
+    /// A synchronous task (5.5, 5.6).
+    Period {
+        /// Nanoseconds, a multiple of 4 ms.
+        period: Time,
+        /// When its next cycle begins.
+        next: Time,
+        /// The variable that tells of overruns.
+        overrun: Place,
+        /// It was still at work when its cycle ended: the next one is left out.
+        late: bool,
+    },
+}
+
+/// Whether a task runs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TaskState {
+    /// It does; a task that waits runs.
+    Running,
+    /// It was halted.
+    Halted,
+    /// An error has stopped it.
+    Failed(Fault),
+    /// It was killed; its name is free.
+    Killed,
+}
+
+/// A program that a task is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Frame {
+    /// The application or library.
+    pub instance: InstanceId,
+    /// The program, by number.
+    pub program: u16,
+    /// The operation to go on with when the program called from here ends.
+    pub(crate) back: u32,
+    /// The first operation of the line of that call.
+    pub(crate) back_line: u32,
+    /// Where its lanes begin.
+    pub(crate) base: Base,
+}
+
+/// Where the lanes of a frame begin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Base {
+    pub(crate) num: u32,
+    pub(crate) text: u32,
+    pub(crate) link: u32,
+    pub(crate) part: u32,
+    pub(crate) place: u32,
+    pub(crate) view: u32,
+}
+
+impl Task {
+    /// It can go on in its next turn, or look whether it can.
+    #[must_use]
+    pub fn is_running(&self) -> bool {
+        self.state == TaskState::Running
+    }
+
+    /// What `taskStatus` gives (5.10).
+    #[must_use]
+    pub fn status(&self) -> i16 {
+        use val3_lang::runtime_errors::TaskState as Number;
+        match self.state {
+            TaskState::Running => Number::Running.number(),
+            TaskState::Halted => Number::Halted.number(),
+            TaskState::Killed => Number::Absent.number(),
+            TaskState::Failed(Fault(number)) => i16::try_from(number).unwrap_or(i16::MAX),
+        }
+    }
+}

@@ -1,0 +1,125 @@
+//! One turn of one task (5.4).
+
+use val3_bytecode::{Image, Passing, TaskSite};
+use val3_lang::call::Argument;
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::{Lanes, Place, StoreId};
+use val3_lang::ports::{SECOND, Time};
+use val3_lang::tasks::{PERIOD_STEP, period_steps, priority};
+
+use crate::arguments::{Arguments, Scope};
+use crate::enter::enter;
+use crate::execute::Machine;
+use crate::task::{Base, Thread};
+use crate::{Event, Frame, InstanceId, Rate, Task, TaskState};
+
+/// Why a turn has ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stop {
+    /// Its lines are used up.
+    Budget,
+    /// It waits.
+    Waits,
+    /// Its program has ended.
+    Ended,
+    /// It has halted or killed itself.
+    Halted,
+    /// An error has stopped it.
+    Failed(Fault),
+}
+
+/// What a turn came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Turn {
+    /// Why it has ended.
+    pub stop: Stop,
+    /// The lines it has executed.
+    pub lines: u32,
+    /// Something asked for the time.
+    pub reads_clock: bool,
+}
+
+impl Machine<'_> {
+    /// `taskCreate` and `taskCreateSync` (5.10).
+    pub(crate) fn create_task(&mut self, image: &Image, frame: Frame, site: &TaskSite) -> Result<()> {
+        let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
+        let scope = Scope { memory: self.memory, instance, base: frame.base };
+        let name = Lanes { text: u32::from(site.name), ..Lanes::default() };
+        let name = self.memory.text(scope.on_frame(name))?.as_str().to_owned();
+        self.roster.check_name(frame.instance, &name, image.version)?;
+        let rate = scope.num(site.rate)?;
+        let overrun = site.overrun.map(|operand| scope.place(operand)).transpose()?;
+        let arguments = scope.arguments(&site.call.arguments)?;
+        let rate = self.rate(rate, overrun)?;
+        let program = self.resolve(frame.instance, site.call.program)?;
+        let thread = self.new_thread(program, &arguments)?;
+        let id = self.roster.new_id();
+        self.events.push(Event::Created { task: id, name: name.clone() });
+        self.roster.tasks.push(Task {
+            id,
+            name,
+            owner: frame.instance,
+            rate,
+            state: TaskState::Running,
+            thread,
+            stack_size: image.stack_size,
+            left: 0,
+        });
+        Ok(())
+    }
+
+    fn rate(&self, rate: f64, overrun: Option<Place>) -> Result<Rate> {
+        let Some(overrun) = overrun else {
+            let lines = (rate + 0.5).floor();
+            let suits = priority().is_some_and(|range| range.takes(lines));
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 100")]
+            return if suits { Ok(Rate::Priority(lines as u32)) } else { Err(Fault::INVALID_PARAMETER) };
+        };
+        if overrun.store == StoreId::STACK {
+            return Err(Fault::INVALID_PARAMETER);
+        }
+        let steps = period_steps(rate).filter(|steps| *steps > 0).ok_or(Fault::INVALID_PARAMETER)?;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "4 ms")]
+        let period = Time::from(steps) * (PERIOD_STEP * SECOND as f64) as Time;
+        self.roster.check_period(period)?;
+        let next = self.now().next_multiple_of(period);
+        Ok(Rate::Period { period, next, overrun, late: false })
+    }
+
+    /// The thread of a new task. Its frame is made behind those of its creator, from which values are copied, and then
+    /// cut off.
+    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &Arguments) -> Result<Thread> {
+        let (instance, number) = program;
+        let image = &self.instances.get(usize::from(instance.0)).ok_or(Fault::INTERPRETER)?.image;
+        let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+        let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.passing));
+        if references.map(|(_, argument)| argument).any(is_local) {
+            return Err(Fault::INVALID_PARAMETER);
+        }
+        let stack = &self.memory.stack;
+        let lanes = stack.ends();
+        let (place, view) = (length(&stack.places), length(&stack.views));
+        let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view };
+        enter(self.memory, callee, base, arguments, u32::MAX)?;
+        let stack = self.memory.stack.split_off(lanes, place, view);
+        let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
+        Ok(Thread { frames: vec![frame], stack, ..Thread::default() })
+    }
+}
+
+fn length<T>(lanes: &[T]) -> u32 {
+    u32::try_from(lanes.len()).unwrap_or(u32::MAX)
+}
+
+fn is_reference(passing: Passing) -> bool {
+    matches!(passing, Passing::Reference(_) | Passing::View(_))
+}
+
+/// A value on the stack of the creator: the task may outlive it (5.10).
+fn is_local(argument: &Argument) -> bool {
+    match argument {
+        Argument::Value(place, _) | Argument::UserValue(place) => place.store == StoreId::STACK,
+        Argument::View(view) => view.store == StoreId::STACK,
+        Argument::Slot(_) | Argument::Library(_) => false,
+    }
+}
