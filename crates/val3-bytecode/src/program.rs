@@ -122,6 +122,8 @@ pub struct Line {
     pub op: u32,
     /// Where it stands in the file.
     pub range: SourceRange,
+    /// The line of the file, from 1.
+    pub row: u32,
 }
 
 impl Program {

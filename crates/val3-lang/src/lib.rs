@@ -10,6 +10,7 @@ pub mod add_on;
 pub mod arguments;
 pub mod builtins;
 pub mod call;
+pub mod components;
 pub mod enumerations;
 pub mod fault;
 pub mod instruction;

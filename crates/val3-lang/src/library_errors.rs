@@ -15,6 +15,21 @@ const fn row(number: u16, short: &'static str, long: &'static str) -> LibraryErr
     LibraryError { number, short, long }
 }
 
+/// Loaded, saved or deleted.
+pub const DONE: u16 = 0;
+
+/// No library is under the identifier.
+pub const NO_LIBRARY: u16 = 10;
+
+/// Loaded; the library lacks some of its interface.
+pub const INTERFACE_DIFFERS: u16 = 11;
+
+/// The library under the identifier is at work in another task.
+pub const IN_USE: u16 = 13;
+
+/// A task that the library under the identifier has created still runs.
+pub const HAS_TASKS: u16 = 14;
+
 /// Every code, ascending. From 30 on the file could not be read or written.
 #[rustfmt::skip]
 pub static LIBRARY_ERRORS: [LibraryError; 29] = [

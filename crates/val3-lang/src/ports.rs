@@ -3,12 +3,23 @@
 //! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
 //! the controller's clock.
 
+mod io;
+mod media;
+mod robot;
+mod screen;
+
+pub use io::Io;
+pub use media::Media;
+pub use robot::Robot;
+pub use screen::Screen;
+
 use std::sync::Arc;
 
 use crate::call::Flow;
-use crate::fault::Result;
+use crate::fault::{Fault, Result};
 use crate::memory::{Kind, Memory, View};
 use crate::types::BaseType;
+use crate::values::Text;
 
 /// Nanoseconds since the controller was started.
 pub type Time = u64;
@@ -17,12 +28,73 @@ pub type Time = u64;
 pub const SECOND: Time = 1_000_000_000;
 
 /// Everything outside programs and their data.
-pub trait Ports {
+pub trait Ports: Io + Screen + Robot + Media {
+    /// Where the next calls come from. The run time tells it before each instruction.
+    fn origin(&mut self, origin: Origin);
+
+    /// A task was created, has ended, or has changed its state.
+    fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange);
+
     /// The number of an input, output or line by its path in a file (`BasicIO-1\%I0`); `None` where there is none.
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
+}
 
-    /// Shows a line of text that `?` prints.
-    fn print(&mut self, text: &str);
+/// A task, by its number in the order of creation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct TaskNumber(pub u64);
+
+/// Where and when something happens.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Origin {
+    /// When.
+    pub time: Time,
+    /// The task.
+    pub task: TaskNumber,
+    /// The application or library in memory, by number.
+    pub instance: u16,
+    /// The program, by number.
+    pub program: u16,
+    /// The first operation of the line.
+    pub line: u32,
+}
+
+/// What has happened to a task.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum TaskChange {
+    /// It was created.
+    Created,
+    /// Its program has ended.
+    Ended,
+    /// It was halted.
+    Halted,
+    /// It goes on.
+    Resumed,
+    /// It was killed.
+    Killed,
+    /// An error has stopped it.
+    Failed(Fault),
+}
+
+/// What the run time does for an instruction when its handler is done; the code that it comes to is the value of the
+/// instruction (6.6).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Request {
+    /// Loads a library under an identifier (6.7).
+    Load {
+        /// The identifier, by number.
+        library: u16,
+        /// What the program says of its place.
+        path: Text,
+        /// The public password, where the library is encrypted.
+        password: Text,
+    },
+    /// Saves a library, or the application itself.
+    Save {
+        /// The identifier, by number.
+        library: Option<u16>,
+        /// Where to; where it was loaded from if nothing is said.
+        path: Option<Text>,
+    },
 }
 
 /// Tasks and libraries, as the task that calls sees them: those of its own application or library (5.3).
@@ -53,4 +125,14 @@ pub trait Tasks {
     /// # Errors
     /// That of `getData`: -1 no such data, -2 no such library identifier.
     fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16>;
+
+    /// Asks for what only the run time can do.
+    fn request(&mut self, request: Request);
+
+    /// The path that a library was loaded from; of the application itself without an identifier. Empty where nothing
+    /// is loaded.
+    fn path(&self, library: Option<u16>) -> String;
+
+    /// A library has public data of this name, or with `()` behind it a public program (6.7).
+    fn exports(&self, library: u16, symbol: &str) -> bool;
 }

@@ -43,6 +43,15 @@ pub const UNLINKED: u16 = 123;
 /// A number for which an instruction is not defined, or a result that is too large (3.2.3).
 pub const INVALID_NUMBER: u16 = 11;
 
+/// A system input is written (3.5, 3.6).
+pub const WRITE_TO_INPUT: u16 = 122;
+
+/// A program writes an output of the system (3.5, 3.6).
+pub const PROTECTED_OUTPUT: u16 = 124;
+
+/// The device of an input, output or serial line does not answer (3.5 to 3.7).
+pub const NO_ANSWER: u16 = 125;
+
 const fn row(number: u16, short: &'static str, long: &'static str) -> RuntimeError {
     RuntimeError { number, short, long }
 }

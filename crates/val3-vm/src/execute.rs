@@ -6,26 +6,24 @@ use val3_bytecode::{Image, InstructionSite, Op, Operand, Program, ProgramRef, Re
 use val3_lang::call::{Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
-use val3_lang::ports::{Ports, SECOND, Time};
+use val3_lang::ports::{Origin, Ports, SECOND, TaskNumber, Tasks, Time};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
 use crate::arguments::{Arguments, Scope};
 use crate::enter::{behind, enter, leave};
 use crate::instance::Imported;
 use crate::roster::Roster;
-use crate::services::Services;
+use crate::services::{Changes, Services};
 use crate::task::{Base, Thread};
-use crate::{Event, Frame, Instance, InstanceId, Stop, TaskId, TaskState};
+use crate::{Frame, Host, Instance, InstanceId, Space, Stop, TaskState};
 
 /// What the interpreter works on during one turn.
 pub(crate) struct Machine<'v> {
-    pub(crate) memory: &'v mut Memory,
-    pub(crate) instances: &'v mut Vec<Instance>,
+    pub(crate) space: &'v mut Space,
     pub(crate) roster: &'v mut Roster,
-    pub(crate) ports: &'v mut dyn Ports,
-    pub(crate) events: &'v mut Vec<Event>,
+    pub(crate) ports: &'v mut dyn Host,
     /// The task that runs.
-    pub(crate) task: TaskId,
+    pub(crate) task: TaskNumber,
     pub(crate) stack_size: u32,
     /// Lines that may still be executed.
     pub(crate) budget: u32,
@@ -66,7 +64,7 @@ impl Machine<'_> {
     }
 
     fn instance(&self, id: InstanceId) -> Result<&Instance> {
-        self.instances.get(usize::from(id.0)).ok_or(Fault::INTERPRETER)
+        self.space.instance(id).ok_or(Fault::INTERPRETER)
     }
 
     pub(crate) fn now(&self) -> Time {
@@ -89,7 +87,7 @@ impl Machine<'_> {
 
         macro_rules! get {
             ($register:expr) => {
-                match self.memory.stack.nums.get(base + usize::from($register)) {
+                match self.space.memory.stack.nums.get(base + usize::from($register)) {
                     Some(number) => *number,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -98,7 +96,7 @@ impl Machine<'_> {
         macro_rules! set {
             ($register:expr, $value:expr) => {{
                 let value: f64 = $value;
-                match self.memory.stack.nums.get_mut(base + usize::from($register)) {
+                match self.space.memory.stack.nums.get_mut(base + usize::from($register)) {
                     Some(number) => *number = value,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -206,90 +204,90 @@ impl Machine<'_> {
 
                 Op::LoadFirst { to, whole, lane } => {
                     let view = view!(whole);
-                    set!(to, self.memory.first_num(view, u32::from(lane))?);
+                    set!(to, self.space.memory.first_num(view, u32::from(lane))?);
                 }
                 Op::StoreFirst { whole, lane, from } => {
                     let (view, value) = (view!(whole), get!(from));
-                    self.memory.set_first_num(view, u32::from(lane), value)?;
+                    self.space.memory.set_first_num(view, u32::from(lane), value)?;
                 }
                 Op::LoadElement { to, whole, index } => {
                     let (view, index) = (view!(whole), get!(index));
-                    set!(to, self.memory.element_num(view, index)?);
+                    set!(to, self.space.memory.element_num(view, index)?);
                 }
                 Op::StoreElement { whole, index, from } => {
                     let (view, index, value) = (view!(whole), get!(index), get!(from));
-                    self.memory.set_element_num(view, index, value)?;
+                    self.space.memory.set_element_num(view, index, value)?;
                 }
                 Op::LoadElement2 { to, whole, i, j } => {
                     let (view, at) = (view!(whole), [get!(i), get!(j)]);
-                    set!(to, self.memory.element2_num(view.store, at)?);
+                    set!(to, self.space.memory.element2_num(view.store, at)?);
                 }
                 Op::StoreElement2 { whole, i, j, from } => {
                     let (view, at, value) = (view!(whole), [get!(i), get!(j)], get!(from));
-                    self.memory.set_element2_num(view.store, at, value)?;
+                    self.space.memory.set_element2_num(view.store, at, value)?;
                 }
 
                 Op::LocateFirst { to, whole } => {
                     let view = view!(whole);
-                    let place = self.memory.element(view, 0)?;
+                    let place = self.space.memory.element(view, 0)?;
                     self.set_place(frame.base, to, place)?;
                 }
                 Op::Locate { to, whole, index } => {
                     let (view, index) = (view!(whole), get!(index));
-                    let store = self.memory.store(view.store)?;
+                    let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number1(view, index)?);
                     self.set_place(frame.base, to, place)?;
                 }
                 Op::Locate2 { to, whole, i, j } => {
                     let (view, at) = (view!(whole), [get!(i), get!(j)]);
-                    let store = self.memory.store(view.store)?;
+                    let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number2(at)?);
                     self.set_place(frame.base, to, place)?;
                 }
                 Op::Locate3 { to, whole, i } => {
                     let (view, at) = (view!(whole), [get!(i), get!(i + 1), get!(i + 2)]);
-                    let store = self.memory.store(view.store)?;
+                    let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number3(at)?);
                     self.set_place(frame.base, to, place)?;
                 }
                 Op::LocateKey { to, whole, key } => {
                     let (view, key) = (view!(whole), *self.text(frame.base, key)?);
-                    let store = self.memory.store(view.store)?;
+                    let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number_of(&key)?);
                     self.set_place(frame.base, to, place)?;
                 }
                 Op::Field { to, place, field } => {
                     let place = self.scope(frame)?.located(place)?;
-                    let view = View::whole(self.memory.part(place, u32::from(field))?);
+                    let view = View::whole(self.space.memory.part(place, u32::from(field))?);
                     let at = frame.base.view as usize + usize::from(to);
-                    *self.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = view;
+                    *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = view;
                 }
                 Op::Load { to, place, lane } => {
                     let place = self.located(frame.base, place)?;
-                    set!(to, self.memory.num(place, u32::from(lane))?);
+                    set!(to, self.space.memory.num(place, u32::from(lane))?);
                 }
                 Op::Store { place, lane, from } => {
                     let (place, value) = (self.located(frame.base, place)?, get!(from));
-                    self.memory.set_num(place, u32::from(lane), value)?;
+                    self.space.memory.set_num(place, u32::from(lane), value)?;
                 }
                 Op::LoadText { to, place } => {
-                    let text = *self.memory.text(self.located(frame.base, place)?)?;
+                    let text = *self.space.memory.text(self.located(frame.base, place)?)?;
                     self.set_text(frame.base, to, text)?;
                 }
                 Op::StoreText { place, from } => {
                     let (place, text) = (self.located(frame.base, place)?, *self.text(frame.base, from)?);
-                    self.memory.set_text(place, text)?;
+                    self.space.memory.set_text(place, text)?;
                 }
 
                 Op::Copy { site } => {
                     let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let (from, to) = self.places(frame, site.from, site.to)?;
-                    self.memory.copy(&site.kind, from, to)?;
+                    self.space.memory.copy(&site.kind, from, to)?;
                 }
                 Op::Compare { to, site } => {
                     let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let (a, b) = self.places(frame, site.from, site.to)?;
-                    set!(to, truth!(self.memory.equal(&site.kind, a, b)?));
+                    set!(to, truth!(self.space.memory.equal(&site.kind, a, b)?));
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
@@ -307,6 +305,7 @@ impl Machine<'_> {
                 Op::Return => return Ok(self.end_program(thread, frame)),
                 Op::CreateTask { site } => {
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                    self.ports.origin(self.origin(self.now(), frame, thread.line));
                     self.create_task(image, frame, site)?;
                 }
 
@@ -350,28 +349,28 @@ impl Machine<'_> {
     }
 
     fn scope(&self, frame: Frame) -> Result<Scope<'_>> {
-        Ok(Scope { memory: self.memory, instance: self.instance(frame.instance)?, base: frame.base })
+        Ok(Scope { memory: &self.space.memory, instance: self.instance(frame.instance)?, base: frame.base })
     }
 
     fn text(&self, base: Base, register: Register) -> Result<&val3_lang::values::Text> {
         let at = base.text as usize + usize::from(register);
-        self.memory.stack.texts.get(at).ok_or(Fault::INTERPRETER)
+        self.space.memory.stack.texts.get(at).ok_or(Fault::INTERPRETER)
     }
 
     fn set_text(&mut self, base: Base, register: Register, text: val3_lang::values::Text) -> Result<()> {
         let at = base.text as usize + usize::from(register);
-        *self.memory.stack.texts.get_mut(at).ok_or(Fault::INTERPRETER)? = text;
+        *self.space.memory.stack.texts.get_mut(at).ok_or(Fault::INTERPRETER)? = text;
         Ok(())
     }
 
     fn located(&self, base: Base, register: Register) -> Result<Place> {
         let at = base.place as usize + usize::from(register);
-        self.memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
+        self.space.memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
     }
 
     fn set_place(&mut self, base: Base, register: Register, place: Place) -> Result<()> {
         let at = base.place as usize + usize::from(register);
-        *self.memory.stack.places.get_mut(at).ok_or(Fault::INTERPRETER)? = place;
+        *self.space.memory.stack.places.get_mut(at).ok_or(Fault::INTERPRETER)? = place;
         Ok(())
     }
 
@@ -392,13 +391,25 @@ impl Machine<'_> {
         let scope = self.scope(frame)?;
         let arguments = scope.arguments(&site.arguments)?;
         let result = site.result.map(|operand| scope.place(operand)).transpose()?;
-        let (now, instance) = (self.now(), frame.instance);
-        let mut services = Services { roster: self.roster, instances: self.instances, events: self.events, owner: instance };
-        let reach: (&mut Memory, &mut dyn Ports, &mut dyn val3_lang::ports::Tasks) =
-            (self.memory, self.ports, &mut services);
+        let now = self.now();
+        self.ports.origin(self.origin(now, frame, thread.line));
+        let mut services = Services {
+            roster: self.roster,
+            instances: &mut self.space.instances,
+            changes: Changes::new(),
+            request: None,
+            owner: frame.instance,
+        };
+        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.space.memory, self.ports, &mut services);
         let mut call = Call::new(reach, (now, thread.since), image.version, &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
+        let Services { changes, request, .. } = services;
+        changes.iter().for_each(|(task, name, change)| self.ports.task(*task, name, *change));
+        if let Some(request) = request {
+            let code = self.fulfil(frame.instance, request);
+            result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
+        }
         match flow {
             Flow::Done(()) => thread.since = None,
             Flow::Wait(wait) => {
@@ -408,6 +419,10 @@ impl Machine<'_> {
             }
         }
         Ok(self.is_stopped().then_some(Stop::Halted))
+    }
+
+    pub(crate) fn origin(&self, time: Time, frame: Frame, line: u32) -> Origin {
+        Origin { time, task: self.task, instance: frame.instance.0, program: frame.program, line }
     }
 
     /// The task has halted or killed itself.
@@ -449,7 +464,7 @@ impl Machine<'_> {
         let other = (instance != frame.instance).then(|| self.instance(instance)).transpose()?;
         let image = other.map_or_else(|| Arc::clone(image), |other| Arc::clone(&other.image));
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
-        enter(self.memory, callee, base, arguments, self.stack_size)?;
+        enter(&mut self.space.memory, callee, base, arguments, self.stack_size)?;
         thread.frames.push(Frame { instance, program: number, back: thread.next, back_line: thread.line, base });
         thread.next = 0;
         Ok(if instance == frame.instance { Leave::Program } else { Leave::Instance })
@@ -466,7 +481,7 @@ impl Machine<'_> {
     }
 
     fn end_program(&mut self, thread: &mut Thread, frame: Frame) -> Leave {
-        leave(self.memory, frame.base);
+        leave(&mut self.space.memory, frame.base);
         thread.frames.pop();
         (thread.next, thread.line) = (frame.back, frame.back_line);
         match thread.frames.last() {

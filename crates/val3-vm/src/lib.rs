@@ -6,15 +6,22 @@
 mod arguments;
 mod enter;
 mod execute;
+mod host;
 mod instance;
+mod libraries;
 mod resume;
 mod roster;
+mod schedule;
 mod services;
+mod space;
 mod task;
 mod turn;
 mod vm;
 
+pub use host::{Host, Loaded};
 pub use instance::{Instance, InstanceId};
-pub use task::{Frame, Rate, Task, TaskId, TaskState};
+pub use schedule::{CYCLE, Cycle, Schedule};
+pub use space::Space;
+pub use task::{Frame, Rate, Task, TaskState, Thread};
 pub use turn::{Stop, Turn};
-pub use vm::{Event, Vm};
+pub use vm::Vm;

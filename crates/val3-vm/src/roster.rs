@@ -1,11 +1,12 @@
 //! The tasks of a controller, in the order of their creation (5.4).
 
 use val3_lang::fault::{Fault, Result};
+use val3_lang::ports::TaskNumber;
 use val3_lang::runtime_errors::{BAD_TASK_NAME, PERIODS, TASK_EXISTS};
 use val3_lang::tasks::{MAX_PERIODS, name_fault};
 use val3_lang::versions::Version;
 
-use crate::{InstanceId, Rate, Task, TaskId, TaskState};
+use crate::{InstanceId, Rate, Task, TaskState};
 
 /// Every task that was created and has not ended.
 #[derive(Debug, Clone, Default)]
@@ -21,8 +22,8 @@ impl Roster {
         self.tasks.iter().position(|task| task.owner == owner && task.name == name && alive(task))
     }
 
-    pub(crate) fn position(&self, id: TaskId) -> Option<usize> {
-        self.tasks.iter().position(|task| task.id == id)
+    pub(crate) fn position(&self, id: TaskNumber) -> Option<usize> {
+        self.tasks.binary_search_by_key(&id, |task| task.id).ok()
     }
 
     /// The name suits and is free.
@@ -44,9 +45,9 @@ impl Roster {
         if periods.len() > MAX_PERIODS { Err(Fault(PERIODS)) } else { Ok(()) }
     }
 
-    pub(crate) fn new_id(&mut self) -> TaskId {
+    pub(crate) fn new_id(&mut self) -> TaskNumber {
         self.next += 1;
-        TaskId(self.next)
+        TaskNumber(self.next)
     }
 
     /// A task of this application or library is at work.

@@ -2,22 +2,29 @@
 
 use std::sync::Arc;
 
+use smallvec::SmallVec;
 use val3_lang::call::Flow;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Kind, Memory, View};
-use val3_lang::ports::Tasks;
+use val3_lang::ports::{Request, TaskChange, TaskNumber, Tasks};
 use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
 
 use crate::instance::Imported;
 use crate::resume::line_to_resume;
 use crate::roster::Roster;
-use crate::{Event, Instance, InstanceId, TaskState};
+use crate::{Instance, InstanceId, TaskState};
+
+/// Changes of tasks, with their names.
+pub(crate) type Changes = SmallVec<[(TaskNumber, String, TaskChange); 1]>;
 
 /// What the programs of `owner` can reach.
 pub(crate) struct Services<'v> {
     pub(crate) roster: &'v mut Roster,
     pub(crate) instances: &'v mut Vec<Instance>,
-    pub(crate) events: &'v mut Vec<Event>,
+    /// What has happened to tasks.
+    pub(crate) changes: Changes,
+    /// What the run time has to do.
+    pub(crate) request: Option<Request>,
     pub(crate) owner: InstanceId,
 }
 
@@ -33,7 +40,7 @@ impl Tasks for Services<'_> {
             && task.is_running()
         {
             task.state = TaskState::Halted;
-            self.events.push(Event::Halted(task.id));
+            self.changes.push((task.id, task.name.clone(), TaskChange::Halted));
         }
         Ok(())
     }
@@ -54,7 +61,7 @@ impl Tasks for Services<'_> {
             (task.thread.since, task.thread.wait) = (None, None);
         }
         task.state = TaskState::Running;
-        self.events.push(Event::Resumed(task.id));
+        self.changes.push((task.id, task.name.clone(), TaskChange::Resumed));
         Ok(Flow::Done(()))
     }
 
@@ -62,7 +69,7 @@ impl Tasks for Services<'_> {
         let found = self.roster.find(self.owner, name);
         if let Some(task) = found.and_then(|at| self.roster.tasks.get_mut(at)) {
             task.state = TaskState::Killed;
-            self.events.push(Event::Killed(task.id));
+            self.changes.push((task.id, task.name.clone(), TaskChange::Killed));
         }
         Ok(Flow::Done(()))
     }
@@ -84,6 +91,36 @@ impl Tasks for Services<'_> {
         let found = instance.image.data.get(number).filter(|data| data.public || !public).ok_or(NO_DATA)?;
         let store = instance.data.get(number).copied().ok_or(NO_DATA)?;
         Ok((View::whole(store), Arc::clone(&found.init.kind)))
+    }
+
+    fn request(&mut self, request: Request) {
+        self.request = Some(request);
+    }
+
+    fn path(&self, library: Option<u16>) -> String {
+        self.target(library).map(|instance| instance.path.clone()).unwrap_or_default()
+    }
+
+    fn exports(&self, library: u16, symbol: &str) -> bool {
+        let (name, of_program) = match symbol.strip_suffix("()") {
+            Some(name) => (name, true),
+            None => (symbol, false),
+        };
+        self.target(Some(library)).is_some_and(|instance| instance.export(self.owner, name, of_program).is_some())
+    }
+}
+
+impl Services<'_> {
+    /// The library under an identifier, or the application itself.
+    fn target(&self, library: Option<u16>) -> Option<&Instance> {
+        let own = self.instances.get(usize::from(self.owner.0))?;
+        match library {
+            None => Some(own),
+            Some(number) => {
+                let id = (*own.libraries.get(usize::from(number))?)?;
+                self.instances.get(usize::from(id.0))
+            }
+        }
     }
 }
 

@@ -3,19 +3,15 @@
 use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
 use val3_lang::memory::{Place, Stack};
-use val3_lang::ports::Time;
+use val3_lang::ports::{TaskNumber, Time};
 
 use crate::InstanceId;
-
-/// A task, by its number in the order of creation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct TaskId(pub u64);
 
 /// A task.
 #[derive(Debug, Clone)]
 pub struct Task {
     /// Which one it is.
-    pub id: TaskId,
+    pub id: TaskNumber,
     /// Its name.
     pub name: String,
     /// The application or library whose program has created it: only there it can be seen (5.3).

@@ -1,17 +1,19 @@
 //! One turn of one task (5.4).
 
+use std::sync::Arc;
+
 use val3_bytecode::{Image, Passing, TaskSite};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Lanes, Place, StoreId};
-use val3_lang::ports::{SECOND, Time};
+use val3_lang::ports::{SECOND, TaskChange, Time};
 use val3_lang::tasks::{PERIOD_STEP, period_steps, priority};
 
 use crate::arguments::{Arguments, Scope};
 use crate::enter::enter;
 use crate::execute::Machine;
 use crate::task::{Base, Thread};
-use crate::{Event, Frame, InstanceId, Rate, Task, TaskState};
+use crate::{Frame, InstanceId, Rate, Task, TaskState};
 
 /// Why a turn has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -42,10 +44,10 @@ pub struct Turn {
 impl Machine<'_> {
     /// `taskCreate` and `taskCreateSync` (5.10).
     pub(crate) fn create_task(&mut self, image: &Image, frame: Frame, site: &TaskSite) -> Result<()> {
-        let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
-        let scope = Scope { memory: self.memory, instance, base: frame.base };
+        let instance = self.space.instance(frame.instance).ok_or(Fault::INTERPRETER)?;
+        let scope = Scope { memory: &self.space.memory, instance, base: frame.base };
         let name = Lanes { text: u32::from(site.name), ..Lanes::default() };
-        let name = self.memory.text(scope.on_frame(name))?.as_str().to_owned();
+        let name = self.space.memory.text(scope.on_frame(name))?.as_str().to_owned();
         self.roster.check_name(frame.instance, &name, image.version)?;
         let rate = scope.num(site.rate)?;
         let overrun = site.overrun.map(|operand| scope.place(operand)).transpose()?;
@@ -54,7 +56,7 @@ impl Machine<'_> {
         let program = self.resolve(frame.instance, site.call.program)?;
         let thread = self.new_thread(program, &arguments)?;
         let id = self.roster.new_id();
-        self.events.push(Event::Created { task: id, name: name.clone() });
+        self.ports.task(id, &name, TaskChange::Created);
         self.roster.tasks.push(Task {
             id,
             name,
@@ -90,18 +92,18 @@ impl Machine<'_> {
     /// cut off.
     pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &Arguments) -> Result<Thread> {
         let (instance, number) = program;
-        let image = &self.instances.get(usize::from(instance.0)).ok_or(Fault::INTERPRETER)?.image;
+        let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
         let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.passing));
         if references.map(|(_, argument)| argument).any(is_local) {
             return Err(Fault::INVALID_PARAMETER);
         }
-        let stack = &self.memory.stack;
+        let stack = &self.space.memory.stack;
         let lanes = stack.ends();
         let (place, view) = (length(&stack.places), length(&stack.views));
         let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view };
-        enter(self.memory, callee, base, arguments, u32::MAX)?;
-        let stack = self.memory.stack.split_off(lanes, place, view);
+        enter(&mut self.space.memory, callee, base, arguments, u32::MAX)?;
+        let stack = self.space.memory.stack.split_off(lanes, place, view);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
         Ok(Thread { frames: vec![frame], stack, ..Thread::default() })
     }

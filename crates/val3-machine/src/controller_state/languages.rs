@@ -1,0 +1,60 @@
+//! The language in which the controller speaks (`getLanguage`, `setLanguage`, 4.3).
+
+/// The languages of the manual's example, and Chinese, which another one asks for.
+const USUAL: [&str; 6] = ["english", "francais", "deutsch", "italiano", "espanol", "chinese"];
+
+/// The languages that are installed and the one that is active.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Languages {
+    installed: Vec<String>,
+    active: String,
+}
+
+impl Default for Languages {
+    fn default() -> Self {
+        Self::new(USUAL.map(str::to_owned).to_vec(), "english")
+    }
+}
+
+impl Languages {
+    /// The languages that are installed and the one that is active.
+    #[must_use]
+    pub fn new(installed: Vec<String>, active: &str) -> Self {
+        Self { installed, active: active.to_owned() }
+    }
+
+    /// `getLanguage`.
+    #[must_use]
+    pub fn active(&self) -> &str {
+        &self.active
+    }
+
+    /// `setLanguage`: `false` if it is not installed. Letter case counts.
+    pub fn change(&mut self, language: &str) -> bool {
+        let installed = self.installed.iter().any(|known| known == language);
+        if installed {
+            language.clone_into(&mut self.active);
+        }
+        installed
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_installed_languages_can_be_chosen() {
+        let mut languages = Languages::new(vec!["english".to_owned(), "deutsch".to_owned()], "english");
+        assert!(languages.change("deutsch"));
+        assert!(!languages.change("chinese"));
+        assert_eq!(languages.active(), "deutsch");
+    }
+
+    #[test]
+    fn the_languages_of_the_manual_are_installed() {
+        let mut languages = Languages::default();
+        assert_eq!(languages.active(), "english");
+        assert!(USUAL.iter().all(|language| languages.change(language)));
+    }
+}

@@ -1,0 +1,114 @@
+//! Users and what they may do (`getProfile`, `setProfile`, 4.3).
+
+/// The manufacturer's profile; no program enters or leaves it.
+const MANUFACTURER: &str = "staubli";
+
+/// One profile.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Profile {
+    /// Its name.
+    pub name: String,
+    /// Its password, in plain text; empty without one.
+    pub password: String,
+    /// The operator may change the monitor speed.
+    pub controls_speed: bool,
+}
+
+/// How `setProfile` ended; the number is its result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u8)]
+pub enum ProfileChange {
+    /// The profile is active.
+    Done = 0,
+    /// No profile has this name.
+    Unknown = 1,
+    /// The password is another one.
+    WrongPassword = 2,
+    /// The manufacturer's profile cannot be entered this way.
+    NotEntered = 3,
+    /// The manufacturer's profile is active and cannot be left this way.
+    NotLeft = 4,
+}
+
+/// The profiles of a controller and the one that is active.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Profiles {
+    known: Vec<Profile>,
+    active: Profile,
+}
+
+impl Default for Profiles {
+    /// `default`, which is active and leaves the speed to programs, and `maintenance`, which does not; neither has a
+    /// password.
+    fn default() -> Self {
+        let profile =
+            |name: &str, controls_speed| Profile { name: name.to_owned(), password: String::new(), controls_speed };
+        let first = profile("default", false);
+        Self { known: vec![first.clone(), profile("maintenance", true)], active: first }
+    }
+}
+
+impl Profiles {
+    /// The profiles of a controller; `active` need not be among those that can be entered.
+    #[must_use]
+    pub fn new(known: Vec<Profile>, active: Profile) -> Self {
+        Self { known, active }
+    }
+
+    /// The active profile; its name is the result of `getProfile`.
+    #[must_use]
+    pub fn active(&self) -> &Profile {
+        &self.active
+    }
+
+    /// `setProfile`.
+    pub fn change(&mut self, login: &str, password: &str) -> ProfileChange {
+        if self.active.name == MANUFACTURER {
+            return ProfileChange::NotLeft;
+        }
+        if login == MANUFACTURER {
+            return ProfileChange::NotEntered;
+        }
+        match self.known.iter().find(|profile| profile.name == login) {
+            None => ProfileChange::Unknown,
+            Some(profile) if profile.password != password => ProfileChange::WrongPassword,
+            Some(profile) => {
+                self.active = profile.clone();
+                ProfileChange::Done
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn profile(name: &str, password: &str) -> Profile {
+        Profile { name: name.to_owned(), password: password.to_owned(), controls_speed: true }
+    }
+
+    fn profiles() -> Profiles {
+        let known = vec![profile("default", ""), profile("setter", "1234"), profile("staubli", "x")];
+        Profiles::new(known, profile("default", ""))
+    }
+
+    #[test]
+    fn every_result() {
+        let mut profiles = profiles();
+        assert_eq!(profiles.change("nobody", "") as u8, 1);
+        assert_eq!(profiles.change("setter", "4321") as u8, 2);
+        assert_eq!(profiles.change("staubli", "x") as u8, 3);
+        assert_eq!(profiles.active().name, "default");
+        assert_eq!(profiles.change("setter", "1234") as u8, 0);
+        assert_eq!(profiles.active().name, "setter");
+    }
+
+    #[test]
+    fn the_manufacturer_stays() {
+        let mut profiles = Profiles { active: profile("staubli", "x"), ..profiles() };
+        assert_eq!(profiles.change("default", "") as u8, 4);
+        assert_eq!(profiles.change("staubli", "x") as u8, 4);
+        assert_eq!(profiles.active().name, "staubli");
+    }
+}

@@ -1,0 +1,249 @@
+//! Power, working mode, safety and speed of the robot (8.1).
+
+mod results;
+
+pub use results::{EmergencyStop, PowerRequest, RobotEvent, SpeedChange};
+
+use super::power::{POWER_ON_TIME, Power};
+use super::working_mode::{Activity, WorkingMode};
+
+/// The state of the robot that programs can ask. It starts without power, calibrated, in remote mode, at 100 %.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Robot {
+    power: Power,
+    mode: WorkingMode,
+    activity: Activity,
+    emergency_stop: EmergencyStop,
+    safety_fault: Option<String>,
+    calibrated: bool,
+    monitor_speed: f64,
+    events: Vec<RobotEvent>,
+}
+
+impl Default for Robot {
+    fn default() -> Self {
+        Self {
+            power: Power::Off,
+            mode: WorkingMode::default(),
+            activity: WorkingMode::default().first_activity(),
+            emergency_stop: EmergencyStop::None,
+            safety_fault: None,
+            calibrated: true,
+            monitor_speed: 100.0,
+            events: Vec::new(),
+        }
+    }
+}
+
+/// Instructions.
+impl Robot {
+    /// `enablePower`: works in remote mode alone. It acknowledges an emergency stop that was released, as the power key
+    /// does.
+    pub fn enable_power(&mut self, now: u64) -> PowerRequest {
+        if self.mode != WorkingMode::Remote {
+            return PowerRequest::NotRemote;
+        }
+        match self.power {
+            Power::On | Power::ComingOn { .. } => return PowerRequest::AlreadyOn,
+            Power::BeingCut { .. } => return PowerRequest::BeingCut,
+            Power::Off => {}
+        }
+        if self.es_status() == EmergencyStop::Open {
+            return PowerRequest::Stopped;
+        }
+        self.set_emergency_stop(EmergencyStop::None);
+        self.power = Power::ComingOn { at: now.saturating_add(POWER_ON_TIME) };
+        PowerRequest::Started
+    }
+
+    /// `disablePower`: begins to cut the power; the instruction waits until [`Self::is_power_off`].
+    pub fn disable_power(&mut self, now: u64) {
+        self.change_power(self.power.cut(now));
+    }
+
+    /// `isPowered`.
+    #[must_use]
+    pub fn is_powered(&self) -> bool {
+        self.power.is_on()
+    }
+
+    /// The power is cut and does not come on.
+    #[must_use]
+    pub fn is_power_off(&self) -> bool {
+        self.power == Power::Off
+    }
+
+    /// The power is being cut: the arm has to stop on its path.
+    #[must_use]
+    pub fn is_power_being_cut(&self) -> bool {
+        matches!(self.power, Power::BeingCut { .. })
+    }
+
+    /// `isCalibrated`.
+    #[must_use]
+    pub fn is_calibrated(&self) -> bool {
+        self.calibrated
+    }
+
+    /// `workingMode`.
+    #[must_use]
+    pub fn working_mode(&self) -> WorkingMode {
+        self.mode
+    }
+
+    /// The state within the mode, as `workingMode(nStatus)` gives it.
+    #[must_use]
+    pub fn mode_state(&self) -> u8 {
+        self.mode.state(self.activity)
+    }
+
+    /// `esStatus`.
+    #[must_use]
+    pub fn es_status(&self) -> EmergencyStop {
+        if self.safety_fault.is_some() { EmergencyStop::Open } else { self.emergency_stop }
+    }
+
+    /// `safetyFault`: the name of the faulty signal; `None` stands for `false`.
+    #[must_use]
+    pub fn safety_fault(&self) -> Option<&str> {
+        self.safety_fault.as_deref()
+    }
+
+    /// `getMonitorSpeed`, per cent.
+    #[must_use]
+    pub fn monitor_speed(&self) -> f64 {
+        self.monitor_speed
+    }
+
+    /// `setMonitorSpeed`. `operator_controls`: the active profile gives the operator the speed keys, and a pendant is
+    /// connected.
+    pub fn set_monitor_speed(&mut self, speed: f64, operator_controls: bool) -> SpeedChange {
+        if !(0.0..=100.0).contains(&speed) {
+            return SpeedChange::OutOfRange;
+        }
+        if speed > self.monitor_speed {
+            if self.mode != WorkingMode::Remote {
+                return SpeedChange::NotRemote;
+            }
+            if operator_controls {
+                return SpeedChange::OperatorControls;
+            }
+        }
+        self.turn_speed_to(speed);
+        SpeedChange::Done
+    }
+}
+
+/// What happens around the robot. Times count nanoseconds.
+impl Robot {
+    /// Time goes on; `arm_stands` holds back the end of the power until the arm has stopped.
+    pub fn advance(&mut self, now: u64, arm_stands: bool) {
+        self.change_power(self.power.after(now, arm_stands));
+    }
+
+    /// When the power changes by itself; a moving arm can delay it.
+    #[must_use]
+    pub fn next_due(&self) -> Option<u64> {
+        self.power.due()
+    }
+
+    /// What happened since the last call.
+    pub fn take_events(&mut self) -> Vec<RobotEvent> {
+        std::mem::take(&mut self.events)
+    }
+
+    /// Power on or off at once, in any mode; on only without an emergency stop.
+    pub fn set_power(&mut self, on: bool) {
+        if !on {
+            self.change_power(Power::Off);
+        } else if self.es_status() != EmergencyStop::Open {
+            self.set_emergency_stop(EmergencyStop::None);
+            self.change_power(Power::On);
+        }
+    }
+
+    /// Another working mode. The power is cut, as on every change of the mode; the arm is held unless the mode is
+    /// remote.
+    pub fn set_mode(&mut self, mode: WorkingMode, now: u64) {
+        if self.mode != mode {
+            self.mode = mode;
+            self.activity = mode.first_activity();
+            self.events.push(RobotEvent::Mode(mode));
+            self.disable_power(now);
+        }
+    }
+
+    /// What the arm does now.
+    pub fn set_activity(&mut self, activity: Activity) {
+        self.activity = activity;
+    }
+
+    /// The emergency stop is pressed: the power is off at once.
+    pub fn press_emergency_stop(&mut self) {
+        self.set_emergency_stop(EmergencyStop::Open);
+        self.change_power(Power::Off);
+    }
+
+    /// The emergency stop is released; it waits to be acknowledged.
+    pub fn release_emergency_stop(&mut self) {
+        if self.emergency_stop == EmergencyStop::Open {
+            self.set_emergency_stop(EmergencyStop::Released);
+        }
+    }
+
+    /// A released emergency stop is acknowledged.
+    pub fn acknowledge_emergency_stop(&mut self) {
+        if self.emergency_stop == EmergencyStop::Released {
+            self.set_emergency_stop(EmergencyStop::None);
+        }
+    }
+
+    /// A fault of the safety circuit, by the name of its signal, or its end. It cuts the power as an emergency stop
+    /// does.
+    pub fn set_safety_fault(&mut self, signal: Option<String>) {
+        let before = self.es_status();
+        self.safety_fault = signal;
+        let after = self.es_status();
+        if before != after {
+            self.events.push(RobotEvent::EmergencyStop(after));
+        }
+        if after == EmergencyStop::Open {
+            self.change_power(Power::Off);
+        }
+    }
+
+    /// Whether every axis knows its position.
+    pub fn set_calibrated(&mut self, calibrated: bool) {
+        self.calibrated = calibrated;
+    }
+
+    /// The operator turns the monitor speed, in any mode; it is limited to 0 and 100 %.
+    pub fn turn_speed(&mut self, speed: f64) {
+        self.turn_speed_to(speed.clamp(0.0, 100.0));
+    }
+
+    fn turn_speed_to(&mut self, speed: f64) {
+        if self.monitor_speed != speed {
+            self.monitor_speed = speed;
+            self.events.push(RobotEvent::MonitorSpeed(speed));
+        }
+    }
+
+    fn set_emergency_stop(&mut self, state: EmergencyStop) {
+        let before = self.es_status();
+        self.emergency_stop = state;
+        if self.es_status() != before {
+            self.events.push(RobotEvent::EmergencyStop(self.es_status()));
+        }
+    }
+
+    fn change_power(&mut self, power: Power) {
+        if self.power.is_on() != power.is_on() {
+            self.events.push(RobotEvent::Power(power.is_on()));
+        }
+        self.power = power;
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,46 @@
+//! How grave a message is.
+
+/// The kind of a message of `logMsg` and `popUpMsg` (s8); without it a message is an information.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Severity {
+    /// 1.
+    #[default]
+    Information,
+    /// 2.
+    Warning,
+    /// 3.
+    Error,
+}
+
+impl Severity {
+    /// The kind of this number; any number but 2 and 3 is an information.
+    #[must_use]
+    pub fn from_number(number: f64) -> Self {
+        if number == 2.0 {
+            Self::Warning
+        } else if number == 3.0 {
+            Self::Error
+        } else {
+            Self::Information
+        }
+    }
+
+    /// 1 to 3.
+    #[must_use]
+    pub fn number(self) -> u8 {
+        self as u8 + 1
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Severity;
+
+    #[test]
+    fn numbers_lead_there_and_back() {
+        for number in [1, 2, 3] {
+            assert_eq!(Severity::from_number(f64::from(number)).number(), number);
+        }
+        assert_eq!(Severity::from_number(7.0), Severity::Information);
+    }
+}

@@ -1,0 +1,147 @@
+//! Versions of the parts of the controller, and its licences (`getVersion` 8.1, `getLicence` 11.3.2).
+
+use std::collections::BTreeMap;
+
+use val3_lang::components::{Component, LICENCES, OEM_LICENCE};
+
+/// The state of a licence.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Licence {
+    /// It may be used for a while.
+    Demo,
+    /// It is installed.
+    Enabled,
+}
+
+impl Licence {
+    /// What programs see.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        match self {
+            Self::Demo => "demo",
+            Self::Enabled => "enabled",
+        }
+    }
+}
+
+/// What `getLicence` gives where no licence of a machine builder can be tested.
+const OEM_DISABLED: &str = "oemLicenceDisabled";
+
+/// A licence that a machine builder made.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct OemLicence {
+    password: String,
+    state: Licence,
+}
+
+/// Versions and licences; a controller has those that are set, and at first the licences that the manual names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Versions {
+    parts: Vec<(Component, String)>,
+    licences: BTreeMap<String, Licence>,
+    oem: BTreeMap<String, OemLicence>,
+}
+
+impl Default for Versions {
+    fn default() -> Self {
+        let licences = LICENCES.map(|name| (name.to_owned(), Licence::Enabled)).into();
+        Self { parts: Vec::new(), licences, oem: BTreeMap::new() }
+    }
+}
+
+impl Versions {
+    /// The version of a part, as `getVersion` gives it: the language as `s7.11.3 - Jan 01 2024 - 00:00:00`.
+    pub fn set(&mut self, part: Component, version: &str) {
+        self.parts.retain(|(known, _)| *known != part);
+        self.parts.push((part, version.to_owned()));
+    }
+
+    /// Installs a licence, or takes it away.
+    pub fn set_licence(&mut self, name: &str, licence: Option<Licence>) {
+        match licence {
+            Some(licence) => self.licences.insert(name.to_owned(), licence),
+            None => self.licences.remove(name),
+        };
+    }
+
+    /// Installs a licence that a machine builder made with a password.
+    pub fn set_oem_licence(&mut self, name: &str, password: &str, state: Licence) {
+        self.oem.insert(name.to_owned(), OemLicence { password: password.to_owned(), state });
+    }
+
+    /// The state of a licence; `None` where it is missing, and its instructions are run-time error 250.
+    #[must_use]
+    pub fn licence(&self, name: &str) -> Option<Licence> {
+        self.licences.get(name).copied()
+    }
+
+    /// `getVersion`: the version of a part, empty where it is not set; of anything else the state of the licence, empty
+    /// where it is missing.
+    #[must_use]
+    pub fn version(&self, component: &str) -> &str {
+        match Component::from_name(component) {
+            Some(part) => self.parts.iter().find(|(known, _)| *known == part).map_or("", |(_, version)| version),
+            None => self.licence(component).map_or("", Licence::text),
+        }
+    }
+
+    /// `getLicence`.
+    #[must_use]
+    pub fn oem_licence(&self, name: &str, password: &str) -> &'static str {
+        if self.licence(OEM_LICENCE).is_none() {
+            return OEM_DISABLED;
+        }
+        let licence = self.oem.get(name).filter(|licence| licence.password == password);
+        licence.map_or("", |licence| licence.state.text())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_components_of_the_manual() {
+        let mut versions = Versions::default();
+        let parts = [
+            ("VAL 3", Component::Val3, "s7.0 - Jun 18 2010 - 16:01:17"),
+            ("ArmType", Component::ArmType, "rs60-S1-D20-L200"),
+            ("Tuning", Component::Tuning, "R3"),
+            ("Mounting", Component::Mounting, "floor"),
+            ("ControllerSN", Component::ControllerSerial, "F07_12R3A1_C_01"),
+            ("ArmSN", Component::ArmSerial, "F07_12R3A1_A_01"),
+            ("Starc", Component::Starc, "1.16.3 - Sep 27 2007 - 16:01:17"),
+        ];
+        for (name, part, version) in parts {
+            assert_eq!(versions.version(name), "");
+            versions.set(part, version);
+            assert_eq!(versions.version(name), version);
+        }
+        versions.set(Component::Tuning, "R4");
+        assert_eq!(versions.version("Tuning"), "R4");
+    }
+
+    #[test]
+    fn a_licence_is_missing_a_demo_or_enabled() {
+        let mut versions = Versions::default();
+        assert_eq!(versions.version("compliance"), "enabled");
+        versions.set_licence("compliance", Some(Licence::Demo));
+        assert_eq!(versions.version("compliance"), "demo");
+        versions.set_licence("compliance", None);
+        assert_eq!((versions.version("compliance"), versions.licence("compliance")), ("", None));
+        assert_eq!(versions.version("nonsense"), "");
+    }
+
+    #[test]
+    fn every_result_of_a_licence_of_a_machine_builder() {
+        let mut versions = Versions::default();
+        versions.set_oem_licence("palletiser", "secret", Licence::Enabled);
+        versions.set_oem_licence("vision", "secret", Licence::Demo);
+        assert_eq!(versions.oem_licence("palletiser", "secret"), "enabled");
+        assert_eq!(versions.oem_licence("vision", "secret"), "demo");
+        assert_eq!(versions.oem_licence("palletiser", "wrong"), "");
+        assert_eq!(versions.oem_licence("unknown", "secret"), "");
+        versions.set_licence("oemLicence", None);
+        assert_eq!(versions.oem_licence("palletiser", "secret"), "oemLicenceDisabled");
+    }
+}

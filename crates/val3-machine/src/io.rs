@@ -1,0 +1,13 @@
+//! Digital and analog inputs and outputs (3.5, 3.6, 5.7).
+
+mod bus;
+mod outside;
+mod program;
+mod signal;
+mod status;
+mod table;
+
+pub use bus::DeviceFault;
+pub use signal::{Direction, Format, Kind, Signal};
+pub use status::{Fault, IoError, IoStatus};
+pub use table::{IoChange, IoTable, LinkId, SignalId};

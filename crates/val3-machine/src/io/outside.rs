@@ -1,0 +1,68 @@
+//! What happens to inputs and outputs around the programs: hardware, operator, faults.
+
+use super::signal::Direction;
+use super::status::Fault;
+use super::table::{Channel, IoTable, SignalId};
+
+/// The hardware and the operator.
+impl IoTable {
+    /// The hardware sets a signal. Programs see an input of this value from the next cycle on; an output has it at
+    /// once, as when the other side of a field bus writes it.
+    pub fn set(&mut self, id: SignalId, value: f64) {
+        self.change(id, |channel| {
+            let value = channel.signal.kind.fit(value);
+            channel.hardware = value;
+            if channel.signal.direction == Direction::Output && channel.lock.is_none() {
+                channel.image = value;
+            }
+        });
+    }
+
+    /// What the hardware has: of an input what was set, of an output what the last cycle has written.
+    #[must_use]
+    pub fn hardware(&self, id: SignalId) -> Option<f64> {
+        self.channel(id).map(|channel| channel.hardware)
+    }
+
+    /// What programs see.
+    #[must_use]
+    pub fn image(&self, id: SignalId) -> Option<f64> {
+        self.channel(id).map(|channel| channel.image)
+    }
+
+    /// The operator holds a signal at `value`, or at the value it has. Of an input, programs see this value whatever
+    /// the hardware says; of an output, what programs write has no effect.
+    pub fn lock(&mut self, id: SignalId, value: Option<f64>) {
+        self.change(id, |channel| {
+            let value = value.map_or(channel.image, |value| channel.signal.kind.fit(value));
+            channel.lock = Some(value);
+            if channel.signal.direction == Direction::Output {
+                channel.image = value;
+            }
+        });
+    }
+
+    /// The operator lets a signal go. An input follows the hardware again; an output keeps its value until it is
+    /// written.
+    pub fn unlock(&mut self, id: SignalId) {
+        self.change(id, |channel| channel.lock = None);
+    }
+
+    /// Simulates a signal, or no longer. The hardware does not get a simulated output; a simulated input is set as any
+    /// other.
+    pub fn simulate(&mut self, id: SignalId, simulated: bool) {
+        self.change(id, |channel| channel.simulated = simulated);
+    }
+
+    /// A signal fails, or works again; its values stay.
+    pub fn set_fault(&mut self, id: SignalId, fault: Option<Fault>) {
+        self.change(id, |channel| channel.fault = fault);
+    }
+
+    fn change(&mut self, id: SignalId, change: impl FnOnce(&mut Channel)) {
+        if let Some(channel) = self.channel_mut(id) {
+            change(channel);
+            self.to_refresh.insert(id);
+        }
+    }
+}

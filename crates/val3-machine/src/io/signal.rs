@@ -1,0 +1,142 @@
+//! What is configured of an input or output.
+
+/// Whether programs may write it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Direction {
+    /// Read only.
+    Input,
+    /// Read and written.
+    Output,
+}
+
+/// The values that an analog signal takes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Format {
+    /// Any number.
+    Float,
+    /// Whole numbers from `lowest` to `highest`.
+    Whole {
+        /// The lowest value.
+        lowest: f64,
+        /// The highest value.
+        highest: f64,
+    },
+}
+
+impl Format {
+    /// The value that a signal really takes when `value` is written: rounded and limited.
+    #[must_use]
+    pub fn fit(self, value: f64) -> f64 {
+        match self {
+            Self::Float => value,
+            Self::Whole { lowest, highest } => (value + 0.5).floor().max(lowest).min(highest),
+        }
+    }
+}
+
+/// The type of variable that can be linked to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// `dio`: 0 or 1.
+    Digital,
+    /// `aio`.
+    Analog(Format),
+}
+
+impl Kind {
+    /// Whether a variable of the kind `other` can be linked to a signal of this kind; the format does not matter.
+    #[must_use]
+    pub fn suits(self, other: Self) -> bool {
+        matches!((self, other), (Self::Digital, Self::Digital) | (Self::Analog(_), Self::Analog(_)))
+    }
+
+    /// The value that a signal really takes when `value` is written.
+    #[must_use]
+    pub fn fit(self, value: f64) -> f64 {
+        match self {
+            Self::Digital => f64::from(u8::from(value != 0.0)),
+            Self::Analog(format) => format.fit(value),
+        }
+    }
+}
+
+/// An input or output of the controller.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Signal {
+    /// The physical path, as links in data files spell it: `BasicIO-1\%I0`, `FastIO\fOut0`, `valve1`.
+    pub path: String,
+    /// A free text, which `ioStatus` gives.
+    pub description: String,
+    /// What values it takes.
+    pub kind: Kind,
+    /// Whether programs may write it.
+    pub direction: Direction,
+    /// An output that the system keeps for itself: writing it is run-time error 124.
+    pub protected: bool,
+}
+
+impl Signal {
+    /// The signal of a path of which nothing else is known.
+    ///
+    /// The address, the last part of the path, tells the direction: `%I…`, `usrIn…` and `fIn…` are inputs. All others
+    /// are outputs; the outside can set those too. It also tells which analog signals are whole numbers: `B` has 8
+    /// bits, `W` 16, `DW` 32 (`%QW4`). It does not tell whether they have a sign, so the range is that of both.
+    #[must_use]
+    pub fn from_path(path: &str, digital: bool) -> Self {
+        let address = path.rsplit('\\').next().unwrap_or(path);
+        let is_input = ["%I", "usrIn", "fIn"].iter().any(|start| address.starts_with(start));
+        Self {
+            path: path.to_owned(),
+            description: String::new(),
+            kind: if digital { Kind::Digital } else { Kind::Analog(format(address)) },
+            direction: if is_input { Direction::Input } else { Direction::Output },
+            protected: false,
+        }
+    }
+}
+
+fn format(address: &str) -> Format {
+    let letters = address.strip_prefix("%I").or_else(|| address.strip_prefix("%Q")).unwrap_or_default();
+    match letters.trim_end_matches(|character: char| character.is_ascii_digit()) {
+        "B" => whole(8),
+        "W" => whole(16),
+        "DW" => whole(32),
+        _ => Format::Float,
+    }
+}
+
+fn whole(bits: i32) -> Format {
+    Format::Whole { lowest: -(2_f64.powi(bits - 1)), highest: 2_f64.powi(bits) - 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_address_tells_the_direction() {
+        let inputs = ["BasicIO-1\\%I0", "usrIn0", "UserIO\\usrIn1", "FastIO\\fIn0", "VirtualIOBoards\\A\\%I2"];
+        let outputs =
+            ["BasicIO-1\\%Q3", "valve1", "ValveIO\\valve2", "FastIO\\fOut0", "ModbusSrv-0\\Plastics-Bit\\door"];
+        assert!(inputs.iter().all(|path| Signal::from_path(path, true).direction == Direction::Input));
+        assert!(outputs.iter().all(|path| Signal::from_path(path, true).direction == Direction::Output));
+    }
+
+    #[test]
+    fn the_address_tells_whole_numbers() {
+        let kind = |path| Signal::from_path(path, false).kind;
+        let range = |lowest, highest| Kind::Analog(Format::Whole { lowest, highest });
+        assert_eq!(kind("Board\\%IB56"), range(-128.0, 255.0));
+        assert_eq!(kind("Board\\%QW40"), range(-32_768.0, 65_535.0));
+        assert_eq!(kind("Board\\%IDW8"), range(-2_147_483_648.0, 4_294_967_295.0));
+        for path in ["Board\\%QF8", "ModbusSrv-0\\Modbus-Word\\Weight", "W4"] {
+            assert_eq!(kind(path), Kind::Analog(Format::Float));
+        }
+    }
+
+    #[test]
+    fn whole_numbers_are_rounded_and_limited() {
+        let byte = Format::Whole { lowest: 0.0, highest: 255.0 };
+        assert_eq!([12.3, 12.5, -3.0, 300.0].map(|value| byte.fit(value)), [12.0, 13.0, 0.0, 255.0]);
+    }
+}

@@ -1,0 +1,94 @@
+//! Whether an input or output works, and why it cannot be used (3.5.3, 12.1).
+
+use val3_lang::runtime_errors::{NO_ANSWER, PROTECTED_OUTPUT, UNLINKED, WRITE_TO_INPUT};
+
+/// The state of an input or output; the number is the result of `ioStatus`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(i8)]
+pub enum IoStatus {
+    /// It works.
+    Works = 0,
+    /// It works; the operator holds it at a value.
+    Locked = 1,
+    /// It is simulated: no hardware is behind it.
+    Simulated = 2,
+    /// The variable has no link.
+    Unlinked = -1,
+    /// The link leads to nothing, or to a device that is not installed.
+    Absent = -2,
+    /// The device has failed.
+    Failed = -3,
+}
+
+impl IoStatus {
+    /// The number, -3 to 2.
+    #[must_use]
+    pub fn number(self) -> i8 {
+        self as i8
+    }
+}
+
+/// What keeps an input or output from working.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Fault {
+    /// Its device is not installed, or could not be initialised: status -2.
+    Absent,
+    /// Its device has failed: status -3.
+    Failed,
+}
+
+impl Fault {
+    /// The fault of a status: -2 or -3.
+    #[must_use]
+    pub fn from_number(number: i8) -> Option<Self> {
+        match number {
+            -2 => Some(Self::Absent),
+            -3 => Some(Self::Failed),
+            _ => None,
+        }
+    }
+}
+
+/// Why an input or output cannot be read or written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum IoError {
+    /// 122: an input is written.
+    WriteToInput,
+    /// 123: the variable leads to no input or output of its type.
+    Unlinked,
+    /// 124: an output of the system is written.
+    Protected,
+    /// 125: the device does not answer.
+    NoAnswer,
+}
+
+impl IoError {
+    /// The number of the run-time error.
+    #[must_use]
+    pub fn number(self) -> u16 {
+        match self {
+            Self::WriteToInput => WRITE_TO_INPUT,
+            Self::Unlinked => UNLINKED,
+            Self::Protected => PROTECTED_OUTPUT,
+            Self::NoAnswer => NO_ANSWER,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_have_the_numbers_of_the_manual() {
+        let errors = [IoError::WriteToInput, IoError::Unlinked, IoError::Protected, IoError::NoAnswer];
+        assert_eq!(errors.map(IoError::number), [122, 123, 124, 125]);
+    }
+
+    #[test]
+    fn only_two_states_are_faults_of_a_device() {
+        assert_eq!(Fault::from_number(IoStatus::Absent.number()), Some(Fault::Absent));
+        assert_eq!(Fault::from_number(IoStatus::Failed.number()), Some(Fault::Failed));
+        assert!([-4, -1, 0, 1, 2].into_iter().all(|number| Fault::from_number(number).is_none()));
+    }
+}

@@ -1,0 +1,225 @@
+//! All inputs and outputs, their links, and the two images of their values.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::bus::DeviceFault;
+use super::signal::{Direction, Kind, Signal};
+use super::status::Fault;
+
+/// A signal of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct SignalId(u32);
+
+/// What a `dio` or `aio` variable holds: the text of its link. Copying it is `dioLink` and `aioLink`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct LinkId(u32);
+
+impl LinkId {
+    /// No link, which a variable holds at first.
+    pub const NONE: Self = Self(0);
+
+    /// The number that a variable keeps.
+    #[must_use]
+    pub const fn number(self) -> u32 {
+        self.0
+    }
+
+    /// The link whose number a variable keeps.
+    #[must_use]
+    pub const fn from_number(number: u32) -> Self {
+        Self(number)
+    }
+}
+
+/// A signal has another value, seen from the program for an input, from the outside for an output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IoChange {
+    /// The signal.
+    pub signal: SignalId,
+    /// Its value; 0 or 1 for a digital one.
+    pub value: f64,
+}
+
+/// A signal and its state.
+#[derive(Debug, Clone)]
+pub(super) struct Channel {
+    pub(super) signal: Signal,
+    /// What programs read and write.
+    pub(super) image: f64,
+    /// What the hardware has.
+    pub(super) hardware: f64,
+    /// The value at which the operator holds it.
+    pub(super) lock: Option<f64>,
+    pub(super) simulated: bool,
+    pub(super) fault: Option<Fault>,
+}
+
+/// The text of a link and where it leads.
+#[derive(Debug, Clone)]
+struct Link {
+    text: String,
+    target: Option<SignalId>,
+}
+
+/// Inputs and outputs with two images (5.7): programs see inputs as they were when the cycle began, and the hardware
+/// gets outputs when it ends. A program reads back at once what it has written.
+#[derive(Debug, Clone, Default)]
+pub struct IoTable {
+    pub(super) channels: Vec<Channel>,
+    links: Vec<Link>,
+    by_text: BTreeMap<String, LinkId>,
+    by_path: BTreeMap<String, SignalId>,
+    /// The devices of declared signals; those of applications do not count.
+    devices: BTreeSet<String>,
+    pub(super) device_faults: Vec<DeviceFault>,
+    pub(super) to_refresh: BTreeSet<SignalId>,
+}
+
+impl IoTable {
+    /// Adds a signal, with the value 0. The first one of a path stays.
+    pub fn declare(&mut self, signal: Signal) -> SignalId {
+        if let Some((device, _)) = signal.path.split_once('\\') {
+            self.devices.insert(device.to_owned());
+        }
+        self.add(signal)
+    }
+
+    fn add(&mut self, signal: Signal) -> SignalId {
+        if let Some(known) = self.by_path.get(&signal.path) {
+            return *known;
+        }
+        let id = SignalId(u32::try_from(self.channels.len()).unwrap_or(u32::MAX));
+        self.by_path.insert(signal.path.clone(), id);
+        self.channels.push(Channel { signal, image: 0.0, hardware: 0.0, lock: None, simulated: false, fault: None });
+        self.lead_links();
+        id
+    }
+
+    /// The link of this text. It need not lead anywhere; an empty one is [`LinkId::NONE`].
+    pub fn link(&mut self, text: &str) -> LinkId {
+        if text.is_empty() {
+            return LinkId::NONE;
+        }
+        if let Some(known) = self.by_text.get(text) {
+            return *known;
+        }
+        self.links.push(Link { text: text.to_owned(), target: self.find(text) });
+        let id = LinkId(u32::try_from(self.links.len()).unwrap_or(u32::MAX));
+        self.by_text.insert(text.to_owned(), id);
+        id
+    }
+
+    /// The link of a variable of an application. If nothing is configured of its device, the application knows best:
+    /// the signal is declared as [`Signal::from_path`] tells.
+    pub fn adopt(&mut self, text: &str, digital: bool) -> LinkId {
+        if !text.is_empty() && self.find(text).is_none() && !self.knows_device_of(text) {
+            self.add(Signal::from_path(text, digital));
+        }
+        self.link(text)
+    }
+
+    /// The signal of a path. A path without a device (`valve1`) finds the signal of this address in any device.
+    #[must_use]
+    pub fn find(&self, path: &str) -> Option<SignalId> {
+        let exact = self.by_path.get(path).copied();
+        exact.or_else(|| if path.contains('\\') { None } else { self.find_address(path) })
+    }
+
+    /// What is configured of a signal.
+    #[must_use]
+    pub fn signal(&self, id: SignalId) -> Option<&Signal> {
+        self.channel(id).map(|channel| &channel.signal)
+    }
+
+    /// Every signal, in the order of declaration.
+    pub fn signals(&self) -> impl Iterator<Item = SignalId> + use<> {
+        (0..u32::try_from(self.channels.len()).unwrap_or(u32::MAX)).map(SignalId)
+    }
+
+    /// The text of a link, empty for [`LinkId::NONE`].
+    #[must_use]
+    pub fn text(&self, link: LinkId) -> &str {
+        self.known_link(link).map_or("", |link| link.text.as_str())
+    }
+
+    /// What is configured where a link leads.
+    pub(super) fn signal_of(&self, link: LinkId) -> Option<&Signal> {
+        self.signal(self.known_link(link)?.target?)
+    }
+
+    /// Where a link leads, if that suits a variable of this kind.
+    pub(super) fn target(&self, link: LinkId, kind: Kind) -> Option<SignalId> {
+        let id = self.known_link(link)?.target?;
+        self.channel(id).filter(|channel| channel.signal.kind.suits(kind)).map(|_| id)
+    }
+
+    pub(super) fn channel(&self, id: SignalId) -> Option<&Channel> {
+        self.channels.get(id.0 as usize)
+    }
+
+    pub(super) fn channel_mut(&mut self, id: SignalId) -> Option<&mut Channel> {
+        self.channels.get_mut(id.0 as usize)
+    }
+
+    /// The cycle begins: programs see the inputs as they are now.
+    pub fn refresh_inputs(&mut self) -> Vec<IoChange> {
+        self.refresh(Direction::Input, Channel::refresh_input)
+    }
+
+    /// The cycle ends: the hardware gets the outputs.
+    pub fn refresh_outputs(&mut self) -> Vec<IoChange> {
+        self.refresh(Direction::Output, Channel::refresh_output)
+    }
+
+    /// Refreshes the signals of one direction that have changed; gives those that `refresh` gives a new value.
+    fn refresh(&mut self, direction: Direction, refresh: fn(&mut Channel) -> Option<f64>) -> Vec<IoChange> {
+        let mut changes = Vec::new();
+        for id in std::mem::take(&mut self.to_refresh) {
+            match self.channel_mut(id) {
+                Some(channel) if channel.signal.direction == direction => {
+                    changes.extend(refresh(channel).map(|value| IoChange { signal: id, value }));
+                }
+                _ => {
+                    self.to_refresh.insert(id);
+                }
+            }
+        }
+        changes
+    }
+
+    fn find_address(&self, address: &str) -> Option<SignalId> {
+        let named = |path: &str| path.rsplit('\\').next() == Some(address);
+        self.by_path.iter().find(|(path, _)| named(path)).map(|(_, id)| *id)
+    }
+
+    fn knows_device_of(&self, path: &str) -> bool {
+        path.split_once('\\').is_some_and(|(device, _)| self.devices.contains(device))
+    }
+
+    fn known_link(&self, link: LinkId) -> Option<&Link> {
+        self.links.get((link.0 as usize).checked_sub(1)?)
+    }
+
+    /// Leads the links that led nowhere to a new signal.
+    fn lead_links(&mut self) {
+        let mut links = std::mem::take(&mut self.links);
+        for link in links.iter_mut().filter(|link| link.target.is_none()) {
+            link.target = self.find(&link.text);
+        }
+        self.links = links;
+    }
+}
+
+impl Channel {
+    fn refresh_input(&mut self) -> Option<f64> {
+        let seen = self.lock.unwrap_or(self.hardware);
+        (std::mem::replace(&mut self.image, seen) != seen).then_some(seen)
+    }
+
+    fn refresh_output(&mut self) -> Option<f64> {
+        if self.simulated {
+            return None;
+        }
+        (std::mem::replace(&mut self.hardware, self.image) != self.image).then_some(self.image)
+    }
+}

@@ -1,0 +1,19 @@
+//! The pendant as programs see it: user pages, keys and messages (chapter 4, 12.2).
+
+mod keyboard;
+mod line_editor;
+mod page;
+mod pendant;
+mod reading;
+mod row;
+mod text_mode;
+mod user_page;
+mod width;
+
+pub use keyboard::TAP;
+pub use page::{COLUMNS, Page, Position, ROWS};
+pub use pendant::{PageId, Pendant, PopUp, ReadingId, ScreenEvent};
+pub use reading::{Answer, Asked, Entry};
+pub use row::Cell;
+pub use text_mode::TextMode;
+pub use width::display_columns;

@@ -1,0 +1,149 @@
+//! A user page: 14 lines of 40 columns, a cursor and a title (4.1).
+
+use super::row::{Cell, Row};
+use super::text_mode::TextMode;
+use super::width::columns_of;
+
+/// Columns of a page.
+pub const COLUMNS: usize = 40;
+
+/// Lines of a page.
+pub const ROWS: usize = 14;
+
+/// A place on a page; (0,0) is the upper left corner.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Position {
+    /// Column, 0 to 39. The cursor is at 40 after the last column was written: only what is written next goes to the
+    /// next line. So a menu of 40 columns can stand in the last line, and `putln` of a full line leaves no empty one.
+    pub column: usize,
+    /// Line, 0 to 13.
+    pub row: usize,
+}
+
+/// What one `screen` variable holds: text, cursor, text mode and title.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Page {
+    rows: [Row; ROWS],
+    cursor: Position,
+    mode: TextMode,
+    title: String,
+}
+
+impl Page {
+    /// Where the next character is written.
+    #[must_use]
+    pub fn cursor(&self) -> Position {
+        self.cursor
+    }
+
+    /// The title, whole; the pendant has 40 columns for it.
+    #[must_use]
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The mode of what is written next.
+    #[must_use]
+    pub fn mode(&self) -> TextMode {
+        self.mode
+    }
+
+    /// The 14 lines as text, without the blanks at their ends.
+    pub fn lines(&self) -> impl Iterator<Item = String> {
+        self.rows.iter().map(Row::text)
+    }
+
+    /// The 14 lines as cells. A line ends where nothing was written behind; the rest is [`Cell::BLANK`].
+    pub fn cells(&self) -> impl Iterator<Item = &[Cell]> {
+        self.rows.iter().map(Row::cells)
+    }
+
+    /// Changes the title; the cursor stays (`title`).
+    pub(super) fn set_title(&mut self, title: &str) {
+        title.clone_into(&mut self.title);
+    }
+
+    /// Chooses how text that is written from now on looks (`setTextMode`).
+    pub(super) fn set_mode(&mut self, mode: TextMode) {
+        self.mode = mode;
+    }
+
+    /// Moves the cursor to column `x` modulo 40 and line `y` modulo 14 (`gotoxy`).
+    ///
+    /// Numbers are rounded as an index is; a negative one counts from the other edge.
+    pub(super) fn go_to(&mut self, x: f64, y: f64) {
+        self.cursor = Position { column: wrapped(x, COLUMNS), row: wrapped(y, ROWS) };
+    }
+
+    /// Empties the page and puts the cursor into the corner (`cls`). Title and text mode stay.
+    pub(super) fn clear(&mut self) {
+        self.rows = Default::default();
+        self.cursor = Position::default();
+    }
+
+    /// Writes `text` at the cursor, goes on in the next line at the end of each, and scrolls at the end of the page
+    /// (`put`). Returns where it began.
+    pub(super) fn put(&mut self, text: &str) -> Position {
+        if let Some(first) = text.chars().next() {
+            self.make_room(columns_of(first));
+        }
+        let start = self.cursor;
+        for character in text.chars() {
+            let columns = columns_of(character);
+            self.make_room(columns);
+            let mode = self.mode;
+            self.cursor = self.write(self.cursor, character, columns, mode);
+        }
+        start
+    }
+
+    /// Moves the cursor to the beginning of the next line; in the last one the page moves up (`putln`).
+    pub(super) fn end_line(&mut self) {
+        self.cursor.column = 0;
+        if self.cursor.row + 1 < ROWS {
+            self.cursor.row += 1;
+        } else {
+            self.rows.rotate_left(1);
+            if let Some(last) = self.rows.last_mut() {
+                *last = Row::default();
+            }
+        }
+    }
+
+    /// Writes `text` at `start` and in the lines below it; what does not fit on the page is not shown. The cursor stays
+    /// and nothing scrolls.
+    pub(super) fn write_over(&mut self, start: Position, text: &str) {
+        let mut at = start;
+        for character in text.chars() {
+            let columns = columns_of(character);
+            if at.column + columns > COLUMNS {
+                at = Position { column: 0, row: at.row + 1 };
+            }
+            let mode = self.mode;
+            at = self.write(at, character, columns, mode);
+        }
+    }
+
+    /// Starts a new line if a character of `columns` columns does not fit into this one.
+    fn make_room(&mut self, columns: usize) {
+        if self.cursor.column + columns > COLUMNS {
+            self.end_line();
+        }
+    }
+
+    fn write(&mut self, at: Position, character: char, columns: usize, mode: TextMode) -> Position {
+        match self.rows.get_mut(at.row) {
+            Some(row) if columns == 0 => row.combine(at.column, character),
+            Some(row) => row.write(at.column, character, columns, mode),
+            None => {}
+        }
+        Position { column: at.column + columns, ..at }
+    }
+}
+
+fn wrapped(number: f64, size: usize) -> usize {
+    (number + 0.5).floor().rem_euclid(size as f64) as usize
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,248 @@
+//! All user pages, the one that is shown, and what programs do with them (4.2, 4.3).
+
+mod event;
+mod html;
+mod operator;
+
+pub use event::{PopUp, ScreenEvent};
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+
+use val3_lang::keys;
+
+use super::keyboard::Keyboard;
+use super::page::Page;
+use super::reading::{Answer, Asked};
+use super::text_mode::TextMode;
+use super::user_page::{Echo, UserPage};
+use crate::controller_state::Severity;
+
+/// A page: the default one or that of a `screen` variable.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
+pub struct PageId(u32);
+
+impl PageId {
+    /// The page that instructions without a screen use; it always exists (4.2.1).
+    pub const DEFAULT: Self = Self(0);
+}
+
+/// A `get` under way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct ReadingId(u64);
+
+/// The pendant: pages, keys, pop-up.
+///
+/// It always shows a user page, the default one at first: the other pages of a real pendant do not exist here.
+#[derive(Debug, Clone)]
+pub struct Pendant {
+    pages: BTreeMap<PageId, UserPage>,
+    next_page: u32,
+    next_reading: u64,
+    shown: PageId,
+    fixed: bool,
+    keyboard: Keyboard,
+    typed: VecDeque<u16>,
+    polled: bool,
+    pop_up: Option<PopUp>,
+    questions: VecDeque<html::Question>,
+    html_pages: BTreeSet<String>,
+    answers: BTreeMap<ReadingId, Answer>,
+    events: Vec<ScreenEvent>,
+}
+
+impl Default for Pendant {
+    fn default() -> Self {
+        Self {
+            pages: BTreeMap::from([(PageId::DEFAULT, UserPage::default())]),
+            next_page: 1,
+            next_reading: 0,
+            shown: PageId::DEFAULT,
+            fixed: false,
+            keyboard: Keyboard::default(),
+            typed: VecDeque::new(),
+            polled: false,
+            pop_up: None,
+            questions: VecDeque::new(),
+            html_pages: BTreeSet::new(),
+            answers: BTreeMap::new(),
+            events: Vec::new(),
+        }
+    }
+}
+
+/// Pages.
+impl Pendant {
+    /// A new page, for a `screen` variable of this name.
+    pub fn create(&mut self, name: &str) -> PageId {
+        let id = PageId(self.next_page);
+        self.next_page += 1;
+        self.pages.insert(id, UserPage::new(name));
+        id
+    }
+
+    /// The variable of the page is gone. If it is shown, the default page is shown instead; that one stays.
+    pub fn remove(&mut self, page: PageId) {
+        if page == PageId::DEFAULT {
+            return;
+        }
+        self.pages.remove(&page);
+        if self.shown == page {
+            self.show(PageId::DEFAULT);
+        }
+    }
+
+    /// Text, cursor and title of a page.
+    #[must_use]
+    pub fn page(&self, page: PageId) -> Option<&Page> {
+        self.pages.get(&page).map(|user| &user.page)
+    }
+
+    /// The name of a page's variable, empty for the default page.
+    #[must_use]
+    pub fn name(&self, page: PageId) -> &str {
+        self.pages.get(&page).map_or("", |user| user.name.as_str())
+    }
+
+    /// The page that the pendant shows.
+    #[must_use]
+    pub fn shown(&self) -> PageId {
+        self.shown
+    }
+
+    /// Whether a program keeps the operator on the user pages.
+    #[must_use]
+    pub fn is_fixed(&self) -> bool {
+        self.fixed
+    }
+
+    /// The message above the page.
+    #[must_use]
+    pub fn pop_up(&self) -> Option<&PopUp> {
+        self.pop_up.as_ref()
+    }
+
+    /// What happened since the last call.
+    pub fn take_events(&mut self) -> Vec<ScreenEvent> {
+        std::mem::take(&mut self.events)
+    }
+}
+
+/// Instructions that write.
+impl Pendant {
+    /// `userPage()`, `userPage(screen)`: shows a page.
+    pub fn show(&mut self, page: PageId) {
+        if self.pages.contains_key(&page) && self.shown != page {
+            self.shown = page;
+            self.events.push(ScreenEvent::Shown(page));
+        }
+    }
+
+    /// `userPage(bool)`: keeps the operator on the user pages, or no longer. It names no page, so either way the
+    /// default page is shown.
+    pub fn fix(&mut self, fixed: bool) {
+        self.fixed = fixed;
+        self.show(PageId::DEFAULT);
+    }
+
+    /// `gotoxy`: column modulo 40, line modulo 14.
+    pub fn go_to(&mut self, page: PageId, x: f64, y: f64) {
+        if let Some(user) = self.pages.get_mut(&page) {
+            user.page.go_to(x, y);
+        }
+    }
+
+    /// `cls`.
+    pub fn clear(&mut self, page: PageId) {
+        if let Some(user) = self.pages.get_mut(&page) {
+            user.page.clear();
+            self.events.push(ScreenEvent::Cleared(page));
+        }
+    }
+
+    /// `setTextMode`; a number that is no mode has no [`TextMode`] and is run-time error 70.
+    pub fn set_text_mode(&mut self, page: PageId, mode: TextMode) {
+        if let Some(user) = self.pages.get_mut(&page) {
+            user.page.set_mode(mode);
+        }
+    }
+
+    /// `put`, and `putln` if `ends_line`. A number comes as the text that shows it.
+    pub fn put(&mut self, page: PageId, text: &str, ends_line: bool) {
+        let Some(user) = self.pages.get_mut(&page) else { return };
+        let at = user.page.put(text);
+        if ends_line {
+            user.page.end_line();
+        }
+        self.events.push(ScreenEvent::Put { page, at, text: text.to_owned(), ends_line });
+    }
+
+    /// `title`.
+    pub fn set_title(&mut self, page: PageId, text: &str) {
+        if let Some(user) = self.pages.get_mut(&page) {
+            user.page.set_title(text);
+            self.events.push(ScreenEvent::Title(page, text.to_owned()));
+        }
+    }
+
+    /// `popUpMsg`: a message until the operator confirms it. A newer one takes the place of one that is still there.
+    pub fn show_pop_up(&mut self, text: &str, severity: Severity) {
+        let pop_up = PopUp { text: text.to_owned(), severity };
+        self.events.push(ScreenEvent::PopUp(pop_up.clone()));
+        self.pop_up = Some(pop_up);
+    }
+}
+
+/// Instructions that read.
+impl Pendant {
+    /// `get` begins; [`Self::take_answer`] tells when it has ended.
+    pub fn begin_reading(&mut self, page: PageId, asked: Asked) -> ReadingId {
+        let id = self.new_reading();
+        let echo = self.pages.get_mut(&page).and_then(|user| user.begin(id, asked));
+        self.echo(page, echo);
+        id
+    }
+
+    /// How a `get` ended; `None` while it waits.
+    pub fn take_answer(&mut self, reading: ReadingId) -> Option<Answer> {
+        self.answers.remove(&reading)
+    }
+
+    /// The task of a `get` was killed.
+    pub fn cancel_reading(&mut self, reading: ReadingId) {
+        self.answers.remove(&reading);
+        self.questions.retain(|question| question.id() != reading);
+        for user in self.pages.values_mut() {
+            user.cancel(reading);
+        }
+    }
+
+    /// `getKey`: the last key pressed while the page was shown, since the last call; `None` stands for -1. A key that
+    /// ended a `get` counts as well.
+    pub fn take_key(&mut self, page: PageId) -> Option<u16> {
+        let key = self.pages.get_mut(&page).and_then(|user| user.last_key.take());
+        self.polled |= key.is_none() && page == self.shown;
+        key
+    }
+
+    /// `isKeyPressed`: the key is held down and the page is shown; the keys 1, 2 and 3 count whatever is shown.
+    pub fn is_key_pressed(&mut self, page: PageId, code: u16) -> bool {
+        let seen = page == self.shown || keys::is_always_seen(code);
+        let pressed = seen && self.keyboard.is_down(code);
+        self.polled |= seen && !pressed && self.typed.front() == Some(&code);
+        pressed
+    }
+
+    fn new_reading(&mut self) -> ReadingId {
+        let id = ReadingId(self.next_reading);
+        self.next_reading += 1;
+        id
+    }
+
+    fn echo(&mut self, page: PageId, echo: Option<Echo>) {
+        let event = |(at, text)| ScreenEvent::Put { page, at, text, ends_line: false };
+        self.events.extend(echo.map(event));
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,105 @@
+//! What the operator does: keys, pages, pop-ups.
+
+use std::ops::Bound;
+
+use val3_lang::keys;
+
+use super::{PageId, Pendant, ScreenEvent};
+use crate::screen::keyboard::TAP;
+
+/// The operator's side of the pendant.
+impl Pendant {
+    /// A key goes down and stays down until [`Self::release`].
+    pub fn press(&mut self, code: u16) {
+        self.keyboard.press(code, None);
+        self.strike(code);
+    }
+
+    /// A key comes up.
+    pub fn release(&mut self, code: u16) {
+        self.keyboard.release(code);
+    }
+
+    /// A key is pressed and comes up after [`TAP`]. `now` counts nanoseconds, as every time here.
+    pub fn tap(&mut self, code: u16, now: u64) {
+        self.keyboard.press(code, Some(now.saturating_add(TAP)));
+        self.strike(code);
+    }
+
+    /// Keys that the operator taps one after the other, each as soon as the program asks: when a `get` waits on the
+    /// page that is shown, `getKey` has given -1 there, `isKeyPressed` asks for the key and it is up, a question
+    /// is to be answered, or a pop-up is to be confirmed and the key is Esc.
+    pub fn type_when_asked(&mut self, codes: impl IntoIterator<Item = u16>) {
+        self.typed.extend(codes);
+    }
+
+    /// Once a cycle: tapped keys come up, and of the keys to type one is tapped if the program asks.
+    pub fn advance(&mut self, now: u64) {
+        self.keyboard.advance(now);
+        if self.is_asked()
+            && let Some(code) = self.typed.pop_front()
+        {
+            self.polled = false;
+            self.tap(code, now);
+        }
+    }
+
+    /// When [`Self::advance`] has something to do next; `None` if it waits for the program or the operator.
+    #[must_use]
+    pub fn next_due(&self, now: u64) -> Option<u64> {
+        let types = self.is_asked() && !self.typed.is_empty();
+        if types { Some(now) } else { self.keyboard.next_release() }
+    }
+
+    /// The operator confirms the pop-up (its Ok key, or Esc).
+    pub fn confirm_pop_up(&mut self) {
+        if self.pop_up.take().is_some() {
+            self.events.push(ScreenEvent::PopUpConfirmed);
+        }
+    }
+
+    /// User-Down: the page created after the one that is shown, and after the last one the first.
+    pub fn show_next(&mut self) {
+        let behind = (Bound::Excluded(self.shown), Bound::Unbounded);
+        let next = self.pages.range(behind).next().or_else(|| self.pages.first_key_value());
+        self.show(next.map_or(PageId::DEFAULT, |(id, _)| *id));
+    }
+
+    /// User-Up: the page created before the one that is shown, and before the first one the last.
+    pub fn show_previous(&mut self) {
+        let before = self.pages.range(..self.shown).next_back().or_else(|| self.pages.last_key_value());
+        self.show(before.map_or(PageId::DEFAULT, |(id, _)| *id));
+    }
+
+    /// User-Shift-Down: the first page, which is the default page.
+    pub fn show_first(&mut self) {
+        self.show(PageId::DEFAULT);
+    }
+
+    /// User-Shift-Up: the page created last.
+    pub fn show_last(&mut self) {
+        let last = self.pages.last_key_value();
+        self.show(last.map_or(PageId::DEFAULT, |(id, _)| *id));
+    }
+
+    fn is_asked(&self) -> bool {
+        let reads = self.pages.get(&self.shown).is_some_and(super::UserPage::is_read);
+        let confirms = self.pop_up.is_some() && self.typed.front() == Some(&keys::ESC);
+        reads || confirms || self.polled || self.question().is_some()
+    }
+
+    /// Esc confirms a pop-up; a question takes every key; else a key goes to the page that is shown.
+    fn strike(&mut self, code: u16) {
+        if code == keys::ESC && self.pop_up.is_some() {
+            return self.confirm_pop_up();
+        }
+        if self.answer_question(code) {
+            return;
+        }
+        let page = self.shown;
+        let Some(user) = self.pages.get_mut(&page) else { return };
+        let (echo, ended) = user.press(code);
+        self.answers.extend(ended);
+        self.echo(page, echo);
+    }
+}

@@ -1,0 +1,203 @@
+//! What a `get` waits for, and how it ends (4.3).
+
+use val3_lang::keys;
+
+use super::line_editor::LineEditor;
+
+/// What the operator is asked for.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Asked {
+    /// Any key; it is not shown.
+    Key,
+    /// Return or a menu key for yes, Esc for no; other keys do nothing (`userPageConfirm`).
+    Confirmation,
+    /// A text, at first this one, which is shown at the cursor.
+    Text(String),
+    /// A number, at first this one.
+    Number {
+        /// Its value.
+        value: f64,
+        /// The value as `put` shows it.
+        shown: String,
+    },
+}
+
+/// How a `get` ended.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// The code of the key that ended it: the result of `get`.
+    pub key: u16,
+    /// What the variable becomes.
+    pub entry: Entry,
+}
+
+impl Answer {
+    /// The operator has accepted: any key but Esc has ended it.
+    #[must_use]
+    pub fn is_accepted(&self) -> bool {
+        self.key != keys::ESC
+    }
+}
+
+/// What the operator entered.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Entry {
+    /// The variable stays as it is: Esc, or no variable, or a text that is no number.
+    Unchanged,
+    /// The text accepted with Return or a menu key.
+    Text(String),
+    /// The number accepted with Return or a menu key.
+    Number(f64),
+}
+
+/// A `get` under way.
+#[derive(Debug, Clone)]
+pub(super) struct Reading {
+    asked: Asked,
+    editor: Option<LineEditor>,
+}
+
+/// What a key did to a `get`.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Step {
+    /// Nothing that can be seen.
+    Nothing,
+    /// The text of the entry changed.
+    Edited,
+    /// It ended.
+    Ended(Answer),
+}
+
+impl Reading {
+    pub(super) fn new(asked: Asked) -> Self {
+        let editor = match &asked {
+            Asked::Key | Asked::Confirmation => None,
+            Asked::Text(text) => Some(LineEditor::new(text, |_| true)),
+            Asked::Number { shown, .. } => Some(LineEditor::new(shown, of_a_number)),
+        };
+        Self { asked, editor }
+    }
+
+    /// What the page shows for it, if it is an entry.
+    pub(super) fn shown(&self) -> Option<String> {
+        self.editor.as_ref().map(LineEditor::text)
+    }
+
+    /// The operator presses a key.
+    pub(super) fn press(&mut self, key: u16) -> Step {
+        if self.asked == Asked::Key {
+            return Step::Ended(Answer { key, entry: Entry::Unchanged });
+        }
+        match key {
+            keys::ESC => {
+                *self = Self::new(self.asked.clone());
+                Step::Ended(Answer { key, entry: Entry::Unchanged })
+            }
+            _ if key == keys::RETURN || keys::is_menu(key) => Step::Ended(Answer { key, entry: self.entry() }),
+            _ if self.editor.as_mut().is_some_and(|editor| editor.press(key)) => Step::Edited,
+            _ => Step::Nothing,
+        }
+    }
+
+    /// What is accepted. A number that was not edited keeps the digits that are not shown; what is no number, such as
+    /// an empty entry, leaves the variable as it was.
+    fn entry(&self) -> Entry {
+        let text = self.shown().unwrap_or_default();
+        match &self.asked {
+            Asked::Key | Asked::Confirmation => Entry::Unchanged,
+            Asked::Text(_) => Entry::Text(text),
+            Asked::Number { value, shown } if *shown == text => Entry::Number(*value),
+            Asked::Number { .. } => match text.parse::<f64>() {
+                Ok(number) if number.is_finite() => Entry::Number(number),
+                _ => Entry::Unchanged,
+            },
+        }
+    }
+}
+
+fn of_a_number(character: char) -> bool {
+    character.is_ascii_digit() || "+-.eE".contains(character)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn number(value: f64, shown: &str) -> Asked {
+        Asked::Number { value, shown: shown.to_owned() }
+    }
+
+    /// The text that is shown at the end and what the `get` gave, if it ended with the last key.
+    fn read(asked: Asked, codes: &[u16]) -> (Option<String>, Option<Answer>) {
+        let mut reading = Reading::new(asked);
+        let mut answer = None;
+        for code in codes {
+            assert_eq!(answer, None, "it ended before {code}");
+            if let Step::Ended(ended) = reading.press(*code) {
+                answer = Some(ended);
+            }
+        }
+        (reading.shown(), answer)
+    }
+
+    fn answer(key: u16, entry: Entry) -> Option<Answer> {
+        Some(Answer { key, entry })
+    }
+
+    #[test]
+    fn any_key_ends_a_get_without_a_variable() {
+        for key in [97, 255, 263, 270, 278, 283] {
+            assert_eq!(read(Asked::Key, &[key]), (None, answer(key, Entry::Unchanged)));
+        }
+    }
+
+    #[test]
+    fn a_question_is_answered_with_yes_or_no() {
+        let (_, yes) = read(Asked::Confirmation, &[97, 281, 270]);
+        let (_, no) = read(Asked::Confirmation, &[255]);
+        assert_eq!((yes.unwrap().is_accepted(), no.unwrap().is_accepted()), (true, false));
+    }
+
+    #[test]
+    fn return_and_the_menu_keys_accept_a_text() {
+        for key in [270, 271, 278] {
+            let (shown, ended) = read(Asked::Text("ab".to_owned()), &[99, key]);
+            assert_eq!((shown.as_deref(), ended), (Some("abc"), answer(key, Entry::Text("abc".to_owned()))));
+        }
+    }
+
+    #[test]
+    fn esc_leaves_the_variable() {
+        let (shown, ended) = read(Asked::Text("ab".to_owned()), &[99, 255]);
+        assert_eq!((shown.as_deref(), ended), (Some("ab"), answer(255, Entry::Unchanged)));
+    }
+
+    #[test]
+    fn other_keys_do_not_end_an_entry() {
+        assert_eq!(read(Asked::Text(String::new()), &[281, 259, 261, 263]), (Some(String::new()), None));
+    }
+
+    #[test]
+    fn a_number_is_edited_as_text() {
+        assert_eq!(read(number(1.0, "1"), &[50, 46, 53, 270]).1, answer(270, Entry::Number(12.5)));
+        assert_eq!(read(number(0.0, "0"), &[53, 270]).1, answer(270, Entry::Number(5.0)));
+        assert_eq!(read(number(5.0, "5"), &[265, 45, 270]).1, answer(270, Entry::Number(-5.0)));
+    }
+
+    #[test]
+    fn a_number_takes_no_letters() {
+        assert_eq!(read(number(1.0, "1"), &[97, 32, 50, 270]).1, answer(270, Entry::Number(12.0)));
+    }
+
+    #[test]
+    fn what_is_no_number_leaves_the_variable() {
+        assert_eq!(read(number(1.0, "1"), &[263, 270]).1, answer(270, Entry::Unchanged));
+        assert_eq!(read(number(1.0, "1"), &[45, 270]).1, answer(270, Entry::Unchanged));
+        assert_eq!(read(number(1.0, "1"), &[101, 57, 57, 57, 270]).1, answer(270, Entry::Unchanged));
+    }
+
+    #[test]
+    fn an_untouched_number_keeps_all_its_digits() {
+        assert_eq!(read(number(1.000_04, "1"), &[270]).1, answer(270, Entry::Number(1.000_04)));
+    }
+}

@@ -1,0 +1,86 @@
+//! One line of a page: cells of one column each.
+
+use smol_str::SmolStr;
+
+use super::page::COLUMNS;
+use super::text_mode::TextMode;
+
+/// The bytes of a character with its combining marks from which on no mark is added.
+const LONGEST_CELL: usize = 16;
+
+/// What stands in one column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Cell {
+    /// The character with its combining marks; empty for the right half of a wide character.
+    pub text: SmolStr,
+    /// How it looks.
+    pub mode: TextMode,
+}
+
+impl Cell {
+    /// What an unwritten column shows.
+    pub const BLANK: Self = Self { text: SmolStr::new_inline(" "), mode: TextMode::Standard };
+
+    /// The right half of a wide character.
+    fn right_half(mode: TextMode) -> Self {
+        Self { text: SmolStr::new_inline(""), mode }
+    }
+
+    fn is_right_half(&self) -> bool {
+        self.text.is_empty()
+    }
+}
+
+/// One line; it holds no cells until it is written.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Row {
+    cells: Vec<Cell>,
+}
+
+impl Row {
+    /// The cells up to the last one that was ever written; those behind are blank.
+    pub(super) fn cells(&self) -> &[Cell] {
+        &self.cells
+    }
+
+    /// The text without the blanks at its end.
+    pub(super) fn text(&self) -> String {
+        let text: String = self.cells.iter().map(|cell| cell.text.as_str()).collect();
+        text.trim_end_matches(' ').to_owned()
+    }
+
+    /// Writes a character of `columns` columns at `column`. What is left of a wide character that it cuts becomes
+    /// blank.
+    pub(super) fn write(&mut self, column: usize, character: char, columns: usize, mode: TextMode) {
+        if self.cells.len() < column + columns {
+            self.cells.resize(COLUMNS.max(column + columns), Cell::BLANK);
+        }
+        self.split(column);
+        self.split(column + columns);
+        let mut encoded = [0; 4];
+        let shown = if character.is_control() { ' ' } else { character };
+        let text = SmolStr::new(shown.encode_utf8(&mut encoded));
+        let written = [Cell { text, mode }, Cell::right_half(mode)];
+        for (cell, new) in self.cells.iter_mut().skip(column).zip(written.into_iter().take(columns)) {
+            *cell = new;
+        }
+    }
+
+    /// Adds a combining mark to the character that ends before `column`, as long as it has only a few.
+    pub(super) fn combine(&mut self, column: usize, mark: char) {
+        let before = self.cells.iter_mut().take(column).rev().find(|cell| !cell.is_right_half());
+        if let Some(cell) = before.filter(|cell| cell.text.len() < LONGEST_CELL) {
+            cell.text = format!("{}{mark}", cell.text).into();
+        }
+    }
+
+    /// Blanks the wide character that reaches from before `column` to behind it.
+    fn split(&mut self, column: usize) {
+        if !self.cells.get(column).is_some_and(Cell::is_right_half) {
+            return;
+        }
+        for cell in self.cells.iter_mut().skip(column.saturating_sub(1)).take(2) {
+            *cell = Cell { mode: cell.mode, ..Cell::BLANK };
+        }
+    }
+}

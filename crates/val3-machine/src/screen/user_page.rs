@@ -1,0 +1,80 @@
+//! A page with its keys: the context that a `screen` variable keeps (4.2).
+
+use std::collections::VecDeque;
+
+use super::page::{Page, Position};
+use super::pendant::ReadingId;
+use super::reading::{Answer, Asked, Reading, Step};
+use super::width::display_columns;
+
+/// A page, the keys it was given, and the `get` instructions that wait for one.
+#[derive(Debug, Clone, Default)]
+pub(super) struct UserPage {
+    pub(super) name: String,
+    pub(super) page: Page,
+    pub(super) last_key: Option<u16>,
+    readings: VecDeque<Pending>,
+}
+
+/// A `get` that waits.
+#[derive(Debug, Clone)]
+struct Pending {
+    id: ReadingId,
+    reading: Reading,
+    at: Position,
+    /// The most columns its text has taken so far: what it leaves when it becomes shorter is blanked.
+    widest: usize,
+}
+
+/// Text that a `get` writes on its page.
+pub(super) type Echo = (Position, String);
+
+impl UserPage {
+    pub(super) fn new(name: &str) -> Self {
+        Self { name: name.to_owned(), ..Self::default() }
+    }
+
+    pub(super) fn is_read(&self) -> bool {
+        !self.readings.is_empty()
+    }
+
+    /// A `get` begins at the cursor and shows its text there.
+    pub(super) fn begin(&mut self, id: ReadingId, asked: Asked) -> Option<Echo> {
+        let mut pending = Pending { id, reading: Reading::new(asked), at: self.page.cursor(), widest: 0 };
+        let echo = pending.show(&mut self.page);
+        self.readings.push_back(pending);
+        echo
+    }
+
+    /// A `get` is given up; what it shows stays.
+    pub(super) fn cancel(&mut self, id: ReadingId) {
+        self.readings.retain(|pending| pending.id != id);
+    }
+
+    /// A key is pressed while the page is shown. Of several `get` on one page the one that began first gets it.
+    pub(super) fn press(&mut self, key: u16) -> (Option<Echo>, Option<(ReadingId, Answer)>) {
+        self.last_key = Some(key);
+        let Some(first) = self.readings.front_mut() else { return (None, None) };
+        match first.reading.press(key) {
+            Step::Nothing => (None, None),
+            Step::Edited => (first.show(&mut self.page), None),
+            Step::Ended(answer) => {
+                let (id, echo) = (first.id, first.show(&mut self.page));
+                self.readings.pop_front();
+                (echo, Some((id, answer)))
+            }
+        }
+    }
+}
+
+impl Pending {
+    /// Writes the text where the `get` began; the cursor of the page stays.
+    fn show(&mut self, page: &mut Page) -> Option<Echo> {
+        let text = self.reading.shown()?;
+        let columns = display_columns(&text);
+        self.widest = self.widest.max(columns);
+        let padded = text + &" ".repeat(self.widest - columns);
+        page.write_over(self.at, &padded);
+        Some((self.at, padded))
+    }
+}

@@ -1,0 +1,43 @@
+//! How many columns a text takes on the pendant.
+
+use unicode_width::UnicodeWidthChar;
+
+/// The columns that `text` takes (`getDisplayLen`, 4.3).
+///
+/// An ASCII character takes one, whichever it is, so that the result is the number of characters. Chinese, Japanese and
+/// Korean characters take two, combining marks none. Characters whose width depends on the font, such as lines of
+/// boxes, count one.
+#[must_use]
+pub fn display_columns(text: &str) -> usize {
+    text.chars().map(columns_of).sum()
+}
+
+/// The columns of one character: 0, 1 or 2.
+pub(super) fn columns_of(character: char) -> usize {
+    character.width().unwrap_or(1)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::display_columns;
+
+    #[test]
+    fn ascii_counts_as_len_does() {
+        assert_eq!(display_columns("Hello, world"), 12);
+        assert_eq!(display_columns("a\u{7}b\n"), 4);
+        assert_eq!(display_columns(""), 0);
+    }
+
+    #[test]
+    fn chinese_takes_two_columns() {
+        assert_eq!(display_columns("中文"), 4);
+        assert_eq!(display_columns("F1:开"), 5);
+    }
+
+    #[test]
+    fn accents_and_lines_take_what_they_show() {
+        assert_eq!(display_columns("é"), 1);
+        assert_eq!(display_columns("e\u{301}"), 1);
+        assert_eq!(display_columns("│═"), 2);
+    }
+}

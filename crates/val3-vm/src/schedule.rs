@@ -1,0 +1,164 @@
+//! Which task runs when (5.4 to 5.7).
+//!
+//! Time is virtual: every line takes the same time, waiting takes none, and what nobody waits for is jumped over by
+//! the caller. A cycle is 4 ms: synchronous tasks whose time has come, then asynchronous ones in rounds until the cycle
+//! is over or all of them wait.
+
+use val3_lang::ports::{TaskNumber, Time};
+
+use crate::{Host, Rate, Stop, Task, Vm};
+
+/// The length of a cycle in nanoseconds.
+pub const CYCLE: Time = 4_000_000;
+
+/// Lines that a synchronous task executes at most in a cycle (5.5).
+const SYNCHRONOUS_LINES: u32 = 3000;
+
+/// The clock and the round of the scheduler.
+#[derive(Debug, Clone)]
+pub struct Schedule {
+    /// The controller's clock, in nanoseconds.
+    pub now: Time,
+    /// What a line takes, in nanoseconds; at least 1.
+    pub line_cost: Time,
+    /// The asynchronous task whose turn is next: this one or the next behind it.
+    next: TaskNumber,
+}
+
+/// What a cycle came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Cycle {
+    /// Tasks have run.
+    Busy,
+    /// All tasks wait: for this time, or for what others do. With `watches_clock`, for what they compute of the time,
+    /// so that no time may be left out.
+    Idle {
+        /// The earliest time that a task waits for.
+        wake: Option<Time>,
+        /// Some task looks at the clock while it waits.
+        watches_clock: bool,
+    },
+}
+
+impl Schedule {
+    /// A clock at 0.
+    #[must_use]
+    pub fn new(line_cost: Time) -> Self {
+        Self { now: 0, line_cost: line_cost.max(1), next: TaskNumber(0) }
+    }
+
+    /// Runs tasks until `end`, the end of the cycle.
+    pub fn cycle(&mut self, vm: &mut Vm, end: Time, host: &mut dyn Host) -> Cycle {
+        let synchronous = self.synchronous(vm, host);
+        let asynchronous = self.asynchronous(vm, end, host);
+        self.now = self.now.max(end);
+        if synchronous { Cycle::Busy } else { asynchronous }
+    }
+
+    /// Gives each synchronous task whose time has come its turn: short periods first, then in the order of creation.
+    fn synchronous(&mut self, vm: &mut Vm, host: &mut dyn Host) -> bool {
+        let mut due: Vec<(Time, TaskNumber)> = vm.tasks().iter().filter_map(|task| self.due(task)).collect();
+        due.sort_unstable();
+        for (period, id) in &due {
+            self.begin_period(vm, *id);
+            let turn = vm.turn(*id, SYNCHRONOUS_LINES, (self.now, self.line_cost), host);
+            let took = Time::from(turn.lines) * self.line_cost;
+            self.now += took;
+            if took > *period {
+                self.leave_out_period(vm, *id);
+            }
+        }
+        !due.is_empty()
+    }
+
+    fn due(&self, task: &Task) -> Option<(Time, TaskNumber)> {
+        match task.rate {
+            Rate::Period { period, next, .. } if next <= self.now && task.is_running() => Some((period, task.id)),
+            _ => None,
+        }
+    }
+
+    /// Tells the task whether its last period was too short (5.6), and when the next one begins.
+    fn begin_period(&self, vm: &mut Vm, id: TaskNumber) {
+        let Some(Rate::Period { period, next, overrun, late }) = vm.rate_mut(id) else { return };
+        let (overrun, was_late) = (*overrun, std::mem::take(late));
+        *next = (self.now / *period + 1) * *period;
+        // A variable of a library that has left memory can no longer be told anything.
+        let _ = vm.space.memory.set_num(overrun, 0, f64::from(u8::from(was_late)));
+    }
+
+    /// The next period is left out (5.6).
+    fn leave_out_period(&self, vm: &mut Vm, id: TaskNumber) {
+        if let Some(Rate::Period { period, next, late, .. }) = vm.rate_mut(id) {
+            *late = true;
+            *next = (self.now / *period + 1) * *period;
+        }
+    }
+
+    fn asynchronous(&mut self, vm: &mut Vm, end: Time, host: &mut dyn Host) -> Cycle {
+        let mut any = false;
+        let mut round = Round::default();
+        while self.now < end {
+            let Some((id, left)) = self.next_turn(vm) else {
+                // The round is over.
+                self.next = TaskNumber(0);
+                if round.lines > 0 {
+                    round = Round::default();
+                    continue;
+                }
+                let wake = self.wake(vm);
+                match wake.filter(|wake| *wake < end) {
+                    Some(wake) => self.now = self.now.max(wake),
+                    None if any => return Cycle::Busy,
+                    None => return Cycle::Idle { wake, watches_clock: round.reads_clock },
+                }
+                round = Round::default();
+                continue;
+            };
+            let most = u32::try_from((end - self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX);
+            let turn = vm.turn(id, left.min(most), (self.now, self.line_cost), host);
+            self.now += Time::from(turn.lines) * self.line_cost;
+            let left = left - turn.lines;
+            let interrupted = turn.stop == Stop::Budget && left > 0;
+            vm.set_left(id, if interrupted { left } else { 0 });
+            self.next = if interrupted { id } else { TaskNumber(id.0 + 1) };
+            round.lines += turn.lines;
+            round.reads_clock |= turn.reads_clock;
+            any |= turn.lines > 0;
+        }
+        Cycle::Busy
+    }
+
+    /// The next asynchronous task that can run, with the lines of its turn.
+    fn next_turn(&self, vm: &Vm) -> Option<(TaskNumber, u32)> {
+        let tasks = vm.tasks();
+        let from = tasks.partition_point(|task| task.id < self.next);
+        tasks.iter().skip(from).find_map(|task| match task.rate {
+            Rate::Priority(lines) if task.is_running() && !self.sleeps(task) => {
+                Some((task.id, if task.left > 0 { task.left } else { lines }))
+            }
+            _ => None,
+        })
+    }
+
+    fn sleeps(&self, task: &Task) -> bool {
+        task.thread.wait.is_some_and(|wait| wait.sleeps && wait.wake.is_some_and(|wake| wake > self.now))
+    }
+
+    /// The earliest time behind now that a task waits for, or at which a period begins.
+    fn wake(&self, vm: &Vm) -> Option<Time> {
+        let running = vm.tasks().iter().filter(|task| task.is_running());
+        let times = running.filter_map(|task| match task.rate {
+            Rate::Period { next, .. } => Some(next),
+            Rate::Priority(_) => task.thread.wait.and_then(|wait| wait.wake),
+        });
+        times.filter(|time| *time > self.now).min()
+    }
+}
+
+/// What the tasks have done since each had its last turn.
+#[derive(Default)]
+struct Round {
+    lines: u32,
+    reads_clock: bool,
+}

@@ -1,0 +1,143 @@
+//! What is in memory: applications and libraries with their data, and the links between data.
+
+use std::sync::Arc;
+
+use val3_bytecode::{FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
+use val3_lang::memory::{Link, Memory, Place, StoreId, View};
+
+use crate::{Host, Instance, InstanceId};
+
+/// Applications and libraries in memory.
+#[derive(Debug, Clone, Default)]
+pub struct Space {
+    /// All data.
+    pub memory: Memory,
+    pub(crate) instances: Vec<Instance>,
+}
+
+impl Space {
+    /// What is in memory under a number.
+    #[must_use]
+    pub fn instance(&self, id: InstanceId) -> Option<&Instance> {
+        self.instances.get(usize::from(id.0))
+    }
+
+    /// Takes an application or library into memory, with its data as its files say.
+    pub fn load(&mut self, image: Arc<Image>, path: String, host: &mut dyn Host) -> InstanceId {
+        let data: Arc<[StoreId]> = image.data.iter().map(|data| self.memory.create(&data.init)).collect();
+        let instance = Instance {
+            data,
+            path,
+            libraries: vec![None; image.libraries.len()],
+            imports: vec![None; image.imports.len()],
+            loaded: true,
+            image,
+        };
+        let free = self.instances.iter().position(|instance| !instance.loaded);
+        let at = free.unwrap_or(self.instances.len());
+        match self.instances.get_mut(at) {
+            Some(slot) => *slot = instance,
+            None => self.instances.push(instance),
+        }
+        let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
+        if let Some(instance) = self.instance(id) {
+            host.loaded(id.0, &instance.image);
+        }
+        self.link_data(id, None, host);
+        id
+    }
+
+    /// Lets a library identifier of `user` stand for `library`.
+    ///
+    /// What the library lacks of what `user` uses raises error 80 when it is used; the answer is whether it has all.
+    pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
+        let Some(instance) = self.instances.get(usize::from(user.0)) else { return false };
+        let exporter = self.instances.get(usize::from(library.0));
+        let of_alias = |import: &&Import| import.library == alias;
+        let found: Vec<_> = (0usize..)
+            .zip(&instance.image.imports)
+            .filter(|(_, import)| of_alias(import))
+            .map(|(at, import)| {
+                let of_program = matches!(import.kind, ImportKind::Program(_));
+                (at, exporter.and_then(|exporter| exporter.export(library, &import.name, of_program)))
+            })
+            .collect();
+        let complete = found.iter().all(|(_, item)| item.is_some());
+        if let Some(instance) = self.instances.get_mut(usize::from(user.0)) {
+            if let Some(slot) = instance.libraries.get_mut(usize::from(alias)) {
+                *slot = Some(library);
+            }
+            for (at, item) in found {
+                if let Some(slot) = instance.imports.get_mut(at) {
+                    *slot = item;
+                }
+            }
+        }
+        self.link_data(user, Some(alias), host);
+        complete
+    }
+
+    /// Makes the links of data that do not wait for a library, or those that wait for `alias`.
+    fn link_data(&mut self, id: InstanceId, alias: Option<u16>, host: &mut dyn Host) {
+        let Some(instance) = self.instance(id) else { return };
+        let image = Arc::clone(&instance.image);
+        let alias = alias.and_then(|alias| image.libraries.get(usize::from(alias))).map(|library| &library.alias);
+        for init in &image.links {
+            let library = match &init.target {
+                LinkTarget::Father(father) => father.library.as_ref(),
+                LinkTarget::Port(..) => None,
+            };
+            if library == alias
+                && let Some(place) = self.place_of(id, init)
+                && let Some(link) = self.target(id, &init.target, host)
+            {
+                // The place was looked up just now, so it is there.
+                let _ = self.memory.set_link(place, init.link, link);
+            }
+        }
+    }
+
+    fn place_of(&self, id: InstanceId, init: &LinkInit) -> Option<Place> {
+        let mut store = self.instance(id)?.data.get(init.data as usize).copied()?;
+        for (value, field) in &init.path {
+            let place = self.memory.element(View::whole(store), *value).ok()?;
+            store = self.memory.part(place, *field).ok()?;
+        }
+        let found = self.memory.store(store).ok()?;
+        Some(found.place(store, init.value))
+    }
+
+    fn target(&self, id: InstanceId, target: &LinkTarget, host: &mut dyn Host) -> Option<Link> {
+        match target {
+            LinkTarget::Port(base, path) => host.port(*base, path).map(Link::Port),
+            LinkTarget::Father(father) => self.father(id, father).map(Link::Data),
+        }
+    }
+
+    fn father(&self, id: InstanceId, father: &FatherLink) -> Option<Place> {
+        let own = self.instance(id)?;
+        let store = match (&father.library, father.name.as_str()) {
+            (Some(library), name) => {
+                let at = own.image.libraries.iter().position(|found| found.alias == *library)?;
+                let library = self.instance((*own.libraries.get(at)?)?)?;
+                library.data.get(usize::from(library.image.data(name)?)).copied()?
+            }
+            (None, name) => match own.image.data(name) {
+                Some(number) => own.data.get(usize::from(number)).copied()?,
+                None => builtin(name)?,
+            },
+        };
+        let found = self.memory.store(store).ok()?;
+        let number = found.number_of_text(&father.at)?;
+        Some(found.place(store, number))
+    }
+}
+
+/// `world` or `flange`.
+fn builtin(name: &str) -> Option<StoreId> {
+    val3_lang::builtins::find(name).and_then(|builtin| match builtin.ty {
+        val3_lang::types::BaseType::Frame => Some(Memory::WORLD),
+        val3_lang::types::BaseType::Tool => Some(Memory::FLANGE),
+        _ => None,
+    })
+}
