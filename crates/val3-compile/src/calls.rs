@@ -23,7 +23,7 @@ impl Coder<'_, '_> {
     /// The program that is called, and its arguments.
     pub(crate) fn call_site(&mut self, call: ExprId, boxes: &mut Vec<Boxed>) -> Result<CallSite> {
         let Expr::Call(callee, args) = self.body.expr(call) else { return Err(Limit::Unclear) };
-        let (program, project, file) = self.program(*callee)?;
+        let (program, project, file) = self.called_program(*callee)?;
         let params = &signature(self.unit.db, project, file).params;
         let formals: Vec<Formal> = params.iter().map(formal).collect();
         let arguments = self.arguments(&formals, args, boxes)?;
@@ -33,7 +33,7 @@ impl Coder<'_, '_> {
         Ok(CallSite { program, arguments })
     }
 
-    fn program(&mut self, callee: ExprId) -> Result<(ProgramRef, Project, File)> {
+    fn called_program(&mut self, callee: ExprId) -> Result<(ProgramRef, Project, File)> {
         match self.body.expr(callee) {
             Expr::Name(name) => {
                 let file = *self.unit.items.programs.get(name).ok_or(Limit::Unclear)?;

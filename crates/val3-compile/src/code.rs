@@ -14,6 +14,8 @@ pub(crate) struct Code {
     ops: Vec<Op>,
     labels: Vec<u32>,
     constants: FxHashMap<SmolStr, Register>,
+    /// Where the lines of the file begin.
+    rows: Vec<u32>,
     pub(crate) lines: Vec<Line>,
     pub(crate) texts: Vec<Text>,
     pub(crate) copies: Vec<CopySite>,
@@ -27,6 +29,12 @@ pub(crate) struct Code {
 pub(crate) struct Label(pub(crate) u32);
 
 impl Code {
+    /// Code of a program in a file with this text.
+    pub(crate) fn new(text: &str) -> Self {
+        let ends = (1u32..).zip(text.bytes()).filter(|(_, byte)| *byte == b'\n');
+        Self { rows: std::iter::once(0).chain(ends.map(|(behind, _)| behind)).collect(), ..Self::default() }
+    }
+
     /// Adds an operation.
     pub(crate) fn emit(&mut self, op: Op) {
         self.ops.push(op);
@@ -55,7 +63,9 @@ impl Code {
 
     /// An instruction line begins.
     pub(crate) fn line(&mut self, range: TextRange) {
-        self.lines.push(Line { op: count(&self.ops), range: source_range(range) });
+        let range = source_range(range);
+        let row = self.rows.partition_point(|start| *start <= range.start);
+        self.lines.push(Line { op: count(&self.ops), range, row: u32::try_from(row).unwrap_or(u32::MAX) });
         self.emit(Op::Line);
     }
 

@@ -92,7 +92,7 @@ impl Coder<'_, '_> {
         (left, right): (ExprId, ExprId),
         want: Option<Lanes>,
     ) -> Result<Value> {
-        let Some(run) = handlers::binary(op, base) else { return self.compared(op, left, right, want) };
+        let Some(run) = handlers::binary(op, base, self.unit.items.arm) else { return self.compared(op, left, right, want) };
         let mut site = InstructionSite::named(op.symbol(), Some(run));
         for id in [left, right] {
             let value = self.value(id, None)?;
@@ -143,7 +143,7 @@ impl Coder<'_, '_> {
         if base == Some(BaseType::String) {
             let (a, b) = (self.load_text(left, None)?, self.load_text(right, None)?);
             self.emit(Op::TextEqual { to, a, b });
-        } else if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base)) {
+        } else if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base, self.unit.items.arm)) {
             let mut site = InstructionSite::named(BinaryOp::Equal.symbol(), Some(run));
             site.arguments = vec![self.argument_of(left)?, self.argument_of(right)?];
             site.result = Some(Operand::Frame(Lanes::nums(to.into())));

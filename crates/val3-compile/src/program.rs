@@ -22,7 +22,7 @@ pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::resu
         body: body(db, file),
         types: infer(db, project, file),
         frame: Frame::default(),
-        code: Code::default(),
+        code: Code::new(file.text(db)),
         range: TextRange::default(),
     };
     let compiled = coder.program(file, signature(db, project, file));
