@@ -301,6 +301,9 @@ pub const WAIT_END_MOVE: &str = "waitEndMove";
 /// Lets other tasks go on until a condition holds (5.10).
 pub const WAIT: &str = "wait";
 
+/// As [`WAIT`], for a limited time; tells whether the condition came to hold (5.10).
+pub const WATCH: &str = "watch";
+
 /// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
 pub const DELAY: &str = "delay";
 

@@ -10,6 +10,7 @@ mod copy;
 mod kind;
 mod lanes;
 mod place;
+mod shown;
 mod stack;
 mod store;
 
