@@ -22,6 +22,7 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
+    stopped: bool,
 }
 
 /// Where an application is in its life.
@@ -56,7 +57,7 @@ impl Controller {
         let mut vm = Vm::default();
         let application = vm.space.load(image, path, &mut devices);
         vm.space.load_with(application, &mut devices);
-        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running }
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, stopped: false }
     }
 
     /// The controller's clock, in nanoseconds.
@@ -80,6 +81,7 @@ impl Controller {
     /// their creation (5.2).
     pub fn stop(&mut self) {
         if self.phase == Phase::Running {
+            self.stopped = true;
             let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
             let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
             if let Some(start) = start {
@@ -87,6 +89,12 @@ impl Controller {
             }
             self.begin_stop();
         }
+    }
+
+    /// It was stopped from outside.
+    #[must_use]
+    pub fn was_stopped(&self) -> bool {
+        self.stopped
     }
 
     /// Lets `stop` run.
@@ -98,19 +106,37 @@ impl Controller {
     }
 
     fn end(&mut self) {
+        self.kill_tasks();
+        self.phase = Phase::Stopped;
+    }
+
+    /// Lets another image of the same application take the place of the one in memory. The data stay, so both must
+    /// declare the same.
+    pub fn exchange(&mut self, image: Arc<Image>) {
+        self.vm.space.exchange(self.application, image, &mut self.devices);
+    }
+
+    /// Kills all tasks, the newest first.
+    pub fn kill_tasks(&mut self) {
         while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
             self.vm.kill(task, &mut self.devices);
         }
-        self.phase = Phase::Stopped;
+    }
+
+    /// As [`step`](Self::step); the application does not stop when its tasks have ended.
+    pub fn step_tasks(&mut self) -> Step {
+        let cycle = self.cycle();
+        match cycle {
+            _ if self.vm.tasks().is_empty() => Step::Finished,
+            _ if self.is_stuck() => Step::Stuck,
+            Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
+            _ => Step::Busy,
+        }
     }
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
-        let start = self.schedule.now;
-        let end = (start / CYCLE + 1) * CYCLE;
-        self.refresh_inputs(start);
-        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
-        self.refresh_outputs(end);
+        let cycle = self.cycle();
         self.advance_phase();
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
@@ -118,6 +144,15 @@ impl Controller {
             (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
             _ => Step::Busy,
         }
+    }
+
+    fn cycle(&mut self) -> Cycle {
+        let start = self.schedule.now;
+        let end = (start / CYCLE + 1) * CYCLE;
+        self.refresh_inputs(start);
+        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        self.refresh_outputs(end);
+        cycle
     }
 
     /// Leaves out the time until the cycle of `time`: nothing can happen before.
