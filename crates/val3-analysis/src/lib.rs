@@ -24,4 +24,4 @@ pub mod project_check;
 pub mod resizing;
 pub mod system;
 pub mod ty;
-pub mod xml;
+pub use val3_syntax::xml;

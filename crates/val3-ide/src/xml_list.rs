@@ -1,6 +1,8 @@
 //! Entries of the lists in XML: `<Locals>`, `<Datas>`, `<Programs>`.
 
 use val3_analysis::xml::Element;
+pub(crate) use val3_syntax::xml::{escaped, whole_line};
+use val3_syntax::xml::{indentation, line_end};
 use val3_syntax::{TextRange, TextSize};
 
 /// One level of indentation in the XML that the tools write.
@@ -68,42 +70,17 @@ impl List<'_> {
         }
     }
 
-    /// The blanks before what stands at `at`, if nothing else stands before it on its line.
     fn indentation(&self, at: TextSize) -> Option<&str> {
-        let before = self.text.get(..usize::from(at))?;
-        let line = before.rsplit(['\r', '\n']).next()?;
-        (line.len() < before.len() && line.trim().is_empty()).then_some(line)
+        indentation(self.text, at)
     }
 
     fn line_end(&self) -> &'static str {
-        if self.text.contains("\r\n") { "\r\n" } else { "\n" }
+        line_end(self.text)
     }
 
     fn slice(&self, range: TextRange) -> &str {
         self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("")
     }
-}
-
-/// The range of an entry with the line it stands on, if it has it for itself.
-pub(crate) fn whole_line(text: &str, range: TextRange) -> TextRange {
-    let (start, end) = (usize::from(range.start()), usize::from(range.end()));
-    let before = text.get(..start).unwrap_or("");
-    let rest = text.get(end..).unwrap_or("");
-    let blanks = before.len() - before.trim_end_matches([' ', '\t']).len();
-    let own = before.get(..start - blanks).is_some_and(|before| before.ends_with(['\n', '\r']))
-        && rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']);
-    if !own {
-        return range;
-    }
-    let line = before.get(..start - blanks).unwrap_or("");
-    let line_end = if line.ends_with("\r\n") { 2 } else { 1 };
-    let from = start - blanks - line_end;
-    TextSize::try_from(from).map_or(range, |from| TextRange::new(from, range.end()))
-}
-
-/// A text as an attribute in double quotes holds it, or as code outside of a CDATA section.
-pub(crate) fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -142,16 +119,5 @@ mod tests {
     fn with_a_list_of_its_own() {
         check("<P>\n  <C/>\n</P>", "<P>\n  <L a=\"1\">\n    <e>\n    </e>\n  </L>\n  <C/>\n</P>");
         check("<P><C/></P>", "<P><L a=\"1\"><e></e></L><C/></P>");
-    }
-
-    #[test]
-    fn the_line_of_an_entry() {
-        let text = "<L>\r\n  <e/>\r\n  <f/></L>";
-        let line = |part: &str| {
-            let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
-            &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
-        };
-        assert_eq!(line("<e/>"), "\r\n  <e/>");
-        assert_eq!(line("<f/>"), "<f/>");
     }
 }

@@ -11,6 +11,7 @@ mod kind;
 mod lanes;
 mod lifetime;
 mod place;
+mod shown;
 mod stack;
 mod store;
 

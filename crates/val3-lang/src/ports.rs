@@ -3,6 +3,19 @@
 //! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
 //! the controller's clock.
 
+mod io;
+mod media;
+mod robot;
+mod screen;
+
+pub use io::Io;
+pub use media::Media;
+pub use robot::Robot;
+pub use screen::Screen;
+
+use std::sync::Arc;
+
+use crate::call::Flow;
 use crate::fault::{Fault, Result};
 use crate::memory::View;
 use crate::types::BaseType;
@@ -22,7 +35,7 @@ pub fn nanoseconds(seconds: f64) -> Time {
 }
 
 /// Everything outside programs and their data.
-pub trait Ports {
+pub trait Ports: Io + Screen + Robot + Media {
     /// Where the next calls come from. The run time tells it before each instruction.
     fn origin(&mut self, origin: Origin);
 
@@ -31,9 +44,6 @@ pub trait Ports {
 
     /// The number of an input, output or line by its path in a file (`BasicIO-1\%I0`); `None` where there is none.
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
-
-    /// Shows a line of text that `?` prints.
-    fn print(&mut self, text: &str);
 }
 
 /// A task, by its number in the order of creation.

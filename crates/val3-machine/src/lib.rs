@@ -1,5 +1,11 @@
 //! The virtual controller: tasks, inputs and outputs, screen, files and clock, one tick at a time.
 
+pub mod controller;
 pub mod controller_state;
+pub mod devices;
+pub mod event;
+pub mod files;
 pub mod io;
 pub mod screen;
+pub mod sio;
+mod string_bytes;

@@ -12,6 +12,7 @@ mod lexer;
 mod parse;
 mod parser;
 pub mod view;
+pub mod xml;
 
 pub use kind::{SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use lexer::{decode_entities, resolve_entity};

@@ -8,6 +8,9 @@ use val3_lang::ports::Ports;
 
 /// The controller around the run time.
 pub trait Host: Ports {
+    /// An application or library has come into memory under a number; events refer to it.
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>);
+
     /// Compiles the library that a program names (6.6).
     ///
     /// `from` is the path of the application or library whose program asks.

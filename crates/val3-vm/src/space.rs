@@ -40,6 +40,9 @@ impl Space {
             None => self.instances.push(instance),
         }
         let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
+        if let Some(instance) = self.instance(id) {
+            host.loaded(id.0, &instance.image);
+        }
         self.link_data(id, None, host);
         id
     }

@@ -17,6 +17,18 @@ pub struct LinkId(u32);
 impl LinkId {
     /// No link, which a variable holds at first.
     pub const NONE: Self = Self(0);
+
+    /// The number that a variable keeps.
+    #[must_use]
+    pub const fn number(self) -> u32 {
+        self.0
+    }
+
+    /// The link whose number a variable keeps.
+    #[must_use]
+    pub const fn from_number(number: u32) -> Self {
+        Self(number)
+    }
 }
 
 /// A signal has another value, seen from the program for an input, from the outside for an output.

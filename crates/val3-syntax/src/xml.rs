@@ -2,8 +2,8 @@
 
 use std::borrow::Cow;
 
-use val3_syntax::view::{TokenView, View};
-use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
+use crate::view::{TokenView, View};
+use crate::{SyntaxKind, TextRange, TextSize, decode_entities};
 
 /// An element of a file.
 #[derive(Debug, Clone, Copy)]
@@ -110,21 +110,66 @@ impl<'g> Attribute<'g> {
     }
 }
 
+/// The blanks before what stands at `at`, if nothing else stands before it on its line.
+pub fn indentation(text: &str, at: TextSize) -> Option<&str> {
+    let before = text.get(..usize::from(at))?;
+    let line = before.rsplit(['\r', '\n']).next()?;
+    (line.len() < before.len() && line.trim().is_empty()).then_some(line)
+}
+
+/// How the lines of a file end.
+pub fn line_end(text: &str) -> &'static str {
+    if text.contains("\r\n") { "\r\n" } else { "\n" }
+}
+
+/// The range of an entry with the line it stands on, if it has it for itself.
+pub fn whole_line(text: &str, range: TextRange) -> TextRange {
+    let (start, end) = (usize::from(range.start()), usize::from(range.end()));
+    let before = text.get(..start).unwrap_or("");
+    let rest = text.get(end..).unwrap_or("");
+    let blanks = before.len() - before.trim_end_matches([' ', '\t']).len();
+    let own = before.get(..start - blanks).is_some_and(|before| before.ends_with(['\n', '\r']))
+        && rest.trim_start_matches([' ', '\t']).starts_with(['\r', '\n']);
+    if !own {
+        return range;
+    }
+    let line = before.get(..start - blanks).unwrap_or("");
+    let line_end = if line.ends_with("\r\n") { 2 } else { 1 };
+    let from = start - blanks - line_end;
+    TextSize::try_from(from).map_or(range, |from| TextRange::new(from, range.end()))
+}
+
+/// A text as an attribute in double quotes holds it, or as code outside of a CDATA section.
+pub fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
 #[cfg(test)]
 mod tests {
-    use val3_syntax::view::View;
-
-    use super::root;
+    use super::{root, whole_line};
+    use crate::view::View;
+    use crate::{TextRange, TextSize};
 
     #[test]
     fn elements_and_attributes() {
         let text = "<a><b x='1' y=\"&lt;2&gt;\" z=\"\"/><c><b/></c></a>";
-        let parse = val3_syntax::parse(text);
+        let parse = crate::parse(text);
         let root = root(View::root(parse.green())).unwrap();
         let b = root.child(&["b"]).unwrap();
         let shown = b.attributes().map(|found| format!("{}={} at {:?}", found.name, found.text(), found.range));
         assert_eq!(shown.collect::<Vec<_>>(), ["x=1 at 9..10", "y=<2> at 15..24", "z= at 29..29"]);
         assert_eq!(root.list("c", "b").count(), 1);
         assert!(b.value("w").is_none() && root.child(&["d"]).is_none());
+    }
+
+    #[test]
+    fn the_line_of_an_entry() {
+        let text = "<L>\r\n  <e/>\r\n  <f/></L>";
+        let line = |part: &str| {
+            let at = TextSize::try_from(text.find(part).unwrap()).unwrap();
+            &text[std::ops::Range::<usize>::from(whole_line(text, TextRange::at(at, TextSize::of(part))))]
+        };
+        assert_eq!(line("<e/>"), "\r\n  <e/>");
+        assert_eq!(line("<f/>"), "<f/>");
     }
 }

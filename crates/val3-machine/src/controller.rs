@@ -1,0 +1,186 @@
+//! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
+
+use std::sync::Arc;
+
+use val3_bytecode::Image;
+use val3_lang::ports::Time;
+use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
+
+use crate::devices::Devices;
+use crate::event::What;
+
+/// The priority of the tasks that execute `start` and `stop` (5.2).
+const PRIORITY: u32 = 10;
+
+/// An application on the controller.
+#[derive(Debug)]
+pub struct Controller {
+    /// Programs and data.
+    pub vm: Vm,
+    /// Everything else.
+    pub devices: Devices,
+    schedule: Schedule,
+    application: InstanceId,
+    phase: Phase,
+}
+
+/// Where an application is in its life.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Phase {
+    /// Its tasks run.
+    Running,
+    /// `stop` runs; with others if it was stopped from outside.
+    Stopping,
+    /// It has no tasks any more.
+    Stopped,
+}
+
+/// What a step came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// Tasks have run, or may in the next cycle.
+    Busy,
+    /// All tasks wait until this time, or for what comes from outside.
+    Idle(Option<Time>),
+    /// Every task has ended, and so has `stop`.
+    Finished,
+    /// No task can go on: each is halted or in error.
+    Stuck,
+}
+
+impl Controller {
+    /// An application in memory with the libraries that load with it; no task runs yet. `path` is its folder on the
+    /// media (`Disk://app`).
+    #[must_use]
+    pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Self {
+        let mut vm = Vm::default();
+        let application = vm.space.load(image, path, &mut devices);
+        vm.space.load_with(application, &mut devices);
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running }
+    }
+
+    /// The controller's clock, in nanoseconds.
+    #[must_use]
+    pub fn now(&self) -> Time {
+        self.schedule.now
+    }
+
+    /// Starts a program without parameters in the task `~application` (5.2).
+    ///
+    /// Whether there is such a program.
+    pub fn start(&mut self, program: &str) -> bool {
+        let Some(instance) = self.vm.space.instance(self.application) else { return false };
+        let (name, number) = (task_name(&instance.image), instance.image.program(program));
+        let Some(number) = number else { return false };
+        let started = self.vm.start(&name, (self.application, number), PRIORITY, &mut self.devices);
+        started.is_ok()
+    }
+
+    /// Stops the application as the operator does: `stop` runs, then all tasks are killed in the reverse order of
+    /// their creation (5.2).
+    pub fn stop(&mut self) {
+        if self.phase == Phase::Running {
+            let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
+            let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
+            if let Some(start) = start {
+                self.vm.kill(start, &mut self.devices);
+            }
+            self.begin_stop();
+        }
+    }
+
+    /// Lets `stop` run.
+    fn begin_stop(&mut self) {
+        self.phase = Phase::Stopping;
+        if !self.start("stop") {
+            self.end();
+        }
+    }
+
+    fn end(&mut self) {
+        while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
+            self.vm.kill(task, &mut self.devices);
+        }
+        self.phase = Phase::Stopped;
+    }
+
+    /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
+    pub fn step(&mut self) -> Step {
+        let start = self.schedule.now;
+        let end = (start / CYCLE + 1) * CYCLE;
+        self.refresh_inputs(start);
+        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        self.refresh_outputs(end);
+        self.advance_phase();
+        match (self.phase, cycle) {
+            (Phase::Stopped, _) => Step::Finished,
+            _ if self.is_stuck() => Step::Stuck,
+            (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
+            _ => Step::Busy,
+        }
+    }
+
+    /// Leaves out the time until the cycle of `time`: nothing can happen before.
+    pub fn jump(&mut self, time: Time) {
+        self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
+    }
+
+    /// When something happens by itself, outside of tasks: a key is released, power comes.
+    #[must_use]
+    pub fn next_due(&self) -> Option<Time> {
+        let now = self.schedule.now;
+        [self.devices.pendant.next_due(now), self.devices.robot.next_due()].into_iter().flatten().min()
+    }
+
+    /// Something outside may speak at any time.
+    #[must_use]
+    pub fn hears_outside(&self) -> bool {
+        false
+    }
+
+    /// An error has stopped a task, and nothing has changed that.
+    #[must_use]
+    pub fn has_failed_tasks(&self) -> bool {
+        self.vm.tasks().iter().any(|task| matches!(task.state, TaskState::Failed(_)))
+    }
+
+    fn advance_phase(&mut self) {
+        let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
+        let stops = self.vm.tasks().iter().any(|task| Some(&task.name) == name.as_ref());
+        match self.phase {
+            Phase::Running if self.vm.tasks().is_empty() => self.begin_stop(),
+            Phase::Stopping if !stops => self.end(),
+            _ => {}
+        }
+    }
+
+    fn is_stuck(&self) -> bool {
+        !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
+    }
+
+    fn refresh_inputs(&mut self, now: Time) {
+        self.devices.pendant.advance(now);
+        self.devices.robot.advance(now, true);
+        for change in self.devices.io.refresh_inputs() {
+            self.record_io(now, change);
+        }
+    }
+
+    fn refresh_outputs(&mut self, now: Time) {
+        for change in self.devices.io.refresh_outputs() {
+            self.record_io(now, change);
+        }
+    }
+
+    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
+        if let Some(signal) = self.devices.io.signal(change.signal) {
+            let link = signal.path.clone();
+            self.devices.record_outside(now, What::Io { link, value: change.value });
+        }
+    }
+}
+
+/// The task that executes `start` and `stop`.
+fn task_name(image: &Image) -> String {
+    format!("~{}", image.name)
+}

@@ -1,0 +1,106 @@
+//! What programs reach of the controller: the ports of instructions, each in a file of its own.
+
+mod io;
+mod libraries;
+mod media;
+mod robot;
+mod saving;
+mod screen;
+mod tasks;
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use val3_bytecode::Image;
+use val3_lang::ports::{Origin, TaskNumber, Time};
+
+use crate::controller_state::{EventLog, Languages, Profiles, Robot, Versions};
+use crate::event::{Event, What, seconds};
+use crate::files::{ControllerPath, LibraryFiles, Roots};
+use crate::io::IoTable;
+use crate::screen::Pendant;
+
+/// Everything of the controller but its programs.
+pub struct Devices {
+    /// Digital and analog inputs and outputs.
+    pub io: IoTable,
+    /// The pendant.
+    pub pendant: Pendant,
+    /// Power, modes and speed.
+    pub robot: Robot,
+    /// The event log.
+    pub log: EventLog,
+    /// Users.
+    pub profiles: Profiles,
+    /// Languages.
+    pub languages: Languages,
+    /// Versions and licences.
+    pub versions: Versions,
+    /// The media that paths name.
+    pub roots: Roots,
+    /// Finds and compiles libraries.
+    pub libraries: Box<dyn Libraries>,
+    /// What has happened and was not taken yet.
+    events: Vec<Event>,
+    /// Where the calls of ports come from.
+    origin: Origin,
+    /// The names of tasks.
+    names: BTreeMap<TaskNumber, String>,
+    /// The images in memory, by the number of their instance.
+    images: Vec<Arc<Image>>,
+}
+
+/// Finds and compiles libraries: the way from the run time to the analysis.
+pub trait Libraries {
+    /// The image of the library with these files.
+    ///
+    /// # Errors
+    /// What is wrong with it, for the event log: its data or programs do not suit (code 12 of `libLoad`).
+    fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String>;
+}
+
+impl Devices {
+    /// Records what the task that runs has done.
+    fn record(&mut self, what: What) {
+        let task = self.names.get(&self.origin.task).cloned();
+        self.events.push(Event { t: seconds(self.origin.time), task, what });
+    }
+
+    /// Records what has come from outside.
+    pub fn record_outside(&mut self, now: Time, what: What) {
+        self.events.push(Event { t: seconds(now), task: None, what });
+    }
+
+    /// What has happened since this was asked before.
+    pub fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+}
+
+impl std::fmt::Debug for Devices {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Devices").field("origin", &self.origin).finish_non_exhaustive()
+    }
+}
+
+impl Devices {
+    /// Devices in their state after a start, with these media and this way to libraries.
+    #[must_use]
+    pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
+        Self {
+            io: IoTable::default(),
+            pendant: Pendant::default(),
+            robot: Robot::default(),
+            log: EventLog::default(),
+            profiles: Profiles::default(),
+            languages: Languages::default(),
+            versions: Versions::default(),
+            roots,
+            libraries,
+            events: Vec::new(),
+            origin: Origin::default(),
+            names: BTreeMap::new(),
+            images: Vec::new(),
+        }
+    }
+}

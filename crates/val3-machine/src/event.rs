@@ -1,0 +1,142 @@
+//! What happens in the controller, in order: the record of a run.
+//!
+//! An event is one JSON object a line in the record; docs/events.md describes them, and what stands there stays.
+
+use serde::Serialize;
+use val3_lang::ports::{SECOND, Time};
+
+/// Something that has happened.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Event {
+    /// Seconds since the controller was started.
+    pub t: f64,
+    /// The task in whose turn it has happened; none for what comes from outside.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub task: Option<String>,
+    /// What has happened.
+    #[serde(flatten)]
+    pub what: What,
+}
+
+/// What has happened.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum What {
+    /// `?` has printed a line.
+    Print {
+        /// The line.
+        text: String,
+    },
+    /// Text was written on a user page.
+    Put {
+        /// The screen variable; empty for the default page.
+        screen: String,
+        /// Column of the first character, from 0.
+        x: u8,
+        /// Line of the first character, from 0.
+        y: u8,
+        /// The text.
+        text: String,
+    },
+    /// A user page has another title.
+    Title {
+        /// The screen variable; empty for the default page.
+        screen: String,
+        /// The title.
+        text: String,
+    },
+    /// A user page was emptied.
+    Cls {
+        /// The screen variable; empty for the default page.
+        screen: String,
+    },
+    /// A message has come up.
+    Popup {
+        /// The message.
+        text: String,
+    },
+    /// The event log has a new line.
+    Log {
+        /// `info`, `warning` or `error`.
+        level: &'static str,
+        /// The line.
+        text: String,
+    },
+    /// A task was created, has ended, or has changed its state.
+    Task {
+        /// `created`, `ended`, `suspended`, `resumed`, `killed` or `error`.
+        state: &'static str,
+        /// Its name.
+        name: String,
+        /// The program it is in.
+        program: String,
+        /// The code line of that program, from 1; 0 before the first.
+        line: u32,
+        /// The number of the run-time error.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        code: Option<u16>,
+    },
+    /// A run-time error has stopped a task.
+    Error {
+        /// Its number.
+        code: u16,
+        /// What it means.
+        message: &'static str,
+        /// The program.
+        program: String,
+        /// The line of the file, from 1.
+        line: u32,
+        /// The file.
+        file: String,
+    },
+    /// An input or output has another value.
+    Io {
+        /// Its path.
+        link: String,
+        /// Its value; 0 or 1 for a digital one.
+        value: f64,
+    },
+    /// Bytes went over a serial line or socket.
+    Sio {
+        /// Its path.
+        link: String,
+        /// `in` or `out`.
+        dir: &'static str,
+        /// The bytes.
+        bytes: Vec<u8>,
+    },
+    /// A library was loaded, saved or deleted.
+    Lib {
+        /// `load`, `save` or `delete`.
+        op: &'static str,
+        /// The library identifier; empty for the application itself.
+        alias: String,
+        /// The path as the program gave it.
+        path: String,
+        /// The code of the instruction.
+        code: u16,
+    },
+    /// The arm was powered or is no longer.
+    Power {
+        /// It has power.
+        on: bool,
+    },
+    /// The working mode has changed.
+    Mode {
+        /// The number that `workingMode` gives.
+        mode: u8,
+    },
+    /// The run is over.
+    End {
+        /// `finished`, `stopped`, `limit` or `error`.
+        reason: &'static str,
+    },
+}
+
+/// Seconds of a time.
+#[must_use]
+pub fn seconds(time: Time) -> f64 {
+    #[allow(clippy::cast_precision_loss, reason = "exact to a nanosecond for a hundred days")]
+    let seconds = time as f64 / SECOND as f64;
+    seconds
+}

@@ -1,0 +1,21 @@
+//! The media of the controller: paths, libraries and files, all inside of the folders that were mounted (6.5 to 6.7).
+//!
+//! Nothing here raises a run-time error: what goes wrong is a [`FileFault`], whose number the instructions return.
+
+mod fault;
+mod library;
+mod moving;
+mod open_files;
+mod path;
+mod rewrite;
+mod roots;
+mod saved_data;
+
+pub use fault::FileFault;
+pub use library::{LibraryFile, LibraryFiles, LibraryPath, Steps, Uninterrupted, list};
+pub use moving::{copy, delete, file_exists, rename};
+pub use open_files::{OpenFiles, OpenMode};
+pub use path::ControllerPath;
+pub use rewrite::rewrite;
+pub use roots::{EntryKind, Place, Roots};
+pub use saved_data::{Content, SavedData, SavedField, SavedValue, Shape, number_text};

@@ -1,0 +1,167 @@
+//! Files onto a medium so that a crash at any step leaves all the old ones or all the new ones.
+//!
+//! All new files are written and synced in a folder `.saving` inside of that of the library. Renaming it to `.saved`
+//! is the moment from which on the new library counts: its files are then moved into place, the project file last,
+//! and whoever comes by after a crash moves the rest.
+
+use std::io::{self, Write};
+
+use camino::{Utf8Path, Utf8PathBuf};
+
+use super::{EntryKind, FileFault, LibraryFile, Place, has_extension};
+
+/// The files that are being written.
+const SAVING: &str = ".saving";
+
+/// The files that are written and count.
+const SAVED: &str = ".saved";
+
+/// Is asked before each step that changes the medium: a test ends the work there, as a crash or a full disk does.
+pub trait Steps {
+    /// The next step.
+    ///
+    /// # Errors
+    /// Ends the work with this error.
+    fn next(&mut self) -> io::Result<()>;
+}
+
+/// Nothing comes between.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Uninterrupted;
+
+impl Steps for Uninterrupted {
+    fn next(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+/// A name that the medium has while a library is saved.
+pub(super) fn is_own(name: &str) -> bool {
+    [SAVING, SAVED].contains(&name)
+}
+
+/// Writes the files of a library into its folder, which is made where it is missing.
+pub(super) fn store(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
+    recover(folder, steps)?;
+    let made = folder.kind()? == EntryKind::Missing;
+    let written = write_all(folder, files, steps);
+    if let Err(fault) = written {
+        return Err(clear_away(folder, made, steps).err().unwrap_or(fault));
+    }
+    steps.next()?;
+    folder.dir.rename(folder.path.join(SAVING), folder.dir, folder.path.join(SAVED))?;
+    sync(folder)?;
+    roll_forward(folder, steps)
+}
+
+fn write_all(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let saving = Place { dir: folder.dir, path: folder.path.join(SAVING) };
+    steps.next()?;
+    folder.dir.create_dir_all(&saving.path)?;
+    for file in files {
+        let path = saving.path.join(&file.path);
+        steps.next()?;
+        folder.dir.create_dir_all(path.parent().unwrap_or(&saving.path))?;
+        steps.next()?;
+        let mut open = folder.dir.create(&path)?;
+        let (half, rest) = file.bytes.split_at(file.bytes.len() / 2);
+        open.write_all(half)?;
+        steps.next()?;
+        open.write_all(rest)?;
+        steps.next()?;
+        open.sync_all()?;
+    }
+    Ok(sync(&saving)?)
+}
+
+/// Takes back what a save that failed has written. The fault that ended it is the one that is told, unless the medium
+/// does not even let this be done.
+fn clear_away(folder: &Place<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let saving = Place { dir: folder.dir, path: folder.path.join(SAVING) };
+    if saving.kind()? == EntryKind::Folder {
+        steps.next()?;
+        folder.dir.remove_dir_all(&saving.path)?;
+    }
+    if made && folder.kind()? == EntryKind::Folder {
+        steps.next()?;
+        folder.dir.remove_dir(&folder.path)?;
+    }
+    Ok(())
+}
+
+/// Finishes what a crash has interrupted.
+pub(super) fn recover(folder: &Place<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let inside = |name: &str| Place { dir: folder.dir, path: folder.path.join(name) };
+    if inside(SAVED).kind()? == EntryKind::Folder {
+        roll_forward(folder, steps)?;
+    }
+    if inside(SAVING).kind()? == EntryKind::Folder {
+        steps.next()?;
+        folder.dir.remove_dir_all(folder.path.join(SAVING))?;
+    }
+    Ok(())
+}
+
+/// Moves the files that count into their places, the project file last.
+fn roll_forward(folder: &Place<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let saved = Place { dir: folder.dir, path: folder.path.join(SAVED) };
+    let mut files = Vec::new();
+    collect(&saved, Utf8Path::new(""), &mut files)?;
+    files.sort_by_key(|path| (has_extension(path, "pjx"), path.clone()));
+    for file in &files {
+        let target = folder.child_path(file)?;
+        steps.next()?;
+        folder.dir.create_dir_all(target.parent().relative())?;
+        steps.next()?;
+        folder.dir.rename(saved.path.join(file), folder.dir, target.relative())?;
+        sync(&target.parent())?;
+    }
+    steps.next()?;
+    folder.dir.remove_dir_all(&saved.path)?;
+    Ok(sync(folder)?)
+}
+
+/// The files below `at`, as paths from `top`.
+fn collect(top: &Place<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -> Result<(), FileFault> {
+    for name in (Place { dir: top.dir, path: top.path.join(at) }).names()? {
+        let path = at.join(name);
+        match (Place { dir: top.dir, path: top.path.join(&path) }).kind()? {
+            EntryKind::Folder => collect(top, &path, files)?,
+            EntryKind::File => files.push(path),
+            EntryKind::Missing => {}
+        }
+    }
+    Ok(())
+}
+
+/// Deletes the files of a library, the project file first; then the folders that are empty.
+pub(super) fn delete(folder: &Place<'_>, files: &[LibraryFile]) -> Result<(), FileFault> {
+    for file in files {
+        folder.dir.remove_file(folder.path.join(&file.path))?;
+    }
+    let around = files.iter().filter_map(|file| file.path.parent());
+    // Without the separator that joining an empty path leaves at the end.
+    let around = around.map(|around| folder.path.join(around).components().collect::<Utf8PathBuf>());
+    let mut folders: Vec<_> = around.filter(|path| path.as_str() != "").collect();
+    folders.sort_by_key(|path| (std::cmp::Reverse(path.components().count()), path.clone()));
+    folders.dedup();
+    for path in folders {
+        let place = Place { dir: folder.dir, path };
+        if place.kind()? == EntryKind::Folder && place.names()?.is_empty() {
+            folder.dir.remove_dir(place.relative())?;
+        }
+    }
+    Ok(())
+}
+
+/// What the folder holds survives a power cut.
+#[cfg(unix)]
+fn sync(folder: &Place<'_>) -> io::Result<()> {
+    folder.dir.open(folder.relative())?.sync_all()
+}
+
+/// The file system looks after it.
+#[cfg(not(unix))]
+fn sync(_folder: &Place<'_>) -> io::Result<()> {
+    Ok(())
+}

@@ -1,0 +1,126 @@
+//! Files and folders as a whole: the instructions of the file add-on that copy, move and delete.
+
+use std::io;
+
+use super::{ControllerPath, EntryKind, FileFault, Place, Roots};
+
+/// A file is there (`$fileExists`). A folder is none.
+///
+/// # Errors
+/// If the path cannot be followed.
+pub fn file_exists(roots: &Roots, path: &ControllerPath) -> Result<bool, FileFault> {
+    Ok(roots.place(path)?.kind()? == EntryKind::File)
+}
+
+/// Deletes a file, or a folder with all that is in it (`$delete`).
+///
+/// # Errors
+/// [`FileFault::NotFound`] if there is nothing, [`FileFault::BadName`] for a medium itself, and what the medium says.
+pub fn delete(roots: &Roots, path: &ControllerPath) -> Result<(), FileFault> {
+    let place = movable(roots, path)?;
+    match place.kind()? {
+        EntryKind::Missing => Err(FileFault::NotFound),
+        EntryKind::File => Ok(place.dir.remove_file(place.relative())?),
+        EntryKind::Folder => Ok(place.dir.remove_dir_all(place.relative())?),
+    }
+}
+
+/// Copies a file, over one that is there, or a folder with all that is in it (`$copy`).
+///
+/// # Errors
+/// [`FileFault::NotFound`] if there is nothing to copy, [`FileFault::BadPath`] for a copy onto itself or into itself,
+/// onto a folder, or into a folder that is not there, and what the medium says; nothing half copied is left then.
+pub fn copy(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result<(), FileFault> {
+    let (from, to) = (movable(roots, from)?, movable(roots, to)?);
+    let kind = from.kind()?;
+    if kind == EntryKind::Missing {
+        return Err(FileFault::NotFound);
+    }
+    let there = to.kind()?;
+    let onto = kind == EntryKind::Folder && there != EntryKind::Missing || there == EntryKind::Folder;
+    if onto || is_inside(&to, &from) || to.parent().kind()? != EntryKind::Folder {
+        return Err(FileFault::BadPath);
+    }
+    copy_all(&from, &to, kind)
+}
+
+/// Moves a file or a folder, or gives it another name (`$rename`); on another medium it is copied and then deleted.
+///
+/// # Errors
+/// [`FileFault::NotFound`] if there is nothing to move, [`FileFault::BadPath`] if something is at the new path
+/// already, or if that is in the folder itself or in one that is not there, and what the medium says.
+pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Result<(), FileFault> {
+    let name = to.name().ok_or(FileFault::BadName)?;
+    let (from, to) = (movable(roots, from)?, movable(roots, to)?);
+    let kind = from.kind()?;
+    if kind == EntryKind::Missing {
+        return Err(FileFault::NotFound);
+    }
+    let same = is_same(&from, &to);
+    if !same && (to.kind()? != EntryKind::Missing || is_inside(&to, &from)) {
+        return Err(FileFault::BadPath);
+    }
+    if to.parent().kind()? != EntryKind::Folder {
+        return Err(FileFault::BadPath);
+    }
+    // What differs in letter case alone gets the new spelling.
+    let target = to.parent().path.join(name);
+    match from.dir.rename(from.relative(), to.dir, target) {
+        Err(error) if error.kind() == io::ErrorKind::CrossesDevices => {
+            copy_all(&from, &to, kind)?;
+            match kind {
+                EntryKind::Folder => Ok(from.dir.remove_dir_all(from.relative())?),
+                _ => Ok(from.dir.remove_file(from.relative())?),
+            }
+        }
+        done => Ok(done?),
+    }
+}
+
+/// A place that may be moved or deleted: not a medium itself.
+fn movable<'r>(roots: &'r Roots, path: &ControllerPath) -> Result<Place<'r>, FileFault> {
+    let place = roots.place(path)?;
+    if roots.is_base(&place) { Err(FileFault::BadName) } else { Ok(place) }
+}
+
+fn is_same(one: &Place<'_>, other: &Place<'_>) -> bool {
+    std::ptr::eq(one.dir, other.dir) && one.path == other.path
+}
+
+fn is_inside(inner: &Place<'_>, outer: &Place<'_>) -> bool {
+    std::ptr::eq(inner.dir, outer.dir) && inner.path.starts_with(&outer.path)
+}
+
+fn copy_all(from: &Place<'_>, to: &Place<'_>, kind: EntryKind) -> Result<(), FileFault> {
+    if kind == EntryKind::File {
+        return match from.dir.copy(from.relative(), to.dir, to.relative()) {
+            Ok(_) => Ok(()),
+            Err(error) => {
+                to.dir.remove_file(to.relative())?;
+                Err(error.into())
+            }
+        };
+    }
+    let copied = copy_folder(from, to);
+    if copied.is_err() && to.kind()? == EntryKind::Folder {
+        to.dir.remove_dir_all(to.relative())?;
+    }
+    copied
+}
+
+fn copy_folder(from: &Place<'_>, to: &Place<'_>) -> Result<(), FileFault> {
+    let names = from.names()?;
+    to.dir.create_dir(to.relative())?;
+    for name in names {
+        let inner = from.child(&name)?;
+        let target = Place { dir: to.dir, path: to.path.join(&name) };
+        match inner.kind()? {
+            EntryKind::Folder => copy_folder(&inner, &target)?,
+            kind => copy_all(&inner, &target, kind)?,
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;

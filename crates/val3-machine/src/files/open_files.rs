@@ -1,0 +1,191 @@
+//! Open files: the instructions of the file add-on that read and write lines and bytes.
+
+use std::collections::VecDeque;
+use std::io::{BufReader, BufWriter, Read, Write};
+
+use cap_std::fs_utf8::File;
+
+use super::{ControllerPath, EntryKind, FileFault, Roots};
+use crate::string_bytes::fill;
+
+/// The most files that are open at a time.
+const MOST: usize = 10;
+
+/// What is passed over at once in a line that holds no text.
+const PASSED: usize = 4_096;
+
+/// The files that a controller has open, by number.
+#[derive(Debug, Default)]
+pub struct OpenFiles {
+    files: [Option<OpenFile>; MOST],
+}
+
+/// What a file is opened for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum OpenMode {
+    /// `"r"`.
+    Read,
+    /// `"w"`: what was in it is gone.
+    Write,
+    /// `"a"`: what is written comes behind what was in it.
+    Append,
+}
+
+#[derive(Debug)]
+enum OpenFile {
+    Reading(Reading),
+    Writing(BufWriter<File>),
+}
+
+#[derive(Debug)]
+struct Reading {
+    file: BufReader<File>,
+    /// Bytes of the file that have been looked at and not read.
+    ahead: VecDeque<u8>,
+}
+
+impl OpenMode {
+    /// The mode that a program writes, in any letter case; a `b` or `t` behind it changes nothing.
+    #[must_use]
+    pub fn parse(text: &str) -> Option<Self> {
+        match text.trim().to_ascii_lowercase().trim_end_matches(['b', 't']) {
+            "r" => Some(Self::Read),
+            "w" => Some(Self::Write),
+            "a" => Some(Self::Append),
+            _ => None,
+        }
+    }
+}
+
+impl OpenFiles {
+    /// Opens a file and gives its number, 0 to 9 (`$fileOpen`).
+    ///
+    /// # Errors
+    /// [`FileFault::Medium`] if ten files are open; else what the path or the medium says.
+    pub fn open(&mut self, roots: &Roots, path: &ControllerPath, mode: OpenMode) -> Result<usize, FileFault> {
+        let number = self.files.iter().position(Option::is_none).ok_or(FileFault::Medium)?;
+        let place = roots.place(path)?;
+        if place.kind()? == EntryKind::Folder {
+            return Err(FileFault::BadPath);
+        }
+        let mut options = cap_std::fs::OpenOptions::new();
+        match mode {
+            OpenMode::Read => options.read(true),
+            OpenMode::Write => options.write(true).create(true).truncate(true),
+            OpenMode::Append => options.append(true).create(true),
+        };
+        let file = place.dir.open_with(place.relative(), &options)?;
+        let open = match mode {
+            OpenMode::Read => OpenFile::Reading(Reading { file: BufReader::new(file), ahead: VecDeque::new() }),
+            OpenMode::Write | OpenMode::Append => OpenFile::Writing(BufWriter::new(file)),
+        };
+        if let Some(slot) = self.files.get_mut(number) {
+            *slot = Some(open);
+        }
+        Ok(number)
+    }
+
+    /// Reads at most `most` lines; fewer at the end of the file, none of a file that is not open for reading
+    /// (`$fileGet`). A line that is longer than a string goes on in the next one.
+    pub fn lines(&mut self, number: usize, most: usize) -> Vec<String> {
+        let Some(reading) = self.reading(number) else { return Vec::new() };
+        std::iter::from_fn(|| reading.line()).take(most).collect()
+    }
+
+    /// Reads at most `most` bytes; fewer at the end of the file, none of a file that is not open for reading.
+    pub fn bytes(&mut self, number: usize, most: usize) -> Vec<u8> {
+        let Some(reading) = self.reading(number) else { return Vec::new() };
+        std::iter::from_fn(|| reading.byte()).take(most).collect()
+    }
+
+    /// Writes lines, each with a line end, and gives how many (`$fileSet`).
+    pub fn write_lines<'t>(&mut self, number: usize, lines: impl IntoIterator<Item = &'t str>) -> usize {
+        let Some(file) = self.writing(number) else { return 0 };
+        lines.into_iter().take_while(|line| writeln!(file, "{line}").is_ok()).count()
+    }
+
+    /// Writes bytes and gives how many.
+    pub fn write_bytes(&mut self, number: usize, bytes: &[u8]) -> usize {
+        let Some(file) = self.writing(number) else { return 0 };
+        if file.write_all(bytes).is_ok() { bytes.len() } else { 0 }
+    }
+
+    /// Closes a file, after which everything written is on the medium (`$fileClose`).
+    ///
+    /// # Errors
+    /// [`FileFault::NotFound`] if no such file is open; else what the medium says, and the file is closed.
+    pub fn close(&mut self, number: usize) -> Result<(), FileFault> {
+        match self.files.get_mut(number).and_then(Option::take).ok_or(FileFault::NotFound)? {
+            OpenFile::Reading(_) => Ok(()),
+            OpenFile::Writing(mut file) => Ok(file.flush()?),
+        }
+    }
+
+    fn reading(&mut self, number: usize) -> Option<&mut Reading> {
+        match self.files.get_mut(number)? {
+            Some(OpenFile::Reading(reading)) => Some(reading),
+            _ => None,
+        }
+    }
+
+    fn writing(&mut self, number: usize) -> Option<&mut BufWriter<File>> {
+        match self.files.get_mut(number)? {
+            Some(OpenFile::Writing(writing)) => Some(writing),
+            _ => None,
+        }
+    }
+}
+
+impl Reading {
+    /// The next byte; `None` at the end, and where the medium fails.
+    fn byte(&mut self) -> Option<u8> {
+        self.ahead.pop_front().or_else(|| self.fetch())
+    }
+
+    fn fetch(&mut self) -> Option<u8> {
+        let mut byte = [0];
+        self.file.read_exact(&mut byte).ok().map(|()| byte[0])
+    }
+
+    /// The next bytes are these.
+    fn comes(&mut self, bytes: &[u8]) -> bool {
+        while self.ahead.len() < bytes.len() {
+            let Some(byte) = self.fetch() else { return false };
+            self.ahead.push_back(byte);
+        }
+        self.ahead.iter().take(bytes.len()).eq(bytes)
+    }
+
+    /// Passes over the end of the line if it comes next.
+    fn end_line(&mut self) -> bool {
+        let end = [&b"\n"[..], b"\r\n"].into_iter().find(|end| self.comes(end));
+        self.ahead.drain(..end.map_or(0, <[u8]>::len));
+        end.is_some()
+    }
+
+    /// The next line, or the part of it that fits a string. The end of a line that fills its string exactly goes with
+    /// it.
+    fn line(&mut self) -> Option<String> {
+        let mut bytes = Vec::new();
+        loop {
+            if self.end_line() {
+                return Some(fill(&bytes).text);
+            }
+            let Some(byte) = self.byte() else { return (!bytes.is_empty()).then(|| fill(&bytes).text) };
+            bytes.push(byte);
+            let filled = fill(&bytes);
+            if filled.full {
+                let rest = bytes.split_off(filled.used);
+                rest.into_iter().rev().for_each(|byte| self.ahead.push_front(byte));
+                self.end_line();
+                return Some(filled.text);
+            }
+            if bytes.len() > PASSED {
+                bytes = filled.text.into_bytes();
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

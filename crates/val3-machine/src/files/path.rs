@@ -1,0 +1,163 @@
+//! Paths as programs and projects write them: `Disk://a/b`, `./part`, `../part`, `USB0://x`, `part` (6.6).
+
+use std::fmt;
+
+use smol_str::SmolStr;
+
+use super::FileFault;
+
+/// The root that a path without one means.
+pub(super) const DISK: &str = "Disk";
+
+/// A path of the controller in its normal form: a root and names. Steps up stand only at its start, where a medium may
+/// know a folder above its own.
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
+pub struct ControllerPath {
+    root: SmolStr,
+    parts: Vec<SmolStr>,
+}
+
+impl ControllerPath {
+    /// The root of a medium itself.
+    #[must_use]
+    pub fn root(name: &str) -> Self {
+        Self { root: name.into(), parts: Vec::new() }
+    }
+
+    /// Reads a path. What starts with `./` or `../` starts at `application`, everything else at a root, which is
+    /// `Disk` unless the path names one. `\` separates as `/` does.
+    ///
+    /// # Errors
+    /// [`FileFault::BadName`] for a name that no medium of the controller can hold.
+    pub fn parse(text: &str, application: &Self) -> Result<Self, FileFault> {
+        let text = text.trim().replace('\\', "/");
+        let (mut path, rest) = match text.split_once("://") {
+            Some((root, rest)) => (Self::root(root.trim()), rest),
+            None if starts_at_application(&text) => (application.clone(), text.as_str()),
+            None => (Self::root(DISK), text.as_str()),
+        };
+        rest.split('/').try_for_each(|part| path.push(part))?;
+        Ok(path)
+    }
+
+    /// Goes one part on.
+    fn push(&mut self, part: &str) -> Result<(), FileFault> {
+        match part {
+            "" | "." => {}
+            ".." if self.parts.last().is_some_and(|last| last != "..") => {
+                self.parts.pop();
+            }
+            ".." => self.parts.push("..".into()),
+            name if is_name(name) => self.parts.push(name.into()),
+            _ => return Err(FileFault::BadName),
+        }
+        Ok(())
+    }
+
+    /// The path with `name` behind it.
+    ///
+    /// # Errors
+    /// As [`Self::parse`].
+    pub fn join(&self, name: &str) -> Result<Self, FileFault> {
+        let mut path = self.clone();
+        name.replace('\\', "/").split('/').try_for_each(|part| path.push(part))?;
+        Ok(path)
+    }
+
+    /// The name of the medium, as it was written.
+    #[must_use]
+    pub fn medium(&self) -> &str {
+        &self.root
+    }
+
+    /// The names behind the root.
+    #[must_use]
+    pub fn parts(&self) -> &[SmolStr] {
+        &self.parts
+    }
+
+    /// The last name; `None` for a root, or where steps up end the path.
+    #[must_use]
+    pub fn name(&self) -> Option<&str> {
+        self.parts.last().map(SmolStr::as_str).filter(|name| *name != "..")
+    }
+
+    /// The path without its last part.
+    #[must_use]
+    pub fn parent(&self) -> Self {
+        let kept = self.parts.len().saturating_sub(1);
+        Self { root: self.root.clone(), parts: self.parts.iter().take(kept).cloned().collect() }
+    }
+
+    /// The last name ends in `.` and `extension`, in any letter case.
+    #[must_use]
+    pub fn has_extension(&self, extension: &str) -> bool {
+        let found = self.name().and_then(|name| name.rsplit_once('.'));
+        found.is_some_and(|(stem, found)| !stem.is_empty() && found.eq_ignore_ascii_case(extension))
+    }
+}
+
+impl fmt::Display for ControllerPath {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}://", self.root)?;
+        for (at, part) in self.parts.iter().enumerate() {
+            write!(f, "{}{part}", if at == 0 { "" } else { "/" })?;
+        }
+        Ok(())
+    }
+}
+
+fn starts_at_application(text: &str) -> bool {
+    ["./", "../"].iter().any(|start| text.starts_with(start)) || matches!(text, "." | "..")
+}
+
+/// A name that every medium can hold: those of FAT, which sticks and floppies have.
+fn is_name(name: &str) -> bool {
+    let odd = |character: char| character.is_control() || r#"<>:"|?*"#.contains(character);
+    !name.contains(odd) && name.len() <= 255 && !name.ends_with([' ', '.'])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> String {
+        let application = ControllerPath::root(DISK).join("cells/app").unwrap();
+        ControllerPath::parse(text, &application).map_or_else(|fault| fault.code().to_string(), |path| path.to_string())
+    }
+
+    #[test]
+    fn the_examples_of_the_manual() {
+        assert_eq!(read("article_1"), "Disk://article_1");
+        assert_eq!(read("USB0://articles/article_1"), "USB0://articles/article_1");
+        assert_eq!(read("./defaultArticle"), "Disk://cells/app/defaultArticle");
+    }
+
+    #[test]
+    fn forms_that_real_projects_use() {
+        assert_eq!(read("Disk://a/2/../b/b.pjx"), "Disk://a/b/b.pjx");
+        assert_eq!(read("Disk://..//templates/x"), "Disk://../templates/x");
+        assert_eq!(read("../part"), "Disk://cells/part");
+        assert_eq!(read("../../.."), "Disk://..");
+        assert_eq!(read("/Libraries/x"), "Disk://Libraries/x");
+        assert_eq!(read(r"a\b"), "Disk://a/b");
+        assert_eq!(read("Disk://"), "Disk://");
+    }
+
+    #[test]
+    fn odd_names_are_none() {
+        for odd in ["a:b", "C:/x", "a?", "tab\there", "nul\0", "end.", "Disk://x/y |", "file:///etc*"] {
+            assert_eq!(read(odd), "22", "{odd}");
+        }
+        assert_eq!(read(&"n".repeat(256)), "22");
+        assert_eq!(read(&"n".repeat(255)), format!("Disk://{}", "n".repeat(255)));
+    }
+
+    #[test]
+    fn parents_and_names() {
+        let path = ControllerPath::root("USB0").join("a/b.ZIP").unwrap();
+        assert!(path.has_extension("zip") && !path.parent().has_extension("zip"));
+        assert_eq!((path.name(), path.parent().to_string().as_str()), (Some("b.ZIP"), "USB0://a"));
+        assert_eq!(ControllerPath::root("USB0").join("..").unwrap().name(), None);
+    }
+}

@@ -1,0 +1,149 @@
+//! `Data` and `Field` elements of s7 and s8.
+
+use std::borrow::Cow;
+
+use val3_syntax::TextRange;
+use val3_syntax::xml::{self, Element};
+
+use super::super::{Content, SavedData, SavedField, SavedValue, Shape};
+use super::edits::Edits;
+use super::layout::{Layout, spaced};
+use super::tag;
+
+/// Writes the values of a variable or field into its element.
+pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData) {
+    if let Shape::Sizes(sizes) = &data.shape {
+        size(edits, element, sizes);
+    }
+    let (kept, removed): (Vec<_>, Vec<_>) = spelt(element).partition(|found| stays(data, *found));
+    let added: Vec<_> = data.values.iter().filter(|value| is_new(data, element, value)).collect();
+    if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) {
+        return refill(edits, layout, element, data, &added);
+    }
+    for found in removed {
+        edits.replace(xml::whole_line(layout.text, found.view().range()), String::new());
+    }
+    for found in &kept {
+        if let Some(value) = data.values.iter().find(|value| key(*found) == value.key) {
+            change(edits, layout, data, *found, value);
+        }
+    }
+    for value in added {
+        insert(edits, layout, element, data, &kept, value);
+    }
+}
+
+/// A further value, in its order among those that stay.
+fn insert(
+    edits: &mut Edits,
+    layout: &Layout<'_>,
+    element: Element<'_>,
+    data: &SavedData,
+    kept: &[Element<'_>],
+    value: &SavedValue,
+) {
+    let before = kept.iter().rfind(|found| order(data, &key(**found)) <= order(data, &value.key));
+    let Some(neighbour) = before.or(kept.first()) else { return };
+    let text = layout.beside(neighbour.tag_range().start(), &layout.value(data, value));
+    let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
+    edits.replace(TextRange::empty(at), text);
+}
+
+fn spelt<'g>(element: Element<'g>) -> impl Iterator<Item = Element<'g>> {
+    element.elements().filter(|found| found.name() == "Value")
+}
+
+/// The key of a value; an index without blanks.
+fn key<'g>(value: Element<'g>) -> Cow<'g, str> {
+    value.value("key").unwrap_or_default()
+}
+
+/// Where a value stands among the others: an array's by index, a collection's as they come.
+fn order(data: &SavedData, key: &str) -> Vec<u32> {
+    match data.shape {
+        Shape::Sizes(_) => indices(key),
+        Shape::Keys => Vec::new(),
+    }
+}
+
+fn indices(key: &str) -> Vec<u32> {
+    key.split(',').filter_map(|index| index.trim().parse().ok()).collect()
+}
+
+fn fits(sizes: &[u32], key: &str) -> bool {
+    let indices = indices(key);
+    indices.len() == sizes.len() && indices.iter().zip(sizes).all(|(index, size)| index < size)
+}
+
+fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
+    let Some(attribute) = element.attribute("size") else { return };
+    let old = attribute.text().split_whitespace().filter_map(|size| size.parse().ok()).collect::<Vec<u32>>();
+    if old != sizes {
+        edits.replace(attribute.range, spaced(sizes));
+    }
+}
+
+/// The element stays, as it is or changed.
+fn stays(data: &SavedData, found: Element<'_>) -> bool {
+    let key = key(found);
+    let value = data.values.iter().find(|value| value.key == key);
+    match (&data.shape, value) {
+        (Shape::Keys, value) => value.is_some(),
+        (Shape::Sizes(sizes), _) if !fits(sizes, &key) => false,
+        (_, None) => tag::is_default(&data.type_name, found),
+        (_, Some(SavedValue { content: Content::Fields(_), .. })) => true,
+        (_, Some(value)) => tag::is_same(&data.type_name, found, value) || !value.is_default(&data.type_name),
+    }
+}
+
+/// The value has no element yet and needs one.
+fn is_new(data: &SavedData, element: Element<'_>, value: &SavedValue) -> bool {
+    let needed = data.shape == Shape::Keys || !value.is_default(&data.type_name);
+    needed && !spelt(element).any(|found| key(found) == value.key)
+}
+
+/// None of the values that are there stays.
+fn refill(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>, data: &SavedData, added: &[&SavedValue]) {
+    let lines: Vec<String> = added.iter().flat_map(|value| layout.value(data, value)).collect();
+    if !lines.is_empty() {
+        return edits.replace(layout.tail(element), layout.filled(element, &lines));
+    }
+    let tag = layout.slice(element.tag_range());
+    let head = tag.trim_end_matches('>').trim_end().len();
+    let start = element.tag_range().start() + val3_syntax::TextSize::try_from(head).unwrap_or_default();
+    edits.replace(TextRange::new(start, element.view().range().end()), layout.close.to_owned());
+}
+
+fn change(edits: &mut Edits, layout: &Layout<'_>, data: &SavedData, found: Element<'_>, value: &SavedValue) {
+    match &value.content {
+        Content::Fields(fields) if found.elements().next().is_some() => self::fields(edits, layout, found, fields),
+        Content::Fields(_) if value.is_default(&data.type_name) => {}
+        Content::Fields(_) => {
+            let lines = layout.value(data, value);
+            let text = layout.beside(found.tag_range().start(), &lines);
+            edits.replace(found.view().range(), text.trim_start().to_owned());
+        }
+        Content::Attributes(_) if tag::is_same(&data.type_name, found, value) => {}
+        Content::Attributes(_) => {
+            let attributes = tag::changed(&data.type_name, found, value);
+            edits.replace(found.view().range(), format!("<Value{attributes}{}", layout.close));
+        }
+    }
+}
+
+/// Writes the fields of a value whose element spells fields.
+fn fields(edits: &mut Edits, layout: &Layout<'_>, value: Element<'_>, fields: &[SavedField]) {
+    let is = |found: &Element<'_>, field: &SavedField| found.value("name").is_some_and(|name| name == *field.data.name);
+    for found in value.elements() {
+        match fields.iter().find(|field| is(&found, field)) {
+            Some(field) => data(edits, layout, found, &field.data),
+            None => edits.replace(xml::whole_line(layout.text, found.view().range()), String::new()),
+        }
+    }
+    let missing = fields.iter().filter(|field| !field.initial && !value.elements().any(|found| is(&found, field)));
+    let lines: Vec<String> = missing.flat_map(|field| layout.field(&field.data)).collect();
+    if let Some(last) = value.elements().last().filter(|_| !lines.is_empty()) {
+        let text = layout.beside(last.tag_range().start(), &lines);
+        edits.replace(TextRange::empty(last.view().range().end()), text);
+    }
+}

@@ -1,0 +1,201 @@
+//! The media and the folders they stand for. A [`Place`] is inside of its folder whatever the path was: steps up,
+//! links and absolute paths end at the folder, which the operating system itself holds (`cap-std`).
+
+use std::io;
+
+use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
+use cap_std::ambient_authority;
+use cap_std::fs_utf8::Dir;
+
+use super::path::DISK;
+use super::{ControllerPath, FileFault};
+
+/// What is mounted: `Disk`, `USB0`, `Floppy`, and whatever else the outside names.
+#[derive(Debug, Default)]
+pub struct Roots {
+    media: Vec<Medium>,
+}
+
+#[derive(Debug)]
+struct Medium {
+    name: String,
+    /// What no path can leave.
+    dir: Dir,
+    /// Where paths start in it; each part may be left by one step up.
+    start: Vec<String>,
+}
+
+/// A file or folder, there or not yet, inside of a mounted folder.
+#[derive(Debug, Clone)]
+pub struct Place<'r> {
+    /// What no path can leave.
+    pub(super) dir: &'r Dir,
+    /// From there on, with the letter case that stands on the medium; never absolute and without steps up.
+    pub(super) path: Utf8PathBuf,
+}
+
+/// The most bytes of a file that is read whole.
+const LARGEST: u64 = 256 << 20;
+
+/// What stands at a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum EntryKind {
+    /// Nothing.
+    Missing,
+    /// A file.
+    File,
+    /// A folder.
+    Folder,
+}
+
+impl Roots {
+    /// Lets `name` stand for `folder`; what it stood for before is gone.
+    ///
+    /// # Errors
+    /// If the folder cannot be opened.
+    pub fn mount(&mut self, name: &str, folder: &Utf8Path) -> io::Result<()> {
+        self.mount_inside(name, folder, Utf8Path::new(""))
+    }
+
+    /// Lets `Disk` stand for the folder of the applications. That of a cell is `usr/usrapp`: its paths can go up to
+    /// `usr`, where the templates are, and no further.
+    ///
+    /// # Errors
+    /// If the folder cannot be opened.
+    pub fn mount_disk(&mut self, folder: &Utf8Path) -> io::Result<()> {
+        let is = |path: &Utf8Path, name: &str| path.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
+        match (folder.parent(), folder.file_name()) {
+            (Some(outer), Some(name)) if is(folder, "usrapp") && is(outer, "usr") => {
+                self.mount_inside(DISK, outer, Utf8Path::new(name))
+            }
+            _ => self.mount(DISK, folder),
+        }
+    }
+
+    /// Lets `name` stand for the folder `start` inside of `outer`. Its paths can go up to `outer`, as those of a cell
+    /// do that say `Disk://../templates`.
+    ///
+    /// # Errors
+    /// If the folder cannot be opened.
+    pub fn mount_inside(&mut self, name: &str, outer: &Utf8Path, start: &Utf8Path) -> io::Result<()> {
+        let dir = Dir::open_ambient_dir(outer, ambient_authority())?;
+        let start = start.components().map(|part| part.as_str().to_owned()).collect();
+        self.media.retain(|medium| !medium.name.eq_ignore_ascii_case(name));
+        self.media.push(Medium { name: name.to_owned(), dir, start });
+        Ok(())
+    }
+
+    /// The place that a path leads to. Letter case does not count: where no name is spelt the same, the first by order
+    /// that differs in case alone is taken.
+    ///
+    /// # Errors
+    /// [`FileFault::BadRoot`] for a medium that is not mounted, [`FileFault::BadPath`] for a path that would leave it
+    /// or that leads through a file.
+    pub fn place(&self, path: &ControllerPath) -> Result<Place<'_>, FileFault> {
+        let medium = self.media.iter().find(|medium| medium.name.eq_ignore_ascii_case(path.medium()));
+        let medium = medium.ok_or(FileFault::BadRoot)?;
+        let steps = path.parts().iter().take_while(|part| *part == "..").count();
+        let kept = medium.start.len().checked_sub(steps).ok_or(FileFault::BadPath)?;
+        let start = medium.start.iter().take(kept).map(String::as_str);
+        let names = start.chain(path.parts().iter().skip(steps).map(|part| part.as_str()));
+        let mut place = Place { dir: &medium.dir, path: Utf8PathBuf::new() };
+        for name in names {
+            place = place.child(name)?;
+        }
+        Ok(place)
+    }
+
+    /// The place is a folder that a medium starts in, or one around it.
+    pub(super) fn is_base(&self, place: &Place<'_>) -> bool {
+        let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
+        self.media
+            .iter()
+            .any(|medium| std::ptr::eq(place.dir, &raw const medium.dir) && start(medium).starts_with(&place.path))
+    }
+}
+
+impl<'r> Place<'r> {
+    /// The path from the folder on, which is `.` for the folder itself.
+    pub(super) fn relative(&self) -> &Utf8Path {
+        if self.path.as_str().is_empty() { Utf8Path::new(".") } else { &self.path }
+    }
+
+    /// What stands here.
+    ///
+    /// # Errors
+    /// [`FileFault::BadPath`] if a link leads out of the medium or the place cannot be looked at.
+    pub fn kind(&self) -> Result<EntryKind, FileFault> {
+        match self.dir.metadata(self.relative()) {
+            Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
+            Ok(found) if found.is_file() => Ok(EntryKind::File),
+            // A pipe or device would hold the run up.
+            Ok(_) => Err(FileFault::BadPath),
+            Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(EntryKind::Missing),
+            Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileFault::BadPath),
+            Err(error) => Err(error.into()),
+        }
+    }
+
+    /// The place called `name` in this folder, in any letter case; as it is written where there is none.
+    ///
+    /// # Errors
+    /// [`FileFault::BadPath`] if a file stands here, or a link leads out of the medium.
+    pub fn child(&self, name: &str) -> Result<Self, FileFault> {
+        let exact = Self { dir: self.dir, path: self.path.join(name) };
+        if exact.kind()? != EntryKind::Missing || self.kind()? == EntryKind::Missing {
+            return Ok(exact);
+        }
+        let wanted = name.to_lowercase();
+        let found = self.names()?.into_iter().find(|found| found.to_lowercase() == wanted);
+        Ok(found.map_or(exact, |found| Self { dir: self.dir, path: self.path.join(found) }))
+    }
+
+    /// The place at `path` from this folder on, part by part as [`Self::child`].
+    ///
+    /// # Errors
+    /// [`FileFault::BadPath`] for a path that is absolute or steps up, and as [`Self::child`].
+    pub(super) fn child_path(&self, path: &Utf8Path) -> Result<Self, FileFault> {
+        path.components().try_fold(self.clone(), |place, part| match part {
+            Utf8Component::Normal(name) => place.child(name),
+            Utf8Component::CurDir => Ok(place),
+            _ => Err(FileFault::BadPath),
+        })
+    }
+
+    /// The names in this folder, sorted without regard to letter case.
+    ///
+    /// # Errors
+    /// If the folder cannot be read. A name that is no text is passed over.
+    pub fn names(&self) -> Result<Vec<String>, FileFault> {
+        let mut names = Vec::new();
+        for entry in self.dir.read_dir(self.relative())? {
+            names.extend(entry?.file_name());
+        }
+        names.sort_by_cached_key(|name| (name.to_lowercase(), name.clone()));
+        Ok(names)
+    }
+
+    /// The folder around; the medium itself for what stands directly in it.
+    #[must_use]
+    pub fn parent(&self) -> Self {
+        Self { dir: self.dir, path: self.path.parent().unwrap_or(Utf8Path::new("")).to_owned() }
+    }
+
+    /// The name here; empty for the medium itself.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.path.file_name().unwrap_or("")
+    }
+
+    /// The bytes of the file here.
+    ///
+    /// # Errors
+    /// If it cannot be read, or is larger than anything a controller holds.
+    pub fn read(&self) -> Result<Vec<u8>, FileFault> {
+        let size = self.dir.metadata(self.relative())?.len();
+        if size > LARGEST { Err(FileFault::Medium) } else { Ok(self.dir.read(self.relative())?) }
+    }
+}
+
+#[cfg(test)]
+mod tests;

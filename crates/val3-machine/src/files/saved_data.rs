@@ -1,0 +1,138 @@
+//! The values of a project's global data as `libSave` writes them: plain texts, as files spell them.
+
+use std::borrow::Cow;
+
+use smol_str::SmolStr;
+use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue, attribute};
+
+/// One global variable, or one field of a user type.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SavedData {
+    /// Its name, as it is declared.
+    pub name: SmolStr,
+    /// Its type, as the file spells it: `num`, `pointRx`, `Slot`.
+    pub type_name: SmolStr,
+    /// Its container.
+    pub shape: Shape,
+    /// Its values: of an array those that are not the default, or more, by index; of a collection all.
+    pub values: Vec<SavedValue>,
+}
+
+/// The container of a variable.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Shape {
+    /// An array with one to three sizes. A single value is an array of one.
+    Sizes(Vec<u32>),
+    /// A collection.
+    Keys,
+}
+
+/// One value of a container.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SavedValue {
+    /// The key, or the index: `7`, `2,1`.
+    pub key: String,
+    /// What it holds.
+    pub content: Content,
+}
+
+/// What a value holds.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Content {
+    /// A value of a built-in type: its attributes (`val3_lang::types::attributes`) with their texts. One that is left
+    /// out has its default.
+    Attributes(Vec<(SmolStr, String)>),
+    /// A value of a user type.
+    Fields(Vec<SavedField>),
+}
+
+/// One field of a value of a user type.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SavedField {
+    /// The field holds what its type gives to a new one, so that a file may leave it out.
+    pub initial: bool,
+    /// Name, type and values.
+    pub data: SavedData,
+}
+
+/// A number as files spell it: as many digits as tell it from all others, with an exponent where that is shorter.
+#[must_use]
+pub fn number_text(number: f64) -> String {
+    let size = number.abs();
+    if size != 0.0 && !(1e-5..1e15).contains(&size) { format!("{number:e}") } else { format!("{number}") }
+}
+
+impl SavedValue {
+    /// The text of an attribute; `None` where it has its default.
+    pub(super) fn text(&self, name: &str) -> Option<&str> {
+        let Content::Attributes(attributes) = &self.content else { return None };
+        attributes.iter().find(|(known, _)| known == name).map(|(_, text)| text.as_str())
+    }
+
+    /// The value is what a new one is, so that an array need not spell it.
+    pub(super) fn is_default(&self, type_name: &str) -> bool {
+        match &self.content {
+            Content::Attributes(attributes) => {
+                attributes.iter().all(|(name, text)| same_text(type_name, name, Some(text), None))
+            }
+            Content::Fields(fields) => fields.iter().all(|field| field.initial),
+        }
+    }
+}
+
+/// Both texts of the attribute mean the same; `None` is its default.
+pub(super) fn same_text(type_name: &str, name: &str, one: Option<&str>, other: Option<&str>) -> bool {
+    let attribute = BaseType::from_file_name(type_name).and_then(|(ty, arm)| attribute(ty, arm, name));
+    let Some(attribute) = attribute else { return one == other };
+    let (one, other) = (meant(attribute, one), meant(attribute, other));
+    match attribute.value {
+        AttributeValue::Number => match (one.trim().parse::<f64>(), other.trim().parse::<f64>()) {
+            (Ok(one), Ok(other)) => one == other,
+            _ => one == other,
+        },
+        AttributeValue::Truth | AttributeValue::Choice(_) => one.trim().eq_ignore_ascii_case(other.trim()),
+        AttributeValue::Father(_) => indexed(&one) == indexed(&other),
+        AttributeValue::Text | AttributeValue::Link => one == other,
+    }
+}
+
+fn meant<'t>(attribute: &Attribute, text: Option<&'t str>) -> Cow<'t, str> {
+    match (text, attribute.default) {
+        (Some(text), _) => text.into(),
+        (None, DefaultValue::Number(number)) => number_text(number).into(),
+        (None, DefaultValue::Enumerator(name)) => name.into(),
+        (None, DefaultValue::False) => "false".into(),
+        (None, _) => "".into(),
+    }
+}
+
+/// A variable without an index means its first value.
+fn indexed(father: &str) -> Cow<'_, str> {
+    if father.is_empty() || father.ends_with(']') { father.into() } else { format!("{father}[0]").into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_keep_all_their_digits() {
+        for number in [0.0, -0.5, 0.1 + 0.2, 1e-7, 6.022e23, 123_456.789, 1e15, f64::MIN_POSITIVE, 99999.0] {
+            assert_eq!(number_text(number).parse::<f64>(), Ok(number));
+        }
+        assert_eq!([1e15, 0.25, -3.0, 1e-16].map(number_text), ["1e15", "0.25", "-3", "1e-16"]);
+    }
+
+    #[test]
+    fn what_texts_mean() {
+        assert!(same_text("num", "value", Some("1.50"), Some("1.5")));
+        assert!(same_text("num", "value", Some("0"), None));
+        assert!(same_text("mdesc", "tmax", None, Some("99999.0")));
+        assert!(same_text("pointRx", "elbow", None, Some("esame")));
+        assert!(same_text("bool", "value", Some("True"), Some("true")));
+        assert!(same_text("frame", "fatherId", Some("world"), Some("world[0]")));
+        assert!(!same_text("string", "value", Some("a "), Some("a")));
+        assert!(!same_text("frame", "fatherId", Some("world[0]"), None));
+        assert!(!same_text("num", "value", Some("1"), None));
+    }
+}

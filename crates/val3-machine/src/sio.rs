@@ -1,0 +1,34 @@
+//! Serial lines and sockets (3.7): what a program reads and writes through a `sio` variable.
+//!
+//! A [`Channel`] is what the variable is linked to: end of string, timeout and what has come in. Behind it a [`Line`]
+//! moves bytes and never waits: an instruction that has to wait gets [`Turn::Wait`] and asks again at its next turn.
+
+mod channel;
+mod configuration;
+mod line;
+mod memory;
+mod reach;
+mod recording;
+#[cfg(unix)]
+mod serial;
+mod setting;
+mod stream;
+mod tcp_client;
+mod tcp_server;
+mod udp;
+
+pub use channel::{Channel, Sending, SioFault, Turn, byte_of};
+pub use configuration::{ChannelConfig, channels};
+pub use line::{Connection, Line, LineKind, Received, Refused, Sent};
+pub use memory::{MemoryLine, Peer};
+pub use reach::Reach;
+pub use recording::{Answer, Entry, Recorder, Replay};
+#[cfg(unix)]
+pub use serial::SerialLine;
+pub use setting::{Parity, Setting, SettingValue};
+pub use tcp_client::TcpClient;
+pub use tcp_server::TcpServer;
+pub use udp::UdpLine;
+
+#[cfg(test)]
+mod tests;

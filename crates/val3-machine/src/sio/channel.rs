@@ -1,0 +1,253 @@
+//! A channel: what the instructions of 3.7.2 and 3.7.3 do with a line.
+//!
+//! An instruction that has to wait is asked again at each turn of its task, with the time it has waited so far. What
+//! has come in stays in the channel until it is complete, so any number of tasks may wait at one channel.
+
+mod input;
+
+use val3_lang::arguments::SerialFault;
+
+use super::setting::SettingFault;
+use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting, SettingValue};
+use input::Input;
+
+/// What an instruction gets: a result, or the task waits and asks again.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Turn<T> {
+    /// Nothing yet.
+    Wait,
+    /// The instruction is done.
+    Done(T),
+}
+
+/// Why reading or writing with `=` ends in a run-time error.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum SioFault {
+    /// The timeout has passed.
+    TimedOut,
+}
+
+/// Bytes on their way out, and how many of them are gone.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Sending {
+    bytes: Vec<u8>,
+    sent: usize,
+}
+
+/// A line or socket with its parameters and what it has received.
+pub struct Channel {
+    line: Box<dyn Line>,
+    input: Input,
+    /// The peer of what is in `input` has gone.
+    ended: bool,
+    end_of_string: u8,
+    timeout: f64,
+}
+
+/// The byte that goes out for a number: the nearest whole one modulo 256 (3.7.2).
+#[must_use]
+pub fn byte_of(number: f64) -> u8 {
+    let whole = (number + 0.5).floor().rem_euclid(256.0);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the remainder fits a byte")]
+    let byte = whole as u8;
+    byte
+}
+
+impl Sending {
+    /// Sends bytes.
+    #[must_use]
+    pub fn bytes(bytes: Vec<u8>) -> Self {
+        Self { bytes, sent: 0 }
+    }
+
+    /// How many bytes there are in all.
+    #[must_use]
+    pub fn total(&self) -> usize {
+        self.bytes.len()
+    }
+
+    fn rest(&self) -> &[u8] {
+        self.bytes.get(self.sent..).unwrap_or(&[])
+    }
+}
+
+impl Channel {
+    /// A channel behind `line`. Strings end with a carriage return and nothing limits a wait, until the configuration
+    /// or a program says otherwise.
+    #[must_use]
+    pub fn new(line: Box<dyn Line>) -> Self {
+        Self { line, input: Input::default(), ended: false, end_of_string: b'\r', timeout: 0.0 }
+    }
+
+    /// The kind of the line.
+    #[must_use]
+    pub fn kind(&self) -> LineKind {
+        self.line.kind()
+    }
+
+    /// Looks after the line without reading: accepts and turns down callers, and takes in what has come.
+    pub fn attend(&mut self) -> Connection {
+        if self.ended && self.input.is_empty() {
+            self.ended = false;
+        }
+        let connection = self.line.open();
+        if self.ended || self.input.room() == 0 {
+            return connection;
+        }
+        match self.line.receive(self.input.room(), self.input.is_empty()) {
+            Received::Nothing => connection,
+            Received::Bytes(bytes) => {
+                self.input.extend(&bytes);
+                Connection::Open
+            }
+            Received::Ended => {
+                self.ended = true;
+                Connection::Closed
+            }
+        }
+    }
+
+    /// `sText = siInput`: a string, complete when its end has come or when it is as long as a string can be. The end
+    /// is taken out and not given; what is no character of a string is passed over.
+    ///
+    /// What a peer has left unfinished when it went is lost. A string that the limit has cut goes on in the next
+    /// one; one of exactly 128 bytes is followed by an empty one, as its end is still to be read.
+    pub fn read_text(&mut self, waited: f64) -> Turn<Result<String, SioFault>> {
+        if let Some(text) = self.next_text() {
+            return Turn::Done(Ok(text));
+        }
+        self.attend();
+        match self.next_text() {
+            Some(text) => Turn::Done(Ok(text)),
+            None => self.wait(waited),
+        }
+    }
+
+    fn next_text(&mut self) -> Option<String> {
+        let text = self.input.take_text(self.end_of_string);
+        if text.is_none() && self.ended {
+            self.input.clear();
+        }
+        text
+    }
+
+    /// `nData = siInput`: one byte.
+    pub fn read_byte(&mut self, waited: f64) -> Turn<Result<u8, SioFault>> {
+        self.attend();
+        match self.input.take(1).first() {
+            Some(byte) => Turn::Done(Ok(*byte)),
+            None => self.wait(waited),
+        }
+    }
+
+    /// `sioGet`: at most `most` bytes of what is there, at least one from a socket; `None`, which the instruction
+    /// gives as -1, after the timeout.
+    ///
+    /// A serial line does not wait (3.7.3 says so of sockets alone). With a negative timeout a socket does not either:
+    /// nothing is received while it is connected, and -1 tells that it is not.
+    pub fn read_bytes(&mut self, most: usize, waited: f64) -> Turn<Option<Vec<u8>>> {
+        let connection = self.attend();
+        let bytes = self.input.take(most);
+        let at_once = self.kind() == LineKind::Serial || (self.timeout < 0.0 && connection == Connection::Open);
+        if !bytes.is_empty() || at_once {
+            return Turn::Done(Some(bytes));
+        }
+        if self.is_over(waited) { Turn::Done(None) } else { Turn::Wait }
+    }
+
+    /// A text with the end of string, for `siOutput = sText`.
+    #[must_use]
+    pub fn text(&self, text: &str) -> Sending {
+        let mut bytes = text.as_bytes().to_vec();
+        bytes.push(self.end_of_string);
+        Sending::bytes(bytes)
+    }
+
+    /// `siOutput = …` and `sioSet`: sends what is left. Gives how many bytes are gone in all, which are fewer than
+    /// there were if the connection failed half way.
+    ///
+    /// A connection that fails before anything is gone is opened anew, until the timeout.
+    pub fn send(&mut self, sending: &mut Sending, waited: f64) -> Turn<Result<usize, SioFault>> {
+        let mut lost = self.attend() == Connection::Closed;
+        while !lost && sending.sent < sending.total() {
+            match self.line.send(sending.rest()) {
+                Sent::Taken(0) => break,
+                Sent::Taken(count) => sending.sent += count,
+                Sent::Lost => lost = true,
+            }
+        }
+        let partly = sending.sent > 0 && (lost || self.timeout < 0.0);
+        if sending.sent >= sending.total() || partly {
+            return Turn::Done(Ok(sending.sent));
+        }
+        self.wait(waited)
+    }
+
+    /// `clearBuffer`: how many bytes were thrown away. A socket is closed as well; `None`, which the instruction
+    /// gives as -1, if it was closed already.
+    pub fn clear(&mut self) -> Option<usize> {
+        let mut count = self.input.len();
+        self.input.clear();
+        while !self.ended && count < MOST_CLEARED {
+            let Received::Bytes(bytes) = self.line.receive(input::CAPACITY, true) else { break };
+            count += bytes.len();
+        }
+        self.ended = false;
+        let closed = self.line.kind() == LineKind::Serial || self.line.close();
+        closed.then_some(count)
+    }
+
+    /// `sioCtrl`: sets a parameter and gives the instruction's result, 0 or negative.
+    pub fn control(&mut self, name: &str, value: SettingValue<'_>) -> i8 {
+        match Setting::read(name, value, self.kind()) {
+            Ok(setting) => self.set(&setting).map_or_else(refused, |()| 0),
+            Err(SettingFault::Argument(fault)) => fault.result(),
+            Err(SettingFault::Kind) => OTHER_KIND,
+        }
+    }
+
+    /// Sets a parameter, as the configuration of the controller does.
+    ///
+    /// # Errors
+    /// If the line cannot, or not now.
+    pub fn set(&mut self, setting: &Setting) -> Result<(), Refused> {
+        match setting {
+            Setting::EndOfString(byte) => self.end_of_string = *byte,
+            Setting::Timeout(seconds) => self.timeout = *seconds,
+            _ => return self.line.apply(setting),
+        }
+        Ok(())
+    }
+
+    /// Closes the channel at the end of the application (3.7.1). What was not read is lost.
+    pub fn shut_down(&mut self) {
+        self.input.clear();
+        self.ended = false;
+        self.line.shut_down();
+    }
+
+    fn wait<T>(&self, waited: f64) -> Turn<Result<T, SioFault>> {
+        if self.is_over(waited) { Turn::Done(Err(SioFault::TimedOut)) } else { Turn::Wait }
+    }
+
+    /// An instruction that has waited so long, in seconds, waits no more.
+    fn is_over(&self, waited: f64) -> bool {
+        self.timeout < 0.0 || (self.timeout > 0.0 && waited >= self.timeout)
+    }
+}
+
+/// A peer that never stops sending is not listened to for ever.
+const MOST_CLEARED: usize = 16 * input::CAPACITY;
+
+/// -5: the parameter is of another kind of channel.
+const OTHER_KIND: i8 = -5;
+
+fn refused(refused: Refused) -> i8 {
+    match refused {
+        Refused::Value => SerialFault::Value.result(),
+        Refused::Busy => -4,
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,134 @@
+//! A line whose other end is in the same program: for tests, and for what the outside feeds in by hand.
+
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+
+use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+
+/// The controller's end.
+#[derive(Debug)]
+pub struct MemoryLine {
+    kind: LineKind,
+    wire: Rc<RefCell<Wire>>,
+}
+
+/// The other end.
+#[derive(Debug, Clone)]
+pub struct Peer {
+    wire: Rc<RefCell<Wire>>,
+}
+
+#[derive(Debug, Default)]
+struct Wire {
+    connected: bool,
+    /// The peer has gone, which the line has not told yet.
+    ended: bool,
+    to_line: VecDeque<u8>,
+    to_peer: Vec<u8>,
+    /// How many more bytes the peer takes.
+    window: Option<usize>,
+    settings: Vec<Setting>,
+}
+
+impl MemoryLine {
+    /// Both ends; nobody is connected.
+    #[must_use]
+    pub fn pair(kind: LineKind) -> (Self, Peer) {
+        let wire = Rc::new(RefCell::new(Wire::default()));
+        (Self { kind, wire: Rc::clone(&wire) }, Peer { wire })
+    }
+}
+
+impl Line for MemoryLine {
+    fn kind(&self) -> LineKind {
+        self.kind
+    }
+
+    fn open(&mut self) -> Connection {
+        let open = self.wire.borrow().connected || self.kind == LineKind::Serial;
+        if open { Connection::Open } else { Connection::Closed }
+    }
+
+    fn receive(&mut self, room: usize, _fresh: bool) -> Received {
+        let mut wire = self.wire.borrow_mut();
+        let count = room.min(wire.to_line.len());
+        if count > 0 {
+            return Received::Bytes(wire.to_line.drain(..count).collect());
+        }
+        if std::mem::take(&mut wire.ended) { Received::Ended } else { Received::Nothing }
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> Sent {
+        let mut wire = self.wire.borrow_mut();
+        if !wire.connected && self.kind != LineKind::Serial {
+            return Sent::Lost;
+        }
+        let count = bytes.len().min(wire.window.unwrap_or(usize::MAX));
+        wire.window = wire.window.map(|window| window - count);
+        wire.to_peer.extend(bytes.iter().take(count));
+        Sent::Taken(count)
+    }
+
+    fn close(&mut self) -> bool {
+        let mut wire = self.wire.borrow_mut();
+        wire.to_line.clear();
+        wire.ended = false;
+        std::mem::take(&mut wire.connected)
+    }
+
+    fn shut_down(&mut self) {
+        self.close();
+    }
+
+    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+        let mut wire = self.wire.borrow_mut();
+        if wire.connected && matches!(setting, Setting::Port(_) | Setting::Target(_) | Setting::Clients(_)) {
+            return Err(Refused::Busy);
+        }
+        wire.settings.push(*setting);
+        Ok(())
+    }
+}
+
+impl Peer {
+    /// Connects.
+    pub fn connect(&self) {
+        self.wire.borrow_mut().connected = true;
+    }
+
+    /// Ends the connection; what was sent before still arrives.
+    pub fn disconnect(&self) {
+        let mut wire = self.wire.borrow_mut();
+        wire.connected = false;
+        wire.ended = true;
+    }
+
+    /// Sends bytes to the controller.
+    pub fn send(&self, bytes: impl AsRef<[u8]>) {
+        self.wire.borrow_mut().to_line.extend(bytes.as_ref());
+    }
+
+    /// Takes what the controller has sent.
+    #[must_use]
+    pub fn take(&self) -> Vec<u8> {
+        std::mem::take(&mut self.wire.borrow_mut().to_peer)
+    }
+
+    /// Takes `bytes` more from the controller and then no more.
+    pub fn stall_after(&self, bytes: usize) {
+        self.wire.borrow_mut().window = Some(bytes);
+    }
+
+    /// What the controller has set.
+    #[must_use]
+    pub fn settings(&self) -> Vec<Setting> {
+        self.wire.borrow().settings.clone()
+    }
+
+    /// The connection stands.
+    #[must_use]
+    pub fn is_connected(&self) -> bool {
+        self.wire.borrow().connected
+    }
+}

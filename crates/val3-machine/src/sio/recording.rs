@@ -1,0 +1,231 @@
+//! What a line told, written down so that the same run can be had without it.
+//!
+//! The calls to a line are numbered. Only an answer that is not the usual one is written: a connection that opens or
+//! ends, bytes that came in, a send that did not take everything. So a line that is asked a million times and stays
+//! silent leaves nothing, and the program that asks in the same order hears the same.
+
+use std::collections::VecDeque;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+
+/// An answer of a line that was not the usual one.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Entry {
+    /// The number of the call, from 0.
+    pub call: u64,
+    /// The answer.
+    pub answer: Answer,
+}
+
+/// The answer to one call.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Answer {
+    /// The connection is another than at the last call.
+    Connection(Connection),
+    /// Something came in, or the peer has gone.
+    Received(Received),
+    /// Not everything went out.
+    Sent(Sent),
+    /// There was a connection to end.
+    Closed,
+    /// A setting was not taken.
+    Refused(Refused),
+}
+
+/// A line that tells `tell` what it answers.
+pub struct Recorder<L, F> {
+    line: L,
+    tell: F,
+    call: u64,
+    connection: Connection,
+}
+
+impl<L: Line, F: FnMut(Entry)> Recorder<L, F> {
+    /// Records `line` from its first call on.
+    pub fn new(line: L, tell: F) -> Self {
+        Self { line, tell, call: 0, connection: Connection::Closed }
+    }
+
+    /// Ends a call; `answer` is what was unusual about it.
+    fn ended(&mut self, answer: Option<Answer>) {
+        if let Some(answer) = answer {
+            (self.tell)(Entry { call: self.call, answer });
+        }
+        self.call += 1;
+    }
+}
+
+impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
+    fn kind(&self) -> LineKind {
+        self.line.kind()
+    }
+
+    fn open(&mut self) -> Connection {
+        let connection = self.line.open();
+        let before = std::mem::replace(&mut self.connection, connection);
+        self.ended((connection != before).then_some(Answer::Connection(connection)));
+        connection
+    }
+
+    fn receive(&mut self, room: usize, fresh: bool) -> Received {
+        let received = self.line.receive(room, fresh);
+        self.ended((received != Received::Nothing).then(|| Answer::Received(received.clone())));
+        received
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> Sent {
+        let sent = self.line.send(bytes);
+        self.ended((sent != Sent::Taken(bytes.len())).then_some(Answer::Sent(sent)));
+        sent
+    }
+
+    fn close(&mut self) -> bool {
+        let closed = self.line.close();
+        self.ended(closed.then_some(Answer::Closed));
+        closed
+    }
+
+    fn shut_down(&mut self) {
+        self.line.shut_down();
+        self.ended(None);
+    }
+
+    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+        let applied = self.line.apply(setting);
+        self.ended(applied.err().map(Answer::Refused));
+        applied
+    }
+}
+
+/// A line that answers as a recorded one did.
+#[derive(Debug)]
+pub struct Replay {
+    kind: LineKind,
+    entries: VecDeque<Entry>,
+    call: u64,
+    connection: Connection,
+}
+
+impl Replay {
+    /// Answers with `entries`, in the order of their calls.
+    #[must_use]
+    pub fn new(kind: LineKind, entries: impl IntoIterator<Item = Entry>) -> Self {
+        Self { kind, entries: entries.into_iter().collect(), call: 0, connection: Connection::Closed }
+    }
+
+    /// The unusual answer to this call. A run that asks otherwise than the recorded one gets the usual ones.
+    fn answer(&mut self) -> Option<Answer> {
+        let call = self.call;
+        self.call += 1;
+        self.entries.pop_front_if(|entry| entry.call <= call).map(|entry| entry.answer)
+    }
+}
+
+impl Line for Replay {
+    fn kind(&self) -> LineKind {
+        self.kind
+    }
+
+    fn open(&mut self) -> Connection {
+        if let Some(Answer::Connection(connection)) = self.answer() {
+            self.connection = connection;
+        }
+        self.connection
+    }
+
+    fn receive(&mut self, _room: usize, _fresh: bool) -> Received {
+        match self.answer() {
+            Some(Answer::Received(received)) => received,
+            _ => Received::Nothing,
+        }
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> Sent {
+        match self.answer() {
+            Some(Answer::Sent(sent)) => sent,
+            _ => Sent::Taken(bytes.len()),
+        }
+    }
+
+    fn close(&mut self) -> bool {
+        self.answer() == Some(Answer::Closed)
+    }
+
+    fn shut_down(&mut self) {
+        self.answer();
+    }
+
+    fn apply(&mut self, _setting: &Setting) -> Result<(), Refused> {
+        match self.answer() {
+            Some(Answer::Refused(refused)) => Err(refused),
+            _ => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::cell::RefCell;
+    use std::rc::Rc;
+
+    use super::*;
+    use crate::sio::{Channel, MemoryLine, Peer, SettingValue};
+
+    /// A program: what it sees, turn by turn.
+    fn run(channel: &mut Channel, mut outside: impl FnMut(u32)) -> Vec<String> {
+        (0..12)
+            .map(|turn| {
+                outside(turn);
+                match turn {
+                    0 => format!("{:?}", channel.control("port", SettingValue::Num(2000.0))),
+                    4 => format!("{:?}", channel.control("port", SettingValue::Num(2001.0))),
+                    5 | 6 => format!("{:?}", channel.send(&mut channel.text("answer"), 0.0)),
+                    9 | 10 => format!("{:?}", channel.clear()),
+                    _ => format!("{:?}", channel.read_text(0.0)),
+                }
+            })
+            .collect()
+    }
+
+    fn outside(peer: &Peer, turn: u32) {
+        match turn {
+            2 => peer.connect(),
+            3 => peer.send("hello\rhalf"),
+            6 => peer.stall_after(2),
+            7 => peer.send("\r"),
+            8 => peer.disconnect(),
+            9 => peer.connect(),
+            _ => {}
+        }
+    }
+
+    #[test]
+    fn a_replay_is_the_same_without_the_line() {
+        let (line, peer) = MemoryLine::pair(LineKind::Server);
+        let log = Rc::new(RefCell::new(Vec::new()));
+        let sink = Rc::clone(&log);
+        let recorder = Recorder::new(line, move |entry| sink.borrow_mut().push(entry));
+        let seen = run(&mut Channel::new(Box::new(recorder)), |turn| outside(&peer, turn));
+        let entries = log.borrow().clone();
+        assert_eq!(entries.len(), 9, "{entries:#?}");
+        let replayed = run(&mut Channel::new(Box::new(Replay::new(LineKind::Server, entries))), |_| {});
+        assert_eq!(seen, replayed);
+        assert!(seen.iter().any(|seen| seen == r#"Done(Ok("hello"))"#), "{seen:#?}");
+    }
+
+    #[test]
+    fn silence_leaves_nothing() {
+        let (line, _peer) = MemoryLine::pair(LineKind::Client);
+        let log = Rc::new(RefCell::new(Vec::new()));
+        let sink = Rc::clone(&log);
+        let mut channel =
+            Channel::new(Box::new(Recorder::new(line, move |entry: Entry| sink.borrow_mut().push(entry))));
+        for _ in 0..100 {
+            assert_eq!(channel.read_text(1.0), crate::sio::Turn::Wait);
+        }
+        assert_eq!(log.borrow().len(), 0);
+    }
+}

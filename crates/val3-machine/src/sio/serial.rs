@@ -1,0 +1,124 @@
+//! A serial line of the operating system: a port, or a pseudo terminal in its place.
+
+use std::fs::OpenOptions;
+use std::io::{self, ErrorKind, Read, Write};
+use std::os::unix::fs::OpenOptionsExt;
+
+use camino::Utf8Path;
+use rustix::termios::{ControlModes, OptionalActions, Termios, tcgetattr, tcsetattr};
+
+use super::{Connection, Line, LineKind, Parity, Received, Refused, Sent, Setting};
+
+/// A serial line. It is always open (3.7.1).
+#[derive(Debug)]
+pub struct SerialLine {
+    port: std::fs::File,
+}
+
+impl SerialLine {
+    /// Opens the device, with bytes as they are: no echo, no line ends changed.
+    ///
+    /// # Errors
+    /// If there is no such device, or it is none of a serial line.
+    pub fn open(device: &Utf8Path) -> io::Result<Self> {
+        let flags = rustix::fs::OFlags::NOCTTY | rustix::fs::OFlags::NONBLOCK;
+        let flags = i32::try_from(flags.bits()).map_err(|_| ErrorKind::Unsupported)?;
+        let port = OpenOptions::new().read(true).write(true).custom_flags(flags).open(device)?;
+        let mut modes = tcgetattr(&port)?;
+        modes.make_raw();
+        modes.control_modes |= ControlModes::CLOCAL | ControlModes::CREAD;
+        tcsetattr(&port, OptionalActions::Now, &modes)?;
+        Ok(Self { port })
+    }
+
+    fn change(&self, change: impl FnOnce(&mut Termios) -> rustix::io::Result<()>) -> Result<(), Refused> {
+        let mut modes = tcgetattr(&self.port).map_err(|_| Refused::Value)?;
+        change(&mut modes)
+            .and_then(|()| tcsetattr(&self.port, OptionalActions::Now, &modes))
+            .map_err(|_| Refused::Value)
+    }
+
+    fn set_flags(&self, mask: ControlModes, flags: ControlModes) -> Result<(), Refused> {
+        self.change(|modes| {
+            modes.control_modes.remove(mask);
+            modes.control_modes.insert(flags);
+            Ok(())
+        })
+    }
+}
+
+fn bits(count: u8) -> ControlModes {
+    match count {
+        5 => ControlModes::CS5,
+        6 => ControlModes::CS6,
+        7 => ControlModes::CS7,
+        _ => ControlModes::CS8,
+    }
+}
+
+fn parity(parity: Parity) -> ControlModes {
+    match parity {
+        Parity::None => ControlModes::empty(),
+        Parity::Even => ControlModes::PARENB,
+        Parity::Odd => ControlModes::PARENB | ControlModes::PARODD,
+    }
+}
+
+/// The flag, or none.
+fn only(flag: ControlModes, on: bool) -> ControlModes {
+    if on { flag } else { ControlModes::empty() }
+}
+
+impl Line for SerialLine {
+    fn kind(&self) -> LineKind {
+        LineKind::Serial
+    }
+
+    fn open(&mut self) -> Connection {
+        Connection::Open
+    }
+
+    /// A line with nobody at the other end is silent.
+    fn receive(&mut self, room: usize, _fresh: bool) -> Received {
+        let mut bytes = vec![0; room.min(4_096)];
+        match self.port.read(&mut bytes) {
+            Ok(count) if count > 0 => {
+                bytes.truncate(count);
+                Received::Bytes(bytes)
+            }
+            _ => Received::Nothing,
+        }
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> Sent {
+        match self.port.write(bytes) {
+            Ok(count) => Sent::Taken(count),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
+            Err(_) => Sent::Lost,
+        }
+    }
+
+    fn close(&mut self) -> bool {
+        false
+    }
+
+    fn shut_down(&mut self) {}
+
+    /// The line has the drivers of RS-232 alone.
+    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+        match setting {
+            Setting::BaudRate(0) | Setting::Rs422(true) => Err(Refused::Value),
+            Setting::BaudRate(rate) => self.change(|modes| modes.set_speed(*rate)),
+            Setting::Bits(count) => self.set_flags(ControlModes::CSIZE, bits(*count)),
+            Setting::Parity(kind) => self.set_flags(ControlModes::PARENB | ControlModes::PARODD, parity(*kind)),
+            Setting::StopBits(count) => self.set_flags(ControlModes::CSTOPB, only(ControlModes::CSTOPB, *count == 2)),
+            Setting::HardwareFlow(on) => self.set_flags(ControlModes::CRTSCTS, only(ControlModes::CRTSCTS, *on)),
+            Setting::Rs422(false) => Ok(()),
+            _ => Err(Refused::Value),
+        }
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[cfg(test)]
+mod tests;

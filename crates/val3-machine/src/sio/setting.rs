@@ -1,0 +1,232 @@
+//! The parameters of a channel, from the name and value that a program gives (3.7.3).
+
+use std::net::IpAddr;
+
+use serde::{Deserialize, Serialize};
+use val3_lang::arguments::{SerialFault, SerialParameter};
+
+use super::LineKind;
+
+/// A value that a program passes for a parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SettingValue<'v> {
+    /// A truth value.
+    Bool(bool),
+    /// A number.
+    Num(f64),
+    /// A text.
+    Text(&'v str),
+    /// A value of any other type, which no parameter takes.
+    Other,
+}
+
+/// A parameter with its new value.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Setting {
+    /// The TCP or UDP port.
+    Port(u16),
+    /// The address to call.
+    Target(IpAddr),
+    /// How many clients may be connected to a server.
+    Clients(u16),
+    /// The byte that ends a string.
+    EndOfString(u8),
+    /// How long an instruction waits, in seconds: 0 without limit, negative not at all.
+    Timeout(f64),
+    /// Bits per second.
+    BaudRate(u32),
+    /// The check of each byte.
+    Parity(Parity),
+    /// Bits a byte, 5 to 8.
+    Bits(u8),
+    /// Stop bits, 1 or 2.
+    StopBits(u8),
+    /// RS-422 instead of RS-232.
+    Rs422(bool),
+    /// The hardware holds the flow.
+    HardwareFlow(bool),
+    /// Small packets are gathered.
+    Nagle(bool),
+}
+
+/// The check of each byte of a serial line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Parity {
+    /// There is none.
+    None,
+    /// An even number of ones.
+    Even,
+    /// An odd number of ones.
+    Odd,
+}
+
+/// Why a program's name and value make no setting of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum SettingFault {
+    /// -1, -2, -3.
+    Argument(SerialFault),
+    /// -5: the parameter is of another kind of channel.
+    Kind,
+}
+
+impl Setting {
+    /// Reads the parameter `name` with its value for a line of the given kind; letter case does not count.
+    ///
+    /// Where several things are wrong the name is looked at first, then the kind of channel, the type, the value.
+    pub(super) fn read(name: &str, value: SettingValue<'_>, kind: LineKind) -> Result<Self, SettingFault> {
+        let parameter = SerialParameter::find(name).ok_or(SettingFault::Argument(SerialFault::Unknown))?;
+        let row = ROWS.iter().find(|row| row.name == parameter.name);
+        let row = row.ok_or(SettingFault::Argument(SerialFault::Unknown))?;
+        if !row.kinds.contains(&kind) {
+            return Err(SettingFault::Kind);
+        }
+        row.read(parameter, value).map_err(SettingFault::Argument)
+    }
+}
+
+/// Which lines have a parameter, and how its value is read.
+struct Row {
+    name: &'static str,
+    kinds: &'static [LineKind],
+    value: Reader,
+}
+
+enum Reader {
+    Truth(fn(bool) -> Setting),
+    Whole(fn(u32) -> Option<Setting>),
+    Seconds,
+    Text(fn(&str) -> Option<Setting>),
+}
+
+const TCP: &[LineKind] = &[LineKind::Client, LineKind::Server];
+/// UDP came with s8; it takes what a socket of its kind can use.
+const SOCKETS: &[LineKind] = &[LineKind::Client, LineKind::Server, LineKind::Udp];
+const CALLERS: &[LineKind] = &[LineKind::Client, LineKind::Udp];
+const SERVER: &[LineKind] = &[LineKind::Server];
+const SERIAL: &[LineKind] = &[LineKind::Serial];
+const ALL: &[LineKind] = &[LineKind::Serial, LineKind::Client, LineKind::Server, LineKind::Udp];
+
+#[rustfmt::skip]
+static ROWS: [Row; 12] = [
+    Row { name: "port", kinds: SOCKETS, value: Reader::Whole(port) },
+    Row { name: "target", kinds: CALLERS, value: Reader::Text(|text| text.trim().parse().ok().map(Setting::Target)) },
+    Row { name: "clients", kinds: SERVER, value: Reader::Whole(clients) },
+    Row { name: "endOfString", kinds: ALL, value: Reader::Whole(|value| byte(value).map(Setting::EndOfString)) },
+    Row { name: "timeout", kinds: ALL, value: Reader::Seconds },
+    Row { name: "baudRate", kinds: SERIAL, value: Reader::Whole(|value| Some(Setting::BaudRate(value))) },
+    Row { name: "parity", kinds: SERIAL, value: Reader::Text(parity) },
+    Row { name: "bits", kinds: SERIAL, value: Reader::Whole(|value| byte(value).map(Setting::Bits)) },
+    Row { name: "stopBits", kinds: SERIAL, value: Reader::Whole(|value| byte(value).map(Setting::StopBits)) },
+    Row { name: "mode", kinds: SERIAL, value: Reader::Text(|text| Some(Setting::Rs422(text.eq_ignore_ascii_case("rs422")))) },
+    Row { name: "flowControl", kinds: SERIAL, value: Reader::Text(|text| Some(Setting::HardwareFlow(text.eq_ignore_ascii_case("hardware")))) },
+    Row { name: "nagle", kinds: TCP, value: Reader::Truth(Setting::Nagle) },
+];
+
+impl Row {
+    fn read(&self, parameter: &SerialParameter, value: SettingValue<'_>) -> Result<Setting, SerialFault> {
+        let takes = parameter.value;
+        let read = match (&self.value, value) {
+            (Reader::Truth(read), SettingValue::Bool(value)) => Some(read(value)),
+            (Reader::Whole(read), SettingValue::Num(value)) if takes.takes_number(value) => whole(value).and_then(read),
+            (Reader::Seconds, SettingValue::Num(value)) => value.is_finite().then_some(Setting::Timeout(value)),
+            (Reader::Text(read), SettingValue::Text(text)) if takes.takes_text(text) => read(text),
+            (Reader::Whole(_), SettingValue::Num(_)) | (Reader::Text(_), SettingValue::Text(_)) => None,
+            _ => return Err(SerialFault::Type),
+        };
+        read.ok_or(SerialFault::Value)
+    }
+}
+
+fn port(value: u32) -> Option<Setting> {
+    u16::try_from(value).ok().filter(|port| *port != 0).map(Setting::Port)
+}
+
+fn clients(value: u32) -> Option<Setting> {
+    u16::try_from(value).ok().filter(|clients| *clients != 0).map(Setting::Clients)
+}
+
+fn parity(text: &str) -> Option<Setting> {
+    let named = [("none", Parity::None), ("even", Parity::Even), ("odd", Parity::Odd)];
+    let found = named.into_iter().find(|(name, _)| text.eq_ignore_ascii_case(name));
+    found.map(|(_, parity)| Setting::Parity(parity))
+}
+
+fn byte(value: u32) -> Option<u8> {
+    u8::try_from(value).ok()
+}
+
+/// A whole number as a number holds it.
+fn whole(value: f64) -> Option<u32> {
+    let fits = value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "it is whole and fits")]
+    fits.then_some(value as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_lang::arguments::SERIAL_PARAMETERS;
+
+    use super::*;
+
+    fn read(kind: LineKind, name: &str, value: SettingValue<'_>) -> Result<Setting, i8> {
+        Setting::read(name, value, kind).map_err(|fault| match fault {
+            SettingFault::Argument(fault) => fault.result(),
+            SettingFault::Kind => -5,
+        })
+    }
+
+    #[test]
+    fn every_parameter_has_a_row() {
+        assert!(SERIAL_PARAMETERS.iter().all(|parameter| ROWS.iter().any(|row| row.name == parameter.name)));
+    }
+
+    #[test]
+    fn the_example_of_the_manual() {
+        let serial = |name, value| read(LineKind::Serial, name, value).unwrap();
+        assert_eq!(serial("baudRate", SettingValue::Num(115_200.0)), Setting::BaudRate(115_200));
+        assert_eq!(serial("bits", SettingValue::Num(8.0)), Setting::Bits(8));
+        assert_eq!(serial("parity", SettingValue::Text("none")), Setting::Parity(Parity::None));
+        assert_eq!(serial("stopBits", SettingValue::Num(1.0)), Setting::StopBits(1));
+        assert_eq!(serial("timeout", SettingValue::Num(0.0)), Setting::Timeout(0.0));
+        assert_eq!(serial("endOfString", SettingValue::Num(13.0)), Setting::EndOfString(13));
+    }
+
+    #[test]
+    fn what_is_wrong_has_a_number() {
+        let server = |name, value| read(LineKind::Server, name, value).unwrap_err();
+        assert_eq!(server("speed", SettingValue::Num(1.0)), -1);
+        assert_eq!(server("port", SettingValue::Text("80")), -2);
+        assert_eq!(server("nagle", SettingValue::Num(1.0)), -2);
+        assert_eq!(server("endOfString", SettingValue::Other), -2);
+        for port in [0.0, 65_536.0, -1.0, 80.5, f64::NAN] {
+            assert_eq!(server("port", SettingValue::Num(port)), -3, "{port}");
+        }
+        assert_eq!(server("endOfString", SettingValue::Num(256.0)), -3);
+        assert_eq!(server("clients", SettingValue::Num(0.0)), -3);
+        assert_eq!(server("baudRate", SettingValue::Num(9600.0)), -5);
+        assert_eq!(server("target", SettingValue::Text("127.0.0.1")), -5);
+    }
+
+    #[test]
+    fn each_kind_has_parameters_of_its_own() {
+        let client = |name, value| read(LineKind::Client, name, value);
+        assert_eq!(client("Target", SettingValue::Text("nowhere")), Err(-3));
+        assert!(client("TARGET", SettingValue::Text("192.168.0.254")).is_ok());
+        assert_eq!(client("clients", SettingValue::Num(1.0)), Err(-5));
+        let serial = |name, value| read(LineKind::Serial, name, value);
+        assert_eq!(serial("port", SettingValue::Num(80.0)), Err(-5));
+        assert_eq!(serial("parity", SettingValue::Text("mark")), Err(-3));
+        assert_eq!(serial("bits", SettingValue::Num(9.0)), Err(-3));
+        assert_eq!(serial("nagle", SettingValue::Bool(true)), Err(-5));
+    }
+
+    #[test]
+    fn a_negative_timeout_is_taken() {
+        let timeout = |value| read(LineKind::Server, "timeout", SettingValue::Num(value));
+        assert_eq!(timeout(-1.0), Ok(Setting::Timeout(-1.0)));
+        assert_eq!(timeout(0.5), Ok(Setting::Timeout(0.5)));
+        assert_eq!(timeout(f64::INFINITY), Err(-3));
+    }
+}

@@ -1,0 +1,84 @@
+//! One TCP connection, never waited for.
+
+use std::collections::VecDeque;
+use std::io::{ErrorKind, Read, Write};
+use std::net::{Shutdown, TcpStream};
+
+use super::Sent;
+
+/// The most that one connection may bring in before it is read, in bytes.
+const CAPACITY: usize = 65_536;
+
+/// Bytes read from the system at once.
+const CHUNK: usize = 8_192;
+
+#[derive(Debug)]
+pub(super) struct Stream {
+    tcp: TcpStream,
+    input: VecDeque<u8>,
+    gone: bool,
+}
+
+impl Stream {
+    /// `None` if the connection has failed already.
+    pub(super) fn new(tcp: TcpStream, nagle: bool) -> Option<Self> {
+        tcp.set_nonblocking(true).ok()?;
+        let mut stream = Self { tcp, input: VecDeque::new(), gone: false };
+        stream.set_nagle(nagle);
+        Some(stream)
+    }
+
+    /// A connection that does not take the option has failed, which the next read tells.
+    pub(super) fn set_nagle(&mut self, on: bool) {
+        self.gone |= self.tcp.set_nodelay(!on).is_err();
+    }
+
+    /// Takes in what has come, as long as there is room.
+    pub(super) fn listen(&mut self) {
+        let mut chunk = [0; CHUNK];
+        while !self.gone && self.input.len() + CHUNK <= CAPACITY {
+            match self.tcp.read(&mut chunk) {
+                Ok(0) => self.gone = true,
+                Ok(count) => self.input.extend(chunk.iter().take(count)),
+                Err(error) if error.kind() == ErrorKind::WouldBlock => return,
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(_) => self.gone = true,
+            }
+        }
+    }
+
+    pub(super) fn has_input(&self) -> bool {
+        !self.input.is_empty()
+    }
+
+    /// The other end has closed, or the connection has failed. What had come in before can still be read.
+    pub(super) fn is_gone(&self) -> bool {
+        self.gone
+    }
+
+    pub(super) fn take(&mut self, most: usize) -> Vec<u8> {
+        let count = most.min(self.input.len());
+        self.input.drain(..count).collect()
+    }
+
+    pub(super) fn send(&mut self, bytes: &[u8]) -> Sent {
+        if self.gone {
+            return Sent::Lost;
+        }
+        match self.tcp.write(bytes) {
+            Ok(count) => Sent::Taken(count),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
+            Err(_) => {
+                self.gone = true;
+                Sent::Lost
+            }
+        }
+    }
+}
+
+impl Drop for Stream {
+    /// What was sent still arrives. Nobody is left to tell that the other end closed first.
+    fn drop(&mut self) {
+        drop(self.tcp.shutdown(Shutdown::Write));
+    }
+}

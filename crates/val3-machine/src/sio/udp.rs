@@ -1,0 +1,98 @@
+//! A socket for datagrams. It sends to its target, and without one to whoever was heard last.
+
+use std::io::ErrorKind;
+use std::net::{SocketAddr, UdpSocket};
+
+use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
+
+/// One end of an exchange of datagrams. The manual does not describe it; the controller has it since s8.
+#[derive(Debug)]
+pub struct UdpLine {
+    local: SocketAddr,
+    target: Option<SocketAddr>,
+    heard: Option<SocketAddr>,
+    reach: Reach,
+    socket: Option<UdpSocket>,
+}
+
+/// The longest datagram, in bytes.
+const LONGEST: usize = 65_507;
+
+impl UdpLine {
+    /// Hears at `local` and sends to `target` from the first read or write on. Port 0 takes a free one.
+    #[must_use]
+    pub fn new(local: SocketAddr, target: Option<SocketAddr>, reach: Reach) -> Self {
+        Self { local: reach.address(local), target, heard: None, reach, socket: None }
+    }
+
+    /// Where it hears; `None` before the first read or write, or if the port is taken.
+    #[must_use]
+    pub fn local_address(&self) -> Option<SocketAddr> {
+        self.socket.as_ref().and_then(|socket| socket.local_addr().ok())
+    }
+}
+
+impl Line for UdpLine {
+    fn kind(&self) -> LineKind {
+        LineKind::Udp
+    }
+
+    fn open(&mut self) -> Connection {
+        if self.socket.is_none() {
+            let socket = UdpSocket::bind(self.local);
+            self.socket = socket.ok().filter(|socket| socket.set_nonblocking(true).is_ok());
+        }
+        if self.socket.is_some() { Connection::Open } else { Connection::Closed }
+    }
+
+    /// A datagram stays with the system until there is room for the longest; floods are dropped there.
+    fn receive(&mut self, room: usize, _fresh: bool) -> Received {
+        let Some(socket) = self.socket.as_ref().filter(|_| room >= LONGEST) else { return Received::Nothing };
+        let mut datagram = vec![0; LONGEST];
+        match socket.recv_from(&mut datagram) {
+            Ok((count, from)) => {
+                self.heard = Some(from);
+                datagram.truncate(count);
+                Received::Bytes(datagram)
+            }
+            Err(_) => Received::Nothing,
+        }
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> Sent {
+        let (Some(socket), Some(target)) = (&self.socket, self.target.or(self.heard)) else { return Sent::Taken(0) };
+        let (datagram, _) = bytes.split_at(bytes.len().min(LONGEST));
+        match socket.send_to(datagram, self.reach.address(target)) {
+            Ok(count) => Sent::Taken(count),
+            Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
+            // The answer to an earlier datagram that nobody took: this one has not been tried.
+            Err(error) if error.kind() == ErrorKind::ConnectionRefused => Sent::Taken(0),
+            Err(_) => Sent::Lost,
+        }
+    }
+
+    fn close(&mut self) -> bool {
+        self.heard = None;
+        self.socket.take().is_some()
+    }
+
+    fn shut_down(&mut self) {
+        self.close();
+    }
+
+    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+        if self.socket.is_some() {
+            return Err(Refused::Busy);
+        }
+        // The manual has one port for a channel: here it is that of both ends.
+        match setting {
+            Setting::Port(port) => {
+                self.local.set_port(*port);
+                self.target.iter_mut().for_each(|target| target.set_port(*port));
+            }
+            Setting::Target(address) => self.target = Some(SocketAddr::new(*address, self.local.port())),
+            _ => return Err(Refused::Value),
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,36 @@
+//! Bytes from outside as the strings of the language.
+
+/// The most bytes of a string (3.4.1).
+pub(crate) const STRING: usize = 128;
+
+/// The start of some bytes as a string.
+pub(crate) struct Filled {
+    /// At most [`STRING`] bytes.
+    pub(crate) text: String,
+    /// How many bytes it was made of.
+    pub(crate) used: usize,
+    /// Nothing more fits.
+    pub(crate) full: bool,
+}
+
+/// Fills a string. Bytes that are no UTF-8 are passed over, and so is the zero that ends a string in memory. A
+/// character that does not fit whole is left for the next string.
+pub(crate) fn fill(bytes: &[u8]) -> Filled {
+    let mut filled = Filled { text: String::new(), used: 0, full: false };
+    for chunk in bytes.utf8_chunks() {
+        for character in chunk.valid().chars() {
+            if character != '\0' && filled.text.len() + character.len_utf8() > STRING {
+                filled.full = true;
+                return filled;
+            }
+            filled.used += character.len_utf8();
+            filled.text.extend(Some(character).filter(|character| *character != '\0'));
+            if filled.text.len() == STRING {
+                filled.full = true;
+                return filled;
+            }
+        }
+        filled.used += chunk.invalid().len();
+    }
+    filled
+}
