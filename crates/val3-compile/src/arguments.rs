@@ -48,8 +48,9 @@ impl Coder<'_, '_> {
     fn argument(&mut self, formal: Formal, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
         match formal.shape {
             Shape::Value => self.by_value(formal.base, id),
-            Shape::Reference => self.by_reference(id),
-            Shape::Array { .. } | Shape::Collection | Shape::Whole => {
+            Shape::Reference if formal.base.is_some() => self.by_reference(id),
+            // A variable of any type may be an array (`getData`).
+            Shape::Reference | Shape::Array { .. } | Shape::Collection | Shape::Whole => {
                 let (whole, start) = self.view(formal.base, id, boxes)?;
                 Ok(ArgumentSite::View(whole, start))
             }
@@ -62,9 +63,7 @@ impl Coder<'_, '_> {
     fn kept_argument(&mut self, formal: Formal, site: ArgumentSite, later: &[ExprId]) -> Result<ArgumentSite> {
         match site {
             ArgumentSite::Value(Operand::Frame(lanes), base)
-                if formal.shape == Shape::Value
-                    && is_number(base)
-                    && later.iter().any(|id| self.may_write(*id)) =>
+                if formal.shape == Shape::Value && is_number(base) && later.iter().any(|id| self.may_write(*id)) =>
             {
                 let register = self.kept(crate::places::num_register(lanes))?;
                 Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
@@ -111,12 +110,7 @@ impl Coder<'_, '_> {
     }
 
     /// A container, an array from an index on.
-    fn view(
-        &mut self,
-        formal: Option<Base>,
-        id: ExprId,
-        boxes: &mut Vec<Boxed>,
-    ) -> Result<(Whole, Option<Register>)> {
+    fn view(&mut self, formal: Option<Base>, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<(Whole, Option<Register>)> {
         if let Expr::Index(of, indexes) = self.body.expr(id)
             && let [index] = **indexes
             && self.base(index).builtin() == Some(BaseType::Num)
