@@ -185,7 +185,10 @@ impl Bench {
             (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
                 Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at: *at })
             }
-            (Wanted::Value | Wanted::Reference, Spoken::Name(name, _)) if param.ty.is_some() => {
+            (Wanted::Reference, Spoken::Name(name, at)) if param.ty.is_none() => {
+                Argument::View(self.part_of(self.view(name), at))
+            }
+            (Wanted::Value | Wanted::Reference, Spoken::Name(name, _)) => {
                 Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
             }
             (_, Spoken::Name(name, at)) => Argument::View(self.part_of(self.view(name), at)),
