@@ -128,8 +128,14 @@ pub struct Line {
 
 impl Program {
     /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
+    ///
+    /// The next round of a `for` belongs to the line with its head.
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
+        let op = match self.code.get(op as usize) {
+            Some(Op::ForNext { body, .. }) => body.saturating_sub(1),
+            _ => op,
+        };
         let before = |(_, line): &(usize, &Line)| line.op <= op;
         self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op).map(|(number, _)| number)
     }
