@@ -14,7 +14,6 @@ mod shown;
 mod stack;
 mod store;
 
-pub use containers::MOST_VALUES;
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset};
 pub use lanes::Lanes;
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
