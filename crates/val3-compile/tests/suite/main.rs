@@ -7,6 +7,7 @@ mod assignments;
 mod calls;
 mod control;
 mod data;
+mod execution;
 mod expressions;
 mod instructions;
 mod places;
