@@ -7,7 +7,7 @@ use val3_lang::ports::Time;
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
-use crate::event::What;
+use crate::script::Script;
 
 /// The priority of the tasks that execute `start` and `stop` (5.2).
 const PRIORITY: u32 = 10;
@@ -22,6 +22,8 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
+    /// What happens from outside.
+    pub(crate) script: Script,
 }
 
 /// Where an application is in its life.
@@ -56,7 +58,7 @@ impl Controller {
         let mut vm = Vm::default();
         let application = vm.space.load(image, path, &mut devices);
         vm.space.load_with(application, &mut devices);
-        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running }
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, script: Script::default() }
     }
 
     /// The controller's clock, in nanoseconds.
@@ -108,9 +110,10 @@ impl Controller {
     pub fn step(&mut self) -> Step {
         let start = self.schedule.now;
         let end = (start / CYCLE + 1) * CYCLE;
-        self.refresh_inputs(start);
+        self.follow_script(start);
+        self.devices.begin_cycle(start);
         let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
-        self.refresh_outputs(end);
+        self.devices.end_cycle(end);
         self.advance_phase();
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
@@ -125,11 +128,16 @@ impl Controller {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
     }
 
-    /// When something happens by itself, outside of tasks: a key is released, power comes.
+    /// The application, as the run time knows it.
+    pub(crate) fn application(&self) -> InstanceId {
+        self.application
+    }
+
+    /// When something happens by itself, outside of tasks: a key is released, power comes, a script goes on.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
-        [self.devices.pendant.next_due(now), self.devices.robot.next_due()].into_iter().flatten().min()
+        self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
     }
 
     /// Something outside may speak at any time.
@@ -156,27 +164,6 @@ impl Controller {
 
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
-    }
-
-    fn refresh_inputs(&mut self, now: Time) {
-        self.devices.pendant.advance(now);
-        self.devices.robot.advance(now, true);
-        for change in self.devices.io.refresh_inputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn refresh_outputs(&mut self, now: Time) {
-        for change in self.devices.io.refresh_outputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
-        if let Some(signal) = self.devices.io.signal(change.signal) {
-            let link = signal.path.clone();
-            self.devices.record_outside(now, What::Io { link, value: change.value });
-        }
     }
 }
 

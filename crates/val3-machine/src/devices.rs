@@ -1,7 +1,8 @@
 //! What programs reach of the controller: the ports of instructions, each in a file of its own.
 
-mod io;
+mod cycle;
 mod instances;
+mod io;
 mod libraries;
 mod media;
 mod robot;

@@ -74,18 +74,26 @@ impl Devices {
         }
     }
 
-    /// The signal of a path; one that no variable and no configuration names comes into being, of the type of
-    /// `digital`.
+    /// The signal of a path. Where nothing is configured of its device, one that no variable names comes into being:
+    /// a library that is loaded later may name it.
     ///
     /// # Errors
-    /// There is no such signal in its device.
+    /// Its device has no such signal.
     pub fn signal(&mut self, path: &str, digital: bool) -> std::result::Result<SignalId, NoSignal> {
         self.io.adopt(path, digital);
+        self.known_signal(path)
+    }
+
+    /// The signal of a path.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn known_signal(&self, path: &str) -> std::result::Result<SignalId, NoSignal> {
         self.io.find(path).ok_or_else(|| NoSignal(path.to_owned()))
     }
 }
 
-/// A device has no signal of this path.
+/// No signal has this path.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NoSignal(pub String);
 
