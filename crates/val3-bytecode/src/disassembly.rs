@@ -18,7 +18,7 @@ pub fn disassemble(program: &Program) -> String {
 }
 
 fn shown(op: &Op, program: &Program) -> String {
-    let name = |site: u32| program.instructions.get(site as usize).map_or("?", |site| site.name);
+    let name = |site: u32| program.instructions.get(site as usize).map_or("?", |site| site.name.as_ref());
     match op {
         Op::Instruction { site } => format!("Instruction {}", name(*site)),
         other => format!("{other:?}"),

@@ -10,6 +10,8 @@
 //!
 //! `and` and `or` evaluate their right side only where the left side does not decide; `xor` evaluates both.
 
+pub mod handlers;
+
 use crate::types::BaseType;
 
 /// An operator between two values.
