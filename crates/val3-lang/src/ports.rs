@@ -13,9 +13,6 @@ pub use media::Media;
 pub use robot::Robot;
 pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
 
-use std::sync::Arc;
-
-use crate::call::Flow;
 use crate::fault::{Fault, Result};
 use crate::memory::View;
 use crate::types::BaseType;

@@ -1,4 +1,4 @@
-use crate::call::{Any, Call, Var};
+use crate::call::{AnyVar, Call};
 use crate::declare::instruction;
 
 instruction! {
@@ -20,4 +20,4 @@ instruction! {
 }
 
 /// The virtual controller has no clients: the variable is published and nobody reads it.
-fn export(_: &mut Call<'_>, _: Var<Any>, _: bool) {}
+fn export(_: &mut Call<'_>, _: AnyVar, _: bool) {}

@@ -36,9 +36,9 @@ fn bus_status(call: &mut Call<'_>, texts: Arr<Text>) -> Result<f64> {
 }
 
 fn grow(call: &mut Call<'_>, view: View, wanted: usize) -> Result<()> {
-    let limited = call.version.container_limit().is_some();
+    let limit = call.version.container_limit();
     while (call.memory.len(view)? as usize) < wanted {
-        call.memory.append(view.store, limited)?;
+        call.memory.append(view.store, limit)?;
     }
     Ok(())
 }
