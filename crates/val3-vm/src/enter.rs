@@ -56,8 +56,7 @@ pub(crate) fn enter(
     fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
     stack.parts.truncate(base.part as usize);
     for part in &program.parts {
-        let store = memory.create(part);
-        memory.store_mut(store)?.local = true;
+        let store = memory.create_local(part);
         memory.stack.parts.push(store);
     }
     for (param, argument) in program.params.iter().zip(arguments) {

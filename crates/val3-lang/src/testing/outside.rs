@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;
-use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
-use crate::runtime_errors::{NO_TASK, TaskState};
+use crate::ports::{Io, Media, Origin, Ports, Request, Robot, Screen, TaskChange, TaskNumber, Tasks};
+use crate::runtime_errors::{NO_TASK, TaskState, UNLINKED};
 use crate::types::BaseType;
 
 /// No controller.
@@ -19,9 +19,25 @@ impl Ports for Nothing {
     fn port(&mut self, _: BaseType, _: &str) -> Option<u32> {
         None
     }
+}
 
+impl Io for Nothing {
+    fn read_digital(&mut self, _: Option<u32>) -> Result<bool> {
+        Err(Fault(UNLINKED))
+    }
+
+    fn write_digital(&mut self, _: Option<u32>, _: bool) -> Result<()> {
+        Err(Fault(UNLINKED))
+    }
+}
+
+impl Screen for Nothing {
     fn print(&mut self, _: &str) {}
 }
+
+impl Robot for Nothing {}
+
+impl Media for Nothing {}
 
 /// Tasks by their names, and data that `getData` finds.
 #[derive(Debug, Default)]
