@@ -8,10 +8,10 @@ mod media;
 mod robot;
 mod screen;
 
-pub use io::Io;
+pub use io::{Described, Io};
 pub use media::Media;
 pub use robot::Robot;
-pub use screen::Screen;
+pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;

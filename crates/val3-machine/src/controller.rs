@@ -7,7 +7,7 @@ use val3_lang::ports::Time;
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
-use crate::event::What;
+use crate::script::Script;
 
 /// The priority of the tasks that execute `start` and `stop` (5.2).
 const PRIORITY: u32 = 10;
@@ -23,6 +23,8 @@ pub struct Controller {
     application: InstanceId,
     phase: Phase,
     stopped: bool,
+    /// What happens from outside.
+    pub(crate) script: Script,
 }
 
 /// Where an application is in its life.
@@ -58,6 +60,7 @@ impl Controller {
         let application = vm.space.load(image, path, &mut devices);
         vm.space.load_with(application, &mut devices);
         Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, stopped: false }
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, script: Script::default() }
     }
 
     /// The controller's clock, in nanoseconds.
@@ -137,6 +140,12 @@ impl Controller {
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
         let cycle = self.cycle();
+        let start = self.schedule.now;
+        let end = (start / CYCLE + 1) * CYCLE;
+        self.follow_script(start);
+        self.devices.begin_cycle(start);
+        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        self.devices.end_cycle(end);
         self.advance_phase();
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
@@ -160,11 +169,16 @@ impl Controller {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
     }
 
-    /// When something happens by itself, outside of tasks: a key is released, power comes.
+    /// The application, as the run time knows it.
+    pub(crate) fn application(&self) -> InstanceId {
+        self.application
+    }
+
+    /// When something happens by itself, outside of tasks: a key is released, power comes, a script goes on.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
-        [self.devices.pendant.next_due(now), self.devices.robot.next_due()].into_iter().flatten().min()
+        self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
     }
 
     /// Something outside may speak at any time.
@@ -191,27 +205,6 @@ impl Controller {
 
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
-    }
-
-    fn refresh_inputs(&mut self, now: Time) {
-        self.devices.pendant.advance(now);
-        self.devices.robot.advance(now, true);
-        for change in self.devices.io.refresh_inputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn refresh_outputs(&mut self, now: Time) {
-        for change in self.devices.io.refresh_outputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
-        if let Some(signal) = self.devices.io.signal(change.signal) {
-            let link = signal.path.clone();
-            self.devices.record_outside(now, What::Io { link, value: change.value });
-        }
     }
 }
 

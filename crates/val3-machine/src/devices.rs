@@ -1,5 +1,7 @@
 //! What programs reach of the controller: the ports of instructions, each in a file of its own.
 
+mod cycle;
+mod instances;
 mod io;
 mod libraries;
 mod media;
@@ -14,11 +16,15 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::ports::{Origin, TaskNumber, Time};
 
-use crate::controller_state::{EventLog, Languages, Profiles, Robot, Versions};
+use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
 use crate::files::{ControllerPath, LibraryFiles, Roots};
 use crate::io::IoTable;
-use crate::screen::Pendant;
+use crate::screen::{Pendant, ReadingId};
+
+pub use io::NoSignal;
+
+use instances::Held;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
@@ -36,6 +42,10 @@ pub struct Devices {
     pub languages: Languages,
     /// Versions and licences.
     pub versions: Versions,
+    /// Date and time.
+    pub calendar: Calendar,
+    /// What CS9 controllers add.
+    pub cs9: Cs9,
     /// The media that paths name.
     pub roots: Roots,
     /// Finds and compiles libraries.
@@ -46,8 +56,10 @@ pub struct Devices {
     origin: Origin,
     /// The names of tasks.
     names: BTreeMap<TaskNumber, String>,
-    /// The images in memory, by the number of their instance.
-    images: Vec<Arc<Image>>,
+    /// What tasks wait for on the pendant.
+    readings: BTreeMap<TaskNumber, ReadingId>,
+    /// What is in memory, by the number of the instance.
+    instances: Vec<Option<Held>>,
 }
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
@@ -95,12 +107,15 @@ impl Devices {
             profiles: Profiles::default(),
             languages: Languages::default(),
             versions: Versions::default(),
+            calendar: Calendar::default(),
+            cs9: Cs9::default(),
             roots,
             libraries,
             events: Vec::new(),
             origin: Origin::default(),
             names: BTreeMap::new(),
-            images: Vec::new(),
+            readings: BTreeMap::new(),
+            instances: Vec::new(),
         }
     }
 }

@@ -55,6 +55,17 @@ pub enum What {
         /// The message.
         text: String,
     },
+    /// A property of an element of a page made with HTML has another value (s8).
+    Html {
+        /// The page.
+        page: String,
+        /// The element.
+        id: String,
+        /// The property, such as `innerHTML`.
+        attribute: String,
+        /// The value as text.
+        value: String,
+    },
     /// The event log has a new line.
     Log {
         /// `info`, `warning` or `error`.

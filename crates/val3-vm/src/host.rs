@@ -8,8 +8,8 @@ use val3_lang::ports::Ports;
 
 /// The controller around the run time.
 pub trait Host: Ports {
-    /// An application or library has come into memory under a number; events refer to it.
-    fn loaded(&mut self, instance: u16, image: &Arc<Image>);
+    /// An application or library has come into memory under a number, with its global data; events refer to it.
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
 
     /// Compiles the library that a program names (6.6).
     ///

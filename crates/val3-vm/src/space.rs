@@ -41,7 +41,7 @@ impl Space {
         }
         let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
         if let Some(instance) = self.instance(id) {
-            host.loaded(id.0, &instance.image);
+            host.loaded(id.0, &instance.image, &instance.data);
         }
         self.link_data(id, None, host);
         id
