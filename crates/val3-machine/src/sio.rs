@@ -4,8 +4,10 @@
 //! moves bytes and never waits: an instruction that has to wait gets [`Turn::Wait`] and asks again at its next turn.
 
 mod channel;
+mod configuration;
 mod line;
 mod memory;
+mod reach;
 mod recording;
 #[cfg(unix)]
 mod serial;
@@ -16,8 +18,10 @@ mod tcp_server;
 mod udp;
 
 pub use channel::{Channel, Sending, SioFault, Turn, byte_of};
+pub use configuration::{ChannelConfig, channels};
 pub use line::{Connection, Line, LineKind, Received, Refused, Sent};
 pub use memory::{MemoryLine, Peer};
+pub use reach::Reach;
 pub use recording::{Answer, Entry, Recorder, Replay};
 #[cfg(unix)]
 pub use serial::SerialLine;

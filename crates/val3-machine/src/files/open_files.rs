@@ -139,10 +139,10 @@ impl OpenFiles {
 impl Reading {
     /// The next byte; `None` at the end, and where the medium fails.
     fn byte(&mut self) -> Option<u8> {
-        self.ahead.pop_front().or_else(|| self.from_file())
+        self.ahead.pop_front().or_else(|| self.fetch())
     }
 
-    fn from_file(&mut self) -> Option<u8> {
+    fn fetch(&mut self) -> Option<u8> {
         let mut byte = [0];
         self.file.read_exact(&mut byte).ok().map(|()| byte[0])
     }
@@ -150,7 +150,7 @@ impl Reading {
     /// The next bytes are these.
     fn comes(&mut self, bytes: &[u8]) -> bool {
         while self.ahead.len() < bytes.len() {
-            let Some(byte) = self.from_file() else { return false };
+            let Some(byte) = self.fetch() else { return false };
             self.ahead.push_back(byte);
         }
         self.ahead.iter().take(bytes.len()).eq(bytes)

@@ -87,3 +87,33 @@ pub trait Line {
     /// If the line cannot, or not now.
     fn apply(&mut self, setting: &Setting) -> Result<(), Refused>;
 }
+
+impl<L: Line + ?Sized> Line for Box<L> {
+    fn kind(&self) -> LineKind {
+        (**self).kind()
+    }
+
+    fn open(&mut self) -> Connection {
+        (**self).open()
+    }
+
+    fn receive(&mut self, room: usize, fresh: bool) -> Received {
+        (**self).receive(room, fresh)
+    }
+
+    fn send(&mut self, bytes: &[u8]) -> Sent {
+        (**self).send(bytes)
+    }
+
+    fn close(&mut self) -> bool {
+        (**self).close()
+    }
+
+    fn shut_down(&mut self) {
+        (**self).shut_down();
+    }
+
+    fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
+        (**self).apply(setting)
+    }
+}

@@ -5,12 +5,13 @@ use std::net::SocketAddr;
 use socket2::{Domain, Protocol, Socket, Type};
 
 use super::stream::Stream;
-use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
 
 /// The client's end of a TCP connection.
 #[derive(Debug)]
 pub struct TcpClient {
     server: SocketAddr,
+    reach: Reach,
     nagle: bool,
     state: State,
 }
@@ -25,17 +26,18 @@ enum State {
 impl TcpClient {
     /// A client of `server`, which is called when the program first reads or writes (3.7.1).
     #[must_use]
-    pub fn new(server: SocketAddr) -> Self {
-        Self { server, nagle: true, state: State::Closed }
+    pub fn new(server: SocketAddr, reach: Reach) -> Self {
+        Self { server, reach, nagle: true, state: State::Closed }
     }
 
     /// Starts to call.
     fn call(&self) -> State {
-        let socket = Socket::new(Domain::for_address(self.server), Type::STREAM, Some(Protocol::TCP));
+        let server = self.reach.address(self.server);
+        let socket = Socket::new(Domain::for_address(server), Type::STREAM, Some(Protocol::TCP));
         let Ok(socket) = socket.and_then(|socket| socket.set_nonblocking(true).map(|()| socket)) else {
             return State::Closed;
         };
-        match socket.connect(&self.server.into()) {
+        match socket.connect(&server.into()) {
             Err(error) if !is_under_way(&error) => State::Closed,
             _ => State::Calling(socket),
         }

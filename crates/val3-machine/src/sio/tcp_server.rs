@@ -7,7 +7,7 @@
 use std::net::{SocketAddr, TcpListener};
 
 use super::stream::Stream;
-use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
 
 /// The server's end of TCP connections.
 #[derive(Debug)]
@@ -30,8 +30,8 @@ impl TcpServer {
     /// A server for one client at `address`, which can be called from the first read or write on (3.7.1). Port 0
     /// takes a free one.
     #[must_use]
-    pub fn new(address: SocketAddr) -> Self {
-        Self { address, limit: 1, nagle: true, listener: None, clients: Vec::new() }
+    pub fn new(address: SocketAddr, reach: Reach) -> Self {
+        Self { address: reach.address(address), limit: 1, nagle: true, listener: None, clients: Vec::new() }
     }
 
     /// Where it can be called; `None` before the first read or write, or if the port is taken.

@@ -26,7 +26,7 @@ fn until<T>(mut ask: impl FnMut() -> Turn<T>) -> T {
 
 /// A server that clients can call, and where.
 fn server(clients: u16) -> (Channel, SocketAddr) {
-    let mut server = TcpServer::new(loopback(0));
+    let mut server = TcpServer::new(loopback(0), Reach::Loopback);
     assert_eq!(server.local_address(), None);
     server.apply(&Setting::Clients(clients)).unwrap();
     server.open();
@@ -198,7 +198,7 @@ fn a_reset_is_survived() {
 fn a_taken_port_is_waited_for() {
     let taken = TcpListener::bind(loopback(0)).unwrap();
     let address = taken.local_addr().unwrap();
-    let mut channel = Channel::new(Box::new(TcpServer::new(address)));
+    let mut channel = Channel::new(Box::new(TcpServer::new(address, Reach::Loopback)));
     assert_eq!(channel.attend(), Connection::Closed);
     drop(taken);
     channel.attend();
@@ -211,7 +211,7 @@ fn a_client_calls_until_somebody_answers() {
     let listener = TcpListener::bind(loopback(0)).unwrap();
     let address = listener.local_addr().unwrap();
     drop(listener);
-    let mut channel = Channel::new(Box::new(TcpClient::new(address)));
+    let mut channel = Channel::new(Box::new(TcpClient::new(address, Reach::Loopback)));
     for _ in 0..20 {
         assert_eq!(channel.read_text(0.0), Turn::Wait);
     }
@@ -238,8 +238,8 @@ fn a_client_calls_until_somebody_answers() {
 fn a_client_can_call_somebody_else() {
     let listener = TcpListener::bind(loopback(0)).unwrap();
     let port = f64::from(listener.local_addr().unwrap().port());
-    let mut channel = Channel::new(Box::new(TcpClient::new(loopback(1))));
-    assert_eq!(channel.control("target", SettingValue::Text("127.0.0.1")), 0);
+    let mut channel = Channel::new(Box::new(TcpClient::new(loopback(1), Reach::Loopback)));
+    assert_eq!(channel.control("target", SettingValue::Text("192.168.0.254")), 0);
     assert_eq!(channel.control("port", SettingValue::Num(port)), 0);
     let mut sending = channel.text("x");
     assert_eq!(until(|| channel.send(&mut sending, 0.0)), Ok(2));
@@ -251,7 +251,7 @@ fn a_client_can_call_somebody_else() {
 
 #[test]
 fn datagrams() {
-    let mut line = UdpLine::new(loopback(0), None);
+    let mut line = UdpLine::new(loopback(0), None, Reach::Loopback);
     line.open();
     let address = line.local_address().unwrap();
     let mut channel = Channel::new(Box::new(line));

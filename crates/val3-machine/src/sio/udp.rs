@@ -3,7 +3,7 @@
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
 
-use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+use super::{Connection, Line, LineKind, Reach, Received, Refused, Sent, Setting};
 
 /// One end of an exchange of datagrams. The manual does not describe it; the controller has it since s8.
 #[derive(Debug)]
@@ -11,6 +11,7 @@ pub struct UdpLine {
     local: SocketAddr,
     target: Option<SocketAddr>,
     heard: Option<SocketAddr>,
+    reach: Reach,
     socket: Option<UdpSocket>,
 }
 
@@ -20,8 +21,8 @@ const LONGEST: usize = 65_507;
 impl UdpLine {
     /// Hears at `local` and sends to `target` from the first read or write on. Port 0 takes a free one.
     #[must_use]
-    pub fn new(local: SocketAddr, target: Option<SocketAddr>) -> Self {
-        Self { local, target, heard: None, socket: None }
+    pub fn new(local: SocketAddr, target: Option<SocketAddr>, reach: Reach) -> Self {
+        Self { local: reach.address(local), target, heard: None, reach, socket: None }
     }
 
     /// Where it hears; `None` before the first read or write, or if the port is taken.
@@ -61,7 +62,7 @@ impl Line for UdpLine {
     fn send(&mut self, bytes: &[u8]) -> Sent {
         let (Some(socket), Some(target)) = (&self.socket, self.target.or(self.heard)) else { return Sent::Taken(0) };
         let (datagram, _) = bytes.split_at(bytes.len().min(LONGEST));
-        match socket.send_to(datagram, target) {
+        match socket.send_to(datagram, self.reach.address(target)) {
             Ok(count) => Sent::Taken(count),
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
             // The answer to an earlier datagram that nobody took: this one has not been tried.
@@ -83,11 +84,13 @@ impl Line for UdpLine {
         if self.socket.is_some() {
             return Err(Refused::Busy);
         }
-        match (setting, &mut self.target) {
-            (Setting::Port(port), Some(target)) => target.set_port(*port),
-            (Setting::Port(port), None) => self.local.set_port(*port),
-            (Setting::Target(address), Some(target)) => target.set_ip(*address),
-            (Setting::Target(address), target) => *target = Some(SocketAddr::new(*address, self.local.port())),
+        // The manual has one port for a channel: here it is that of both ends.
+        match setting {
+            Setting::Port(port) => {
+                self.local.set_port(*port);
+                self.target.iter_mut().for_each(|target| target.set_port(*port));
+            }
+            Setting::Target(address) => self.target = Some(SocketAddr::new(*address, self.local.port())),
             _ => return Err(Refused::Value),
         }
         Ok(())

@@ -29,20 +29,24 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
         }
     }
     for value in added {
-        let before = kept.iter().rfind(|found| order(data, &key(**found)) <= order(data, &value.key));
-        let lines = layout.value(data, value);
-        match (before, kept.first()) {
-            (Some(before), _) => {
-                let text = layout.beside(before.tag_range().start(), &lines);
-                edits.replace(TextRange::empty(before.view().range().end()), text);
-            }
-            (None, Some(first)) => {
-                let text = layout.beside(first.tag_range().start(), &lines);
-                edits.replace(TextRange::empty(element.tag_range().end()), text);
-            }
-            (None, None) => {}
-        }
+        insert(edits, layout, element, data, &kept, value);
     }
+}
+
+/// A further value, in its order among those that stay.
+fn insert(
+    edits: &mut Edits,
+    layout: &Layout<'_>,
+    element: Element<'_>,
+    data: &SavedData,
+    kept: &[Element<'_>],
+    value: &SavedValue,
+) {
+    let before = kept.iter().rfind(|found| order(data, &key(**found)) <= order(data, &value.key));
+    let Some(neighbour) = before.or(kept.first()) else { return };
+    let text = layout.beside(neighbour.tag_range().start(), &layout.value(data, value));
+    let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
+    edits.replace(TextRange::empty(at), text);
 }
 
 fn spelt<'g>(element: Element<'g>) -> impl Iterator<Item = Element<'g>> {

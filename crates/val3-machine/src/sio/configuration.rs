@@ -1,0 +1,154 @@
+//! The channels that a cell configures in its `sio.cfx`, by the names that data link to: `Socket\Motion`.
+
+use std::net::{IpAddr, Ipv4Addr, SocketAddr};
+
+use val3_syntax::view::View;
+use val3_syntax::xml::{self, Element};
+
+use super::{
+    Channel, Line, LineKind, Reach, Refused, Setting, SettingValue, TcpClient, TcpServer, UdpLine,
+    setting::SettingFault,
+};
+
+/// A channel as it is configured.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ChannelConfig {
+    /// What data link to: `Socket\<name>`, `UdpSocket\<name>`, `Serial\<name>`.
+    pub link: String,
+    /// The kind of channel.
+    pub kind: LineKind,
+    /// Its parameters, as a program could set them.
+    pub settings: Vec<Setting>,
+}
+
+/// Reads the channels of a configuration file. One without a name, and a parameter that its channel does not have, is
+/// passed over.
+#[must_use]
+pub fn channels(text: &str) -> Vec<ChannelConfig> {
+    let parse = val3_syntax::parse(text);
+    let root = xml::root(View::root(parse.green()));
+    root.into_iter().flat_map(Element::elements).filter_map(channel).collect()
+}
+
+/// `<socketSrv><String name="name" value="Motion" /><Num name="portNumber" value="11000" /></socketSrv>`.
+fn channel(element: Element<'_>) -> Option<ChannelConfig> {
+    let element_name = element.name().to_ascii_lowercase();
+    let (kind, device) = match element_name.as_str() {
+        "serialport" => (LineKind::Serial, "Serial"),
+        "socketclt" => (LineKind::Client, "Socket"),
+        "socketsrv" => (LineKind::Server, "Socket"),
+        name if name.contains("udp") => (LineKind::Udp, "UdpSocket"),
+        _ => return None,
+    };
+    let entries = || element.elements().filter_map(|entry| Some((entry.value("name")?, entry.value("value")?)));
+    let (_, name) = entries().find(|(key, _)| key == "name")?;
+    let settings = entries().filter_map(|(key, value)| setting(&key, value.trim(), kind)).collect();
+    Some(ChannelConfig { link: format!("{device}\\{name}"), kind, settings })
+}
+
+/// The parameter that an entry gives.
+fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
+    let key = key.to_ascii_lowercase();
+    let name = NAMES.iter().find(|(known, _)| *known == key).map_or(key.as_str(), |(_, name)| name);
+    let number = value.parse().ok().map(SettingValue::Num);
+    let truth = value.to_ascii_lowercase().parse().ok().map(SettingValue::Bool);
+    let candidates = [number, truth, Some(SettingValue::Text(value))];
+    let mut read = candidates.into_iter().flatten().map(|value| Setting::read(name, value, kind));
+    read.find_map(Result::<_, SettingFault>::ok)
+}
+
+/// What the file calls otherwise than a program does.
+const NAMES: [(&str, &str); 4] =
+    [("portnumber", "port"), ("serverip", "target"), ("nbclients", "clients"), ("maxclients", "clients")];
+
+impl ChannelConfig {
+    /// The socket for the channel; `None` for a serial line, whose device the outside names.
+    #[must_use]
+    pub fn socket(&self, reach: Reach) -> Option<Box<dyn Line>> {
+        let any = SocketAddr::from((Ipv4Addr::UNSPECIFIED, 0));
+        match self.kind {
+            LineKind::Serial => None,
+            LineKind::Client => Some(Box::new(TcpClient::new(SocketAddr::from((Ipv4Addr::LOCALHOST, 0)), reach))),
+            LineKind::Server => Some(Box::new(TcpServer::new(any, reach))),
+            LineKind::Udp => Some(Box::new(UdpLine::new(any, None, reach))),
+        }
+    }
+
+    /// The channel behind `line`, with the parameters of the configuration.
+    ///
+    /// # Errors
+    /// If the line cannot do what is configured.
+    pub fn channel(&self, line: Box<dyn Line>) -> Result<Channel, Refused> {
+        let mut channel = Channel::new(line);
+        self.settings.iter().try_for_each(|setting| channel.set(setting))?;
+        Ok(channel)
+    }
+
+    /// The port, where one is configured.
+    #[must_use]
+    pub fn port(&self) -> Option<u16> {
+        self.settings.iter().find_map(|setting| match setting {
+            Setting::Port(port) => Some(*port),
+            _ => None,
+        })
+    }
+
+    /// The address to call, where one is configured.
+    #[must_use]
+    pub fn target(&self) -> Option<IpAddr> {
+        self.settings.iter().find_map(|setting| match setting {
+            Setting::Target(target) => Some(*target),
+            _ => None,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = r#"<?xml version="1.0" encoding="utf-8"?>
+<sio>
+  <serialPort><String name="name" value="Serial1"/><Num name="baudRate" value="9600"/><String name="parity" value="Even"/></serialPort>
+  <socketSrv>
+    <String name="name" value="Motion" />
+    <Num name="portNumber" value="11000" />
+    <Num name="timeOut" value="-1" />
+    <Num name="endOfString" value="13" />
+    <Bool name="nagle" value="false" />
+  </socketSrv>
+  <socketClt>
+    <String name="name" value="host" />
+    <String name="serverIp" value="192.168.0.254" />
+    <Num name="portNumber" value="2000" />
+    <Num name="unknown" value="1" />
+  </socketClt>
+  <socketSrv><Num name="portNumber" value="1" /></socketSrv>
+  <other><String name="name" value="x" /></other>
+</sio>"#;
+
+    #[test]
+    fn channels_have_their_links_and_parameters() {
+        let found = channels(FILE);
+        let links: Vec<_> = found.iter().map(|channel| (channel.link.as_str(), channel.kind)).collect();
+        let expected = [
+            (r"Serial\Serial1", LineKind::Serial),
+            (r"Socket\Motion", LineKind::Server),
+            (r"Socket\host", LineKind::Client),
+        ];
+        assert_eq!(links, expected);
+        let motion = [Setting::Port(11000), Setting::Timeout(-1.0), Setting::EndOfString(13), Setting::Nagle(false)];
+        assert_eq!(found[1].settings, motion);
+        assert_eq!((found[2].port(), found[2].target()), (Some(2000), "192.168.0.254".parse().ok()));
+        assert_eq!(found[0].settings.len(), 2);
+    }
+
+    #[test]
+    fn a_configured_channel_can_be_used() {
+        for config in channels(FILE).iter().filter(|config| config.kind != LineKind::Serial) {
+            let line = config.socket(Reach::Loopback).unwrap();
+            assert_eq!(config.channel(line).unwrap().kind(), config.kind);
+        }
+        assert!(channels("no xml").is_empty());
+    }
+}

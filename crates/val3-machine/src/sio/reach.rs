@@ -1,0 +1,41 @@
+//! How far sockets reach.
+
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
+
+/// Whom the sockets of a run may talk to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Reach {
+    /// Programs on this machine alone: whatever address a program or configuration names stands for this machine.
+    #[default]
+    Loopback,
+    /// Whoever has the address.
+    Network,
+}
+
+impl Reach {
+    /// The address that one which a program names stands for.
+    #[must_use]
+    pub fn address(self, named: SocketAddr) -> SocketAddr {
+        match (self, named.ip()) {
+            (Self::Network, _) => named,
+            (Self::Loopback, ip) if ip.is_loopback() => named,
+            (Self::Loopback, IpAddr::V4(_)) => SocketAddr::new(Ipv4Addr::LOCALHOST.into(), named.port()),
+            (Self::Loopback, IpAddr::V6(_)) => SocketAddr::new(Ipv6Addr::LOCALHOST.into(), named.port()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn everybody_is_this_machine() {
+        let reached = |reach: Reach, named: &str| reach.address(named.parse().unwrap()).to_string();
+        assert_eq!(reached(Reach::Loopback, "192.168.0.254:80"), "127.0.0.1:80");
+        assert_eq!(reached(Reach::Loopback, "0.0.0.0:80"), "127.0.0.1:80");
+        assert_eq!(reached(Reach::Loopback, "127.0.0.7:80"), "127.0.0.7:80");
+        assert_eq!(reached(Reach::Loopback, "[2001:db8::1]:80"), "[::1]:80");
+        assert_eq!(reached(Reach::Network, "192.168.0.254:80"), "192.168.0.254:80");
+    }
+}
