@@ -10,6 +10,10 @@
 //!
 //! `and` and `or` evaluate their right side only where the left side does not decide; `xor` evaluates both.
 
+mod serial;
+
+pub use serial::serial_assignment;
+
 use crate::types::BaseType;
 
 /// An operator between two values.

@@ -7,11 +7,13 @@ mod io;
 mod media;
 mod robot;
 mod screen;
+mod serial;
 
 pub use io::Io;
 pub use media::Media;
 pub use robot::Robot;
 pub use screen::Screen;
+pub use serial::{LineValue, Outgoing, Reply, Serial};
 
 use std::sync::Arc;
 
@@ -28,7 +30,7 @@ pub type Time = u64;
 pub const SECOND: Time = 1_000_000_000;
 
 /// Everything outside programs and their data.
-pub trait Ports: Io + Screen + Robot + Media {
+pub trait Ports: Io + Serial + Screen + Robot + Media {
     /// Where the next calls come from. The run time tells it before each instruction.
     fn origin(&mut self, origin: Origin);
 

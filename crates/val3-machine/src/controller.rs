@@ -54,7 +54,8 @@ impl Controller {
     #[must_use]
     pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Self {
         let mut vm = Vm::default();
-        let application = vm.space.load(image, path, &mut devices);
+        let application = vm.space.load(image, path.clone(), &mut devices);
+        devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
         Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running }
     }
@@ -101,6 +102,7 @@ impl Controller {
         while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
             self.vm.kill(task, &mut self.devices);
         }
+        self.devices.lines.shut_down();
         self.phase = Phase::Stopped;
     }
 
@@ -115,6 +117,7 @@ impl Controller {
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
             _ if self.is_stuck() => Step::Stuck,
+            (_, Cycle::Idle { .. }) if self.devices.lines.are_in_use() => Step::Idle(Some(self.schedule.now)),
             (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
             _ => Step::Busy,
         }
@@ -140,6 +143,7 @@ impl Controller {
     }
 
     fn refresh_inputs(&mut self, now: Time) {
+        self.devices.lines.attend();
         self.devices.pendant.advance(now);
         self.devices.robot.advance(now, true);
         for change in self.devices.io.refresh_inputs() {

@@ -2,10 +2,12 @@
 
 mod io;
 mod libraries;
+mod lines;
 mod media;
 mod robot;
 mod saving;
 mod screen;
+mod serial;
 mod tasks;
 
 use std::collections::BTreeMap;
@@ -16,14 +18,17 @@ use val3_lang::ports::{Origin, TaskNumber, Time};
 
 use crate::controller_state::{EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
-use crate::files::{ControllerPath, LibraryFiles, Roots};
+use crate::files::{ControllerPath, LibraryFiles, OpenFiles, Roots};
 use crate::io::IoTable;
 use crate::screen::Pendant;
+pub use lines::Lines;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
     /// Digital and analog inputs and outputs.
     pub io: IoTable,
+    /// Serial lines and sockets.
+    pub lines: Lines,
     /// The pendant.
     pub pendant: Pendant,
     /// Power, modes and speed.
@@ -38,6 +43,8 @@ pub struct Devices {
     pub versions: Versions,
     /// The media that paths name.
     pub roots: Roots,
+    /// The files that programs have open.
+    files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
     /// What has happened and was not taken yet.
@@ -48,6 +55,10 @@ pub struct Devices {
     names: BTreeMap<TaskNumber, String>,
     /// The images in memory, by the number of their instance.
     images: Vec<Arc<Image>>,
+    /// Their files as they were loaded, by the number of their instance.
+    sources: BTreeMap<u16, LibraryFiles>,
+    /// The library that was read last, until it comes into memory.
+    read: Option<(Arc<Image>, LibraryFiles)>,
 }
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
@@ -89,6 +100,7 @@ impl Devices {
     pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
         Self {
             io: IoTable::default(),
+            lines: Lines::default(),
             pendant: Pendant::default(),
             robot: Robot::default(),
             log: EventLog::default(),
@@ -96,11 +108,14 @@ impl Devices {
             languages: Languages::default(),
             versions: Versions::default(),
             roots,
+            files: OpenFiles::default(),
             libraries,
             events: Vec::new(),
             origin: Origin::default(),
             names: BTreeMap::new(),
             images: Vec::new(),
+            sources: BTreeMap::new(),
+            read: None,
         }
     }
 }

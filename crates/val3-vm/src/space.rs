@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
+use val3_bytecode::{FatherLink, Image, Import, LinkInit, LinkTarget};
 use val3_lang::memory::{Link, Memory, Place, StoreId, View};
 
 use crate::{Host, Instance, InstanceId};
@@ -57,10 +57,7 @@ impl Space {
         let found: Vec<_> = (0usize..)
             .zip(&instance.image.imports)
             .filter(|(_, import)| of_alias(import))
-            .map(|(at, import)| {
-                let of_program = matches!(import.kind, ImportKind::Program(_));
-                (at, exporter.and_then(|exporter| exporter.export(library, &import.name, of_program)))
-            })
+            .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import))))
             .collect();
         let complete = found.iter().all(|(_, item)| item.is_some());
         if let Some(instance) = self.instances.get_mut(usize::from(user.0)) {

@@ -64,6 +64,13 @@ impl ControllerPath {
         Ok(path)
     }
 
+    /// The path of what is called `name` here. It was a name before.
+    pub(super) fn child(&self, name: &str) -> Self {
+        let mut path = self.clone();
+        path.parts.push(name.into());
+        path
+    }
+
     /// The name of the medium, as it was written.
     #[must_use]
     pub fn medium(&self) -> &str {
