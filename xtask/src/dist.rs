@@ -4,10 +4,11 @@ use std::fs::{self, File};
 use std::io::Read as _;
 
 use anyhow::Context;
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 
+use crate::debug_info;
 use crate::project;
 use crate::vsix::{self, Arguments};
 
@@ -15,33 +16,38 @@ use crate::vsix::{self, Arguments};
 const DOCUMENTS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
 /// Builds `val3`, and packs it as `target/dist/val3-VERSION-TARGET.tar.gz` and into the extension; what is built for tests
-/// lies in `target/editors`.
+/// lies in `target/editors`. The lines of the source are in an archive of their own, `…-debug.tar.gz`
+/// (docs/adr/0011-debug-information.md).
 ///
 /// # Errors
 /// When the build fails or the archive cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let binary = vsix::binary(arguments)?;
-    let vsix = vsix::extension(&binary, arguments)?;
-    let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), project::host()?);
     let folder = project::target_folder()?.join(if arguments.debug { "editors" } else { "dist" });
-    fs::create_dir_all(&folder).with_context(|| format!("cannot make {folder}"))?;
-    let archive = folder.join(format!("{name}.tar.gz"));
-    pack(&archive, &name, &binary).with_context(|| format!("cannot write {archive}"))?;
-    println!("{archive}\n{vsix}");
+    let parts = debug_info::split(&vsix::binary(arguments)?, &folder.join("parts"))?;
+    let vsix = vsix::extension(&parts.binary, arguments)?;
+    let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), project::host()?);
+    let mut files = vec![(parts.binary, 0o755)];
+    files.extend(DOCUMENTS.iter().map(|document| (project::root().join(document), 0o644)));
+    println!("{}\n{vsix}", pack(&folder, &name, "", &files)?);
+    if let Some(debug) = parts.debug {
+        println!("{}", pack(&folder, &name, "-debug", &[(debug, 0o644)])?);
+    }
     Ok(())
 }
 
-/// Writes the archive: one folder with the binary and the documents. The same input gives the same bytes.
-fn pack(archive: &Utf8Path, name: &str, binary: &Utf8Path) -> anyhow::Result<()> {
-    let gzip = GzEncoder::new(File::create(archive)?, Compression::best());
+/// Writes the archive `name` + `suffix`: one folder with these files and their modes. The same input gives the same bytes.
+fn pack(folder: &Utf8Path, name: &str, suffix: &str, files: &[(Utf8PathBuf, u32)]) -> anyhow::Result<Utf8PathBuf> {
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
+    let archive = folder.join(format!("{name}{suffix}.tar.gz"));
+    let written = || format!("cannot write {archive}");
+    let gzip = GzEncoder::new(File::create(&archive).with_context(written)?, Compression::best());
     let mut tar = tar::Builder::new(gzip);
-    let binary_name = binary.file_name().unwrap_or("val3");
-    append(&mut tar, &format!("{name}/{binary_name}"), binary, 0o755)?;
-    for document in DOCUMENTS {
-        append(&mut tar, &format!("{name}/{document}"), &project::root().join(document), 0o644)?;
+    for (file, mode) in files {
+        let file_name = file.file_name().context("a file has a name")?;
+        append(&mut tar, &format!("{name}/{file_name}"), file, *mode).with_context(written)?;
     }
-    tar.into_inner()?.finish()?;
-    Ok(())
+    tar.into_inner().and_then(GzEncoder::finish).with_context(written)?;
+    Ok(archive)
 }
 
 fn append<W: std::io::Write>(

@@ -4,6 +4,7 @@
 #![allow(clippy::disallowed_methods, reason = "a build tool reads the clock and the environment")]
 
 pub mod codegen;
+pub mod debug_info;
 pub mod dist;
 pub mod format;
 pub mod install;

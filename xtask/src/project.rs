@@ -50,6 +50,16 @@ pub fn target_folder() -> anyhow::Result<Utf8PathBuf> {
     Ok(metadata.target_directory)
 }
 
+/// The folder of the toolchain.
+///
+/// # Errors
+/// When the compiler cannot be asked.
+pub fn sysroot() -> anyhow::Result<Utf8PathBuf> {
+    let output = Command::new("rustc").args(["--print", "sysroot"]).current_dir(root()).output();
+    let text = String::from_utf8(output.context("cannot start rustc")?.stdout)?;
+    Ok(text.trim_end().into())
+}
+
 /// The target the compiler builds for: `x86_64-unknown-linux-gnu`.
 ///
 /// # Errors

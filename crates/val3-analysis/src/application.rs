@@ -4,9 +4,12 @@
 
 mod locks;
 mod program;
+mod same_name;
+mod task_starts;
 
 pub use locks::{Lock, locks};
-pub use program::{Summary, TaskStart, Use, summary};
+pub use program::{Summary, Use, summary};
+pub use task_starts::TaskStart;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -44,6 +47,13 @@ pub struct Application {
     /// For each program the tasks (by their place in `tasks`) that may run it. Programs without an entry are run by
     /// no task of this project.
     pub run_by: FxHashMap<SmolStr, FxHashSet<usize>>,
+    /// Programs that run each time the application does, unless one of them returns before.
+    pub certain: FxHashSet<SmolStr>,
+    /// Programs that run for good once they are called.
+    pub endless: FxHashSet<SmolStr>,
+    /// How the names begin of tasks that a program ends or whose state it asks for, other than at the end of the
+    /// application.
+    pub tended_tasks: FxHashSet<SmolStr>,
     /// Programs that call each program, or create a task with it.
     pub callers: FxHashMap<SmolStr, FxHashSet<SmolStr>>,
     /// Programs during which other tasks may run: they wait, or call a program that does, or one that is not known.
@@ -64,7 +74,10 @@ pub struct Application {
 }
 
 /// The programs the controller starts on its own (5.1, 6.2).
-pub const ENTRY_POINTS: [&str; 2] = ["start", "stop"];
+pub const ENTRY_POINTS: [&str; 2] = [START, STOP];
+
+const START: &str = "start";
+const STOP: &str = "stop";
 
 /// What the programs of `project` do together.
 #[salsa::tracked]
@@ -84,6 +97,8 @@ pub fn application(db: &dyn Db, project: Project) -> Application {
         application.add(name, summary);
     }
     application.find_runs(&summaries);
+    application.find_certain(&summaries);
+    application.find_tended(&summaries);
     application.find_waiting(&summaries);
     application.circles = circles(&summaries);
     let has_pages = project.beside(db).iter().any(|name| name.eq_ignore_ascii_case(USER_PAGES));
@@ -168,6 +183,9 @@ impl Application {
         }
         self.named_in_texts.extend(summary.named_in_texts.iter().cloned());
         self.libraries.extend(summary.libraries.iter().cloned());
+        if summary.never_ends {
+            self.endless.insert(name.clone());
+        }
         if summary.takes_mutex {
             self.takers_of_mutexes.insert(name.clone());
         }

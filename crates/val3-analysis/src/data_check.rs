@@ -4,6 +4,8 @@ mod fathers;
 mod links;
 mod values;
 
+pub use fathers::{Step, steps};
+
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_syntax::TextRange;

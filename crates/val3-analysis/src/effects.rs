@@ -163,6 +163,12 @@ impl<'db> Effects<'db> {
 
     /// The signature of the program that `callee` names, of the own project or of a library's interface.
     pub fn program(&self, callee: ExprId) -> Option<&'db Signature> {
+        let (project, file) = self.program_file(callee)?;
+        Some(signature(self.db, project, file))
+    }
+
+    /// The file of the program that `callee` names, with its project.
+    pub fn program_file(&self, callee: ExprId) -> Option<(Project, File)> {
         let (project, items, name) = match self.body.expr(callee) {
             Expr::Name(name) => (self.project, self.items, name),
             Expr::Path { library, item } => {
@@ -171,7 +177,7 @@ impl<'db> Effects<'db> {
             }
             _ => return None,
         };
-        Some(signature(self.db, project, *items.programs.get(name)?))
+        Some((project, *items.programs.get(name)?))
     }
 }
 

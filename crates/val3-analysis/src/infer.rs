@@ -16,6 +16,7 @@ pub(crate) use expressions::STRING_LIMIT;
 use rowan::TextRange;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_lang::add_on::AddOnOverload;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::types::Arm;
 
@@ -33,8 +34,21 @@ pub struct Inference {
     types: Vec<Ty>,
     /// Calls of instructions, by number: inner ones before outer ones.
     calls: Vec<InstructionCall>,
+    /// Calls of instructions that the tables of add-ons declare, by number.
+    add_on_calls: Vec<AddOnCall>,
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
+}
+
+/// A call of an instruction that the table of an add-on declares.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AddOnCall {
+    /// The whole call, an [`Expr::Call`](crate::body::Expr::Call).
+    pub id: ExprId,
+    /// The name with its `$`.
+    pub name: SmolStr,
+    /// The form that suits the arguments.
+    pub form: AddOnOverload,
 }
 
 /// A call of an instruction of the catalogue.
@@ -68,6 +82,12 @@ impl Inference {
         self.calls.get(at)
     }
 
+    /// The call that `id` is, if it calls an instruction that the table of an add-on declares.
+    pub fn add_on_call(&self, id: ExprId) -> Option<&AddOnCall> {
+        let at = self.add_on_calls.binary_search_by_key(&id, |call| call.id).ok()?;
+        self.add_on_calls.get(at)
+    }
+
     /// Every call of an instruction, inner ones before outer ones.
     pub fn calls(&self) -> &[InstructionCall] {
         &self.calls
@@ -81,7 +101,14 @@ pub fn infer(db: &dyn Db, project: Project, file: File) -> Inference {
     let mut infer = Infer::new(db, project, file, body);
     infer.block(&body.block);
     infer.calls.sort_unstable_by_key(|call| call.id);
-    Inference { types: infer.types, calls: infer.calls, problems: infer.problems, overflows: infer.overflows }
+    infer.add_on_calls.sort_unstable_by_key(|call| call.id);
+    Inference {
+        types: infer.types,
+        calls: infer.calls,
+        add_on_calls: infer.add_on_calls,
+        problems: infer.problems,
+        overflows: infer.overflows,
+    }
 }
 
 /// What is wrong with the code of the program in `file`, by position. Kept when the types are dropped.
@@ -107,6 +134,7 @@ struct Infer<'db> {
     scope: FxHashMap<&'db str, value::Value>,
     types: Vec<Ty>,
     calls: Vec<InstructionCall>,
+    add_on_calls: Vec<AddOnCall>,
     problems: Vec<Problem>,
     overflows: Vec<Overflow>,
     /// The expression names a value that need not be there: its index has no bounds.
@@ -129,6 +157,7 @@ impl<'db> Infer<'db> {
             scope,
             types,
             calls: Vec::new(),
+            add_on_calls: Vec::new(),
             problems: Vec::new(),
             overflows: Vec::new(),
             may_be_absent: false,

@@ -124,7 +124,7 @@ impl Interfaces<'_> {
         let db = self.db;
         match path {
             LoadedPath::Unknown => Vec::new(),
-            LoadedPath::Prefix(prefix) => {
+            LoadedPath::Prefix { text: prefix, .. } => {
                 let mut found = self.projects_from(prefix);
                 found.retain(|library| self.resembles(alias, *library));
                 found

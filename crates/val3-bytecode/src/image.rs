@@ -68,15 +68,17 @@ pub enum LinkTarget {
     Father(FatherLink),
 }
 
-/// The reference frame or tool of a value, as a file names it: `fTray[0]`, `lib:fTray`.
+/// The reference frame or tool of a value, as a file names it: `fTray[0]`, `tSlot["a"].fIn[0]`, `lib:fTray`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FatherLink {
     /// The library identifier, if it is data of a library.
     pub library: Option<String>,
     /// The name of the data; `world` and `flange` too.
     pub name: String,
-    /// The number of its value: an index, or a key.
+    /// Which of its values: an index (`2`, `1,3`), or a key.
     pub at: String,
+    /// Names of fields of user types, each with the index of its value.
+    pub fields: Vec<(String, String)>,
 }
 
 /// A library identifier.

@@ -2,7 +2,7 @@
 //!
 //! An image is what an application or library is compiled to. Its code is for a register machine: the frame of a
 //! program has lanes of numbers, texts, links and containers (see [`val3_lang::memory`]), and operations name the
-//! lanes of the current frame. Parameters come first, then locals, then constants, then temporaries.
+//! lanes of the current frame. Parameters come first, then locals, then constants and temporaries.
 
 mod disassembly;
 mod image;
@@ -13,5 +13,5 @@ mod site;
 pub use disassembly::disassemble;
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
 pub use op::{Op, Register, Whole, WholeKind};
-pub use program::{FrameSize, Line, Param, Passing, Program, SourceRange};
+pub use program::{FrameSize, Line, Param, Passing, Program, SourceRange, Storage, Variable};
 pub use site::{ArgumentSite, CallSite, CopySite, InstructionSite, Operand, ProgramRef, SlotSite, TaskSite};

@@ -4,8 +4,14 @@
 pub type Register = u16;
 
 /// A container that an operation works on: its kind in the upper bits, its number in the others.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Whole(u16);
+
+impl std::fmt::Debug for Whole {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.kind().fmt(f)
+    }
+}
 
 /// Where a container is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -167,4 +173,38 @@ pub enum Op {
     /// The next round of a `for`, which counts as a line: adds the step and goes to `body` unless the counter is
     /// beyond `limit`.
     ForNext { counter: Register, limit: Register, body: u32 },
+}
+
+impl Op {
+    /// Where the operation may go on instead of at the next one.
+    pub fn target_mut(&mut self) -> Option<&mut u32> {
+        match self {
+            Self::Jump { to }
+            | Self::JumpUnless { to, .. }
+            | Self::JumpIf { to, .. }
+            | Self::UnlessLess { to, .. }
+            | Self::UnlessLessEqual { to, .. }
+            | Self::UnlessEqual { to, .. }
+            | Self::IfEqual { to, .. }
+            | Self::WaitUntil { retry: to, .. }
+            | Self::Watch { retry: to, .. }
+            | Self::ForTest { exit: to, .. }
+            | Self::ForNext { body: to, .. } => Some(to),
+            _ => None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Whole, WholeKind};
+
+    #[test]
+    fn containers_are_packed() {
+        let last = [WholeKind::Data(8_191), WholeKind::Part(8_191), WholeKind::View(8_191), WholeKind::Import(8_191)];
+        for kind in last.into_iter().chain([WholeKind::Data(0), WholeKind::Builtin(1)]) {
+            assert_eq!(Whole::new(kind).map(Whole::kind), Some(kind));
+        }
+        assert_eq!(Whole::new(WholeKind::Data(8_192)), None);
+    }
 }

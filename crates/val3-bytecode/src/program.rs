@@ -20,8 +20,10 @@ pub struct Program {
     /// Its parameters.
     pub params: Vec<Param>,
     /// The names of its parameters and locals with their places, for debuggers.
+    pub variables: Vec<Variable>,
+    /// The lanes of a frame.
     pub frame: FrameSize,
-    /// The numbers of a new frame: defaults of locals, and constants.
+    /// The numbers of a new frame, as many as it has: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
     /// The containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
@@ -50,6 +52,32 @@ pub struct FrameSize {
     pub places: u32,
     /// Views.
     pub views: u32,
+}
+
+/// A parameter or local.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// Its name.
+    pub name: String,
+    /// Its type.
+    pub kind: Arc<Kind>,
+    /// An element, array or collection.
+    pub container: Container,
+    /// Where it is in the frame.
+    pub storage: Storage,
+}
+
+/// Where a parameter or local is in the frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Storage {
+    /// One value of a built-in type, whose lanes begin here.
+    Value(Lanes),
+    /// The container with this number.
+    Part(u16),
+    /// A reference to a value: the place with this number.
+    Place(u16),
+    /// A reference to a container: the view with this number.
+    View(u16),
 }
 
 /// A parameter.
@@ -100,8 +128,14 @@ pub struct Line {
 
 impl Program {
     /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
+    ///
+    /// The next round of a `for` belongs to the line with its head.
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
+        let op = match self.code.get(op as usize) {
+            Some(Op::ForNext { body, .. }) => body.saturating_sub(1),
+            _ => op,
+        };
         let before = |(_, line): &(usize, &Line)| line.op <= op;
         self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op).map(|(number, _)| number)
     }

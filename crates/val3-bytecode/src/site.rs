@@ -1,5 +1,6 @@
 //! What operations with many operands refer to.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use val3_lang::call::Run;
@@ -59,7 +60,7 @@ pub enum SlotSite {
 #[derive(Debug, Clone, PartialEq)]
 pub struct InstructionSite {
     /// Its name, for messages.
-    pub name: &'static str,
+    pub name: Cow<'static, str>,
     /// What it does; `None` where the controller does not have it.
     pub run: Option<Handler>,
     /// Its arguments.
@@ -83,7 +84,13 @@ impl InstructionSite {
     /// The call of a form.
     #[must_use]
     pub fn new(instruction: &'static Instruction, form: &'static Overload) -> Self {
-        Self { name: instruction.name, run: form.run.map(Handler), arguments: Vec::new(), result: None }
+        Self { name: instruction.name.into(), run: form.run.map(Handler), arguments: Vec::new(), result: None }
+    }
+
+    /// What a name of no form stands for: an operator, or an instruction that only an add-on has.
+    #[must_use]
+    pub fn named(name: impl Into<Cow<'static, str>>, run: Option<Run>) -> Self {
+        Self { name: name.into(), run: run.map(Handler), arguments: Vec::new(), result: None }
     }
 }
 

@@ -145,6 +145,7 @@ rules! {
     duplicate_task,
     computed_task_name,
     torn_data,
+    task_still_running,
     // Motion
     no_reference,
     data_without_reference,

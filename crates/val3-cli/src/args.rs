@@ -23,6 +23,13 @@ Exit codes:
   1  with --check or --diff, something to change
   2  wrong usage, or a file that cannot be read or written";
 
+const RUN_EXIT_CODES: &str = "\
+Exit codes:
+  0  the application has ended
+  1  it has faults, a task ended in a run-time error, or no task could go on
+  2  wrong usage, or a file that cannot be read or written
+  3  the time of --until was reached";
+
 const FMT_SETTINGS: &str = "\
 Settings:
   [format] in the nearest val3.toml, then .editorconfig (indent_style, indent_size).
@@ -61,6 +68,9 @@ pub(crate) enum Command {
     /// Give the code of programs its layout
     #[command(after_help = FMT_EXIT_CODES, after_long_help = format!("{FMT_SETTINGS}\n\n{FMT_EXIT_CODES}"))]
     Fmt(FmtArgs),
+    /// Run an application on the embedded controller
+    #[command(after_help = RUN_EXIT_CODES)]
+    Run(RunArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
     /// Serve an editor: the language server, on standard input and output
@@ -155,6 +165,89 @@ pub(crate) struct FmtArgs {
     /// With `-`: where the program lies, so that its settings are found
     #[arg(long, value_name = "PATH")]
     pub(crate) stdin_path: Option<Utf8PathBuf>,
+}
+
+/// Arguments of `val3 run`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct RunArgs {
+    /// The folder or .pjx of the application, or a folder that holds just one
+    #[arg(value_name = "APP", default_value = ".")]
+    pub(crate) application: Utf8PathBuf,
+    /// The program to start with
+    #[arg(long, value_name = "NAME", default_value = "start")]
+    pub(crate) program: String,
+    /// Let time pass as fast as it can, or as the clock on the wall
+    #[arg(long, value_name = "TIME", default_value = "virtual")]
+    pub(crate) time: RunTime,
+    /// End the run after so many seconds of the controller's clock
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub(crate) until: Option<f64>,
+    /// Write what happens as one JSON object a line, to a file or with `-` to the standard output
+    #[arg(long, value_name = "FILE")]
+    pub(crate) events: Option<Utf8PathBuf>,
+    /// What happens outside the application and when (TOML)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) script: Option<Utf8PathBuf>,
+    /// Codes of keys that are typed whenever a program reads one, separated by commas
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) keys: Vec<u16>,
+    /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
+    #[arg(long, value_name = "NAME=DIR")]
+    pub(crate) root: Vec<Root>,
+    /// The arm, where the cell does not say it
+    #[arg(long, value_name = "NAME")]
+    pub(crate) arm: Option<String>,
+    /// The monitor speed in per cent
+    #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
+    pub(crate) monitor_speed: Option<u8>,
+    /// What a line takes on the controller's clock, in microseconds
+    #[arg(long, value_name = "US", default_value = "2", value_parser = microseconds)]
+    pub(crate) line_cost: u64,
+    /// Show the user page when the run has ended
+    #[arg(long)]
+    pub(crate) screen: bool,
+}
+
+/// How time passes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum RunTime {
+    /// As fast as it can; time in which nothing happens is left out
+    Virtual,
+    /// As the clock on the wall
+    Real,
+}
+
+/// A root of paths and the folder it stands for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Root {
+    /// The name before `://`.
+    pub(crate) name: String,
+    /// The folder.
+    pub(crate) folder: Utf8PathBuf,
+}
+
+impl FromStr for Root {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, folder) = text
+            .split_once('=')
+            .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
+            .ok_or("write NAME=DIR, for example USB0=/media/stick")?;
+        Ok(Self { name: name.to_owned(), folder: folder.into() })
+    }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..1e9).contains(seconds));
+    seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
+}
+
+/// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.
+fn microseconds(text: &str) -> Result<u64, String> {
+    let micros = text.parse().ok().filter(|micros: &f64| (0.001..=1e6).contains(micros));
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1e9")]
+    micros.map(|micros| (micros * 1e3) as u64).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
 }
 
 /// Arguments of `val3 explain`.

@@ -77,6 +77,11 @@ impl<'r> Session<'r> {
         &self.opened.workspace.db
     }
 
+    /// The projects that were asked for.
+    pub(crate) fn projects(&self) -> &[Project] {
+        &self.opened.workspace.projects
+    }
+
     /// As [`db`](Self::db), to be changed.
     pub(crate) fn db_mut(&mut self) -> &mut Database {
         &mut self.opened.workspace.db

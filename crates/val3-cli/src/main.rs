@@ -24,6 +24,7 @@ mod paths;
 mod progress;
 mod report;
 mod rule_counts;
+mod run;
 mod schema;
 mod selection;
 mod similar;
@@ -56,6 +57,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
+        Command::Run(run) => run::run(run, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Lsp(lsp) => lsp::run(lsp),
         Command::Schema => schema::run().map(|()| ExitCode::SUCCESS),

@@ -29,6 +29,12 @@ pub(crate) fn to_stderr(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
     let _ = write(&mut io::stderr().lock());
 }
 
+/// Writes to the standard error output, with colours where it shows them.
+pub(crate) fn to_stderr_in_color(color: Color, write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>) {
+    let mut out = BufferedStandardStream::stderr(color_choice(color));
+    let _ = write(&mut out).and_then(|()| out.flush());
+}
+
 /// Writes a file, without colours. An existing file is replaced.
 pub(crate) fn to_file(
     path: &Utf8Path,

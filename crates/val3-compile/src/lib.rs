@@ -1,1 +1,35 @@
 //! From the typed body of a program to its image: the bridge between analysis and run time.
+//!
+//! The analysis hands over what it knows (items, bodies, types, the form of each call), and nothing is inferred again.
+//! What a program is made of comes from one module each: its frame, its names and places, expressions, conditions,
+//! assignments, statements and calls. The data of a project come from its files with their values at the start.
+
+mod arguments;
+mod assignments;
+mod calls;
+mod code;
+mod coder;
+mod conditions;
+mod data;
+mod error;
+mod expressions;
+mod frame;
+mod instructions;
+mod kinds;
+mod literals;
+mod loops;
+mod moves;
+mod operators;
+mod places;
+mod pool;
+mod program;
+mod project;
+mod spot;
+mod statements;
+mod switch;
+mod tasks;
+mod unit;
+mod variables;
+
+pub use error::{CompileError, Limit};
+pub use project::compile;

@@ -1,6 +1,7 @@
 //! Declarations that come into a file: locals, parameters, global data, programs.
 
 mod new_program;
+mod old_data;
 mod project_entries;
 
 pub(crate) use new_program::{NewProgram, free_program_name, programs};
@@ -116,18 +117,21 @@ fn into_program(
 }
 
 /// Private global data of a project, with a value where its type is written as an attribute; `None` where the project
-/// has no data file, or one of s5 or s6 whose types are written otherwise.
+/// has no data file, or one of s5 or s6 in which such data cannot be written.
 pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
     let root = xml::root(View::root(parse.green()))?;
-    let section = format!("{}Section", variable.type_name);
+    let section = format!("{}Section", old_data::type_name(&variable.type_name));
     let (name, entry) = match root.name() {
         "Database" => ("Datas", new_data(variable, value, false)),
-        "dataList" => (section.as_str(), old_data(variable, value, false)?),
+        "dataList" => (section.as_str(), old_data::lines(variable, value, false)?),
         _ => return None,
     };
-    let list = List { text: file.text(db), parent: root, name, attributes: "", followers: &[] };
+    let mut followers = old_data::SECTIONS.iter().copied().skip_while(|other| *other != name);
+    followers.next();
+    let followers: Vec<&str> = followers.collect();
+    let list = List { text: file.text(db), parent: root, name, attributes: "", followers: &followers };
     let (range, text) = list.append(&entry)?;
     Some(FileEdit { file, range, text })
 }
@@ -164,28 +168,6 @@ fn built_in_father(type_name: &str) -> Option<&'static str> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     let father = ty.father()?;
     builtins::BUILTINS.iter().find(|builtin| builtin.ty == father).map(|builtin| builtin.name)
-}
-
-/// In s5 and s6 every value is written.
-fn old_data(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
-    let (name, ty) = (&variable.name, variable.type_name.as_str());
-    let [size] = variable.sizes.as_slice() else { return None };
-    let start = format!("<{ty} name=\"{name}\" public=\"{public}\"");
-    let (element, default) = match ty {
-        "num" => ("valueNum", "0"),
-        "bool" => ("valueBool", "false"),
-        "string" => ("valueString", ""),
-        "dio" | "aio" | "sio" => return Some(vec![format!("{start} size=\"{size}\" />")]),
-        _ => return None,
-    };
-    let written = |index: u32| {
-        let value = value.filter(|_| index == 0).unwrap_or(default);
-        format!("  <{element} index=\"{index}\" value=\"{}\" />", escaped(value))
-    };
-    let mut lines = vec![format!("{start} >")];
-    lines.extend((0..*size).map(written));
-    lines.push(format!("</{ty}>"));
-    Some(lines)
 }
 
 /// `stem`, or `stem` with the first number that makes it free.

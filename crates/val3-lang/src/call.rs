@@ -9,7 +9,7 @@ mod take;
 
 pub use give::{Give, Outcome, PointValue};
 pub use take::{
-    Any, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef, Var,
+    Any, AnyVar, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef, Var,
 };
 
 use crate::fault::{Fault, Result};

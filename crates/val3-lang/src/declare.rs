@@ -212,6 +212,9 @@ macro_rules! take {
         #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::declare::value!($ty) = $crate::call::Take::take($call)?;
     };
+    ($call:ident, any & $name:ident) => {
+        let $name: $crate::call::AnyVar = $crate::call::Take::take($call)?;
+    };
     ($call:ident, $ty:ident & $name:ident) => {
         #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::call::Var<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;

@@ -269,7 +269,10 @@ pub fn find(name: &str) -> Option<&'static Instruction> {
 pub const LIB_LOAD: &str = "libLoad";
 
 /// Instructions that name a task of the same application or library (5.10).
-pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", "taskKill", TASK_STATUS];
+pub const ON_TASKS: [&str; 4] = ["taskSuspend", "taskResume", TASK_KILL, TASK_STATUS];
+
+/// Ends a task and takes its name away (5.10).
+pub const TASK_KILL: &str = "taskKill";
 
 /// Gives the state of a task: a number of its own, or that of a run-time error (5.10).
 pub const TASK_STATUS: &str = "taskStatus";
@@ -297,6 +300,9 @@ pub const WAIT_END_MOVE: &str = "waitEndMove";
 
 /// Lets other tasks go on until a condition holds (5.10).
 pub const WAIT: &str = "wait";
+
+/// As [`WAIT`], for a limited time; tells whether the condition came to hold (5.10).
+pub const WATCH: &str = "watch";
 
 /// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
 pub const DELAY: &str = "delay";

@@ -27,6 +27,8 @@ pub mod results;
 pub mod runtime_errors;
 pub mod statements;
 pub mod tasks;
+#[cfg(test)]
+mod testing;
 pub mod types;
 pub mod values;
 pub mod versions;

@@ -10,10 +10,10 @@ mod copy;
 mod kind;
 mod lanes;
 mod place;
+mod shown;
 mod stack;
 mod store;
 
-pub use containers::MOST_VALUES;
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};

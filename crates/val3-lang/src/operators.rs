@@ -10,9 +10,8 @@
 //!
 //! `and` and `or` evaluate their right side only where the left side does not decide; `xor` evaluates both.
 
+pub mod handlers;
 mod serial;
-
-pub use serial::serial_assignment;
 
 use crate::types::BaseType;
 

@@ -19,7 +19,7 @@ use std::sync::Arc;
 
 use crate::call::Flow;
 use crate::fault::{Fault, Result};
-use crate::memory::{Kind, Memory, View};
+use crate::memory::View;
 use crate::types::BaseType;
 use crate::values::Text;
 
@@ -28,6 +28,13 @@ pub type Time = u64;
 
 /// Nanoseconds of a second.
 pub const SECOND: Time = 1_000_000_000;
+
+/// Seconds in nanoseconds; 0 below zero.
+#[must_use]
+pub fn nanoseconds(seconds: f64) -> Time {
+    // The cast ends at both bounds of the range, and makes 0 of what is no number.
+    (seconds * SECOND as f64).round() as Time
+}
 
 /// Everything outside programs and their data.
 pub trait Ports: Io + Serial + Screen + Robot + Media {
@@ -114,19 +121,16 @@ pub trait Tasks {
     ///
     /// # Errors
     /// 30 if there is no such task, 90 if there is no such line.
-    fn resume(&mut self, name: &str, skip: f64) -> Result<Flow>;
+    fn resume(&mut self, name: &str, skip: f64) -> Result<()>;
 
-    /// Ends a task; nothing happens where there is none.
-    ///
-    /// # Errors
-    /// None of its own.
-    fn kill(&mut self, memory: &mut Memory, name: &str) -> Result<Flow>;
+    /// Ends a task; nothing happens where there is none. It is gone when the turn of the caller ends.
+    fn kill(&mut self, name: &str);
 
     /// Global data by the name that `getData` takes, without its index: `name`, `library:name`.
     ///
     /// # Errors
     /// That of `getData`: -1 no such data, -2 no such library identifier.
-    fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16>;
+    fn data(&self, name: &str) -> std::result::Result<View, i16>;
 
     /// Asks for what only the run time can do.
     fn request(&mut self, request: Request);

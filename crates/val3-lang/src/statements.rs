@@ -17,6 +17,9 @@ pub struct Statement {
     pub page: &'static str,
 }
 
+/// Prints a value (undocumented).
+pub const PRINT: &str = "?";
+
 /// The statement that this word belongs to, in any letter case: `endIf` gives `if`.
 #[must_use]
 pub fn find(word: &str) -> Option<&'static Statement> {

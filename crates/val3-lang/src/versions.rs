@@ -54,10 +54,10 @@ impl Version {
         (self.major < 8).then_some(15)
     }
 
-    /// The most values that `insert`, `append` and `resize` leave in a variable; `None` where only memory limits
-    /// it (s8).
+    /// The most values that `insert`, `append` and `resize` leave in a variable (2.5.4); `None` where only memory
+    /// limits it (s8).
     #[must_use]
-    pub fn container_limit(self) -> Option<usize> {
+    pub fn container_limit(self) -> Option<u32> {
         (self.major < 8).then_some(9999)
     }
 

@@ -1,55 +1,118 @@
-//! Clients that ask for findings are told to ask again when those they have are no longer right.
+//! Clients that ask for findings, hints and lenses are told to ask again when what they have is no longer right.
+//!
+//! About a document that is edited clients ask without being told to. The others are compared, behind everything else,
+//! with what the client was told about them, so that it is bothered only where an edit elsewhere makes a difference.
 
 use std::panic::AssertUnwindSafe;
 
 use salsa::Cancelled;
 use tower_lsp::lsp_types::Url;
-use tower_lsp::lsp_types::request::WorkspaceDiagnosticRefresh;
+use tower_lsp::lsp_types::request::{CodeLensRefresh, InlayHintRefreshRequest, WorkspaceDiagnosticRefresh};
 
 use crate::documents::Report;
 use crate::panics::contained;
 use crate::pool::Lane;
-use crate::requests::current_report;
+use crate::requests::{current_hints, current_lenses, current_report, current_uses};
+use crate::shown::ShownIn;
 use crate::snapshot::Snapshot;
 use crate::world::World;
 
+/// What the client was told and is no longer right, as it is now.
+struct Outdated {
+    reports: Vec<(Url, Report)>,
+    shown: Vec<(Url, ShownIn, Parts)>,
+}
+
+/// Which parts of a document look different.
+#[derive(Clone, Copy, Default)]
+struct Parts {
+    hints: bool,
+    lenses: bool,
+}
+
 impl World {
-    /// Looks behind everything else whether a document has other findings than the client was told, though it was not
-    /// edited itself: about those that were, clients ask without being told to.
+    /// Looks whether something that the client was told is different now.
     pub(crate) fn look_again(&self, generation: u64) {
-        if !self.session.client.pulls_again || self.documents.reports().is_empty() {
+        let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
+        let has_findings = waits_for_findings && !self.documents.reports().is_empty();
+        if !has_findings && self.documents.shown().iter().next().is_none() {
             return;
         }
         let (snapshot, inbox) = (self.snapshot(), self.inbox.clone());
         self.pool.spawn(Lane::Background, move || {
-            let outcome = contained(|| Cancelled::catch(AssertUnwindSafe(|| outdated(&snapshot))));
+            let outcome = contained(|| Cancelled::catch(AssertUnwindSafe(|| outdated(&snapshot, has_findings))));
             drop(snapshot);
             inbox.post(move |world| match outcome {
-                Ok(Ok(reports)) => world.tell_to_ask_again(reports),
-                Ok(Err(_)) => world.check_again(generation),
+                Ok(Ok(outdated)) => world.tell_to_ask_again(outdated),
+                Ok(Err(_)) if world.checks.is_current(generation) => world.look_again(generation),
+                Ok(Err(_)) => {}
                 Err(reason) => world.complain("the check", &reason),
             });
         });
     }
 
-    fn tell_to_ask_again(&self, reports: Vec<(Url, Report)>) {
+    /// Once is enough, also for a client that does not ask: what is right now is taken as told.
+    fn tell_to_ask_again(&self, outdated: Outdated) {
+        let Outdated { reports, shown } = outdated;
         if !reports.is_empty() {
-            // Once is enough, also for a client that does not ask.
-            reports.into_iter().for_each(|(uri, report)| self.documents.keep_report(&uri, report));
             self.outbox.ask::<WorkspaceDiagnosticRefresh>((), |_, _| {});
+        }
+        if shown.iter().any(|(_, _, parts)| parts.hints) {
+            self.outbox.ask::<InlayHintRefreshRequest>((), |_, _| {});
+        }
+        if shown.iter().any(|(_, _, parts)| parts.lenses) {
+            self.outbox.ask::<CodeLensRefresh>((), |_, _| {});
+        }
+        reports.into_iter().for_each(|(uri, report)| self.documents.keep_report(&uri, report));
+        let is_open = |uri: &Url, version| self.documents.get(uri).is_some_and(|it| it.version == version);
+        for (uri, now, _) in shown.into_iter().filter(|(uri, now, _)| is_open(uri, now.version)) {
+            self.documents.shown().keep(uri, now);
         }
     }
 }
 
+fn outdated(snapshot: &Snapshot, has_findings: bool) -> Outdated {
+    let reports = if has_findings { outdated_reports(snapshot) } else { Vec::new() };
+    Outdated { reports, shown: outdated_looks(snapshot) }
+}
+
 /// The reports that are others now.
-fn outdated(snapshot: &Snapshot) -> Vec<(Url, Report)> {
-    let is_edited =
-        |uri: &Url, known: &Report| snapshot.documents.get(uri).is_none_or(|found| found.version != known.version);
-    let known = snapshot.documents.reports().into_iter().filter(|(uri, known)| !is_edited(uri, known));
+fn outdated_reports(snapshot: &Snapshot) -> Vec<(Url, Report)> {
+    let known = snapshot.documents.reports().into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
     let now = known.map(|(uri, known)| {
         let id = current_report(snapshot, &uri);
         (uri, known, id)
     });
     let others = now.filter(|(_, known, id)| known.id != *id);
     others.map(|(uri, known, id)| (uri, Report { version: known.version, id })).collect()
+}
+
+/// The documents that look different now.
+fn outdated_looks(snapshot: &Snapshot) -> Vec<(Url, ShownIn, Parts)> {
+    // The lock is not held while the answers are computed: requests note theirs meanwhile.
+    let known: Vec<(Url, ShownIn)> =
+        snapshot.documents.shown().iter().map(|(uri, shown)| (uri.clone(), shown.clone())).collect();
+    let known = known.into_iter().filter(|(uri, known)| is_shown(snapshot, uri, known.version));
+    let now = known.map(|(uri, known)| {
+        let now = look(snapshot, &uri, &known);
+        let lenses = now.lenses != known.lenses || now.uses != known.uses;
+        let parts = Parts { hints: now.hints != known.hints, lenses };
+        (uri, now, parts)
+    });
+    now.filter(|(_, _, parts)| parts.hints || parts.lenses).collect()
+}
+
+/// What a document looks like now, as far as the client has seen it.
+fn look(snapshot: &Snapshot, uri: &Url, known: &ShownIn) -> ShownIn {
+    let uses = known.uses.iter().map(|(lens, count)| (*lens, current_uses(snapshot, uri, *lens).unwrap_or(*count)));
+    ShownIn {
+        version: known.version,
+        hints: known.hints.and_then(|(range, _)| Some((range, current_hints(snapshot, uri, range)?))),
+        lenses: known.lenses.and_then(|_| current_lenses(snapshot, uri)),
+        uses: uses.collect(),
+    }
+}
+
+fn is_shown(snapshot: &Snapshot, uri: &Url, version: i32) -> bool {
+    snapshot.documents.get(uri).is_some_and(|document| document.version == version)
 }

@@ -58,6 +58,11 @@ impl Checks {
         self.open.clear();
     }
 
+    /// Nothing changed since the generation that is being checked.
+    pub(crate) fn is_current(&self, generation: u64) -> bool {
+        generation == self.generation && generation == self.started
+    }
+
     /// Projects that are left, for those who watch.
     pub(crate) fn left(&self) -> usize {
         self.open.len()
@@ -72,8 +77,9 @@ impl World {
             return;
         }
         self.checks.started = self.checks.generation;
+        self.look_again(self.checks.generation);
         if self.session.is_asked_for_findings() {
-            return self.look_again(self.checks.generation);
+            return;
         }
         self.publish_what_is_known();
         let edited = std::mem::take(&mut self.checks.edited);
@@ -143,7 +149,7 @@ impl World {
 
     /// A write stopped a check. If it changed nothing that is checked, the check goes on.
     pub(crate) fn check_again(&mut self, generation: u64) {
-        if generation == self.checks.generation && generation == self.checks.started {
+        if self.checks.is_current(generation) {
             self.checks.all();
         }
     }

@@ -4,7 +4,7 @@ mod change;
 mod markup;
 
 pub(crate) use change::{NotPossible, workspace_edit};
-pub(crate) use markup::markup;
+pub(crate) use markup::{documentation, markup};
 
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::{File, Project};

@@ -8,6 +8,7 @@ use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
 
 use crate::line_index::{Encoding, Lines};
+use crate::shown::Shown;
 
 /// An open document.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,6 +42,8 @@ pub(crate) struct Documents {
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
     /// What the client was told last when it asked for findings, shared for the same reason.
     reports: Arc<Mutex<FxHashMap<Url, Report>>>,
+    /// The hints and lenses that it shows, likewise.
+    shown: Arc<Mutex<Shown>>,
 }
 
 impl Documents {
@@ -56,6 +59,7 @@ impl Documents {
         self.by_path.remove(&document.path);
         self.tokens().remove(uri);
         self.lock_reports().remove(uri);
+        self.shown().forget(uri);
         Some(document)
     }
 
@@ -100,6 +104,11 @@ impl Documents {
 
     fn lock_reports(&self) -> MutexGuard<'_, FxHashMap<Url, Report>> {
         self.reports.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The hints and lenses that the client shows.
+    pub(crate) fn shown(&self) -> MutexGuard<'_, Shown> {
+        self.shown.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Every document.

@@ -29,6 +29,7 @@ mod router;
 mod scan_progress;
 mod server;
 mod session;
+mod shown;
 mod snapshot;
 mod sync;
 mod transport;

@@ -28,7 +28,9 @@ mod workspace_symbol;
 mod workspace_tree;
 
 pub(crate) use capabilities::{capabilities, capabilities_without_type};
+pub(crate) use code_lens::{current_lenses, current_uses};
 pub(crate) use diagnostics::current_report;
+pub(crate) use inlay_hint::current_hints;
 
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;

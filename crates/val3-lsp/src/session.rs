@@ -46,8 +46,8 @@ pub(crate) struct ClientAbilities {
     pub(crate) has_links: bool,
     /// It fills in snippets.
     pub(crate) has_snippets: bool,
-    /// It shows Markdown in hovers, in the documentation of completions and in signatures.
-    pub(crate) reads_markdown: Markdown,
+    /// How it wants longer texts.
+    pub(crate) formats: Formats,
     /// It makes edits that the server asks for.
     pub(crate) applies_edits: bool,
     /// It creates, renames and deletes files as part of an edit.
@@ -60,6 +60,8 @@ pub(crate) struct ClientAbilities {
     pub(crate) resolves_symbols: bool,
     /// It asks for inlay hints anew when it is told to.
     pub(crate) refreshes_hints: bool,
+    /// It asks for code lenses anew when it is told to.
+    pub(crate) refreshes_lenses: bool,
     /// It knows edits that name the version they are made for.
     pub(crate) has_document_changes: bool,
     /// It shows an outline with levels.
@@ -68,12 +70,24 @@ pub(crate) struct ClientAbilities {
     pub(crate) folds_lines: bool,
 }
 
-/// Where a client shows Markdown.
+/// How a client wants the texts of hovers, and of the documentation of completions and signatures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(crate) struct Markdown {
-    pub(crate) in_hovers: bool,
-    pub(crate) in_completions: bool,
-    pub(crate) in_signatures: bool,
+pub(crate) struct Formats {
+    pub(crate) hovers: TextFormat,
+    pub(crate) completions: TextFormat,
+    pub(crate) signatures: TextFormat,
+}
+
+/// How a client wants a text.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) enum TextFormat {
+    /// As Markdown, which is said of it.
+    Markdown,
+    /// As plain text, which is said of it.
+    PlainMarkup,
+    /// It names no format: a string alone.
+    #[default]
+    Plain,
 }
 
 /// What a client does with files as part of an edit.
@@ -194,7 +208,7 @@ impl ClientAbilities {
             shows_progress: yes(window.and_then(|it| it.work_done_progress)),
             has_links: yes(document.and_then(|it| it.definition?.link_support)),
             has_snippets: yes(item.and_then(|it| it.snippet_support)),
-            reads_markdown: Markdown::of(document),
+            formats: Formats::of(document),
             applies_edits: yes(workspace.and_then(|it| it.apply_edit)),
             changes_files: edit.filter(|_| has_document_changes).map(FileChanges::of).unwrap_or_default(),
             has_code_actions: action.is_some_and(|it| it.code_action_literal_support.is_some()),
@@ -202,6 +216,7 @@ impl ClientAbilities {
                 && action.and_then(|it| it.resolve_support.as_ref()).is_some_and(|it| names(&it.properties, "edit")),
             resolves_symbols: found.is_some_and(|it| names(&it.properties, "location.range")),
             refreshes_hints: yes(workspace.and_then(|it| it.inlay_hint.as_ref()?.refresh_support)),
+            refreshes_lenses: yes(workspace.and_then(|it| it.code_lens.as_ref()?.refresh_support)),
             has_document_changes,
             has_nested_symbols: yes(symbols.and_then(|it| it.hierarchical_document_symbol_support)),
             folds_lines: yes(folding.and_then(|it| it.line_folding_only)),
@@ -209,15 +224,24 @@ impl ClientAbilities {
     }
 }
 
-impl Markdown {
+impl TextFormat {
+    fn of(formats: Option<&Vec<MarkupKind>>) -> Self {
+        match formats {
+            Some(formats) if formats.contains(&MarkupKind::Markdown) => Self::Markdown,
+            Some(formats) if formats.contains(&MarkupKind::PlainText) => Self::PlainMarkup,
+            _ => Self::Plain,
+        }
+    }
+}
+
+impl Formats {
     fn of(document: Option<&TextDocumentClientCapabilities>) -> Self {
-        let has = |formats: Option<&Vec<MarkupKind>>| formats.is_some_and(|it| it.contains(&MarkupKind::Markdown));
         let item = document.and_then(|it| it.completion.as_ref()?.completion_item.as_ref());
         let signature = document.and_then(|it| it.signature_help.as_ref()?.signature_information.as_ref());
         Self {
-            in_hovers: has(document.and_then(|it| it.hover.as_ref()?.content_format.as_ref())),
-            in_completions: has(item.and_then(|it| it.documentation_format.as_ref())),
-            in_signatures: has(signature.and_then(|it| it.documentation_format.as_ref())),
+            hovers: TextFormat::of(document.and_then(|it| it.hover.as_ref()?.content_format.as_ref())),
+            completions: TextFormat::of(item.and_then(|it| it.documentation_format.as_ref())),
+            signatures: TextFormat::of(signature.and_then(|it| it.documentation_format.as_ref())),
         }
     }
 }

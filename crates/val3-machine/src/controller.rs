@@ -128,6 +128,25 @@ impl Controller {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
     }
 
+    /// When something happens by itself, outside of tasks: a key is released, power comes.
+    #[must_use]
+    pub fn next_due(&self) -> Option<Time> {
+        let now = self.schedule.now;
+        [self.devices.pendant.next_due(now), self.devices.robot.next_due()].into_iter().flatten().min()
+    }
+
+    /// Something outside may speak at any time.
+    #[must_use]
+    pub fn hears_outside(&self) -> bool {
+        false
+    }
+
+    /// An error has stopped a task, and nothing has changed that.
+    #[must_use]
+    pub fn has_failed_tasks(&self) -> bool {
+        self.vm.tasks().iter().any(|task| matches!(task.state, TaskState::Failed(_)))
+    }
+
     fn advance_phase(&mut self) {
         let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
         let stops = self.vm.tasks().iter().any(|task| Some(&task.name) == name.as_ref());

@@ -6,7 +6,7 @@ use val3_bytecode::{Image, InstructionSite, Op, Operand, Program, ProgramRef, Re
 use val3_lang::call::{Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
-use val3_lang::ports::{Origin, Ports, SECOND, TaskNumber, Tasks, Time};
+use val3_lang::ports::{Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
 use crate::arguments::{Arguments, Scope};
@@ -501,16 +501,4 @@ fn remainder(a: f64, b: f64) -> Result<f64> {
 #[inline]
 fn is_beyond(counter: f64, limit: f64, step: f64) -> bool {
     if step < 0.0 { counter < limit } else { counter > limit }
-}
-
-/// Seconds in nanoseconds; 0 below zero.
-fn nanoseconds(seconds: f64) -> Time {
-    #[allow(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        clippy::cast_precision_loss,
-        reason = "a cast of a number below 0 gives 0, one that is too large the largest"
-    )]
-    let nanoseconds = (seconds * SECOND as f64).round() as Time;
-    nanoseconds
 }

@@ -1,11 +1,8 @@
 //! Tasks and libraries as the task that runs reaches them.
 
-use std::sync::Arc;
-
 use smallvec::SmallVec;
-use val3_lang::call::Flow;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Kind, Memory, View};
+use val3_lang::memory::View;
 use val3_lang::ports::{Request, TaskChange, TaskNumber, Tasks};
 use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
 
@@ -45,11 +42,11 @@ impl Tasks for Services<'_> {
         Ok(())
     }
 
-    fn resume(&mut self, name: &str, skip: f64) -> Result<Flow> {
+    fn resume(&mut self, name: &str, skip: f64) -> Result<()> {
         let at = self.roster.find(self.owner, name).ok_or(Fault(NO_TASK))?;
         let Some(task) = self.roster.tasks.get_mut(at) else { return Err(Fault(NO_TASK)) };
         if task.is_running() {
-            return Ok(Flow::Done(()));
+            return Ok(());
         }
         let frame = task.thread.frames.last().ok_or(Fault::INTERPRETER)?;
         let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
@@ -62,19 +59,18 @@ impl Tasks for Services<'_> {
         }
         task.state = TaskState::Running;
         self.changes.push((task.id, task.name.clone(), TaskChange::Resumed));
-        Ok(Flow::Done(()))
+        Ok(())
     }
 
-    fn kill(&mut self, _: &mut Memory, name: &str) -> Result<Flow> {
+    fn kill(&mut self, name: &str) {
         let found = self.roster.find(self.owner, name);
         if let Some(task) = found.and_then(|at| self.roster.tasks.get_mut(at)) {
             task.state = TaskState::Killed;
             self.changes.push((task.id, task.name.clone(), TaskChange::Killed));
         }
-        Ok(Flow::Done(()))
     }
 
-    fn data(&self, name: &str) -> std::result::Result<(View, Arc<Kind>), i16> {
+    fn data(&self, name: &str) -> std::result::Result<View, i16> {
         const NO_DATA: i16 = -1;
         const NO_LIBRARY: i16 = -2;
         let own = self.instances.get(usize::from(self.owner.0)).ok_or(NO_DATA)?;
@@ -88,9 +84,8 @@ impl Tasks for Services<'_> {
             }
         };
         let number = instance.image.data(name).map(usize::from).ok_or(NO_DATA)?;
-        let found = instance.image.data.get(number).filter(|data| data.public || !public).ok_or(NO_DATA)?;
-        let store = instance.data.get(number).copied().ok_or(NO_DATA)?;
-        Ok((View::whole(store), Arc::clone(&found.init.kind)))
+        instance.image.data.get(number).filter(|data| data.public || !public).ok_or(NO_DATA)?;
+        instance.data.get(number).copied().map(View::whole).ok_or(NO_DATA)
     }
 
     fn request(&mut self, request: Request) {

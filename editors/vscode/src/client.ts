@@ -1,17 +1,28 @@
 // The connection to `val3 lsp`.
 
 import * as vscode from "vscode";
-import { LanguageClient, type LanguageClientOptions, type Middleware, State } from "vscode-languageclient/node";
+import {
+  CloseAction, type CloseHandlerResult, ErrorAction, ErrorCodes, type ErrorHandler, LanguageClient, type LanguageClientOptions,
+  type Middleware, ResponseError, State,
+} from "vscode-languageclient/node";
 import type { CodeFiles } from "./codeView/files";
 import { codeViewMiddleware } from "./codeView/middleware";
 import { SCHEME } from "./codeView/uris";
 import { SHOW_REFERENCES } from "./commands/showReferences";
+import { Deaths, TOO_MANY } from "./deaths";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
 
 /** What the server may ask for where it offers it: see commands/showReferences.ts. */
 const COMMANDS = [SHOW_REFERENCES];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
+
+/** What goes wrong before the server runs is told by `Client`, in plain words. */
+class QuietClient extends LanguageClient {
+  override error(message: string, data?: unknown, showNotification?: boolean | "force"): void {
+    super.error(message, data, this.state === State.Running ? showNotification : false);
+  }
+}
 
 export class Client implements vscode.Disposable {
   private readonly states = new vscode.EventEmitter<State>();
@@ -20,8 +31,11 @@ export class Client implements vscode.Disposable {
   /** The server was told of a change, in an editor or on the disk. */
   readonly onDidTellChange = this.contents.event;
   private running: LanguageClient | undefined;
+  /** Of the server that is to be running. */
+  private life: Life | undefined;
   /** Starts and stops come one after the other. */
   private turns: Promise<void> = Promise.resolve();
+  private readonly deaths = new Deaths();
   /** The command in use, once it was found. */
   command: string | undefined;
 
@@ -34,10 +48,8 @@ export class Client implements vscode.Disposable {
 
   /** Starts the server, anew when it runs. What goes wrong is told to the user, not to the caller. */
   async restart(): Promise<void> {
-    await this.turn(async () => {
-      await this.halt();
-      await this.begin();
-    });
+    this.deaths.forget();
+    await this.startAnew();
   }
 
   async stop(): Promise<void> {
@@ -66,6 +78,13 @@ export class Client implements vscode.Disposable {
     this.contents.dispose();
   }
 
+  private async startAnew(): Promise<void> {
+    await this.turn(async () => {
+      await this.halt();
+      await this.begin();
+    });
+  }
+
   private async turn(work: () => Promise<void>): Promise<void> {
     this.turns = this.turns.then(work).catch((fault: unknown) => this.output.error(String(fault)));
     await this.turns;
@@ -78,30 +97,57 @@ export class Client implements vscode.Disposable {
     if ("fault" in found) {
       this.command = undefined;
       this.states.fire(State.Stopped);
-      offer(found.fault, "Open Settings", "workbench.action.openSettings", "val3.server.path");
+      this.output.error(found.fault);
+      offer(found.fault, OPEN_SETTINGS);
       return;
     }
     this.command = found.command;
     const server = { command: found.command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] };
-    const running = new LanguageClient("val3", "VAL 3", server, this.options());
+    const life: Life = { hasDied: false };
+    this.life = life;
+    const running = new QuietClient("val3", "VAL 3", server, this.options(life));
     this.running = running;
-    running.onDidChangeState(({ newState }) => this.states.fire(newState));
+    running.onDidChangeState(({ oldState, newState }) => {
+      this.states.fire(newState);
+      if (newState === State.Stopped && oldState === State.Running && life.hasDied) {
+        this.mourn();
+      }
+    });
     try {
       await running.start();
     } catch (fault) {
-      this.output.error(`${found.command}: ${String(fault)}`);
-      offer(`The server ${found.command} does not start: ${String(fault)}`, "Show Output", "val3.showOutput");
+      const reason = life.hasDied || isGone(fault) ? "it ended before it answered" : fault instanceof Error ? fault.message : String(fault);
+      this.output.error(`${found.command}: ${reason}`);
+      offer(`The VAL 3 server ${found.command} does not start: ${reason}.`, RESTART, SHOW_OUTPUT, OPEN_SETTINGS);
+    }
+  }
+
+  /** The server ran and died. */
+  private mourn(): void {
+    if (this.deaths.add(Date.now()) === "again") {
+      this.output.warn("The server ended by itself and is started again.");
+      offerCalmly("The VAL 3 server ended unexpectedly. It is started again.", SHOW_OUTPUT);
+      void this.startAnew();
+    } else {
+      this.output.error("The server ended by itself again and again. It is not started any more.");
+      offer(`The VAL 3 server ended unexpectedly ${TOO_MANY} times within three minutes and is not started any more. `
+        + "Until it runs, nothing is checked or completed.", RESTART, SHOW_OUTPUT);
     }
   }
 
   private async halt(): Promise<void> {
     const running = this.running;
     this.running = undefined;
-    // A server that died, or never started, has nothing to be told.
-    await running?.dispose();
+    this.life = undefined;
+    try {
+      await running?.dispose();
+    } catch (fault) {
+      // One that never started cannot be stopped, and one that hangs does not answer: the next one starts nevertheless.
+      this.output.warn(String(fault));
+    }
   }
 
-  private options(): LanguageClientOptions {
+  private options(life: Life): LanguageClientOptions {
     const files = LANGUAGES.flatMap((language) => ["file", "untitled"].map((scheme) => ({ scheme, language })));
     return {
       documentSelector: [...files, { scheme: SCHEME, language: "val3-code" }],
@@ -111,17 +157,25 @@ export class Client implements vscode.Disposable {
       diagnosticCollectionProvider: this.findings,
       // Told by `begin`, once.
       initializationFailedHandler: () => false,
-      middleware: { ...codeViewMiddleware(this.views), ...this.changeMiddleware() },
+      errorHandler: noteDeath(life),
+      middleware: { ...codeViewMiddleware(this.views), ...this.changeMiddleware(life) },
     };
   }
 
-  private changeMiddleware(): Middleware {
+  private changeMiddleware(life: Life): Middleware {
     return {
       didChange: async (event, next) => {
         await next(event);
         this.contents.fire();
       },
       workspace: {
+        didChangeConfiguration: async (sections, next) => {
+          // Some settings start another server, which reads them all: then there is nobody left to be told.
+          await this.turns;
+          if (this.life === life && this.state === State.Running) {
+            await next(sections);
+          }
+        },
         didChangeWatchedFile: async (event, next) => {
           await next(event);
           this.contents.fire();
@@ -131,9 +185,51 @@ export class Client implements vscode.Disposable {
   }
 }
 
-/** Tells a fault and offers a command that helps. */
-function offer(fault: string, title: string, command: string, ...arguments_: string[]): void {
-  void vscode.window.showErrorMessage(fault, title).then((chosen) => {
-    return chosen === title ? vscode.commands.executeCommand(command, ...arguments_) : undefined;
-  });
+/** One run of the server. */
+interface Life {
+  /** The server closed the connection, though nobody had asked for it. */
+  hasDied: boolean;
+}
+
+/** Leaves it to the client here to start the server again and to tell the user. */
+function noteDeath(life: Life): ErrorHandler {
+  return {
+    error: () => ({ action: ErrorAction.Continue, handled: true }),
+    closed: (): CloseHandlerResult => {
+      life.hasDied = true;
+      return { action: CloseAction.DoNotRestart, message: "The connection to the server was closed.", handled: true };
+    },
+  };
+}
+
+/** Nobody reads, or nobody answers any more. */
+function isGone(fault: unknown): boolean {
+  const codes: number[] = [ErrorCodes.MessageWriteError, ErrorCodes.PendingResponseRejected, ErrorCodes.ConnectionInactive];
+  return fault instanceof ResponseError && codes.includes(fault.code);
+}
+
+/** A command that helps. */
+interface Help extends vscode.MessageItem {
+  command: string;
+  argument?: string;
+}
+
+const OPEN_SETTINGS: Help = { title: "Open Settings", command: "workbench.action.openSettings", argument: "val3.server.path" };
+const RESTART: Help = { title: "Restart", command: "val3.restartServer" };
+const SHOW_OUTPUT: Help = { title: "Show Output", command: "val3.showOutput" };
+
+/** Tells a fault and offers what helps. */
+function offer(fault: string, ...helps: Help[]): void {
+  void vscode.window.showErrorMessage(fault, ...helps).then(take);
+}
+
+/** Tells what went wrong and is being mended. */
+function offerCalmly(fault: string, ...helps: Help[]): void {
+  void vscode.window.showWarningMessage(fault, ...helps).then(take);
+}
+
+async function take(help: Help | undefined): Promise<void> {
+  if (help !== undefined) {
+    await vscode.commands.executeCommand(help.command, help.argument);
+  }
 }

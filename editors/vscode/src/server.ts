@@ -15,16 +15,33 @@ export interface Places {
   path: string;
 }
 
-/** The path of the server, or why there is none. */
+/** The path of the server, or why there is none and what can be done. */
 export function findServer({ configured, extension, path }: Places): { command: string } | { fault: string } {
   const wanted = configured.trim().replace(/^~(?=[/\\])/, homedir());
   if (wanted !== "") {
     const command = (basename(wanted) === wanted ? onPath(path, wanted) : [wanted]).find(isExecutable);
-    return command === undefined ? { fault: `The setting val3.server.path names "${configured}", which cannot be run.` } : { command };
+    return command === undefined ? { fault: faultOf(configured, wanted) } : { command };
   }
   const command = [join(extension, "server", COMMAND), ...onPath(path, COMMAND)].find(isExecutable);
-  return command === undefined ? { fault: "The command val3 was found neither in the extension nor on the PATH." } : { command };
+  return command === undefined ? { fault: MISSING } : { command };
 }
+
+const MISSING = "The command val3 was found neither in the extension nor on the PATH. Install it, or name it in the setting val3.server.path.";
+
+function faultOf(configured: string, wanted: string): string {
+  const isCommand = basename(wanted) === wanted;
+  const found = statSync(wanted, { throwIfNoEntry: false });
+  const [what, remedy] = isCommand
+    ? ["no folder of the PATH has such a command", CORRECT]
+    : found === undefined
+      ? ["there is no such file", CORRECT]
+      : found.isDirectory()
+        ? ["that is a folder", CORRECT]
+        : ["that file may not be executed", "Allow it (chmod +x), or correct the setting."];
+  return `The setting val3.server.path names "${configured}", but ${what}. ${remedy}`;
+}
+
+const CORRECT = "Correct the setting, or leave it empty for the server that comes with the extension.";
 
 function onPath(path: string, command: string): string[] {
   const folders = path.split(delimiter).filter((folder) => folder !== "");

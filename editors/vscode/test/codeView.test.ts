@@ -2,6 +2,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { type Lens, lensOfFile, lensToCode } from "../src/codeView/lenses";
 import { Mapping } from "../src/codeView/mapping";
 import { placeInCode } from "../src/codeView/place";
 import { programsOf, Projection } from "../src/codeView/projection";
@@ -129,4 +130,25 @@ test("calls from other files keep their ranges", () => {
   const calls = [{ from: { uri: "file:///b.pgx", range: inFile }, fromRanges: [inFile] }, { from: { uri: target.file, range: inFile }, fromRanges: [inFile] }];
   const expected = [calls[0], { from: { uri: target.code, range: inCode }, fromRanges: [inCode] }];
   assert.deepEqual(toCode("callHierarchy/incomingCalls", calls, target), expected);
+});
+
+const PAIR = '<Programs>\n<Program name="a">\n<Code>begin\nend</Code>\n</Program>\n<Program name="b">\n<Code>begin\nend</Code>\n</Program>\n</Programs>';
+
+test("a lens above the name of the program stands above its code, and is resolved as the file's", async () => {
+  const mapping = Mapping.of(PAIR, 1);
+  assert.ok(mapping !== undefined);
+  const above = (line: number): Lens => ({ range: { start: { line, character: 15 }, end: { line, character: 16 } }, data: { uri: "file:///a.pgx" } });
+  const found = toCode("textDocument/codeLens", [above(1), above(5)], { ...target, mapping }) as Lens[];
+  const top = { start: { line: 0, character: 0 }, end: { line: 0, character: 0 } };
+  assert.deepEqual(found.map(({ range }) => range), [top]);
+  const [asked] = found;
+  assert.ok(asked !== undefined);
+  assert.deepEqual(lensOfFile(asked)?.range, above(5).range);
+  assert.equal(lensOfFile(above(5)), undefined);
+  const command = { title: "1 reference", command: "show", arguments: ["file:///a.pgx", above(5).range.start, ["file"]] };
+  const resolved = await lensToCode({ ...above(5), command }, asked, (places) => Promise.resolve([places, "view"]));
+  assert.deepEqual(resolved.range, top);
+  assert.deepEqual(resolved.command?.arguments, [target.code, top.start, [["file"], "view"]]);
+  const unused = { ...above(5), command: { title: "0 references", command: "" } };
+  assert.deepEqual((await lensToCode(unused, asked, () => Promise.reject(new Error()))).command, unused.command);
 });

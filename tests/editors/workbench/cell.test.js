@@ -1,10 +1,9 @@
 // A user opens the example cell and works in it. Every step leaves a screenshot in target/editors/output.
 const assert = require("node:assert/strict");
-const { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } = require("node:fs");
+const { cpSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");
-const { User } = require("./user");
-const { startVsCode } = require("./vscode");
+const { runSteps } = require("./steps");
 
 const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser");
 const folder = mkdtempSync(join(tmpdir(), "val3-workbench-"));
@@ -178,6 +177,15 @@ const STEPS = {
     await becomes("place.pgx", after("place.pgx", ["bHolding", "bCarries"], ["[begin\n", "[begin\n  bCarries=bOverrun\n"]));
   },
 
+  async "a lens above the first line counts the calls of the program"(user) {
+    await user.openFile("tower.pgx");
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("tower.val3");
+    await user.opensLens(/^\d+ references$/, ".peekview-widget .view-line:has-text('call tower(')");
+    await user.tab("tower.val3");
+    await user.keys("Escape");
+  },
+
   async "the code view of the old dialect keeps entities and line ends"(user) {
     await user.openFile("old.pgx");
     await user.command("VAL 3: Open Code without XML");
@@ -276,7 +284,7 @@ const STEPS = {
   async "a folder without an application is told how to get one"(user) {
     const empty = join(folder, "empty");
     mkdirSync(empty);
-    await user.openFolder(empty);
+    await user.opens(`folder=${empty}`);
     // The palette lists only what is there when it opens.
     await user.page.waitForSelector('.activitybar [aria-label^="VAL 3"]');
     await user.command("View: Show VAL 3");
@@ -287,35 +295,7 @@ const STEPS = {
   },
 };
 
-async function main() {
-  cpSync(EXAMPLE, cell, { recursive: true });
-  writeFileSync(join(APPLICATION, "old.pgx"), OLD);
-  writeFileSync(join(APPLICATION, "two.pgx"), TWO);
-  const vscode = await startVsCode(folder, process.env.VAL3_VSIX);
-  const user = await User.open(vscode.address, cell);
-  let number = 0;
-  let fault;
-  for (const [name, step] of Object.entries(STEPS)) {
-    number += 1;
-    const started = Date.now();
-    fault = await step(user).then(() => undefined, (fault) => fault);
-    const picture = `${String(number).padStart(2, "0")}-${name.replaceAll(/[^\w]+/g, "-")}.png`;
-    await user.page.screenshot({ path: join(process.env.VAL3_OUTPUT, picture) });
-    console.log(`${fault === undefined ? "ok" : "FAILED"} ${name} (${Date.now() - started} ms)`);
-    if (fault !== undefined) {
-      console.log(String(fault.stack ?? fault).slice(0, 2000));
-      break;
-    }
-  }
-  await user.leave();
-  vscode.stop();
-  rmSync(folder, { recursive: true, force: true });
-  const failed = fault === undefined ? 0 : 1;
-  console.log(`test result: ${failed ? "FAILED" : "ok"}. ${number - failed} passed; ${failed} failed; workbench`);
-  process.exit(failed);
-}
-
-main().catch((fault) => {
-  console.error(fault);
-  process.exit(1);
-});
+cpSync(EXAMPLE, cell, { recursive: true });
+writeFileSync(join(APPLICATION, "old.pgx"), OLD);
+writeFileSync(join(APPLICATION, "two.pgx"), TWO);
+runSteps({ name: "workbench", folder, open: `folder=${cell}`, steps: STEPS });

@@ -12,17 +12,18 @@ class User {
     this.address = address;
   }
 
-  static async open(address, folder) {
+  /** Opens the workbench; `query` says with what: `folder=…` or `workspace=…`. */
+  static async open(address, query) {
     const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", headless: true, args: FLAGS });
     const page = await browser.newPage({ viewport: { width: 1400, height: 900 } });
     page.setDefaultTimeout(PATIENCE);
     const user = new User(browser, page, address);
-    await user.openFolder(folder);
+    await user.opens(query);
     return user;
   }
 
-  async openFolder(folder) {
-    await this.page.goto(`${this.address}/?folder=${folder}`, { waitUntil: "domcontentloaded" });
+  async opens(query) {
+    await this.page.goto(`${this.address}/?${query}`, { waitUntil: "domcontentloaded" });
     await this.page.waitForSelector(".monaco-workbench .statusbar", { timeout: 60000 });
   }
 
@@ -177,6 +178,19 @@ class User {
       await this.page.waitForSelector(shown, { timeout: 2000 }).catch(() => undefined);
     }
     await this.page.waitForSelector(shown);
+  }
+
+  /** Waits for a message with this text; takes its button, or puts it away. */
+  async told(text, button) {
+    const toast = this.page.locator(".notification-toast", { hasText: text }).first();
+    await toast.waitFor();
+    if (button === undefined) {
+      await this.command("Notifications: Clear All Notifications");
+    } else {
+      await toast.hover();
+      await toast.locator(".monaco-button", { hasText: button }).click();
+    }
+    await toast.waitFor({ state: "detached" });
   }
 
   /** Waits until a web view shows this text. */

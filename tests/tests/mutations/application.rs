@@ -108,6 +108,13 @@ pub(crate) const TASKS: &[Mutation] = &[
         "V0342",
     ),
     slip(
+        "name of a task taken twice",
+        "palletiser/init.pgx",
+        "end]]>",
+        "  taskCreate \"host\",10,host(1)$0\nend]]>",
+        "V0345",
+    ),
+    slip(
         "wait and set for setMutex",
         "palletiser/report.pgx",
         "setMutex(bReport)\n",

@@ -2,11 +2,11 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
-use val3_lang::instructions::{GET_DATA, SET_MUTEX, shows_named_page};
-use val3_lang::tasks::period_steps;
+use val3_lang::instructions::{GET_DATA, SET_MUTEX, TASK_KILL, TASK_STATUS, shows_named_page};
 
+use super::task_starts::{TaskStart, never_ends};
 use super::{Callee, locks};
-use crate::body::{Body, Expr, ExprId, Stmt, StmtKind, body};
+use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
 use crate::effects::{AccessKind, Effects, Root};
 use crate::flow::{PointKind, flow};
@@ -22,8 +22,14 @@ pub struct Summary {
     pub sound: bool,
     /// Programs that it calls.
     pub calls: FxHashSet<Callee>,
+    /// Programs of the own project that it calls each time it runs, unless it returns before.
+    pub certain_calls: FxHashSet<SmolStr>,
     /// Tasks that it creates, in the order of the text.
     pub tasks: Vec<TaskStart>,
+    /// How the names begin of tasks that it ends, or whose state it asks for.
+    pub tended_tasks: FxHashSet<SmolStr>,
+    /// Once called it runs for good.
+    pub never_ends: bool,
     /// Global data that it uses.
     pub data: FxHashMap<SmolStr, Use>,
     /// How the names begin of data that it reads by name, as a text.
@@ -41,23 +47,6 @@ pub struct Summary {
     pub waits: bool,
 }
 
-/// A `taskCreate` or `taskCreateSync`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TaskStart {
-    /// The name, where the code tells it.
-    pub name: Option<SmolStr>,
-    /// How the name begins, as far as the code tells: all of it where `name` is known.
-    pub beginning: SmolStr,
-    /// The program.
-    pub program: Callee,
-    /// It is `taskCreateSync`.
-    pub synchronous: bool,
-    /// The period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), where the code tells it.
-    pub period: Option<u32>,
-    /// The statement lies in a loop, so that it may create several tasks.
-    pub repeated: bool,
-}
-
 /// How a program uses a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub struct Use {
@@ -71,14 +60,6 @@ pub struct Use {
     pub read_whole: bool,
     /// It writes fields of the value on several lines.
     pub written_in_parts: bool,
-}
-
-impl TaskStart {
-    /// The task in which the controller runs `program`.
-    pub(super) fn of_controller(program: &'static str) -> Self {
-        let program = Callee { library: None, program: SmolStr::new_static(program) };
-        Self { name: None, beginning: SmolStr::default(), program, synchronous: false, period: None, repeated: false }
-    }
 }
 
 impl Use {
@@ -116,6 +97,11 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
         takes_mutex: calls_of(SET_MUTEX).next().is_some(),
         shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),
+        tended_tasks: TENDING
+            .into_iter()
+            .flat_map(calls_of)
+            .filter_map(|call| first_argument_text(body, call))
+            .collect(),
         named_in_texts: calls_of(GET_DATA).filter_map(|call| first_argument_text(body, call)).collect(),
         ..Summary::default()
     };
@@ -124,7 +110,8 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
             summary.calls.extend(callee(body, *id));
         }
     }
-    add_tasks(body, &body.block, false, &mut summary.tasks);
+    summary.add_tasks(body);
+    summary.never_ends = never_ends(body, flow(db, file));
     let effects = Effects::new(db, project, file);
     // What an instruction of an add-on does is not known.
     summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
@@ -160,26 +147,11 @@ fn first_argument_text(body: &Body, call: &InstructionCall) -> Option<SmolStr> {
     arguments.first().map(|text| body.beginning(*text))
 }
 
-fn add_tasks(body: &Body, block: &[Stmt], repeated: bool, tasks: &mut Vec<TaskStart>) {
-    for stmt in block {
-        if let StmtKind::TaskCreate { synchronous, arguments } = &stmt.kind {
-            tasks.extend(task_start(body, *synchronous, arguments, repeated));
-        }
-        let repeats = matches!(stmt.kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
-        stmt.blocks().for_each(|block| add_tasks(body, block, repeated || repeats, tasks));
-    }
-}
-
-fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], repeated: bool) -> Option<TaskStart> {
-    let program = callee(body, *arguments.last()?)?;
-    let name = arguments.first()?;
-    let (beginning, name) = (body.beginning(*name), body.string(*name));
-    let seconds = arguments.get(1).filter(|_| synchronous).and_then(|pace| body.number(*pace));
-    Some(TaskStart { name, beginning, program, synchronous, period: seconds.and_then(period_steps), repeated })
-}
+/// Instructions that end a task, or that look whether it has ended.
+const TENDING: [&str; 2] = [TASK_KILL, TASK_STATUS];
 
 /// The program that a call names.
-fn callee(body: &Body, call: ExprId) -> Option<Callee> {
+pub(super) fn callee(body: &Body, call: ExprId) -> Option<Callee> {
     let Expr::Call(callee, _) = body.expr(call) else { return None };
     match body.expr(*callee) {
         Expr::Name(name) => Some(Callee { library: None, program: name.clone() }),

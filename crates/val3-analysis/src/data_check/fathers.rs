@@ -16,9 +16,12 @@ use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
 /// One step of a reference: a name and what stands in brackets behind it.
-struct Step {
-    name: String,
-    index: Option<String>,
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Step {
+    /// The name of data, or of a field.
+    pub name: String,
+    /// The index, or the key with its quotes.
+    pub index: Option<String>,
 }
 
 impl DataCheck<'_> {
@@ -157,7 +160,7 @@ fn out_of_range(item: &DataItem, step: &Step) -> Option<SmolStr> {
 }
 
 /// Splits `tSlot["a"].fFrame[0]` into its steps; `None` where it is no reference.
-fn steps(reference: &str) -> Option<Vec<Step>> {
+pub fn steps(reference: &str) -> Option<Vec<Step>> {
     let mut steps = Vec::new();
     let mut rest = reference.trim();
     loop {

@@ -10,7 +10,7 @@ use val3_lang::types::BaseType;
 use super::arguments::{Callee, Chosen};
 use super::fit::Formals;
 use super::value::Value;
-use super::{Infer, InstructionCall};
+use super::{AddOnCall, Infer, InstructionCall};
 use crate::body::{Expr, ExprId};
 use crate::db::Project;
 use crate::items::project::items;
@@ -176,6 +176,11 @@ impl Infer<'_> {
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
+        if let Chosen::Form(index) = chosen
+            && let Some(&form) = forms.get(index)
+        {
+            self.add_on_calls.push(AddOnCall { id, name: name.clone(), form: form.clone() });
+        }
         let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
     }

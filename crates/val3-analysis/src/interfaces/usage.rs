@@ -37,7 +37,12 @@ pub enum LoadedPath {
     /// All of it.
     Whole(SmolStr),
     /// How it begins.
-    Prefix(SmolStr),
+    Prefix {
+        /// The beginning.
+        text: SmolStr,
+        /// Where it stands.
+        range: TextRange,
+    },
     /// Nothing.
     Unknown,
 }
@@ -102,7 +107,7 @@ fn path(body: &Body, id: ExprId) -> LoadedPath {
     while let Expr::Binary(BinaryOp::Add, left, _) = body.expr(at) {
         at = body.peel(*left);
         if let Some(text) = body.string(at) {
-            return LoadedPath::Prefix(text);
+            return LoadedPath::Prefix { text, range: body.range(at) };
         }
     }
     LoadedPath::Unknown

@@ -1,9 +1,12 @@
 //! Calls of programs, and the statements that create tasks.
 
+use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::items::declarations;
 use val3_analysis::items::project::{Param, Signature};
 
-use super::Program;
+use super::{Program, span_of};
+use crate::diagnostic::Span;
 
 /// A `taskCreate` or `taskCreateSync`.
 pub(crate) struct TaskCreation<'db> {
@@ -19,6 +22,8 @@ pub(crate) struct TaskCreation<'db> {
 
 /// A call of a program.
 pub(crate) struct ProgramCall<'db> {
+    /// The name of the program.
+    callee: ExprId,
     /// What the program is handed.
     args: &'db [ExprId],
     /// Its parameters, where they are known.
@@ -61,6 +66,12 @@ impl<'db> Program<'db> {
     /// The call of a program, as `call` and the task statements hold it.
     pub(crate) fn program_call(&self, call: ExprId) -> Option<ProgramCall<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call) else { return None };
-        Some(ProgramCall { args, signature: self.effects.program(*callee) })
+        Some(ProgramCall { callee: *callee, args, signature: self.effects.program(*callee) })
+    }
+
+    /// Where the program that is called declares its parameter `name`.
+    pub(crate) fn parameter(&self, call: &ProgramCall<'_>, name: &SmolStr) -> Option<Span> {
+        let (_, file) = self.effects.program_file(call.callee)?;
+        declarations::param(self.db, file, name.clone()).map(span_of)
     }
 }

@@ -53,11 +53,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             if param.container == Container::Element && !param.loose && is_array(program, argument) {
                 let name = program.text(argument);
                 let end = TextRange::empty(program.range(program.body.peel(argument)).end());
-                found.report(&RULE, program.range(argument), word(name, &param.name)).fix(
-                    format!("write `{name}[0]`"),
-                    true,
-                    [program.write(end, "[0]")],
-                );
+                found
+                    .report(&RULE, program.range(argument), word(name, &param.name))
+                    .related_at(program.parameter(&call, &param.name), "the parameter that takes it")
+                    .fix(format!("write `{name}[0]`"), true, [program.write(end, "[0]")]);
             }
         }
     }
@@ -92,14 +91,17 @@ mod tests {
             start.pgx:5 `nA` `nA` is an array, but the parameter `x` takes its first value only
               | means `nA[0]`
               ? write the index that is meant
+              > p.pgx:5 `x` the parameter that takes it
               ! write `nA[0]`
             start.pgx:6 `nA` `nA` is an array, but the parameter `x` takes its first value only
               | means `nA[0]`
               ? write the index that is meant
+              > q.pgx:5 `x` the parameter that takes it
               ! write `nA[0]`
             start.pgx:7 `nA` `nA` is an array, but the parameter `x` takes its first value only
               | means `nA[0]`
               ? write the index that is meant
+              > p.pgx:5 `x` the parameter that takes it
               ! write `nA[0]`
         "#]]
         .assert_eq(&check(

@@ -52,7 +52,10 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             }
             if let Some(what) = mortal(program, program.effects.root(argument)) {
                 let text = program.text(argument);
-                found.report(&RULE, program.range(argument), word(what, text, &param.name));
+                found
+                    .report(&RULE, program.range(argument), word(what, text, &param.name))
+                    .related_at(program.declaration(argument), "declared here")
+                    .related_at(program.parameter(&task.call, &param.name), "the parameter that takes it");
             }
         }
     }
@@ -95,9 +98,13 @@ mod tests {
             p.pgx:11 `l_n[1]` a task cannot get the local variable `l_n[1]` by reference
               | ends with this program, before the task does
               ? use a global variable, or take `x_n` by value
+              > p.pgx:8 `l_n` declared here
+              > count.pgx:5 `x_n` the parameter that takes it
             p.pgx:12 `x_n` a task cannot get the value parameter `x_n` by reference
               | ends with this program, before the task does
               ? use a global variable, or take `x_n` by value
+              > p.pgx:5 `x_n` declared here
+              > count.pgx:5 `x_n` the parameter that takes it
         "#]]
         .assert_eq(&check(&RULE, &format!("{COUNT}{code}")));
     }

@@ -8,7 +8,8 @@ rule! {
     /// ## Why
     /// The format fixes which elements a project, a data file and a program may hold, and where. What stands in
     /// another place or is misspelt has no meaning there; the value or the entry that it was meant to give is missing
-    /// when the application runs. Letter case counts: `value` is not `Value`.
+    /// when the application runs. Letter case counts: `value` is not `Value`. A program file holds one program: a second
+    /// one in it is not found by its name.
     ///
     /// ## Bad
     /// ```val3
@@ -67,8 +68,18 @@ const ELEMENTS: &[&str] = &[
 /// How alike two names must be, from 0 to 1, to be taken for a slip.
 const ALIKE: f64 = 0.7;
 
+/// A program with its parent, as the two forms of program files spell them.
+const PROGRAMS: &[(&str, &str)] = &[("Program", "Programs"), ("program", "programList")];
+
 /// Words the finding.
 pub(crate) fn word(name: &str, parent: &str) -> Wording {
+    if PROGRAMS.contains(&(name, parent)) {
+        return Wording::new(
+            "a program file holds one program, and this is the second",
+            "nothing can call it",
+            "move it to a file of its own, and list that in the project",
+        );
+    }
     Wording::new(
         format!("the element `{name}` does not belong in `{parent}`"),
         "it has no meaning here",
@@ -108,6 +119,18 @@ mod tests {
             ? did you mean `Value`?
         "#]]
         .assert_eq(&word("Vlaue", "Data").to_string());
+    }
+
+    #[test]
+    fn a_second_program() {
+        let expected = expect![[r#"
+            a program file holds one program, and this is the second
+            | nothing can call it
+            ? move it to a file of its own, and list that in the project
+        "#]];
+        expected.assert_eq(&word("Program", "Programs").to_string());
+        expected.assert_eq(&word("program", "programList").to_string());
+        assert!(word("Program", "Datas").to_string().contains("does not belong"));
     }
 
     #[test]

@@ -1,8 +1,9 @@
 //! V0302: code that no way leads to.
 
 use rustc_hash::FxHashSet;
-use val3_analysis::body::ExprId;
+use val3_analysis::body::{ExprId, StmtKind};
 use val3_analysis::flow::{Point, PointKind};
+use val3_syntax::{TextRange, TextSize};
 
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
@@ -52,10 +53,24 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for (id, point) in flow.points().skip(2).filter(|(_, point)| point.kind != PointKind::Empty) {
         let is_dead = !reached.get(id.index()).copied().unwrap_or(true);
         if is_dead && !is_stretch {
-            found.report(&RULE, point.range, word());
+            let reported = found.report(&RULE, point.range, word());
+            if let Some((range, what)) = barrier(program, point.range.start()) {
+                reported.related(range, what);
+            }
         }
         is_stretch = is_dead;
     }
+}
+
+/// The last `return` or endless loop before a place that is never reached.
+fn barrier(program: &Program<'_>, dead: TextSize) -> Option<(TextRange, &'static str)> {
+    let before = program.stmts().iter().filter(|stmt| stmt.range.end() <= dead);
+    let barriers = before.filter_map(|stmt| match (program.endless_condition(stmt), &stmt.kind) {
+        (Some(condition), _) => Some((stmt.range.end(), program.range(condition), "this loop never ends")),
+        (None, StmtKind::Return) => Some((stmt.range.end(), stmt.range, "the program is left here")),
+        _ => None,
+    });
+    barriers.max_by_key(|(end, ..)| *end).map(|(_, range, what)| (range, what))
 }
 
 fn word() -> Wording {
@@ -79,9 +94,11 @@ mod tests {
             start.pgx:7 `n=2` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
+              > start.pgx:6 `return` the program is left here
             start.pgx:12 `for n=1 to 3` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
+              > start.pgx:10 `return` the program is left here
         "#]]
         .assert_eq(&check(
             &RULE,
@@ -95,12 +112,14 @@ mod tests {
             start.pgx:8 `put(1)` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
+              > start.pgx:5 `true` this loop never ends
         "#]]
         .assert_eq(&check(&RULE, "while true\ndelay(1)\nendWhile\nput(1)\nput(2)"));
         expect![[r#"
             start.pgx:8 `put(1)` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
+              > start.pgx:7 `false` this loop never ends
         "#]]
         .assert_eq(&check(&RULE, "do\ndelay(1)\nuntil false\nput(1)"));
     }
@@ -119,6 +138,7 @@ mod tests {
             start.pgx:8 `n==3` this line is never reached
               | no way leads here
               ? remove it, or move it before the `return` or the loop that keeps the program from it
+              > start.pgx:7 `return` the program is left here
         "#]]
         .assert_eq(&check(&RULE, "num n\ndo\nput(n)\nreturn\nuntil n==3"));
     }

@@ -1,15 +1,18 @@
 //! For people: the source line with the place marked, the other sides, and what to write instead.
 
 use std::io::{self, Write};
+use std::sync::Arc;
 
 use codespan_reporting::diagnostic::{Diagnostic, Label, LabelStyle, Severity as Level};
 use codespan_reporting::files::Error;
 use codespan_reporting::term::termcolor::WriteColor;
 use codespan_reporting::term::{Config, emit_to_write_style};
 
+use val3_syntax::encoding::{Encoding, decode};
+
 use super::excerpt::{Excerpt, FileId};
 use super::printable::Printable;
-use crate::report::{Finding, Place, Related, Report, Severity};
+use crate::report::{Finding, Place, Related, Report, Severity, SourceFile};
 
 /// Writes every finding with its source lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
@@ -19,6 +22,44 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
         write_finding(finding, &config, &mut out)?;
     }
     Ok(())
+}
+
+/// A run-time error, for [`write_fault`].
+#[derive(Debug)]
+pub(crate) struct Fault<'a> {
+    /// Its number.
+    pub(crate) code: u16,
+    /// What has happened.
+    pub(crate) message: String,
+    /// What to do about it.
+    pub(crate) help: &'a str,
+    /// The file of the program; empty where it is not known.
+    pub(crate) path: &'a str,
+    /// The line of the file, from 1.
+    pub(crate) line: u32,
+}
+
+/// Writes a run-time error with the line that raised it.
+pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
+    let text = std::fs::read(fault.path).map(|bytes| decode(bytes).text).unwrap_or_default();
+    let file = Arc::new(SourceFile::new(fault.path, text.into(), Encoding::Utf8));
+    let line = usize::try_from(fault.line).unwrap_or(usize::MAX).saturating_sub(1);
+    let range = file.lines.line_range(line).unwrap_or(0..0);
+    let shown = file.text.get(range.clone()).unwrap_or_default();
+    let start = range.start + shown.len() - shown.trim_start().len();
+    let place = Place { range: start..start + shown.trim().len(), file: Arc::clone(&file) };
+    let mut excerpt = Excerpt::default();
+    let mut diagnostic = Diagnostic::error().with_code(fault.code.to_string()).with_message(&fault.message);
+    if let Some(label) = label(&mut excerpt, LabelStyle::Primary, &place, "the task stopped here") {
+        diagnostic = diagnostic.with_label(label);
+    }
+    if !fault.help.is_empty() {
+        diagnostic = diagnostic.with_note(format!("help: {}", fault.help));
+    }
+    match emit_to_write_style(&mut Printable::new(out), &Config::default(), &excerpt, &diagnostic) {
+        Err(Error::Io(error)) => Err(error),
+        _ => Ok(()),
+    }
 }
 
 fn write_finding(finding: &Finding, config: &Config, out: &mut Printable<'_>) -> io::Result<()> {

@@ -82,9 +82,184 @@ fn data_of_s6() {
             +  </stringSection>
         "#]],
     );
-    // There is no section for it, and points are written otherwise.
-    check(OLD, |db, project| data(db, project, &Variable::single("bA", "bool"), None), expect![""]);
-    check(OLD, |db, project| data(db, project, &Variable::single("pA", "pointRx"), None), expect![""]);
+    // Its section is made where it belongs.
+    check(
+        OLD,
+        |db, project| data(db, project, &Variable::single("bA", "bool"), None),
+        expect![[r#"
+        usrapp/main/main.dtx
+        +  <boolSection>
+        +    <bool name="bA" public="false" >
+        +      <valueBool index="0" value="false" />
+        +    </bool>
+        +  </boolSection>
+    "#]],
+    );
+    check(
+        OLD,
+        |db, project| data(db, project, &several("nA", "num", Container::Array { dims: 2 }, &[2, 2]), None),
+        expect![""],
+    );
+}
+
+#[test]
+fn structured_data_of_s6() {
+    let sections = super::old_data::SECTIONS.map(|section| format!("  <{section} />\n")).concat();
+    let cell = format!("c$0ls()\n=== main/main.dtx\n<dataList>\n{sections}</dataList>\n");
+    for (type_name, size, expected) in [
+        (
+            "trsf",
+            2,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <trsfSection />
+            +  <trsfSection>
+            +    <trsf name="xA" public="false" >
+            +      <valueTrsf index="0" >
+            +        <trsfValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +      </valueTrsf>
+            +      <valueTrsf index="1" >
+            +        <trsfValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +      </valueTrsf>
+            +    </trsf>
+            +  </trsfSection>
+        "#]],
+        ),
+        (
+            "frame",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <frameSection />
+            +  <frameSection>
+            +    <frame name="xA" public="false" >
+            +      <fFather alias="" name="world" fatherIndex="0" />
+            +      <valueFrame index="0" >
+            +        <tfValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +      </valueFrame>
+            +    </frame>
+            +  </frameSection>
+        "#]],
+        ),
+        (
+            "tool",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <toolSection />
+            +  <toolSection>
+            +    <tool name="xA" public="false" >
+            +      <tFather alias="" name="flange" fatherIndex="0" />
+            +      <valueTool index="0" >
+            +        <ttValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +        <io alias="io" name="valve1" ioIndex="0" open="0" close="0" />
+            +      </valueTool>
+            +    </tool>
+            +  </toolSection>
+        "#]],
+        ),
+        (
+            "jointRx",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <jointSection />
+            +  <jointSection>
+            +    <joint name="xA" public="false" >
+            +      <valueJoint index="0" >
+            +        <jointValue j1="0" j2="0" j3="0" j4="0" j5="0" j6="0" />
+            +      </valueJoint>
+            +    </joint>
+            +  </jointSection>
+        "#]],
+        ),
+        (
+            "jointRs",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <jointRsSection />
+            +  <jointRsSection>
+            +    <jointRs name="xA" public="false" >
+            +      <valueJointRs index="0" >
+            +        <jointRsValue j1="0" j2="0" j3="0" j4="0" />
+            +      </valueJointRs>
+            +    </jointRs>
+            +  </jointRsSection>
+        "#]],
+        ),
+        (
+            "pointRx",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <pointSection />
+            +  <pointSection>
+            +    <point name="xA" public="false" >
+            +      <pFather alias="" name="world" fatherIndex="0" />
+            +      <valuePoint index="0" >
+            +        <tpValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +        <cpValue shoulder="ssame" elbow="esame" wrist="wsame" />
+            +      </valuePoint>
+            +    </point>
+            +  </pointSection>
+        "#]],
+        ),
+        (
+            "point",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <pointSection />
+            +  <pointSection>
+            +    <point name="xA" public="false" >
+            +      <pFather alias="" name="world" fatherIndex="0" />
+            +      <valuePoint index="0" >
+            +        <tpValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +        <cpValue shoulder="ssame" elbow="esame" wrist="wsame" />
+            +      </valuePoint>
+            +    </point>
+            +  </pointSection>
+        "#]],
+        ),
+        (
+            "pointRs",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <pointRsSection />
+            +  <pointRsSection>
+            +    <pointRs name="xA" public="false" >
+            +      <pRsFather alias="" name="world" fatherIndex="0" />
+            +      <valuePointRs index="0" >
+            +        <tpRsValue x="0" y="0" z="0" rx="0" ry="0" rz="0" />
+            +        <cpRsValue shoulder="ssame" />
+            +      </valuePointRs>
+            +    </pointRs>
+            +  </pointRsSection>
+        "#]],
+        ),
+        (
+            "mdesc",
+            1,
+            expect![[r#"
+            usrapp/main/main.dtx
+            -  <mdescSection />
+            +  <mdescSection>
+            +    <mdesc name="xA" public="false" >
+            +      <valueMdesc index="0" >
+            +        <mdescValue accel="100" vel="100" decel="100" tmax="99999" rmax="99999" blend="joint" leave="50" reach="50" />
+            +      </valueMdesc>
+            +    </mdesc>
+            +  </mdescSection>
+        "#]],
+        ),
+        ("configRx", 1, expect![""]),
+        ("pointVrb", 1, expect![""]),
+    ] {
+        let variable = several("xA", type_name, Container::Array { dims: 1 }, &[size]);
+        check(&cell, |db, project| data(db, project, &variable, None), expected);
+    }
 }
 
 #[test]

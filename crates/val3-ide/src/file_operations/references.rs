@@ -1,7 +1,7 @@
 //! The paths by which projects use libraries and types, when these or they themselves move.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, Project, path_key};
 use val3_analysis::interfaces::{LoadedPath, uses};
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::items::parse;
@@ -47,18 +47,67 @@ fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8P
         let still = paths::project(&new_folder, roots, reference) == Target::Path(to.clone());
         (!stays && !still).then(|| rewritten(&new_folder, roots, reference, &to)).flatten()
     };
-    let mut edits = Vec::new();
-    for (file, range, reference) in references(db, project) {
-        if let Some(new) = written(&reference) {
-            let plain = file != project.manifest(db) && file.text(db).contains("<![CDATA[");
-            edits.push(FileEdit { file, range, text: if plain { new } else { escaped(&new) } });
+    let whole = references(db, project).into_iter().filter_map(|(place, old)| Some((place, written(&old)?)));
+    let beginnings = beginnings(db, project)
+        .into_iter()
+        .filter_map(|(place, old)| Some((place, written_beginning(db, project, &new_folder, &old, moved)?)));
+    let edit = |((file, range), new): ((File, TextRange), String)| {
+        let plain = file != project.manifest(db) && file.text(db).contains("<![CDATA[");
+        FileEdit { file, range, text: if plain { new } else { escaped(&new) } }
+    };
+    whole.chain(beginnings).map(edit).collect()
+}
+
+/// Stands for the project that a path names which is put together when the program runs.
+const ANY_PROJECT: &str = "any.pjx";
+
+/// The beginning of a path (`"Disk://parts/p" + sName`) when the folder that it names moves, or the project itself.
+/// Where it is one of the projects in that folder that moves, the others stay: then it is left as it is.
+fn written_beginning(
+    db: &dyn Db,
+    project: Project,
+    new_folder: &Utf8Path,
+    old: &str,
+    moved: &impl Fn(&Utf8Path) -> Utf8PathBuf,
+) -> Option<String> {
+    let (start, name) = old.split_at(old.rfind(['/', '\\'])? + 1);
+    let roots = project.roots(db);
+    let any = format!("{start}{ANY_PROJECT}");
+    let Target::Path(probe) = paths::project(folder(db, project), roots, &any) else { return None };
+    let from = as_stored(db, probe.parent()?);
+    let to = moved(&from).join(ANY_PROJECT);
+    let stays = to.parent() == Some(&*from) && new_folder == folder(db, project);
+    let leads_to = |path: &Utf8Path| path_key(path.as_str()) == path_key(to.as_str());
+    if stays || matches!(paths::project(new_folder, roots, &any), Target::Path(path) if leads_to(&path)) {
+        return None;
+    }
+    let new = rewritten(new_folder, roots, &any, &to)?;
+    Some(format!("{}{name}", new.strip_suffix(ANY_PROJECT)?))
+}
+
+/// A folder as the disk spells it, if there are projects in it.
+fn as_stored(db: &dyn Db, path: &Utf8Path) -> Utf8PathBuf {
+    let key = path_key(path.as_str());
+    let projects = projects(db);
+    let mut folders = projects.iter().flat_map(|project| folder(db, *project).ancestors());
+    folders.find(|folder| path_key(folder.as_str()) == key).unwrap_or(path).to_owned()
+}
+
+/// Every text in the code that a path of a library begins with.
+fn beginnings(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)> {
+    let mut found = Vec::new();
+    for file in program_files(db, project) {
+        for load in &uses(db, *file).loads {
+            if let LoadedPath::Prefix { text, range } = &load.path {
+                found.push(((*file, without_quotes(file.text(db), *range)), text.to_string()));
+            }
         }
     }
-    edits
+    found
 }
 
 /// Every reference of a project to another: where it stands, and as it is meant.
-fn references(db: &dyn Db, project: Project) -> Vec<(File, TextRange, String)> {
+fn references(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)> {
     let mut found = Vec::new();
     let manifest = project.manifest(db);
     let parse = parse(db, manifest);
@@ -66,12 +115,12 @@ fn references(db: &dyn Db, project: Project) -> Vec<(File, TextRange, String)> {
         let spelling = spelling(root);
         let libraries = entries(root, spelling.libraries).filter_map(|entry| entry.attribute(spelling.library_path));
         let types = entries(root, spelling.types).filter_map(|entry| entry.attribute("path"));
-        found.extend(libraries.chain(types).map(|path| (manifest, path.range, path.text().into_owned())));
+        found.extend(libraries.chain(types).map(|path| ((manifest, path.range), path.text().into_owned())));
     }
     for file in program_files(db, project) {
         for load in &uses(db, *file).loads {
             if let LoadedPath::Whole(path) = &load.path {
-                found.push((*file, without_quotes(file.text(db), load.range), path.to_string()));
+                found.push(((*file, without_quotes(file.text(db), load.range)), path.to_string()));
             }
         }
     }

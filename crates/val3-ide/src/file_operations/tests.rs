@@ -136,6 +136,75 @@ fn folders() {
     );
 }
 
+#[track_caller]
+fn moved_parts(code: &str, from: &str, to: &str, expected: Expect) {
+    let parts = "--- parts/p1\npublic num nA\n--- parts/p2\npublic num nA\n";
+    let marked = Marked::new(&format!("library part \"Disk://parts/p1/p1.pjx\"\nstring sName\n{code}\n{parts}"));
+    let change = will_rename_files(marked.db(), &[(path(from), path(to))]);
+    let shown = shown(marked.db(), &change);
+    let (_, of_program) = shown.split_once("usrapp/main/start.pgx\n").unwrap_or(("", ""));
+    expected.assert_eq(of_program);
+}
+
+#[test]
+fn paths_that_are_put_together() {
+    let code = "putln(part:libLoad(\"Disk://parts/\"+sName))";
+    moved_parts(
+        code,
+        "parts",
+        "kinds/all",
+        expect![[r#"
+        -putln(part:libLoad("Disk://parts/"+sName))
+        +putln(part:libLoad("Disk://kinds/all/"+sName))
+    "#]],
+    );
+    moved_parts(code, "parts/p1", "parts/p9", expect![""]);
+    moved_parts(code, "parts/p1", "p1", expect![""]);
+    moved_parts(code, "main", "deep/app", expect![""]);
+    let partial = "putln(part:libLoad((\"Disk://parts/\"+\"p\")+sName+\".pjx\"))";
+    moved_parts(
+        partial,
+        "parts",
+        "kinds",
+        expect![[r#"
+        -putln(part:libLoad(("Disk://parts/"+"p")+sName+".pjx"))
+        +putln(part:libLoad(("Disk://kinds/p")+sName+".pjx"))
+    "#]],
+    );
+    moved_parts(partial, "parts/p1", "parts/q1", expect![""]);
+    let beside = "putln(part:libLoad(\"../parts/\"+sName))";
+    moved_parts(
+        beside,
+        "main",
+        "deep/app",
+        expect![[r#"
+        -putln(part:libLoad("../parts/"+sName))
+        +putln(part:libLoad("../../parts/"+sName))
+    "#]],
+    );
+    moved_parts(
+        beside,
+        "parts",
+        "kinds",
+        expect![[r#"
+        -putln(part:libLoad("../parts/"+sName))
+        +putln(part:libLoad("../kinds/"+sName))
+    "#]],
+    );
+    moved_parts(
+        "putln(part:libLoad(\"disk://Parts/\"+sName))",
+        "parts",
+        "kinds",
+        expect![[r#"
+        -putln(part:libLoad("disk://Parts/"+sName))
+        +putln(part:libLoad("disk://kinds/"+sName))
+    "#]],
+    );
+    moved_parts("putln(part:libLoad(sName+\"/p1.pjx\"))", "parts", "kinds", expect![""]);
+    moved_parts("putln(part:libLoad(\"USB0://parts/\"+sName))", "parts", "kinds", expect![""]);
+    moved_parts("putln(part:libLoad(\"Disk://\"+sName))", "parts", "kinds", expect![""]);
+}
+
 #[test]
 fn files_that_come_and_go() {
     let marked = Marked::new(CELL);

@@ -3,12 +3,13 @@
 use std::ops::Bound;
 
 use super::store::number_within;
-use super::{Lanes, Memory, Place, Shape, Store, StoreId, View};
+use super::{Lanes, Memory, Place, Shape, Slot, SlotAt, Store, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
+use crate::values::numbers::round;
 
-/// The most values of a variable (2.5.4).
-pub const MOST_VALUES: u32 = 9999;
+/// Bytes that the values of a variable may take, whatever their number: a grid of 4000 by 4000 numbers is half of it.
+const MOST_BYTES: u32 = 1 << 28;
 
 impl Memory {
     /// The number of values that can be reached through a view (2.5.4).
@@ -19,16 +20,34 @@ impl Memory {
         Ok(self.store(view.store)?.shape.len().saturating_sub(view.start))
     }
 
-    /// The size of a dimension, counted from 1; 0 beyond the last.
+    /// The size of a dimension, counted from 1; 0 where there is none of that number.
     ///
     /// # Errors
     /// 61 if the container is gone.
     pub fn dimension(&self, view: View, dimension: f64) -> Result<u32> {
+        let dimension = round(dimension);
         let Shape::Array { dims, sizes } = self.store(view.store)?.shape else {
             return Ok(if dimension == 1.0 { self.len(view)? } else { 0 });
         };
         let found = sizes.iter().take(usize::from(dims)).zip(1u8..).find(|(_, number)| f64::from(*number) == dimension);
         Ok(found.map_or(0, |(size, number)| if number == 1 { size - view.start.min(*size) } else { *size }))
+    }
+
+    /// The value that a slot names.
+    ///
+    /// # Errors
+    /// 20 and 21 if there is none, 80 if the library lacks the container.
+    pub fn locate(&self, slot: &Slot) -> Result<Place> {
+        let view = slot.container()?;
+        let store = self.store(view.store)?;
+        let number = match slot.at {
+            SlotAt::Whole => store.number1(view, 0.0),
+            SlotAt::Index([index, ..], 1) => store.number1(view, index),
+            SlotAt::Index([i, j, _], 2) => store.number2([i, j]),
+            SlotAt::Index(indexes, _) => store.number3(indexes),
+            SlotAt::Key(key) => store.number_of(&key),
+        };
+        Ok(store.place(view.store, number?))
     }
 
     /// A value of a view by its number from the start of the view.
@@ -44,10 +63,10 @@ impl Memory {
     /// Inserts a default value before the one with this index, or behind the last (2.5.4).
     ///
     /// # Errors
-    /// 20 and 21 for a bad index, 40 beyond [`MOST_VALUES`] (`limited`), 70 for a local array or one of more
+    /// 20 and 21 for a bad index, 40 beyond `limit` values, or without memory, 70 for a local array or one of more
     /// dimensions.
-    pub fn insert_at(&mut self, view: View, index: f64, limited: bool) -> Result<()> {
-        let store = self.growing(view.store, limited)?;
+    pub fn insert_at(&mut self, view: View, index: f64, limit: Option<u32>) -> Result<()> {
+        let store = self.growing(view.store, limit)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let number = number_within(view, size + 1, index)?;
         let before = store.kind.size * number;
@@ -64,8 +83,8 @@ impl Memory {
     /// Inserts a default value under a key; `false` where there is such a key (2.5.4).
     ///
     /// # Errors
-    /// 40 beyond [`MOST_VALUES`] (`limited`), 70 for an array or an empty key.
-    pub fn insert_key(&mut self, id: StoreId, key: Text, limited: bool) -> Result<bool> {
+    /// 40 beyond `limit` values, or without memory, 70 for an array or an empty key.
+    pub fn insert_key(&mut self, id: StoreId, key: Text, limit: Option<u32>) -> Result<bool> {
         let store = self.store(id)?;
         let Shape::Collection(keys) = &store.shape else { return Err(Fault::INVALID_PARAMETER) };
         if keys.contains_key(&key) {
@@ -74,7 +93,7 @@ impl Memory {
         if key.as_str().is_empty() {
             return Err(Fault::INVALID_PARAMETER);
         }
-        let store = self.growing(id, limited)?;
+        let store = self.growing(id, limit)?;
         let gap = store.gaps.pop();
         let number = gap.unwrap_or_else(|| store.shape.len());
         if let Shape::Collection(keys) = &mut store.shape {
@@ -91,9 +110,9 @@ impl Memory {
     /// Adds a default value behind the last one (2.5.5).
     ///
     /// # Errors
-    /// 40 beyond [`MOST_VALUES`] (`limited`), 70 for a local array or one of more dimensions.
-    pub fn append(&mut self, id: StoreId, limited: bool) -> Result<()> {
-        let store = self.growing(id, limited)?;
+    /// 40 beyond `limit` values, or without memory, 70 for a local array or one of more dimensions.
+    pub fn append(&mut self, id: StoreId, limit: Option<u32>) -> Result<()> {
+        let store = self.growing(id, limit)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
         store.shape = Shape::array(size + 1);
         self.push(id)
@@ -132,28 +151,29 @@ impl Memory {
         Ok(())
     }
 
-    /// Gives a dimension, counted from 1, another size; values keep their indexes (2.5.5).
+    /// Gives a dimension, counted from 1, another size; values keep their indexes (2.5.5). The size is that of the part
+    /// which can be reached through the view.
     ///
     /// # Errors
-    /// 40 beyond [`MOST_VALUES`] (`limited`), 70 for a local array, a collection, a dimension that the array lacks or
+    /// 40 beyond `limit` values, or without memory, 70 for a local array, a collection, a dimension that the array lacks or
     /// a size below 1.
-    pub fn resize(&mut self, id: StoreId, dimension: f64, size: f64, limited: bool) -> Result<()> {
-        let store = self.changing(id)?;
+    pub fn resize(&mut self, view: View, dimension: f64, size: f64, limit: Option<u32>) -> Result<()> {
+        let store = self.changing(view.store)?;
         let Shape::Array { dims, sizes: old } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
-        let size = (size + 0.5).floor();
+        let (dimension, size) = (round(dimension), round(size));
         let which = (0..usize::from(dims)).zip(1u8..).find(|(_, number)| f64::from(*number) == dimension);
         let (Some((which, _)), true) = (which, size >= 1.0) else { return Err(Fault::INVALID_PARAMETER) };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at least 1; too large saturates")]
-        let size = size as u32;
+        let size = (size as u32).saturating_add(view.start);
         let mut new = old;
         if let Some(changed) = new.get_mut(which) {
             *changed = size;
         }
         let count = new.iter().try_fold(1u32, |product, size| product.checked_mul(*size)).ok_or(Fault::NO_MEMORY)?;
-        if count > if limited { MOST_VALUES } else { MOST_OF_ALL } {
+        if count > most_values(store.kind.size, limit) {
             return Err(Fault::NO_MEMORY);
         }
-        self.rearrange(id, old, new, dims)
+        self.rearrange(view.store, old, new, dims)
     }
 
     /// Moves the values of an array to their places in one of other sizes.
@@ -216,9 +236,9 @@ impl Memory {
     }
 
     /// A container that takes one more value.
-    fn growing(&mut self, id: StoreId, limited: bool) -> Result<&mut Store> {
+    fn growing(&mut self, id: StoreId, limit: Option<u32>) -> Result<&mut Store> {
         let store = self.changing(id)?;
-        let most = if limited { MOST_VALUES } else { MOST_OF_ALL };
+        let most = most_values(store.kind.size, limit);
         if store.shape.len() >= most { Err(Fault::NO_MEMORY) } else { Ok(store) }
     }
 
@@ -232,8 +252,11 @@ impl Memory {
     }
 }
 
-/// The most values where 9999 is no limit (s8): a grid of 4000 by 4000.
-const MOST_OF_ALL: u32 = 16_000_000;
+/// How many values of this size a variable may have.
+fn most_values(size: Lanes, limit: Option<u32>) -> u32 {
+    let bytes = 8 * size.num + 132 * size.text + 32 * size.link + 256 * size.part;
+    limit.unwrap_or(u32::MAX).min(MOST_BYTES / bytes.max(1))
+}
 
 fn splice<T: Copy>(lanes: &mut Vec<T>, at: u32, values: &[T]) {
     let at = (at as usize).min(lanes.len());

@@ -38,6 +38,18 @@ pub struct FieldKind {
     pub init: PartInit,
 }
 
+impl FieldKind {
+    fn suits(&self, other: &Self) -> bool {
+        let dims = |shape: &Shape| match shape {
+            Shape::Array { dims, .. } => Some(*dims),
+            Shape::Collection(_) => None,
+        };
+        self.name == other.name
+            && dims(&self.init.shape) == dims(&other.init.shape)
+            && self.init.kind.suits(&other.init.kind)
+    }
+}
+
 /// The values of a container at the start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PartInit {
@@ -76,6 +88,24 @@ impl Kind {
         let parts: Vec<PartInit> = fields.iter().map(|field| field.init.clone()).collect();
         let size = Lanes { part: u32::try_from(fields.len()).unwrap_or(u32::MAX), ..Lanes::default() };
         Self { base: KindBase::User(name), size, fields, default: Element { parts, ..Element::default() } }
+    }
+
+    /// A value of one type can be copied into one of the other: they are the same built-in type, or user types with the
+    /// same fields.
+    ///
+    /// An application and its library may call a user type by two names: what counts is what it is made of.
+    #[must_use]
+    pub fn suits(&self, other: &Self) -> bool {
+        match (&self.base, &other.base) {
+            (KindBase::Builtin(base, arm), KindBase::Builtin(other, of)) => {
+                base == other && arm.zip(*of).is_none_or(|(arm, of)| arm == of)
+            }
+            (KindBase::User(_), KindBase::User(_)) => {
+                self.fields.len() == other.fields.len()
+                    && self.fields.iter().zip(&other.fields).all(|(field, other)| field.suits(other))
+            }
+            _ => false,
+        }
     }
 
     /// The built-in type, if it is one.

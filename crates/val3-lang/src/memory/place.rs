@@ -1,6 +1,7 @@
 //! Where a value is.
 
 use super::Lanes;
+use crate::fault::{Fault, Result};
 use crate::values::Text;
 
 /// A container of the memory. One that was removed has no successor under the same name.
@@ -80,6 +81,16 @@ pub struct Slot {
     pub view: Option<View>,
     /// The index or key; none for the whole variable.
     pub at: SlotAt,
+}
+
+impl Slot {
+    /// The container.
+    ///
+    /// # Errors
+    /// 80 where a library lacks it.
+    pub fn container(&self) -> Result<View> {
+        self.view.ok_or(Fault::LIBRARY_ITEM_MISSING)
+    }
 }
 
 /// An index, a key, or none.

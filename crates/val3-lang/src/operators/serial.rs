@@ -11,8 +11,7 @@ use crate::values::Text;
 ///
 /// To a line the arguments are the line and the value, and the result is what was sent; from a line the argument is the
 /// line and the result what was received. The task waits within.
-#[must_use]
-pub fn serial_assignment(to: BaseType, from: BaseType) -> Option<Run> {
+pub(super) fn assignment(to: BaseType, from: BaseType) -> Option<Run> {
     match (to, from) {
         (BaseType::Sio, BaseType::String) => Some(send_text),
         (BaseType::Sio, BaseType::Num) => Some(send_number),

@@ -1,12 +1,24 @@
 //! Texts in Markdown, for clients that show it and those that do not.
 
-use tower_lsp::lsp_types::{MarkupContent, MarkupKind};
+use tower_lsp::lsp_types::{Documentation, MarkupContent, MarkupKind};
+
+use crate::session::TextFormat;
 
 /// A text in Markdown, as such or without its marks.
-pub(crate) fn markup(is_markdown: bool, text: String) -> MarkupContent {
-    match is_markdown {
-        true => MarkupContent { kind: MarkupKind::Markdown, value: text },
-        false => MarkupContent { kind: MarkupKind::PlainText, value: plain(&text) },
+pub(crate) fn markup(format: TextFormat, text: String) -> MarkupContent {
+    match format {
+        TextFormat::Markdown => MarkupContent { kind: MarkupKind::Markdown, value: text },
+        TextFormat::PlainMarkup | TextFormat::Plain => {
+            MarkupContent { kind: MarkupKind::PlainText, value: plain(&text) }
+        }
+    }
+}
+
+/// As [`markup`], where a string alone can stand as well.
+pub(crate) fn documentation(format: TextFormat, text: String) -> Documentation {
+    match format {
+        TextFormat::Plain => Documentation::String(plain(&text)),
+        TextFormat::Markdown | TextFormat::PlainMarkup => Documentation::MarkupContent(markup(format, text)),
     }
 }
 
@@ -41,9 +53,10 @@ mod tests {
     #[test]
     fn without_marks() {
         let text = "## Title\n\n```val3\nnA = nB ** 2 // `x`\n```\n\nThe **first** of `a**b`.\n---\n- one";
-        let plain = markup(false, text.to_owned());
-        assert_eq!(plain.kind, MarkupKind::PlainText);
-        assert_eq!(plain.value, "Title\n\nnA = nB ** 2 // `x`\n\nThe first of a**b.\n---\n- one");
-        assert_eq!(markup(true, text.to_owned()).value, text);
+        let plain = "Title\n\nnA = nB ** 2 // `x`\n\nThe first of a**b.\n---\n- one";
+        let shown = markup(TextFormat::PlainMarkup, text.to_owned());
+        assert_eq!((shown.kind, shown.value.as_str()), (MarkupKind::PlainText, plain));
+        assert_eq!(markup(TextFormat::Markdown, text.to_owned()).value, text);
+        assert_eq!(documentation(TextFormat::Plain, text.to_owned()), Documentation::String(plain.to_owned()));
     }
 }

@@ -2,11 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
-use tower_lsp::lsp_types::{CodeLens, CodeLensParams, Command, Location, Url};
+use tower_lsp::lsp_types::{CodeLens, CodeLensParams, Command, Location, Range, Url};
 use val3_analysis::db::File;
 use val3_ide::{FileRange, LensKind};
 
 use crate::session::ClientCommands;
+use crate::shown::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Where a number of uses is to be shown.
@@ -18,6 +19,24 @@ struct Counted {
 
 pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<Option<Vec<CodeLens>>, Refusal> {
     let uri = &params.text_document.uri;
+    let lenses = lenses(snapshot, uri)?;
+    if let Some(document) = snapshot.documents.get(uri).filter(|_| snapshot.session.client.refreshes_lenses) {
+        snapshot.documents.shown().entry(uri, document.version).lenses = Some(Fingerprint::of(&lenses));
+    }
+    Ok(Some(lenses))
+}
+
+/// The lenses that the client would be told now.
+pub(crate) fn current_lenses(snapshot: &Snapshot, uri: &Url) -> Option<Fingerprint> {
+    lenses(snapshot, uri).ok().map(|lenses| Fingerprint::of(&lenses))
+}
+
+/// The number of uses that a lens would tell now.
+pub(crate) fn current_uses(snapshot: &Snapshot, uri: &Url, lens: Range) -> Option<usize> {
+    snapshot.file(uri).ok().map(|file| places(snapshot, file, lens).len())
+}
+
+fn lenses(snapshot: &Snapshot, uri: &Url) -> Result<Vec<CodeLens>, Refusal> {
     let file = snapshot.file(uri)?;
     let lines = snapshot.lines(file);
     let commands = snapshot.session.commands;
@@ -35,7 +54,7 @@ pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<
         LensKind::Debug(manifest) => commands.debugs && snapshot.is_shown(manifest),
         LensKind::References => true,
     };
-    Ok(Some(val3_ide::code_lenses(snapshot.db(), file).into_iter().filter(is_known).map(lens).collect()))
+    Ok(val3_ide::code_lenses(snapshot.db(), file).into_iter().filter(is_known).map(lens).collect())
 }
 
 fn start(snapshot: &Snapshot, title: &str, command: &str, manifest: File) -> Command {
@@ -53,11 +72,19 @@ pub(crate) fn resolve(snapshot: &Snapshot, lens: &CodeLens) -> Result<CodeLens, 
     if snapshot.version(file) != counted.version {
         return Err(Refusal::Outdated);
     }
-    let at = FileRange { file, range: snapshot.lines(file).text_range(lens.range) };
-    let places = val3_ide::lens_references(snapshot.db(), at);
+    let places = places(snapshot, file, lens.range);
+    if let Some(version) = counted.version.filter(|_| snapshot.session.client.refreshes_lenses) {
+        snapshot.documents.shown().entry(&counted.uri, version).counted(lens.range, places.len());
+    }
     let places: Vec<Location> = places.into_iter().map(|place| snapshot.location(place)).collect();
     lens.command = Some(references(snapshot, &counted.uri, &lens, &places));
     Ok(lens)
+}
+
+/// The uses that a lens counts.
+fn places(snapshot: &Snapshot, file: File, lens: Range) -> Vec<FileRange> {
+    let range = snapshot.lines(file).text_range(lens);
+    val3_ide::lens_references(snapshot.db(), FileRange { file, range })
 }
 
 /// A client that cannot show the places shows their number alone, as a command without a name.

@@ -6,7 +6,7 @@ use val3_analysis::db::File;
 use val3_ide::{Completion, CompletionKind, FileEdit, SourceChange};
 
 use super::execute_command::apply;
-use crate::convert::{completion_kind, edits, markup, workspace_edit};
+use crate::convert::{completion_kind, documentation, edits, workspace_edit};
 use crate::snapshot::{Refusal, Snapshot};
 
 /// Where an item was offered, so that its documentation can be found later.
@@ -78,15 +78,15 @@ fn declaring(snapshot: &Snapshot, elsewhere: &[&FileEdit]) -> Option<Command> {
 pub(crate) fn resolve(snapshot: &Snapshot, item: &CompletionItem) -> Result<CompletionItem, Refusal> {
     let mut item = item.clone();
     let offered = item.data.clone().and_then(|data| serde_json::from_value::<Offered>(data).ok());
-    if let Some(text) = offered.and_then(|offered| documentation(snapshot, &offered, &item)) {
-        let is_markdown = snapshot.session.client.reads_markdown.in_completions;
-        item.documentation = Some(Documentation::MarkupContent(markup(is_markdown, text)));
+    if let Some(text) = offered.and_then(|offered| page(snapshot, &offered, &item)) {
+        let format = snapshot.session.client.formats.completions;
+        item.documentation = Some(documentation(format, text));
     }
     Ok(item)
 }
 
 /// The text may have changed since; what is offered there now tells what the name stands for.
-fn documentation(snapshot: &Snapshot, offered: &Offered, item: &CompletionItem) -> Option<String> {
+fn page(snapshot: &Snapshot, offered: &Offered, item: &CompletionItem) -> Option<String> {
     let at = snapshot.position_in(&offered.uri, offered.position).ok()?;
     let project = val3_ide::owner(snapshot.db(), at.file)?;
     let found = val3_ide::completions(snapshot.db(), at);

@@ -7,9 +7,9 @@ use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn hover(snapshot: &Snapshot, params: &HoverParams) -> Result<Option<Hover>, Refusal> {
     let at = snapshot.position(&params.text_document_position_params)?;
-    let is_markdown = snapshot.session.client.reads_markdown.in_hovers;
+    let format = snapshot.session.client.formats.hovers;
     Ok(val3_ide::hover(snapshot.db(), at).map(|hover| Hover {
-        contents: HoverContents::Markup(markup(is_markdown, hover.markdown)),
+        contents: HoverContents::Markup(markup(format, hover.markdown)),
         range: Some(snapshot.range(at.file, hover.range)),
     }))
 }

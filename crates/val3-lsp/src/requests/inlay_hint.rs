@@ -1,14 +1,29 @@
 //! `textDocument/inlayHint`
 
-use tower_lsp::lsp_types::{InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, InlayHintTooltip};
+use tower_lsp::lsp_types::{InlayHint, InlayHintKind, InlayHintLabel, InlayHintParams, InlayHintTooltip, Range, Url};
 
+use crate::shown::Fingerprint;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn inlay_hint(snapshot: &Snapshot, params: &InlayHintParams) -> Result<Option<Vec<InlayHint>>, Refusal> {
-    let file = snapshot.file(&params.text_document.uri)?;
+    let (uri, range) = (&params.text_document.uri, params.range);
+    let hints = hints(snapshot, uri, range)?;
+    if let Some(document) = snapshot.documents.get(uri).filter(|_| snapshot.session.client.refreshes_hints) {
+        snapshot.documents.shown().entry(uri, document.version).hints = Some((range, Fingerprint::of(&hints)));
+    }
+    Ok(Some(hints))
+}
+
+/// What the client would be told about a range now.
+pub(crate) fn current_hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Option<Fingerprint> {
+    hints(snapshot, uri, range).ok().map(|hints| Fingerprint::of(&hints))
+}
+
+fn hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Result<Vec<InlayHint>, Refusal> {
+    let file = snapshot.file(uri)?;
     let lines = snapshot.lines(file);
     let settings = snapshot.session.options.inlay_hints.settings();
-    let found = val3_ide::inlay_hints(snapshot.db(), file, lines.text_range(params.range), &settings);
+    let found = val3_ide::inlay_hints(snapshot.db(), file, lines.text_range(range), &settings);
     let hint = |found: val3_ide::InlayHint| InlayHint {
         position: lines.position(found.offset),
         label: InlayHintLabel::String(found.label),
@@ -19,7 +34,7 @@ pub(crate) fn inlay_hint(snapshot: &Snapshot, params: &InlayHintParams) -> Resul
         padding_right: Some(found.kind.is_before()),
         data: None,
     };
-    Ok(Some(found.into_iter().map(hint).collect()))
+    Ok(found.into_iter().map(hint).collect())
 }
 
 /// The protocol has two kinds alone.

@@ -3,7 +3,8 @@
 use tower_lsp::lsp_types::*;
 use val3_ide::Form;
 
-use crate::convert::markup;
+use crate::convert::documentation;
+use crate::session::TextFormat;
 use crate::snapshot::{Refusal, Snapshot};
 
 pub(crate) fn signature_help(
@@ -13,20 +14,19 @@ pub(crate) fn signature_help(
     let at = snapshot.position(&params.text_document_position_params)?;
     let Some(help) = val3_ide::signature_help(snapshot.db(), at) else { return Ok(None) };
     let active_parameter = u32::try_from(help.active_parameter).ok();
-    let is_markdown = snapshot.session.client.reads_markdown.in_signatures;
-    let signatures = help.forms.iter().map(|form| signature(form, active_parameter, is_markdown)).collect();
+    let format = snapshot.session.client.formats.signatures;
+    let signatures = help.forms.iter().map(|form| signature(form, active_parameter, format)).collect();
     Ok(Some(SignatureHelp { signatures, active_signature: u32::try_from(help.active_form).ok(), active_parameter }))
 }
 
-fn signature(form: &Form, active_parameter: Option<u32>, is_markdown: bool) -> SignatureInformation {
+fn signature(form: &Form, active_parameter: Option<u32>, format: TextFormat) -> SignatureInformation {
     let parameter = |(from, to): &(u32, u32)| ParameterInformation {
         label: ParameterLabel::LabelOffsets([utf16(&form.line, *from), utf16(&form.line, *to)]),
         documentation: None,
     };
     SignatureInformation {
         label: form.line.clone(),
-        documentation: (!form.documentation.is_empty())
-            .then(|| Documentation::MarkupContent(markup(is_markdown, form.documentation.clone()))),
+        documentation: (!form.documentation.is_empty()).then(|| documentation(format, form.documentation.clone())),
         parameters: Some(form.parameters.iter().map(parameter).collect()),
         active_parameter,
     }

@@ -67,3 +67,41 @@ fn remarks_in_the_code() {
     assert_eq!(after, before.into_iter().filter(|label| !label.ends_with(':')).collect::<Vec<_>>());
     assert_eq!(session.client.end(), 0);
 }
+
+#[test]
+fn edits_elsewhere_that_change_the_hints() {
+    let abilities = json!({ "workspace": { "inlayHint": { "refreshSupport": true } } });
+    let mut session = Session::of(CELL, abilities);
+    assert!(hints(&mut session).iter().any(|label| label == "x_n:"));
+    let (path, text) = (session.cell.path(OTHER), session.cell.text(OTHER).to_owned());
+    session.client.open(&path, &text);
+    session.client.change(&path, 2, &text.replace("nA=x_n", "nA=x_n+1"));
+    assert_eq!(session.client.try_told("workspace/inlayHint/refresh"), None, "no hint tells of this");
+    session.client.change(&path, 3, &text.replace("x_n", "x_nTimes"));
+    session.client.told("workspace/inlayHint/refresh");
+    assert_eq!(session.client.try_told("workspace/inlayHint/refresh"), None, "once is enough");
+    assert!(hints(&mut session).iter().any(|label| label == "x_nTimes:"));
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn edits_elsewhere_that_change_the_number_of_uses() {
+    let abilities = json!({ "workspace": { "codeLens": { "refreshSupport": true } } });
+    let mut session = Session::of(CELL, abilities);
+    let other = session.cell.path(OTHER);
+    session.client.open(&other, &session.cell.text(OTHER).to_owned());
+    let params = json!({ "textDocument": { "uri": uri(&other) } });
+    let lenses = session.client.ask("textDocument/codeLens", params);
+    session.client.ask("codeLens/resolve", lenses[0].clone());
+    let (path, text) = (session.cell.path(START), session.cell.text(START).to_owned());
+    session.client.change(&path, 2, &text.replace("power(2,3)", "power(2,4)"));
+    assert_eq!(session.client.try_told("workspace/codeLens/refresh"), None, "the uses are as many as before");
+    session.client.change(&path, 3, &text.replace("call other(7)", "call other(7)\n  call other(8)"));
+    session.client.told("workspace/codeLens/refresh");
+    let resolved = session.client.ask("codeLens/resolve", lenses[0].clone());
+    assert_eq!(resolved["command"]["title"], "2 references");
+    // Of what it shows itself, a client learns when it asks after its own edit.
+    session.client.change(&other, 2, session.cell.text(OTHER));
+    assert_eq!(session.client.try_told("workspace/codeLens/refresh"), None);
+    assert_eq!(session.client.end(), 0);
+}

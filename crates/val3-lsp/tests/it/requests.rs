@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{START, Session, each};
+use crate::asking::{START, Session, each, find};
 use crate::cell::place;
 use crate::client::{at, uri};
 
@@ -39,16 +39,29 @@ fn links_know_what_they_lead_away_from() {
 
 #[test]
 fn writing() {
-    let snippets = json!({ "textDocument": { "completion": { "completionItem": { "snippetSupport": true } } } });
-    let mut session = Session::of(CELL, snippets);
+    let item = json!({ "snippetSupport": true, "documentationFormat": ["plaintext"] });
+    let mut session = Session::of(CELL, json!({ "textDocument": { "completion": { "completionItem": item } } }));
     let list = session.ask_at("textDocument/completion", "power(");
     let items = list["items"].as_array().unwrap();
     let item = items.iter().find(|item| item["label"] == "nA").unwrap_or_else(|| panic!("{list}"));
     let resolved = session.client.ask("completionItem/resolve", item.clone());
+    assert_eq!(resolved["documentation"]["kind"], "plaintext");
     assert!(resolved["documentation"]["value"].as_str().unwrap().contains("nA"), "{resolved}");
     let help = session.ask_at("textDocument/signatureHelp", "l_i,2");
     assert_eq!(help["signatures"][0]["label"], "num power(num nX, num nY)");
     assert_eq!(help["activeParameter"], 0);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn a_client_that_names_no_format_gets_a_string() {
+    let mut session = Session::of(CELL, json!({}));
+    let list = session.ask_at("textDocument/completion", "power(");
+    let item = find(&list["items"], "label", "nA");
+    let resolved = session.client.ask("completionItem/resolve", item);
+    assert!(resolved["documentation"].as_str().unwrap().contains("nA"), "{resolved}");
+    let help = session.ask_at("textDocument/signatureHelp", "l_i,2");
+    assert!(help["signatures"][0]["documentation"].is_string(), "{help}");
     assert_eq!(session.client.end(), 0);
 }
 

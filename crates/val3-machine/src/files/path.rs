@@ -7,7 +7,7 @@ use smol_str::SmolStr;
 use super::FileFault;
 
 /// The root that a path without one means.
-const DISK: &str = "Disk";
+pub(super) const DISK: &str = "Disk";
 
 /// A path of the controller in its normal form: a root and names. Steps up stand only at its start, where a medium may
 /// know a folder above its own.

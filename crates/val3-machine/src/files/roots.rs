@@ -7,6 +7,7 @@ use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 use cap_std::ambient_authority;
 use cap_std::fs_utf8::Dir;
 
+use super::path::DISK;
 use super::{ControllerPath, FileFault};
 
 /// What is mounted: `Disk`, `USB0`, `Floppy`, and whatever else the outside names.
@@ -33,6 +34,9 @@ pub struct Place<'r> {
     pub(super) path: Utf8PathBuf,
 }
 
+/// The most bytes of a file that is read whole.
+const LARGEST: u64 = 256 << 20;
+
 /// What stands at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EntryKind {
@@ -51,6 +55,21 @@ impl Roots {
     /// If the folder cannot be opened.
     pub fn mount(&mut self, name: &str, folder: &Utf8Path) -> io::Result<()> {
         self.mount_inside(name, folder, Utf8Path::new(""))
+    }
+
+    /// Lets `Disk` stand for the folder of the applications. That of a cell is `usr/usrapp`: its paths can go up to
+    /// `usr`, where the templates are, and no further.
+    ///
+    /// # Errors
+    /// If the folder cannot be opened.
+    pub fn mount_disk(&mut self, folder: &Utf8Path) -> io::Result<()> {
+        let is = |path: &Utf8Path, name: &str| path.file_name().is_some_and(|found| found.eq_ignore_ascii_case(name));
+        match (folder.parent(), folder.file_name()) {
+            (Some(outer), Some(name)) if is(folder, "usrapp") && is(outer, "usr") => {
+                self.mount_inside(DISK, outer, Utf8Path::new(name))
+            }
+            _ => self.mount(DISK, folder),
+        }
     }
 
     /// Lets `name` stand for the folder `start` inside of `outer`. Its paths can go up to `outer`, as those of a cell
@@ -108,7 +127,9 @@ impl<'r> Place<'r> {
     pub fn kind(&self) -> Result<EntryKind, FileFault> {
         match self.dir.metadata(self.relative()) {
             Ok(found) if found.is_dir() => Ok(EntryKind::Folder),
-            Ok(_) => Ok(EntryKind::File),
+            Ok(found) if found.is_file() => Ok(EntryKind::File),
+            // A pipe or device would hold the run up.
+            Ok(_) => Err(FileFault::BadPath),
             Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(EntryKind::Missing),
             Err(error) if error.kind() == io::ErrorKind::PermissionDenied => Err(FileFault::BadPath),
             Err(error) => Err(error.into()),
@@ -169,9 +190,10 @@ impl<'r> Place<'r> {
     /// The bytes of the file here.
     ///
     /// # Errors
-    /// If it cannot be read.
+    /// If it cannot be read, or is larger than anything a controller holds.
     pub fn read(&self) -> Result<Vec<u8>, FileFault> {
-        Ok(self.dir.read(self.relative())?)
+        let size = self.dir.metadata(self.relative())?.len();
+        if size > LARGEST { Err(FileFault::Medium) } else { Ok(self.dir.read(self.relative())?) }
     }
 }
 

@@ -224,7 +224,7 @@ fn a_client_calls_until_somebody_answers() {
         peer.write_all(format!("welcome {round}\r").as_bytes()).unwrap();
         assert_eq!(text(&mut channel), format!("welcome {round}"));
         drop(peer);
-        std::thread::sleep(Duration::from_millis(20));
+        until(|| if channel.attend() == Connection::Closed { Turn::Done(()) } else { Turn::Wait });
     }
     assert_eq!(channel.control("timeout", SettingValue::Num(0.5)), 0);
     drop(listener);

@@ -40,6 +40,11 @@ export class Mapping {
     return this.file.offsetAt(position);
   }
 
+  /** A position of the file lies in what comes before the code of the program and belongs to it. */
+  isHead(position: Position): boolean {
+    return this.projection.isHead(this.file.offsetAt(position));
+  }
+
   /** Nothing for a position outside of the code. */
   toCode(position: Position): Position | undefined {
     const offset = this.projection.toCode(this.file.offsetAt(position));

@@ -4,6 +4,7 @@ import * as vscode from "vscode";
 import type { Middleware } from "vscode-languageclient/node";
 import type { CodeFiles } from "./files";
 import { FOLLOWED, inCodeViews } from "./follow";
+import { type Lens, lensOfFile, lensToCode, RESOLVE } from "./lenses";
 import type { Link } from "./link";
 import { type Target, toCode, toFile } from "./requests";
 import { SCHEME } from "./uris";
@@ -20,13 +21,18 @@ interface AboutDocument {
 export function codeViewMiddleware(views: CodeFiles): Middleware {
   return {
     async sendRequest(type, params, token, next) {
+      const method = typeof type === "string" ? type : type.method;
+      const lens = method === RESOLVE ? lensOfFile(params as Lens) : undefined;
+      if (lens !== undefined) {
+        const resolved = (await next(type, lens as typeof params, token)) as Lens;
+        return (await lensToCode(resolved, params as Lens, inCodeViews)) as never;
+      }
       const code = viewOf(params);
       const link = code && views.find(code);
       if (link === undefined) {
         return code === undefined ? next(type, params, token) : (null as never);
       }
       await link.settled();
-      const method = typeof type === "string" ? type : type.method;
       const target = targetOf(link);
       if (target === undefined) {
         return null as never;

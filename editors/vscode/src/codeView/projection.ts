@@ -40,14 +40,16 @@ export class Projection {
     private readonly chunks: Chunk[],
     private readonly isCdata: boolean,
     private readonly fileStart: number,
+    private readonly headStart: number,
   ) {}
 
   /** The code of the program that is number `index` in its file; nothing where it has none. */
   static of(file: string, index = 0): Projection | undefined {
-    const start = programsOf(file)[index]?.codeStart;
-    if (start === undefined) {
+    const program = programsOf(file)[index];
+    if (program === undefined) {
       return undefined;
     }
+    const start = program.codeStart;
     const pieces = readPieces(file, start);
     const isCdata = pieces.some((piece) => piece.isCdata);
     const kept = isCdata ? pieces.filter((piece) => piece.isCdata || piece.text.trim() !== "") : pieces;
@@ -57,7 +59,7 @@ export class Projection {
       chunks.push({ code: code.length, file: piece.start, codeLength: piece.text.length, fileLength: piece.length });
       code += piece.text;
     }
-    return new Projection(code, chunks, isCdata, start);
+    return new Projection(code, chunks, isCdata, start, program.tagStart);
   }
 
   /** Where an offset of the code stands in the file. */
@@ -83,6 +85,11 @@ export class Projection {
     const chunk = this.chunks.findLast((chunk) => chunk.file <= offset) ?? first;
     const within = offset - chunk.file;
     return chunk.code + (isVerbatim(chunk) ? Math.min(within, chunk.codeLength) : within >= chunk.fileLength ? chunk.codeLength : 0);
+  }
+
+  /** An offset of the file lies in what comes before the code of the program and belongs to it. */
+  isHead(offset: number): boolean {
+    return this.headStart <= offset && offset < this.fileStart;
   }
 
   /** The replacement in the file that makes its code `code`; nothing when it is so already. */

@@ -3,6 +3,7 @@
 // The server knows files alone. A request about a view becomes one about its file, and the ranges of the answer become
 // ranges of the view. Edits of the whole workspace stay edits of files, from which the views follow.
 
+import { type Lens, LENSES, lensesToCode } from "./lenses";
 import type { Mapping, Position, Range } from "./mapping";
 import { toCodeTokens } from "./tokens";
 
@@ -39,6 +40,8 @@ export function toCode(method: string, answer: Json, target: Target): Json {
     return toCodeTokens(answer, target.mapping);
   } else if (method === "textDocument/foldingRange") {
     return (answer as JsonObject[] | null)?.flatMap((fold) => toCodeFold(fold, target) ?? []) ?? null;
+  } else if (method === LENSES) {
+    return lensesToCode(answer as Lens[] | null, target);
   } else if (method === "textDocument/completion") {
     return toCodeValue(withOutsideEdits(answer, target), target) ?? null;
   }

@@ -20,6 +20,6 @@ instruction! {
 }
 
 fn insert(call: &mut Call<'_>, variable: Arr<Any>, index: f64) -> Result<()> {
-    let limited = call.version.container_limit().is_some();
-    call.memory.insert_at(variable.view, index, limited)
+    let limit = call.version.container_limit();
+    call.memory.insert_at(variable.view, index, limit)
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::bits;
 
 instruction! {
     /// Gives the bits that are set in both of two 32-bit fields.
@@ -14,5 +16,21 @@ instruction! {
     ///   endIf
     /// ```
     "bAnd": Bits "3.3.3";
-    function (num nBitField1, num nBitField2) -> num;
+    function (num nBitField1, num nBitField2) -> num = b_and;
+}
+
+fn b_and(_: &mut Call<'_>, left: f64, right: f64) -> f64 {
+    bits::and(left, right)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("bAnd(12,10)", "8");
+        check("bAnd(2147483648,4294967295)", "2147483648");
+        check("bAnd(2.5,255)", "3");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::bits;
 
 instruction! {
     /// Inverts every bit of a 32-bit field.
@@ -13,5 +15,21 @@ instruction! {
     ///   nFlags=bAnd(nFlags,bNot(8))
     /// ```
     "bNot": Bits "3.3.3";
-    function (num nBitField) -> num;
+    function (num nBitField) -> num = b_not;
+}
+
+fn b_not(_: &mut Call<'_>, field: f64) -> f64 {
+    bits::not(field)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("bNot(0)", "4294967295");
+        check("bNot(255)", "4294967040");
+        check("bNot(-1)", "4294967295");
+    }
 }

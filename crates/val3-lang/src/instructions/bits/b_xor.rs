@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::bits;
 
 instruction! {
     /// Gives the bits in which two 32-bit fields differ.
@@ -13,5 +15,20 @@ instruction! {
     ///   nFlags=bXor(nFlags,4)
     /// ```
     "bXor": Bits "3.3.3";
-    function (num nBitField1, num nBitField2) -> num;
+    function (num nBitField1, num nBitField2) -> num = b_xor;
+}
+
+fn b_xor(_: &mut Call<'_>, left: f64, right: f64) -> f64 {
+    bits::xor(left, right)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("bXor(12,10)", "6");
+        check("bXor(165,15)", "170");
+    }
 }

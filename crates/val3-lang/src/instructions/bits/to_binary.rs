@@ -1,4 +1,7 @@
+use crate::call::{Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::{Text, binary};
 
 instruction! {
     /// Encodes numbers as bytes, to send them to another device.
@@ -23,5 +26,36 @@ instruction! {
     ///   sioSet(sHost,nBytes)
     /// ```
     "toBinary": Bits "3.3.3", errors [70];
-    modifier (num& nValue[], num nValueSize, string sDataFormat, num& nDataByte[]) -> num;
+    modifier (num& nValue[], num nValueSize, string sDataFormat, num& nDataByte[]) -> num = to_binary;
+}
+
+fn to_binary(call: &mut Call<'_>, values: Arr<f64>, size: f64, format: Text, bytes: Arr<f64>) -> Result<f64> {
+    let mut encoded = bytes.all(call)?;
+    let count = binary::to_binary(&values.all(call)?, size, &format, &mut encoded)?;
+    bytes.set_all(call, encoded)?;
+    Ok(count)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    #[test]
+    fn bytes_come_to_the_start_of_the_array() {
+        let mut bench = Bench::default().global("num nValue[3]; num nByte[6]").with("nValue", &[1.0, -2.0, 258.0]);
+        bench.set("nByte", &[9.0; 6]);
+        assert_eq!(bench.run(r#"toBinary(nValue,2,"-2b",nByte)"#), "4");
+        assert_eq!(bench.show("nByte"), "0, 1, 255, 254, 9, 9");
+        assert_eq!(bench.run(r#"toBinary(nValue[2],1,"2l",nByte[4])"#), "2");
+        assert_eq!(bench.show("nByte"), "0, 1, 255, 254, 2, 1");
+    }
+
+    #[test]
+    fn nothing_is_written_where_something_does_not_fit() {
+        let mut bench = Bench::default().global("num nValue[3]; num nByte[6]");
+        assert_eq!(bench.run(r#"toBinary(nValue,4,"1",nByte)"#), "error 70");
+        assert_eq!(bench.run(r#"toBinary(nValue,3,"3b",nByte)"#), "error 70");
+        assert_eq!(bench.run(r#"toBinary(nValue,2,"4b",nByte)"#), "error 70");
+        assert_eq!(bench.run(r#"toBinary(nValue,3,"2b",nByte)"#), "6");
+    }
 }

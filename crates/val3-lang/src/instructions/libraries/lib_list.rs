@@ -44,9 +44,9 @@ fn list(call: &mut Call<'_>, path: Text, contents: Arr<Text>) -> Result<Flow<boo
 
 /// Makes room where the array can grow; the result of the instruction tells where it cannot.
 fn grow(call: &mut Call<'_>, contents: &Arr<Text>, wanted: usize) {
-    let limited = call.version.container_limit().is_some();
+    let limit = call.version.container_limit();
     while contents.len(call).is_ok_and(|len| len < wanted) {
-        if call.memory.append(contents.view.store, limited).is_err() {
+        if call.memory.append(contents.view.store, limit).is_err() {
             return;
         }
     }

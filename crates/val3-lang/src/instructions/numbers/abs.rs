@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the absolute value of a number, or of each axis of a joint position.
@@ -18,6 +20,26 @@ instruction! {
     ///   endIf
     /// ```
     "abs": Numbers "3.2.3, 9.2.3";
-    function (num nValue) -> num;
-    function (joint jPosition) -> joint;
+    function (num nValue) -> num = of_number;
+    function (joint jPosition) -> joint = of_joint;
+}
+
+fn of_number(_: &mut Call<'_>, value: f64) -> f64 {
+    numbers::abs(value)
+}
+
+fn of_joint(_: &mut Call<'_>, position: [f64; 6]) -> [f64; 6] {
+    position.map(numbers::abs)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("abs(3.1415)", "3.1415");
+        check("abs(-3.1415)", "3.1415");
+        check("abs({-1,2,-3,0,-0.5,6})", "{1,2,3,0,0.5,6}");
+    }
 }

@@ -1,4 +1,9 @@
+use val3_geometry::degrees;
+
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::{Fault, Result};
+use crate::runtime_errors::INVALID_NUMBER;
 
 instruction! {
     /// Gives the angle that has a given cosine.
@@ -14,5 +19,22 @@ instruction! {
     ///   nAngle=acos(limit(nReach/80,-1,1))
     /// ```
     "acos": Numbers "3.2.3", errors [11];
-    function (num nValue) -> num;
+    function (num nValue) -> num = acos;
+}
+
+fn acos(_: &mut Call<'_>, value: f64) -> Result<f64> {
+    degrees::acos(value).ok_or(Fault(INVALID_NUMBER))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("acos(0.5)", "60");
+        check("acos(-1)", "180");
+        check("acos(1.0000001)", "error 11");
+        check("acos(-1.0000001)", "error 11");
+    }
 }

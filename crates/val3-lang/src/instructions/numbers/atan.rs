@@ -1,3 +1,6 @@
+use val3_geometry::degrees;
+
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -17,5 +20,20 @@ instruction! {
     ///   endIf
     /// ```
     "atan": Numbers "3.2.3";
-    function (num nValue) -> num;
+    function (num nValue) -> num = atan;
+}
+
+fn atan(_: &mut Call<'_>, value: f64) -> f64 {
+    degrees::atan(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("atan(1)", "45");
+        check("atan(-1e300)", "-90");
+    }
 }

@@ -1,3 +1,6 @@
+use val3_geometry::degrees;
+
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +16,20 @@ instruction! {
     ///   nReach=200*cos(nAngle)
     /// ```
     "cos": Numbers "3.2.3";
-    function (num nAngle) -> num;
+    function (num nAngle) -> num = cos;
+}
+
+fn cos(_: &mut Call<'_>, angle: f64) -> f64 {
+    degrees::cos(angle)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("cos(60)", "0.5");
+        check("cos(180)", "-1");
+    }
 }

@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the power of e, the base of the natural logarithm.
@@ -14,5 +17,21 @@ instruction! {
     ///   nGain=1-exp(-nSeconds/5)
     /// ```
     "exp": Numbers "3.2.3", errors [11];
-    function (num nValue) -> num;
+    function (num nValue) -> num = exp;
+}
+
+fn exp(_: &mut Call<'_>, value: f64) -> Result<f64> {
+    numbers::exp(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("exp(1)", "2.718281828459");
+        check("exp(709)", "8.218407461555e307");
+        check("exp(710)", "error 11");
+    }
 }

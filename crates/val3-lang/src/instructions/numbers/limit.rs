@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Keeps a number within two bounds.
@@ -14,5 +16,21 @@ instruction! {
     ///   nSpeed=limit(nWanted,1,100)
     /// ```
     "limit": Numbers "3.2.3";
-    function (num nValue, num nMin, num nMax) -> num;
+    function (num nValue, num nMin, num nMax) -> num = limit;
+}
+
+fn limit(_: &mut Call<'_>, value: f64, min: f64, max: f64) -> f64 {
+    numbers::limit(value, min, max)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("limit(30,-90,90)", "30");
+        check("limit(100,-90,90)", "90");
+        check("limit(-100,-90,90)", "-90");
+    }
 }

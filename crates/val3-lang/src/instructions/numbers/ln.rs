@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the natural logarithm of a number.
@@ -14,5 +17,21 @@ instruction! {
     ///   nTime=-5*ln(nLevel)
     /// ```
     "ln": Numbers "3.2.3", errors [11];
-    function (num nValue) -> num;
+    function (num nValue) -> num = ln;
+}
+
+fn ln(_: &mut Call<'_>, value: f64) -> Result<f64> {
+    numbers::ln(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("ln(2.718281828)", "0.99999999983113");
+        check("ln(0)", "error 11");
+        check("ln(-1)", "error 11");
+    }
 }

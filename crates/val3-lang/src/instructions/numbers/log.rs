@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the decimal logarithm of a number.
@@ -14,5 +17,21 @@ instruction! {
     ///   nDigits=roundDown(log(nCount))+1
     /// ```
     "log": Numbers "3.2.3", errors [11];
-    function (num nValue) -> num;
+    function (num nValue) -> num = log;
+}
+
+fn log(_: &mut Call<'_>, value: f64) -> Result<f64> {
+    numbers::log(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("log(1000)", "3");
+        check("log(0)", "error 11");
+        check("log(-1)", "error 11");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the larger of two numbers.
@@ -13,5 +15,19 @@ instruction! {
     ///   nLeft=max(0,10-nDone)
     /// ```
     "max": Numbers "3.2.3";
-    function (num nX, num nY) -> num;
+    function (num nX, num nY) -> num = max;
+}
+
+fn max(_: &mut Call<'_>, x: f64, y: f64) -> f64 {
+    numbers::max(x, y)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("max(-1,10)", "10");
+    }
 }

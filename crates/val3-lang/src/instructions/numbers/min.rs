@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the smaller of two numbers.
@@ -13,5 +15,19 @@ instruction! {
     ///   nSpeed=min(nWanted,100)
     /// ```
     "min": Numbers "3.2.3";
-    function (num nX, num nY) -> num;
+    function (num nX, num nY) -> num = min;
+}
+
+fn min(_: &mut Call<'_>, x: f64, y: f64) -> f64 {
+    numbers::min(x, y)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("min(-1,10)", "-1");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the whole number nearest to a number.
@@ -15,5 +17,22 @@ instruction! {
     ///   nWhole=round(nMeasured)
     /// ```
     "round": Numbers "3.2.3";
-    function (num nValue) -> num;
+    function (num nValue) -> num = round;
+}
+
+fn round(_: &mut Call<'_>, value: f64) -> f64 {
+    numbers::round(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("round(7.8)", "8");
+        check("round(-7.8)", "-8");
+        check("round(0.5)", "1");
+        check("round(-0.5)", "0");
+    }
 }

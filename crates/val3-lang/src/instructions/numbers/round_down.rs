@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the largest whole number that is not above a number.
@@ -13,5 +15,20 @@ instruction! {
     ///   nRow=roundDown(nPart/12)
     /// ```
     "roundDown": Numbers "3.2.3";
-    function (num nValue) -> num;
+    function (num nValue) -> num = round_down;
+}
+
+fn round_down(_: &mut Call<'_>, value: f64) -> f64 {
+    numbers::round_down(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("roundDown(7.8)", "7");
+        check("roundDown(-7.8)", "-8");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the smallest whole number that is not below a number.
@@ -13,5 +15,20 @@ instruction! {
     ///   nLayers=roundUp(nParts/12)
     /// ```
     "roundUp": Numbers "3.2.3";
-    function (num nValue) -> num;
+    function (num nValue) -> num = round_up;
+}
+
+fn round_up(_: &mut Call<'_>, value: f64) -> f64 {
+    numbers::round_up(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("roundUp(7.8)", "8");
+        check("roundUp(-7.8)", "-7");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::numbers;
 
 instruction! {
     /// Gives one of two numbers by a condition.
@@ -14,5 +16,20 @@ instruction! {
     ///   nSpeed=sel(bFragile,20,100)
     /// ```
     "sel": Numbers "3.2.3";
-    function (bool bCondition, num nValue1, num nValue2) -> num;
+    function (bool bCondition, num nValue1, num nValue2) -> num = sel;
+}
+
+fn sel(_: &mut Call<'_>, condition: bool, if_true: f64, if_false: f64) -> f64 {
+    numbers::sel(condition, if_true, if_false)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("sel(true,-90,90)", "-90");
+        check("sel(false,-90,90)", "90");
+    }
 }

@@ -1,3 +1,6 @@
+use val3_geometry::degrees;
+
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +16,20 @@ instruction! {
     ///   nHeight=200*sin(nAngle)
     /// ```
     "sin": Numbers "3.2.3";
-    function (num nAngle) -> num;
+    function (num nAngle) -> num = sin;
+}
+
+fn sin(_: &mut Call<'_>, angle: f64) -> f64 {
+    degrees::sin(angle)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("sin(30)", "0.5");
+        check("sin(-450)", "-1");
+    }
 }

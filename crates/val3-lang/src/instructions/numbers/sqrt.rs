@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::numbers;
 
 instruction! {
     /// Gives the square root of a number.
@@ -14,5 +17,21 @@ instruction! {
     ///   nDistance=sqrt(trGap.x*trGap.x+trGap.y*trGap.y)
     /// ```
     "sqrt": Numbers "3.2.3", errors [11];
-    function (num nValue) -> num;
+    function (num nValue) -> num = sqrt;
+}
+
+fn sqrt(_: &mut Call<'_>, value: f64) -> Result<f64> {
+    numbers::sqrt(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("sqrt(9)", "3");
+        check("sqrt(0)", "0");
+        check("sqrt(-0.001)", "error 11");
+    }
 }

@@ -1,3 +1,6 @@
+use val3_geometry::degrees;
+
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +16,20 @@ instruction! {
     ///   nHeight=500*tan(nSlope)
     /// ```
     "tan": Numbers "3.2.3";
-    function (num nAngle) -> num;
+    function (num nAngle) -> num = tan;
+}
+
+fn tan(_: &mut Call<'_>, angle: f64) -> f64 {
+    degrees::tan(angle)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("tan(45)", "1");
+        check("tan(90)", "1.6331239353195e16");
+    }
 }

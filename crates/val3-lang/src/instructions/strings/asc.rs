@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Gives the Unicode code point of a character of a text.
@@ -15,5 +17,21 @@ instruction! {
     ///   endIf
     /// ```
     "asc": Strings "3.4.3";
-    function (string sText, num nPosition) -> num;
+    function (string sText, num nPosition) -> num = asc;
+}
+
+fn asc(_: &mut Call<'_>, text: Text, position: f64) -> f64 {
+    strings::asc(&text, position)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"asc("A",0)"#, "65");
+        check(r#"asc("A",1)"#, "-1");
+        check(r#"asc("A",-1)"#, "-1");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Gives the character with a Unicode code point.
@@ -14,5 +16,23 @@ instruction! {
     ///   sHost="name="+chr(34)+"gripper"+chr(34)
     /// ```
     "chr": Strings "3.4.3";
-    function (num nCodePoint) -> string;
+    function (num nCodePoint) -> string = chr;
+}
+
+fn chr(_: &mut Call<'_>, code_point: f64) -> Text {
+    strings::chr(code_point)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("chr(65)", r#""A""#);
+        check("chr(26426)", r#""机""#);
+        check("chr(-1)", r#""""#);
+        check("chr(55296)", r#""""#);
+        check("chr(1114112)", r#""""#);
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Looks for a text in another one.
@@ -16,5 +18,20 @@ instruction! {
     ///   endIf
     /// ```
     "find": Strings "3.4.3";
-    function (string sText1, string sText2) -> num;
+    function (string sText1, string sText2) -> num = find;
+}
+
+fn find(_: &mut Call<'_>, text: Text, wanted: Text) -> f64 {
+    strings::find(&text, &wanted)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"find("hello wild world","wild")"#, "6");
+        check(r#"find("hello wild world","Wild")"#, "-1");
+    }
 }

@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Gives the first characters of a text.
@@ -16,5 +19,21 @@ instruction! {
     ///   endIf
     /// ```
     "left": Strings "3.4.3", errors [70];
-    function (string sText, num nSize) -> string;
+    function (string sText, num nSize) -> string = left;
+}
+
+fn left(_: &mut Call<'_>, text: Text, size: f64) -> Result<Text> {
+    strings::left(&text, size)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"left("hello world",5)"#, r#""hello""#);
+        check(r#"left("hello world",20)"#, r#""hello world""#);
+        check(r#"left("hello world",-1)"#, "error 70");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Counts the characters of a text.
@@ -16,5 +18,21 @@ instruction! {
     ///   endIf
     /// ```
     "len": Strings "3.4.3";
-    function (string sText) -> num;
+    function (string sText) -> num = len;
+}
+
+fn len(_: &mut Call<'_>, text: Text) -> f64 {
+    strings::len(&text) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"len("hello wild world")"#, "16");
+        check(r#"len("")"#, "0");
+        check(r#"len("机器人")"#, "3");
+    }
 }

@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Gives characters from the middle of a text.
@@ -16,5 +19,22 @@ instruction! {
     ///   putln(mid(sLine,4,6))
     /// ```
     "mid": Strings "3.4.3", errors [70];
-    function (string sText, num nSize, num nPosition) -> string;
+    function (string sText, num nSize, num nPosition) -> string = mid;
+}
+
+fn mid(_: &mut Call<'_>, text: Text, size: f64, position: f64) -> Result<Text> {
+    strings::mid(&text, size, position)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"mid("hello wild world",4,6)"#, r#""wild""#);
+        check(r#"mid("hello wild world",20,6)"#, r#""wild world""#);
+        check(r#"mid("hello",-1,0)"#, "error 70");
+        check(r#"mid("hello",1,-1)"#, "error 70");
+    }
 }

@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::{Text, strings};
 
 instruction! {
     /// Puts other text in the place of characters of a text.
@@ -20,5 +23,22 @@ instruction! {
     ///   endIf
     /// ```
     "replace": Strings "3.4.3", errors [70];
-    function (string sText, string sReplacement, num nSize, num nPosition) -> string;
+    function (string sText, string sReplacement, num nSize, num nPosition) -> string = replace;
+}
+
+fn replace(_: &mut Call<'_>, text: Text, replacement: Text, size: f64, position: f64) -> Result<Text> {
+    strings::replace(&text, &replacement, size, position)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"replace("hello ? world","wild",1,6)"#, r#""hello wild world""#);
+        check(r#"replace("hello","x",1,6)"#, r#""hello""#);
+        check(r#"replace("hello","x",-1,0)"#, "error 70");
+        check(r#"replace("hello","x",1,-1)"#, "error 70");
+    }
 }

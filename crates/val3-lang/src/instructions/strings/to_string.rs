@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::{Text, number_text};
 
 instruction! {
     /// Writes a number as text.
@@ -15,5 +18,25 @@ instruction! {
     ///   putln("weight "+toString(".2",nWeight)+" kg")
     /// ```
     "toString": Strings "3.4.3", errors [70];
-    function (string sFormat, num nValue) -> string;
+    function (string sFormat, num nValue) -> string = to_string;
+}
+
+fn to_string(_: &mut Call<'_>, format: Text, value: f64) -> Result<Text> {
+    number_text::to_string(&format, value)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check(r#"toString(".4",3.141592654)"#, r#""3.1416""#);
+        check(r#"toString("8",3.141592654)"#, r#""       3""#);
+        check(r#"toString("8.4",3.141592654)"#, r#""  3.1416""#);
+        check(r#"toString("8.4",2.70001)"#, r#""  2.7   ""#);
+        check(r#"toString("",3.141592654)"#, r#""3""#);
+        check(r#"toString("1.2",1234.1234)"#, r#""1234.12""#);
+        check(r#"toString("x",1)"#, "error 70");
+    }
 }

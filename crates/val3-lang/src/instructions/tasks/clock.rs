@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::ports::SECOND;
 
 instruction! {
     /// Gives the time since the controller was started.
@@ -13,5 +15,26 @@ instruction! {
     ///   putln(clock()-nStart)
     /// ```
     "clock": Tasks "5.10";
-    function () -> num;
+    function () -> num = clock;
+}
+
+/// Whole milliseconds: what has passed of the next one does not count.
+fn clock(call: &mut Call<'_>) -> f64 {
+    let milliseconds = call.now() / (SECOND / 1000);
+    milliseconds as f64 / 1000.0
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    #[test]
+    fn counts_milliseconds_in_seconds() {
+        let mut bench = Bench::default();
+        let mut at = |now| {
+            bench.now = now;
+            bench.run("clock()")
+        };
+        assert_eq!([0, 999_999, 1_000_000, 1_500_000, 61_002_999_999].map(&mut at), ["0", "0", "0.001", "0.001", "61.002"]);
+    }
 }

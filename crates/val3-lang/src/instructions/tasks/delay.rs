@@ -1,4 +1,6 @@
+use crate::call::{Call, Flow};
 use crate::declare::instruction;
+use crate::ports::nanoseconds;
 
 instruction! {
     /// Waits for a time.
@@ -15,5 +17,34 @@ instruction! {
     ///   doLamp=false
     /// ```
     "delay": Tasks "5.10", blocking;
-    modifier (num nSeconds);
+    modifier (num nSeconds) = delay;
+}
+
+/// Whatever the time, the others have their turn.
+fn delay(call: &mut Call<'_>, seconds: f64) -> Flow {
+    let time = nanoseconds(seconds);
+    if call.is_first() || call.waited() < time { call.sleep(time) } else { Flow::Done(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    #[test]
+    fn waits_for_its_time() {
+        let mut bench = Bench::default().at(2_000_000_000);
+        assert_eq!(bench.run("delay(0.5)"), "sleeps until 2.5");
+        bench.now = 2_499_999_999;
+        assert_eq!(bench.run("delay(0.5)"), "sleeps until 2.5");
+        bench.now = 2_500_000_000;
+        assert_eq!(bench.run("delay(0.5)"), "");
+    }
+
+    #[test]
+    fn zero_and_less_pass_the_turn_once() {
+        for line in ["delay(0)", "delay(-1)"] {
+            let mut bench = Bench::default().at(2_000_000_000);
+            assert_eq!([bench.run(line), bench.run(line)], ["sleeps until 2", ""]);
+        }
+    }
 }

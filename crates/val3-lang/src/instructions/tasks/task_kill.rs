@@ -1,4 +1,6 @@
+use crate::call::{Call, Flow};
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Ends a task.
@@ -13,5 +15,36 @@ instruction! {
     ///   resetMotion()
     /// ```
     "taskKill": Tasks "5.10", blocking;
-    modifier (string sName);
+    modifier (string sName) = task_kill;
+}
+
+/// It passes the turn, at whose end the task is gone (5.4).
+fn task_kill(call: &mut Call<'_>, name: Text) -> Flow {
+    if !call.is_first() {
+        return Flow::Done(());
+    }
+    call.tasks.kill(&name);
+    call.sleep(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::runtime_errors::TaskState;
+    use crate::testing::Bench;
+
+    #[test]
+    fn ends_a_task_once() {
+        let mut bench = Bench::default();
+        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        assert_eq!(bench.run("taskKill(\"robot\")"), "sleeps until 0");
+        assert!(bench.tasks.states.is_empty());
+        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        assert_eq!(bench.run("taskKill(\"robot\")"), "");
+        assert_eq!(bench.tasks.states["robot"], TaskState::Running);
+    }
+
+    #[test]
+    fn a_task_that_there_is_not_is_no_error() {
+        assert_eq!(Bench::default().run("taskKill(\"robot\")"), "sleeps until 0");
+    }
 }

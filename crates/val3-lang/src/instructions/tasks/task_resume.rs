@@ -1,4 +1,7 @@
+use crate::call::{Call, Flow};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::Text;
 
 instruction! {
     /// Lets a halted task go on.
@@ -16,5 +19,30 @@ instruction! {
     ///   endIf
     /// ```
     "taskResume": Tasks "5.10", blocking, errors [30, 90];
-    modifier (string sName, num nSkip);
+    modifier (string sName, num nSkip) = task_resume;
+}
+
+/// It passes the turn, so that the task can be ready when the next line begins (5.4).
+fn task_resume(call: &mut Call<'_>, name: Text, skip: f64) -> Result<Flow> {
+    if !call.is_first() {
+        return Ok(Flow::Done(()));
+    }
+    call.tasks.resume(&name, skip)?;
+    Ok(call.sleep(0))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::runtime_errors::TaskState;
+    use crate::testing::Bench;
+
+    #[test]
+    fn lets_a_task_go_on_and_passes_the_turn() {
+        let mut bench = Bench::default();
+        bench.tasks.states.insert("robot".to_owned(), TaskState::Halted);
+        let line = "taskResume(\"robot\",1)";
+        assert_eq!([bench.run(line), bench.run(line)], ["sleeps until 0", ""]);
+        assert_eq!(bench.tasks.states["robot"], TaskState::Running);
+        assert_eq!(bench.run("taskResume(\"tools\",0)"), "error 30");
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Tells how a task is doing.
@@ -16,5 +18,24 @@ instruction! {
     ///   endIf
     /// ```
     "taskStatus": Tasks "5.10";
-    function (string sName) -> num;
+    function (string sName) -> num = task_status;
+}
+
+fn task_status(call: &mut Call<'_>, name: Text) -> f64 {
+    f64::from(call.tasks.status(&name))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::runtime_errors::TaskState;
+    use crate::testing::Bench;
+
+    #[test]
+    fn tells_states_by_number() {
+        let mut bench = Bench::default();
+        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        bench.tasks.states.insert("tools".to_owned(), TaskState::Halted);
+        let states = ["robot", "tools", "other"].map(|name| bench.run(&format!("taskStatus(\"{name}\")")));
+        assert_eq!(states, ["1", "0", "-1"]);
+    }
 }

@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::Text;
 
 instruction! {
     /// Halts a task.
@@ -15,5 +18,23 @@ instruction! {
     ///   endIf
     /// ```
     "taskSuspend": Tasks "5.10", errors [30];
-    modifier (string sName);
+    modifier (string sName) = task_suspend;
+}
+
+fn task_suspend(call: &mut Call<'_>, name: Text) -> Result<()> {
+    call.tasks.suspend(&name)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::runtime_errors::TaskState;
+    use crate::testing::Bench;
+
+    #[test]
+    fn halts_a_task_that_there_is() {
+        let mut bench = Bench::default();
+        bench.tasks.states.insert("robot".to_owned(), TaskState::Running);
+        assert_eq!([bench.run("taskSuspend(\"robot\")"), bench.run("taskSuspend(\"Robot\")")], ["", "error 30"]);
+        assert_eq!(bench.tasks.states["robot"], TaskState::Halted);
+    }
 }

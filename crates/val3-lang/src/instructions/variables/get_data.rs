@@ -1,9 +1,13 @@
+use crate::call::{Any, AnyVar, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::memory::{Kind, Shape, View};
+use crate::values::Text;
 
 instruction! {
     /// Copies the value of a variable that is known by its name only.
     ///
-    /// - `sDataName`: `"name"`, `"library:name"`, or either with an index such as `"name[3]"`.
+    /// - `sDataName`: `"name"`, `"library:name"`, or either with an index such as `"name[3]"`, at which copying starts.
     /// - `variable`: where the value goes; of the same type. If both are one-dimensional arrays, as many values
     ///   are copied as both hold, from the index of the destination on.
     /// - Result: the number of values copied; -1 no such variable, -2 no such library identifier, -3 index out of
@@ -22,5 +26,136 @@ instruction! {
     /// public point pTrack[5]
     /// ```
     "getData": Variables "2.5.4";
-    modifier (string sDataName, any& variable) -> num;
+    modifier (string sDataName, any& variable) -> num = get_data;
+}
+
+const NO_DATA: f64 = -1.0;
+const NO_INDEX: f64 = -3.0;
+const OTHER_TYPE: f64 = -4.0;
+
+/// Both sides count from their index on, and data of a grid or a collection are of another type than any variable.
+fn get_data(call: &mut Call<'_>, name: Text, variable: AnyVar) -> Result<f64> {
+    let source = match find(call, &name) {
+        Ok(source) => source,
+        Err(code) => return Ok(code),
+    };
+    let kind = call.memory.store(source.store)?.kind.clone();
+    if !suits(call, &kind, variable)? {
+        return Ok(OTHER_TYPE);
+    }
+    match variable {
+        AnyVar::Element(Any { place, .. }) => {
+            let from = call.memory.element(source, 0)?;
+            call.memory.copy(&kind, from, place)?;
+            Ok(1.0)
+        }
+        AnyVar::Array(target) => copy(call, &kind, source, target),
+    }
+}
+
+/// The data that a name means, from its index on. A name that cannot be one means none.
+fn find(call: &Call<'_>, name: &str) -> std::result::Result<View, f64> {
+    let (name, index) = match name.split_once('[') {
+        None => (name, 0.0),
+        Some((name, index)) => {
+            let index = index.strip_suffix(']').and_then(|index| index.trim().parse().ok());
+            (name, index.ok_or(NO_DATA)?)
+        }
+    };
+    let view = call.tasks.data(name).map_err(f64::from)?;
+    let store = call.memory.store(view.store).map_err(|_| NO_DATA)?;
+    if !matches!(store.shape, Shape::Array { dims: 1, .. }) {
+        return Err(OTHER_TYPE);
+    }
+    let start = store.number1(view, index).map_err(|_| NO_INDEX)?;
+    Ok(View { start, ..view })
+}
+
+fn suits(call: &Call<'_>, kind: &Kind, variable: AnyVar) -> Result<bool> {
+    match variable {
+        AnyVar::Element(Any { base: Some(base), .. }) => Ok(kind.base_type() == Some(base)),
+        AnyVar::Element(Any { place, base: None }) => Ok(kind.suits(&call.memory.store(place.store)?.kind)),
+        AnyVar::Array(view) => Ok(kind.suits(&call.memory.store(view.store)?.kind)),
+    }
+}
+
+/// As many values as both hold. Where an array is moved up within itself, the last value goes first.
+fn copy(call: &mut Call<'_>, kind: &Kind, source: View, target: View) -> Result<f64> {
+    let count = call.memory.len(source)?.min(call.memory.len(target)?);
+    let upwards = source.store == target.store && source.start < target.start;
+    for number in 0..count {
+        let number = if upwards { count - 1 - number } else { number };
+        let (from, to) = (call.memory.element(source, number)?, call.memory.element(target, number)?);
+        call.memory.copy(kind, from, to)?;
+    }
+    Ok(f64::from(count))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    /// The variables of the library `part` are those of the bench.
+    fn bench() -> Bench {
+        let declared = r#"num nTrack[3]; num nCount; num nGrid[2,2]; num nColl[""]; string sName"#;
+        let mut bench = Bench::default().global(declared).local("num l_nPath[5]; num l_nOne; string l_sText; num nSelf[4]");
+        for name in ["nTrack", "nCount", "nGrid", "nColl", "sName"] {
+            bench.tasks.data.insert(format!("part:{name}"), bench.view(name));
+        }
+        bench.tasks.data.insert("nSelf".to_owned(), bench.view("nSelf"));
+        bench.tasks.libraries = vec!["part"];
+        bench.with("nTrack", &[1.0, 2.0, 3.0]).with("nCount", &[7.0]).with_texts("sName", &["bolt"])
+    }
+
+    #[track_caller]
+    fn check(line: &str, code: &str, variable: &str, values: &str) {
+        let mut bench = bench();
+        assert_eq!([bench.run(line), bench.show(variable)], [code, values], "{line}");
+    }
+
+    #[test]
+    fn an_element_gets_one_value() {
+        check(r#"getData("part:nCount",l_nOne)"#, "1", "l_nOne", "7");
+        check(r#"getData("part:nTrack",l_nOne)"#, "1", "l_nOne", "1");
+        check(r#"getData("part:nTrack[2]",l_nOne)"#, "1", "l_nOne", "3");
+        check(r#"getData("part:sName",l_sText)"#, "1", "l_sText", r#""bolt""#);
+    }
+
+    /// The example of the manual: two arrays, one behind the other.
+    #[test]
+    fn an_array_gets_what_both_hold() {
+        let mut bench = bench();
+        assert_eq!(bench.run(r#"getData("part:nTrack",l_nPath)"#), "3");
+        assert_eq!(bench.show("l_nPath"), "1, 2, 3, 0, 0");
+        assert_eq!(bench.run(r#"getData("part:nTrack",l_nPath[3])"#), "2");
+        assert_eq!(bench.show("l_nPath"), "1, 2, 3, 1, 2");
+        assert_eq!(bench.run(r#"getData("part:nTrack[1]",l_nPath[1])"#), "2");
+        assert_eq!(bench.show("l_nPath"), "1, 2, 3, 1, 2");
+    }
+
+    #[test]
+    fn an_array_can_be_moved_within_itself() {
+        let mut bench = bench().with("nSelf", &[1.0, 2.0, 3.0, 4.0]);
+        assert_eq!([bench.run(r#"getData("nSelf",nSelf[1])"#), bench.show("nSelf")], ["3", "1, 1, 2, 3"]);
+        assert_eq!([bench.run(r#"getData("nSelf[2]",nSelf)"#), bench.show("nSelf")], ["2", "2, 3, 2, 3"]);
+    }
+
+    #[test]
+    fn codes_tell_why_nothing_is_copied() {
+        check(r#"getData("part:nOther",l_nOne)"#, "-1", "l_nOne", "0");
+        check(r#"getData("nCount",l_nOne)"#, "-1", "l_nOne", "0");
+        check(r#"getData("tools:nCount",l_nOne)"#, "-2", "l_nOne", "0");
+        check(r#"getData("part:nTrack[3]",l_nOne)"#, "-3", "l_nOne", "0");
+        check(r#"getData("part:nTrack[-1]",l_nOne)"#, "-3", "l_nOne", "0");
+        check(r#"getData("part:sName",l_nOne)"#, "-4", "l_nOne", "0");
+        check(r#"getData("part:nGrid",l_nOne)"#, "-4", "l_nOne", "0");
+        check(r#"getData("part:nColl",l_nOne)"#, "-4", "l_nOne", "0");
+    }
+
+    #[test]
+    fn what_is_no_name_names_no_data() {
+        for name in ["", "part:", "part:nTrack[", "part:nTrack[]", "part:nTrack[x]", "part:nTrack[0", "part:nTrack]"] {
+            check(&format!("getData(\"{name}\",l_nOne)"), "-1", "l_nOne", "0");
+        }
+    }
 }

@@ -1,4 +1,8 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::{Fault, Result};
+use crate::memory::{Slot, SlotAt};
+use crate::values::{Text, strings};
 
 instruction! {
     /// Adds a value to an array or a collection, or a text to a string.
@@ -8,7 +12,8 @@ instruction! {
     /// - `variable`: the index before which an array grows, up to its size (then it grows at the end), or the new
     ///   key of a collection. Arrays of one dimension only, and no local variables.
     /// - Result: `true`; `false` if the key exists already, and nothing changes.
-    /// - Errors: 20 and 21 for an index beyond the size or below 0, 40 without memory, 70 above 9999 values (s7).
+    /// - Errors: 20 and 21 for an index beyond the size or below 0, 40 without memory or above 9999 values (up to
+    ///   s7), 70 for the key `""` and for what is not supported.
     ///
     /// Of a string it yields a new string; alone on a line it has no effect:
     ///
@@ -28,6 +33,91 @@ instruction! {
     ///   sPart=insert(sPart,"s",4)
     /// ```
     "insert": Variables "2.5.4, 3.4.3", errors [20, 21, 40, 70];
-    modifier (Slot variable) -> bool;
-    function (string sText, string sInsertion, num nPosition) -> string;
+    modifier (Slot variable) -> bool = into_container;
+    function (string sText, string sInsertion, num nPosition) -> string = into_text;
+}
+
+/// A variable without index is its first value, before which one is put.
+fn into_container(call: &mut Call<'_>, variable: Slot) -> Result<bool> {
+    let (view, limit) = (variable.container()?, call.version.container_limit());
+    let index = match variable.at {
+        SlotAt::Key(key) => return call.memory.insert_key(view.store, key, limit),
+        SlotAt::Index([index, ..], 1) => index,
+        SlotAt::Whole => 0.0,
+        SlotAt::Index(..) => return Err(Fault::INVALID_PARAMETER),
+    };
+    call.memory.insert_at(view, index, limit)?;
+    Ok(true)
+}
+
+fn into_text(_: &mut Call<'_>, text: Text, insertion: Text, position: f64) -> Result<Text> {
+    strings::insert(&text, &insertion, position)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::{Bench, check};
+    use crate::versions::Version;
+
+    #[test]
+    fn texts() {
+        check(r#"insert("hello world","wild",6)"#, r#""hello wildworld""#);
+        check(r#"insert("hello","!",9)"#, r#""hello!""#);
+        check(r#"insert("hello","!",-1)"#, "error 70");
+    }
+
+    #[test]
+    fn arrays_grow_before_an_index() {
+        let mut bench = Bench::default().global("num nRow[2]").with("nRow", &[1.0, 2.0]);
+        assert_eq!([bench.run("insert(nRow[1])"), bench.show("nRow")], ["true", "1, 0, 2"]);
+        assert_eq!([bench.run("insert(nRow[3])"), bench.show("nRow")], ["true", "1, 0, 2, 0"]);
+        assert_eq!([bench.run("insert(nRow[0])"), bench.show("nRow")], ["true", "0, 1, 0, 2, 0"]);
+    }
+
+    #[test]
+    fn an_index_is_at_most_the_size() {
+        let mut bench = Bench::default().global("num nRow[2]");
+        assert_eq!([bench.run("insert(nRow[2.5])"), bench.run("insert(nRow[-1])")], ["error 20", "error 21"]);
+        assert_eq!(bench.show("nRow"), "0, 0");
+    }
+
+    #[test]
+    fn new_values_have_the_default_of_their_type() {
+        let mut bench = Bench::default().global("string sNames[1]; trsf trShift[1]").with("trShift", &[1.0; 6]);
+        bench.run("insert(sNames[0])");
+        bench.run("insert(trShift[0])");
+        assert_eq!([bench.show("sNames"), bench.show("trShift")], [r#""", """#, "{0,0,0,0,0,0}, {1,1,1,1,1,1}"]);
+    }
+
+    #[test]
+    fn collections_take_a_key_once() {
+        let mut bench = Bench::default().global(r#"num nCount[""]"#);
+        let line = r#"insert(nCount["bolt"])"#;
+        assert_eq!([bench.run(line), bench.run(line), bench.show("nCount")], ["true", "false", "bolt: 0"]);
+        assert_eq!(bench.run(r#"insert(nCount[""])"#), "error 70");
+    }
+
+    #[test]
+    fn a_key_that_comes_back_has_the_default() {
+        let mut bench = Bench::default().global(r#"num nCount[""]"#);
+        let (insert, delete) = (r#"insert(nCount["bolt"])"#, r#"delete(nCount["bolt"])"#);
+        bench.run(insert);
+        bench.set("nCount", &[4.0]);
+        assert_eq!([bench.run(delete), bench.run(insert), bench.show("nCount")], ["true", "true", "bolt: 0"]);
+    }
+
+    #[test]
+    fn neither_locals_nor_grids_grow() {
+        let mut bench = Bench::default().global("num nGrid[2,2]").local("num l_nRow[2]");
+        assert_eq!([bench.run("insert(nGrid[0,0])"), bench.run("insert(l_nRow[0])")], ["error 70", "error 70"]);
+    }
+
+    #[test]
+    fn version_7_holds_9999_values() {
+        let mut bench = Bench::default().global("num nRow[9998]");
+        assert_eq!(["insert(nRow[0])", "insert(nRow[0])"].map(|line| bench.run(line)), ["true", "error 40"]);
+        assert_eq!(bench.run("size(nRow)"), "9999");
+        bench.version = Version::new(8, 10, 0);
+        assert_eq!([bench.run("insert(nRow[0])"), bench.run("size(nRow)")], ["true", "10000"]);
+    }
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::memory::{Slot, SlotAt};
 
 instruction! {
     /// Tells whether a value exists in an array or a collection, or a variable in a library.
@@ -18,5 +20,58 @@ instruction! {
     ///   endIf
     /// ```
     "isDefined": Variables "2.5.4";
-    function (Item variable) -> bool;
+    function (Item variable) -> bool = is_defined;
+}
+
+/// A variable without index or key is there even if it is an empty collection.
+fn is_defined(call: &mut Call<'_>, variable: Slot) -> bool {
+    variable.view.is_some() && (variable.at == SlotAt::Whole || call.memory.locate(&variable).is_ok())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    #[track_caller]
+    fn check(bench: &mut Bench, defined: &str, expected: bool) {
+        assert_eq!(bench.run(&format!("isDefined({defined})")), expected.to_string(), "{defined}");
+    }
+
+    #[test]
+    fn asks_for_keys() {
+        let mut bench = Bench::default().global("num nCount[\"\"]");
+        check(&mut bench, "nCount[\"bolt\"]", false);
+        check(&mut bench, "nCount", true);
+        bench.run("insert(nCount[\"bolt\"])");
+        check(&mut bench, "nCount[\"bolt\"]", true);
+        check(&mut bench, "nCount[\"Bolt\"]", false);
+        check(&mut bench, "nCount[\"\"]", false);
+    }
+
+    #[test]
+    fn asks_for_indexes() {
+        let mut bench = Bench::default().global("num nRow[3]; num nGrid[4,6]; num nCube[2,3,4]");
+        for (index, expected) in [("0", true), ("2", true), ("2.49", true), ("2.5", false), ("3", false), ("-1", false)] {
+            check(&mut bench, &format!("nRow[{index}]"), expected);
+        }
+        check(&mut bench, "nGrid[3,5]", true);
+        check(&mut bench, "nGrid[4,0]", false);
+        check(&mut bench, "nGrid[0,6]", false);
+        check(&mut bench, "nCube[1,2,3]", true);
+        check(&mut bench, "nCube[1,2,4]", false);
+    }
+
+    #[test]
+    fn counts_from_where_a_part_begins() {
+        let mut bench = Bench::default().global("num nRow[5]").part("x_nRow", "nRow", 3);
+        check(&mut bench, "x_nRow[1]", true);
+        check(&mut bench, "x_nRow[2]", false);
+    }
+
+    #[test]
+    fn asks_for_data_of_a_library() {
+        let mut bench = Bench::default();
+        check(&mut bench, "part:sVersion", false);
+        check(&mut bench, "part:sVersion[0]", false);
+    }
 }

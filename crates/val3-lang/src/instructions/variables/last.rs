@@ -1,4 +1,10 @@
+use std::ops::Bound;
+
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::memory::View;
+use crate::values::Text;
 
 instruction! {
     /// Gives the last key of a collection, in alphabetical order.
@@ -19,5 +25,22 @@ instruction! {
     ///   endWhile
     /// ```
     "last": Variables "2.5.6";
-    function (any& variable[""]) -> string;
+    function (any& variable[""]) -> string = last;
+}
+
+fn last(call: &mut Call<'_>, variable: View) -> Result<Text> {
+    Ok(call.memory.key_up_to(variable.store, Bound::Unbounded)?.unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    #[test]
+    fn keys_are_in_the_order_of_their_characters() {
+        let mut bench = Bench::default().global(r#"num nCount[""]"#);
+        assert_eq!(bench.run("last(nCount)"), r#""""#);
+        let mut bench = bench.with_keys("nCount", &["bolt", "nut", "Nut", "10", "9", "é"]);
+        assert_eq!(bench.run("last(nCount)"), r#""é""#);
+    }
 }

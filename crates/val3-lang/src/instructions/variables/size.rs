@@ -1,4 +1,7 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::memory::View;
 
 instruction! {
     /// Tells how many values a variable holds.
@@ -18,6 +21,50 @@ instruction! {
     ///   putln(size(nGrid,2))
     /// ```
     "size": Variables "2.5.4, 2.5.5";
-    function (Whole variable) -> num;
-    function (Whole variable, num nDimension) -> num;
+    function (Whole variable) -> num = size;
+    function (Whole variable, num nDimension) -> num = size_of_dimension;
+}
+
+fn size(call: &mut Call<'_>, variable: View) -> Result<f64> {
+    size_of_dimension(call, variable, 1.0)
+}
+
+/// A collection has the one dimension of a one-dimensional array; what is below 1 is no dimension either.
+fn size_of_dimension(call: &mut Call<'_>, variable: View, dimension: f64) -> Result<f64> {
+    call.memory.dimension(variable, dimension).map(f64::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+
+    #[test]
+    fn counts_values() {
+        let mut bench = Bench::default().global("num nValue; string sNames[3]; num nGrid[4,6]; num nCube[2,3,5]");
+        assert_eq!(["size(nValue)", "size(sNames)", "size(sNames,1)"].map(|line| bench.run(line)), ["1", "3", "3"]);
+        assert_eq!(["size(nGrid)", "size(nGrid,1)", "size(nGrid,2)"].map(|line| bench.run(line)), ["4", "4", "6"]);
+        assert_eq!(["size(nCube,2)", "size(nCube,3)"].map(|line| bench.run(line)), ["3", "5"]);
+    }
+
+    #[test]
+    fn a_dimension_that_is_not_there_has_none() {
+        let mut bench = Bench::default().global("num nGrid[4,6]; string sNames[3]");
+        for line in ["size(nGrid,3)", "size(nGrid,0)", "size(nGrid,-1)", "size(sNames,2)"] {
+            assert_eq!(bench.run(line), "0", "{line}");
+        }
+    }
+
+    #[test]
+    fn counts_the_keys_of_a_collection() {
+        let mut bench = Bench::default().global("num nCount[\"\"]");
+        assert_eq!(bench.run("size(nCount)"), "0");
+        bench.run("insert(nCount[\"bolt\"])");
+        assert_eq!([bench.run("size(nCount)"), bench.run("size(nCount,2)")], ["1", "0"]);
+    }
+
+    #[test]
+    fn from_an_index_on_less_can_be_reached() {
+        let mut bench = Bench::default().global("num nValue[10]").part("x_nValue", "nValue", 4);
+        assert_eq!(["size(nValue[3])", "size(x_nValue)", "size(x_nValue[2])"].map(|line| bench.run(line)), ["7", "6", "4"]);
+    }
 }

@@ -264,3 +264,36 @@ fn the_lists_of_s6() {
     let shrunk = rewrite(&grown, &same);
     assert_eq!(shrunk.matches("valueNum").count(), 1);
 }
+
+/// What a file says of a variable: its size, and its values that are not the default.
+fn said(text: &str, name: &str) -> (String, Vec<(String, String)>) {
+    let parse = val3_syntax::parse(text);
+    let root = xml::root(View::root(parse.green())).unwrap();
+    let data = root.list("Datas", "Data").find(|data| data.value("name").as_deref() == Some(name)).unwrap();
+    let text = |value: xml::Element<'_>, name| value.value(name).unwrap_or_default().into_owned();
+    let values = data.elements().map(|value| (text(value, "key"), text(value, "value")));
+    (text(data, "size"), values.collect())
+}
+
+proptest::proptest! {
+    /// A file says what was saved last, whatever it said before, and the rest of it stays.
+    #[test]
+    fn a_file_says_what_was_saved(saved in proptest::collection::vec(
+        (1..6u32, proptest::collection::btree_map(0..6u32, "[a<&\"\n]{0,3}", 0..6)), 1..4,
+    )) {
+        let mut text = NEW.replace("type=\"num\" size=\"4\"", "type=\"string\" size=\"4\"");
+        for (size, values) in saved {
+            let given: Vec<_> = values.into_iter().filter(|(index, _)| *index < size).collect();
+            let value = |(index, text): &(u32, String)| SavedValue {
+                key: index.to_string(),
+                content: Content::Attributes(vec![("value".into(), text.clone())]),
+            };
+            let data = SavedData { values: given.iter().map(value).collect(), ..array("nList", "string", &[size], &[]) };
+            text = rewrite(&text, &[data]);
+            let spelt = given.into_iter().filter(|(_, text)| !text.is_empty());
+            let expected = (size.to_string(), spelt.map(|(index, text)| (index.to_string(), text)).collect());
+            proptest::prop_assert_eq!(said(&text, "nList"), expected);
+            proptest::prop_assert!(text.ends_with(NEW.split_once("    <Data name=\"pA\"").unwrap().1), "{}", text);
+        }
+    }
+}

@@ -1,7 +1,7 @@
 use super::*;
 
 /// A medium `Disk` in a folder of its own, with `secret` beside it.
-pub(crate) fn disk() -> (tempfile::TempDir, Utf8PathBuf, Roots) {
+fn disk() -> (tempfile::TempDir, Utf8PathBuf, Roots) {
     let folder = tempfile::tempdir().unwrap();
     let outer = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
     std::fs::create_dir_all(outer.join("usr/usrapp/Parts/bolt")).unwrap();
@@ -61,10 +61,12 @@ fn no_step_leads_out() {
 #[test]
 fn a_cell_has_a_folder_above() {
     let (_folder, outer, mut roots) = disk();
-    roots.mount_inside("Disk", &outer.join("usr"), Utf8Path::new("usrapp")).unwrap();
+    roots.mount_disk(&outer.join("usr/usrapp")).unwrap();
     assert_eq!(place(&roots, "Disk://parts").unwrap().0, "usrapp/Parts");
     assert_eq!(place(&roots, "Disk://..//templates/x").unwrap().0, "templates/x");
     assert_eq!(place(&roots, "Disk://../../secret"), Err(21));
+    roots.mount_disk(&outer.join("usr")).unwrap();
+    assert_eq!(place(&roots, "Disk://../secret"), Err(21));
 }
 
 #[cfg(unix)]
@@ -84,4 +86,41 @@ fn no_link_leads_out() {
 fn a_file_is_no_folder() {
     let (_folder, _, roots) = disk();
     assert_eq!(place(&roots, "parts/bolt/bolt.pjx/x"), Err(21));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_not_waited_for() {
+    let (_folder, outer, roots) = disk();
+    let pipe = outer.join("usr/usrapp/pipe");
+    rustix::fs::mkfifoat(rustix::fs::CWD, pipe.as_std_path(), rustix::fs::Mode::RUSR).unwrap();
+    assert_eq!(place(&roots, "pipe"), Err(21));
+}
+
+#[test]
+fn a_file_of_any_size_is_refused() {
+    let (_folder, outer, roots) = disk();
+    std::fs::File::create(outer.join("usr/usrapp/huge")).unwrap().set_len(LARGEST + 1).unwrap();
+    let huge = roots.place(&ControllerPath::root("Disk").join("huge").unwrap()).unwrap();
+    assert_eq!(huge.read(), Err(FileFault::Medium));
+}
+
+proptest::proptest! {
+    /// Whatever a program writes: what it reaches is inside.
+    #[test]
+    fn no_path_leaves_its_medium(parts in proptest::collection::vec(
+        proptest::sample::select(vec!["..", ".", "/", "\\\\", "//", "Disk://", "USB0:", "parts", "Bolt", "~", " ", "\0", "secret", "up"]),
+        0..12,
+    )) {
+        let (_folder, outer, roots) = disk();
+        #[cfg(unix)]
+        std::os::unix::fs::symlink("../../..", outer.join("usr/usrapp/Parts/up")).unwrap();
+        let path = ControllerPath::parse(&parts.concat(), &ControllerPath::root("Disk").join("parts").unwrap());
+        let Ok(place) = path.and_then(|path| roots.place(&path)) else { return Ok(()) };
+        proptest::prop_assert!(place.path.is_relative());
+        proptest::prop_assert!(place.path.components().all(|part| part.as_str() != ".."));
+        if let Ok(bytes) = place.read() {
+            proptest::prop_assert_ne!(bytes, b"secret");
+        }
+    }
 }

@@ -1,0 +1,58 @@
+//! Tasks of one name that cannot run one after the other.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+
+use super::{Application, START, STOP, Summary, Task, TaskStart};
+
+impl Application {
+    /// Follows the calls and tasks of `start` that no condition decides about.
+    pub(super) fn find_certain(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        let mut open = vec![SmolStr::new_static(START)];
+        while let Some(program) = open.pop() {
+            let Some(summary) = summaries.get(&program).filter(|_| !self.certain.contains(&program)) else { continue };
+            open.extend(summary.certain_calls.iter().cloned());
+            let tasks = summary.tasks.iter().filter(|start| start.certain && start.program.library.is_none());
+            open.extend(tasks.map(|start| start.program.program.clone()));
+            self.certain.insert(program);
+        }
+    }
+
+    /// What runs at the end of the application alone ends its tasks too late to matter here.
+    pub(super) fn find_tended(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
+        let tended = summaries.iter().filter(|(name, _)| !self.runs_at_end_alone(name));
+        let names: FxHashSet<SmolStr> = tended.flat_map(|(_, summary)| summary.tended_tasks.iter().cloned()).collect();
+        self.tended_tasks = names;
+    }
+
+    fn runs_at_end_alone(&self, program: &str) -> bool {
+        let mut tasks = self.tasks_of(program).peekable();
+        tasks.peek().is_some() && tasks.all(|task| task.created_by.is_none() && task.start.program.program == STOP)
+    }
+
+    /// Another program that surely creates a task of the same name as `program` does with `start`, where both tasks
+    /// run for good and nobody ends them or looks whether they run. Of two such programs one is asked about the other:
+    /// `start` is never the second.
+    pub fn creator_of_same(&self, program: &str, start: &TaskStart) -> Option<&SmolStr> {
+        let name = start.name.as_ref().filter(|name| self.sound && !self.is_tended(name) && self.is_endless(start))?;
+        let order = |program: &str| (program != START, SmolStr::from(program));
+        let runs = self.run_by.contains_key(program) && !self.runs_at_end_alone(program);
+        let is_second =
+            |other: &str| !(start.certain && self.certain.contains(program)) || order(other) < order(program);
+        let created = self.tasks.iter().filter(|task| runs && self.is_certain(task) && self.is_endless(&task.start));
+        let same = created.filter(|task| task.start.name.as_ref() == Some(name));
+        same.filter_map(|task| task.created_by.as_ref()).find(|other| *other != program && is_second(other))
+    }
+
+    fn is_certain(&self, task: &Task) -> bool {
+        task.start.certain && task.created_by.as_ref().is_some_and(|program| self.certain.contains(program))
+    }
+
+    fn is_endless(&self, start: &TaskStart) -> bool {
+        start.program.library.is_none() && self.endless.contains(&start.program.program)
+    }
+
+    fn is_tended(&self, name: &str) -> bool {
+        self.tended_tasks.iter().any(|beginning| name.starts_with(beginning.as_str()))
+    }
+}

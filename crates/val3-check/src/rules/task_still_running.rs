@@ -1,0 +1,194 @@
+//! V0345: a task that another program has created and that never ends.
+
+use smol_str::SmolStr;
+use val3_analysis::application::summary;
+
+use crate::diagnostic::{Span, Wording};
+use crate::lint::{Findings, Program};
+use crate::rule::rule;
+
+rule! {
+    /// Two programs create tasks of one name, and neither task ever ends.
+    ///
+    /// ## Why
+    /// No two tasks of an application may have one name at the same time: the second creation is run-time error 31.
+    /// This is reported where the first task is created each time the application runs, both tasks run a loop without
+    /// end, and no program ends the task with `taskKill` or asks for its state with `taskStatus`, other than in
+    /// `stop`.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   taskCreate "watch",10,watchDoor()
+    ///   call initGripper()
+    /// end
+    ///
+    /// program initGripper()
+    /// begin
+    ///   taskCreate "watch",10,watchGripper()
+    /// end
+    ///
+    /// program watchDoor()
+    /// begin
+    ///   while true
+    ///     putln("door")
+    ///     delay(1)
+    ///   endWhile
+    /// end
+    ///
+    /// program watchGripper()
+    /// begin
+    ///   while true
+    ///     putln("gripper")
+    ///     delay(1)
+    ///   endWhile
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// program start()
+    /// begin
+    ///   taskCreate "watchDoor",10,watchDoor()
+    ///   call initGripper()
+    /// end
+    ///
+    /// program initGripper()
+    /// begin
+    ///   taskCreate "watchGripper",10,watchGripper()
+    /// end
+    ///
+    /// program watchDoor()
+    /// begin
+    ///   while true
+    ///     putln("door")
+    ///     delay(1)
+    ///   endWhile
+    /// end
+    ///
+    /// program watchGripper()
+    /// begin
+    ///   while true
+    ///     putln("gripper")
+    ///     delay(1)
+    ///   endWhile
+    /// end
+    /// ```
+    V0345 "task-still-running" Warning, Program: check
+}
+
+fn check(program: &Program<'_>, found: &mut Findings) {
+    // Most programs create no task: they do not ask what the application does.
+    let starts = &summary(program.db, program.project, program.file).tasks;
+    for start in starts {
+        let Some(name) = &start.name else { continue };
+        let Some(other) = program.application().creator_of_same(program.name(), start) else { continue };
+        let created = program.task_creations().find(|task| program.body.string(task.name).as_ref() == Some(name));
+        if let Some(task) = created {
+            found
+                .report(&RULE, program.range(task.name), word(name, other))
+                .related_at(creation_in(program, other, name), "the first one");
+        }
+    }
+}
+
+fn creation_in(program: &Program<'_>, other: &str, name: &SmolStr) -> Option<Span> {
+    let other = program.other(other)?;
+    let task = other.task_creations().find(|task| other.body.string(task.name).as_ref() == Some(name))?;
+    Some(other.span(task.name))
+}
+
+fn word(name: &str, other: &str) -> Wording {
+    Wording::new(
+        format!("`{other}` creates a task `{name}` as well, and that one never ends"),
+        "run-time error 31",
+        "give each task a name of its own, or end the first one with `taskKill` before",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+    use crate::lint::testing::check;
+
+    /// `start` creates "io" and calls `two`, which has `code`; `loop` and `other` run for good, `once` does not.
+    fn two(start: &str, code: &str) -> String {
+        let endless = "begin\n  while true\n    delay(1)\n  endWhile\nend";
+        check(
+            &RULE,
+            &format!(
+                "bool bA\nstring sA\nprogram start()\nbegin\n{start}\nend\nprogram stop()\nbegin\n  taskKill(\"io\")\nend\n\
+                 program two()\nbegin\n{code}\nend\nprogram loop()\n{endless}\nprogram other()\n{endless}\n\
+                 program once()\nbegin\n  delay(1)\nend"
+            ),
+        )
+    }
+
+    const START: &str = "taskCreate \"io\",10,loop()\ncall two()";
+
+    #[test]
+    fn another_program_and_the_same_again() {
+        expect![[r#"
+            two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
+              | run-time error 31
+              ? give each task a name of its own, or end the first one with `taskKill` before
+              > start.pgx:5 `"io"` the first one
+        "#]].assert_eq(&two(START, "taskCreate \"io\",10,other()"));
+        expect![[r#"
+            two.pgx:6 `"io"` `start` creates a task `io` as well, and that one never ends
+              | run-time error 31
+              ? give each task a name of its own, or end the first one with `taskKill` before
+              > start.pgx:5 `"io"` the first one
+        "#]].assert_eq(&two(START, "if bA\n  taskCreate \"io\",20,loop()\nendIf"));
+    }
+
+    #[test]
+    fn whichever_is_certain_is_the_first() {
+        let start = "call two()\nif bA\n  taskCreate \"io\",10,loop()\nendIf";
+        expect![[r#"
+            start.pgx:7 `"io"` `two` creates a task `io` as well, and that one never ends
+              | run-time error 31
+              ? give each task a name of its own, or end the first one with `taskKill` before
+              > two.pgx:5 `"io"` the first one
+        "#]].assert_eq(&two(start, "taskCreate \"io\",10,other()"));
+    }
+
+    #[test]
+    fn a_task_may_create_the_other() {
+        let start = "taskCreate \"io\",10,loop()\ntaskCreate \"two\",10,two()";
+        expect![[r#"
+            two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
+              | run-time error 31
+              ? give each task a name of its own, or end the first one with `taskKill` before
+              > start.pgx:5 `"io"` the first one
+        "#]].assert_eq(&two(start, "taskCreate \"io\",10,other()"));
+    }
+
+    #[test]
+    fn the_first_may_have_ended() {
+        assert_eq!(two(START, "taskKill(\"io\")\ntaskCreate \"io\",10,other()"), "");
+        assert_eq!(two(START, "taskKill(sA)\ntaskCreate \"io\",10,other()"), "");
+        assert_eq!(two(START, "if taskStatus(\"io\")==-1\ntaskCreate \"io\",10,other()\nendIf"), "");
+        assert_eq!(two("taskCreate \"io\",10,once()\ncall two()", "taskCreate \"io\",10,other()"), "");
+        assert_eq!(two(START, "taskCreate \"io\",10,once()"), "");
+    }
+
+    #[test]
+    fn one_or_the_other() {
+        let start = "if bA\n  taskCreate \"io\",10,loop()\nelse\n  call two()\nendIf";
+        assert_eq!(two(start, "taskCreate \"io\",10,other()"), "");
+    }
+
+    #[test]
+    fn nobody_runs_it() {
+        assert_eq!(two("taskCreate \"io\",10,loop()", "taskCreate \"io\",10,other()"), "");
+    }
+
+    #[test]
+    fn other_names() {
+        assert_eq!(two(START, "taskCreate \"io2\",10,other()\ntaskCreate sA,10,other()"), "");
+    }
+}

@@ -1,0 +1,87 @@
+//! What a run shows to people.
+
+use std::io;
+
+use codespan_reporting::term::termcolor::WriteColor;
+use val3_lang::runtime_errors;
+use val3_machine::event::{Event, What};
+use val3_machine::screen::Pendant;
+
+use crate::args::Color;
+use crate::format::human;
+use crate::output::{to_stderr_in_color, to_stdout};
+use crate::user_error::UserError;
+
+/// The standard output and error output.
+pub(crate) struct Console {
+    color: Color,
+    /// The standard output is free for what the application says.
+    speaks: bool,
+    /// Tasks that an error has stopped and that were not seen to go on or end by the doing of others.
+    failed: Vec<String>,
+}
+
+impl Console {
+    pub(crate) fn new(color: Color, speaks: bool) -> Self {
+        Self { color, speaks, failed: Vec::new() }
+    }
+
+    /// A task has ended in an error that no other task has cared for.
+    pub(crate) fn has_unhandled_errors(&self) -> bool {
+        !self.failed.is_empty()
+    }
+
+    /// Shows what has happened, if people want to know.
+    pub(crate) fn show(&mut self, event: &Event) -> Result<(), UserError> {
+        match &event.what {
+            What::Print { text } => self.say(text),
+            What::Log { text, .. } => self.say(&format!("log: {text}")),
+            What::Popup { text } => self.say(&format!("pop-up: {text}")),
+            What::Error { code, line, file, .. } => {
+                self.fault(event.task.as_deref().unwrap_or_default(), *code, file, *line);
+                Ok(())
+            }
+            What::Task { state, name, .. } => {
+                self.follow(state, name);
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// An error counts as handled when another task lets the failed one go on, or kills it.
+    fn follow(&mut self, state: &str, name: &str) {
+        match state {
+            "error" => self.failed.push(name.to_owned()),
+            "resumed" | "killed" => self.failed.retain(|failed| failed != name),
+            _ => {}
+        }
+    }
+
+    fn say(&self, text: &str) -> Result<(), UserError> {
+        if !self.speaks {
+            return Ok(());
+        }
+        to_stdout(self.color, |out| writeln!(out, "{text}"))
+    }
+
+    /// A run-time error with its line.
+    fn fault(&self, task: &str, code: u16, file: &str, line: u32) {
+        let error = runtime_errors::find(code);
+        let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
+        let help = error.map_or("", |error| error.long);
+        let fault = human::Fault { code, message, help, path: file, line };
+        to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
+    }
+
+    /// The user page that the pendant shows.
+    pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
+        let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
+        let width = 40;
+        to_stdout(self.color, |out: &mut dyn WriteColor| -> io::Result<()> {
+            writeln!(out, "+{:-<width$}+", "")?;
+            page.lines().try_for_each(|line| writeln!(out, "|{line}|"))?;
+            writeln!(out, "+{:-<width$}+", "")
+        })
+    }
+}

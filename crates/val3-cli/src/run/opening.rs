@@ -1,0 +1,94 @@
+//! From the arguments of `val3 run` to a controller with the application in memory.
+
+use std::process::ExitCode;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::{Database, Project};
+use val3_analysis::items::project::folder;
+use val3_machine::controller::Controller;
+use val3_machine::devices::Devices;
+use val3_machine::files::Roots;
+
+use super::images::Images;
+use crate::args::{Color, RunArgs};
+use crate::engine::Session;
+use crate::format::{self, Format};
+use crate::opening::Request;
+use crate::output::to_stdout;
+use crate::report::Severity;
+use crate::user_error::UserError;
+
+/// What opening an application comes to.
+pub(crate) enum Opened {
+    /// It is in memory.
+    Ready(Box<Controller>),
+    /// It has faults, which were shown.
+    Faulty(ExitCode),
+}
+
+/// Reads, checks and compiles the application.
+pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
+    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let mut session = Session::open(&request)?;
+    let project = only_application(&session, &args.application)?;
+    if show_errors(&mut session, color)? {
+        return Ok(Opened::Faulty(ExitCode::FAILURE));
+    }
+    let db = session.db();
+    let image = val3_compile::compile(db, project).map_err(|error| UserError::new(error.to_string()))?;
+    let (roots, path, disk) = roots(db, project, args)?;
+    let devices = Devices::new(roots, Box::new(Images::new(disk)));
+    let controller = Controller::new(devices, image.into(), path, args.line_cost);
+    started(controller, args)
+}
+
+fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
+    if !controller.start(&args.program) {
+        let message = format!("the application has no program `{}`", args.program);
+        return Err(UserError::new(message).with_help("name the program to start with by --program"));
+    }
+    Ok(Opened::Ready(Box::new(controller)))
+}
+
+fn only_application(session: &Session<'_>, asked: &Utf8Path) -> Result<Project, UserError> {
+    let projects = session.projects();
+    let db = session.db();
+    match projects {
+        [project] => Ok(*project),
+        _ => {
+            let names: Vec<&str> = projects.iter().filter_map(|project| folder(db, *project).file_name()).collect();
+            let help = format!("name the folder of one of them: {}", names.join(", "));
+            Err(UserError::new(format!("`{asked}` holds {} applications", projects.len())).with_help(help))
+        }
+    }
+}
+
+/// Shows the findings of level error; whether there are any.
+fn show_errors(session: &mut Session<'_>, color: Color) -> Result<bool, UserError> {
+    let found = session.check()?;
+    let mut report = session.report(found);
+    report.findings.retain(|finding| finding.severity == Severity::Error);
+    if report.findings.is_empty() {
+        return Ok(false);
+    }
+    to_stdout(color, |out| format::write(Format::Human, &report, &crate::format::val3check::Template::default(), out))?;
+    Ok(true)
+}
+
+/// The media, the path of the application on them, and the folder of `Disk`.
+fn roots(db: &Database, project: Project, args: &RunArgs) -> Result<(Roots, String, Utf8PathBuf), UserError> {
+    let application = folder(db, project);
+    let disk = project.disk(db).or(application.parent()).unwrap_or(application).to_owned();
+    let mut roots = Roots::default();
+    mount(&mut roots, "Disk", &disk)?;
+    args.root.iter().try_for_each(|root| mount(&mut roots, &root.name, &root.folder))?;
+    let inside = application.strip_prefix(&disk).unwrap_or(Utf8Path::new(""));
+    Ok((roots, format!("Disk://{inside}"), disk))
+}
+
+fn mount(roots: &mut Roots, name: &str, folder: &Utf8Path) -> Result<(), UserError> {
+    roots.mount(name, folder).map_err(|error| {
+        UserError::new(format!("cannot open the folder `{folder}` for `{name}://`: {error}"))
+            .with_help("name a folder that you may read")
+    })
+}

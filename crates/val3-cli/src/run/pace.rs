@@ -1,0 +1,59 @@
+//! How the controller's clock follows the one on the wall, and where time is left out.
+
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+use val3_lang::ports::{SECOND, Time};
+use val3_machine::controller::Controller;
+
+use crate::args::RunTime;
+
+/// How long the outside is given to do something while all tasks wait for it.
+const LISTENING: Duration = Duration::from_millis(2);
+
+/// The pace of a run.
+pub(crate) struct Pace {
+    /// When the controller's clock was 0, where it follows the one on the wall.
+    started: Option<Instant>,
+    until: Option<Time>,
+}
+
+impl Pace {
+    pub(crate) fn new(time: RunTime, until: Option<f64>) -> Self {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
+        let until = until.map(|seconds| (seconds * SECOND as f64) as Time);
+        Self { started: (time == RunTime::Real).then(Instant::now), until }
+    }
+
+    /// The time of the run is up.
+    pub(crate) fn is_over(&self, now: Time) -> bool {
+        self.until.is_some_and(|until| now >= until)
+    }
+
+    /// Waits until the clock on the wall has come as far.
+    pub(crate) fn follow(&self, now: Time) {
+        if let Some(started) = self.started {
+            sleep((started + Duration::from_nanos(now)).saturating_duration_since(Instant::now()));
+        }
+    }
+
+    /// All tasks wait until `wake`, or for the outside. Whether something can still happen.
+    pub(crate) fn wait(&mut self, controller: &mut Controller, wake: Option<Time>) -> bool {
+        let next = [wake, controller.next_due()].into_iter().flatten().min();
+        if controller.hears_outside() {
+            // What comes from outside comes at its own time: the clock on the wall decides, cycle by cycle.
+            if self.started.is_none() {
+                sleep(LISTENING);
+            }
+            self.follow(controller.now());
+            return true;
+        }
+        let Some(next) = next.into_iter().chain(self.until).min().filter(|_| next.is_some() || self.until.is_some())
+        else {
+            return false;
+        };
+        controller.jump(next);
+        self.follow(controller.now());
+        true
+    }
+}

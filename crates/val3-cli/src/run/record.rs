@@ -1,0 +1,58 @@
+//! The record of a run: what happens as one JSON object a line (`--events`).
+
+use std::fs::File;
+use std::io::{self, BufWriter, ErrorKind, Write};
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_machine::event::Event;
+
+use crate::user_error::UserError;
+
+/// Where the record goes.
+pub(crate) struct Record {
+    out: Option<Box<dyn Write>>,
+    path: Utf8PathBuf,
+}
+
+impl Record {
+    /// A record in a file, on the standard output (`-`), or none.
+    pub(crate) fn open(path: Option<&Utf8Path>) -> Result<Self, UserError> {
+        let path = path.unwrap_or(Utf8Path::new("")).to_owned();
+        let out: Option<Box<dyn Write>> = match path.as_str() {
+            "" => None,
+            "-" => Some(Box::new(BufWriter::new(io::stdout()))),
+            _ => Some(Box::new(BufWriter::new(File::create(&path).map_err(|error| refused(&path, &error))?))),
+        };
+        Ok(Self { out, path })
+    }
+
+    /// The standard output is taken: what people read goes elsewhere.
+    pub(crate) fn takes_stdout(&self) -> bool {
+        self.path == "-"
+    }
+
+    /// Writes an event. A reader that went away is no error.
+    pub(crate) fn write(&mut self, event: &Event) -> Result<(), UserError> {
+        let Some(out) = &mut self.out else { return Ok(()) };
+        let written = serde_json::to_writer(&mut *out, event).map_err(io::Error::from).and_then(|()| writeln!(out));
+        self.judge(written)
+    }
+
+    /// Writes what is still held back.
+    pub(crate) fn close(&mut self) -> Result<(), UserError> {
+        let written = self.out.as_mut().map_or(Ok(()), |out| out.flush());
+        self.judge(written)
+    }
+
+    fn judge(&mut self, written: io::Result<()>) -> Result<(), UserError> {
+        match written {
+            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(refused(&self.path, &error)),
+            _ => Ok(()),
+        }
+    }
+}
+
+fn refused(path: &Utf8Path, error: &io::Error) -> UserError {
+    UserError::new(format!("cannot write the events to `{path}`: {error}"))
+        .with_help("name a file in an existing folder that you may write to, or - for the standard output")
+}

@@ -1,0 +1,180 @@
+//! Arguments of instructions and programs (2.6).
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::ty::Base;
+use val3_bytecode::{ArgumentSite, Operand, Register, SlotSite, Whole};
+use val3_lang::instruction::Shape;
+use val3_lang::memory::Lanes;
+use val3_lang::types::BaseType;
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::spot::{Spot, Value, is_number};
+
+/// A parameter as its argument needs it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Formal {
+    /// Its type; `None` for any.
+    pub(crate) base: Option<Base>,
+    /// What the argument has to be.
+    pub(crate) shape: Shape,
+}
+
+/// A value that is no container of its own, passed as one (2.3.4): a copy in a container, and the variable that gets
+/// its value when the call is done.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Boxed {
+    copy: Value,
+    variable: Value,
+}
+
+impl Coder<'_, '_> {
+    /// The arguments of a call, from left to right.
+    pub(crate) fn arguments(
+        &mut self,
+        formals: &[Formal],
+        args: &[ExprId],
+        boxes: &mut Vec<Boxed>,
+    ) -> Result<Vec<ArgumentSite>> {
+        let mut sites = Vec::with_capacity(args.len());
+        for (at, (formal, id)) in formals.iter().zip(args).enumerate() {
+            let site = self.argument(*formal, *id, boxes)?;
+            let later = args.get(at + 1..).unwrap_or_default();
+            sites.push(self.kept_argument(*formal, site, later)?);
+        }
+        Ok(sites)
+    }
+
+    fn argument(&mut self, formal: Formal, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
+        match formal.shape {
+            Shape::Value => self.by_value(formal.base, id),
+            Shape::Reference => self.by_reference(id),
+            Shape::Array { .. } | Shape::Collection | Shape::Whole => {
+                let (whole, start) = self.view(formal.base, id, boxes)?;
+                Ok(ArgumentSite::View(whole, start))
+            }
+            Shape::Slot | Shape::Item => self.slot(id, boxes),
+            Shape::ProgramCall => Err(Limit::Unclear),
+        }
+    }
+
+    /// A number by value that a later argument may change is copied now.
+    fn kept_argument(&mut self, formal: Formal, site: ArgumentSite, later: &[ExprId]) -> Result<ArgumentSite> {
+        match site {
+            ArgumentSite::Value(Operand::Frame(lanes), base)
+                if formal.shape == Shape::Value
+                    && is_number(base)
+                    && later.iter().any(|id| self.may_write(*id)) =>
+            {
+                let register = self.kept(crate::places::num_register(lanes))?;
+                Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
+            }
+            other => Ok(other),
+        }
+    }
+
+    /// A value: numbers in registers, all else where it is.
+    fn by_value(&mut self, formal: Option<Base>, id: ExprId) -> Result<ArgumentSite> {
+        let value = self.value_as(id, formal.unwrap_or(Base::Unknown))?;
+        let read = formal.and_then(Base::builtin) == Some(BaseType::Bool);
+        if value.base.builtin() == Some(BaseType::Dio) && read {
+            let register = self.load(value, None)?;
+            return self.argument_of(Value::num(BaseType::Bool, register));
+        }
+        self.argument_of(value)
+    }
+
+    /// A value as an argument.
+    pub(crate) fn argument_of(&mut self, value: Value) -> Result<ArgumentSite> {
+        match value.base.builtin() {
+            Some(base) if is_number(base) => {
+                let register = self.load(value, None)?;
+                Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
+            }
+            _ => self.place_of(value),
+        }
+    }
+
+    /// The place of a variable as an argument.
+    fn place_of(&mut self, value: Value) -> Result<ArgumentSite> {
+        let operand = self.operand(value.spot)?;
+        match value.base {
+            Base::Builtin(base, _) => Ok(ArgumentSite::Value(operand, base)),
+            Base::User(_) => Ok(ArgumentSite::UserValue(operand)),
+            Base::Unknown => Err(Limit::Unclear),
+        }
+    }
+
+    fn by_reference(&mut self, id: ExprId) -> Result<ArgumentSite> {
+        let variable = self.variable(id)?.ok_or(Limit::Unclear)?;
+        self.place_of(variable)
+    }
+
+    /// A container, an array from an index on.
+    fn view(
+        &mut self,
+        formal: Option<Base>,
+        id: ExprId,
+        boxes: &mut Vec<Boxed>,
+    ) -> Result<(Whole, Option<Register>)> {
+        if let Expr::Index(of, indexes) = self.body.expr(id)
+            && let [index] = **indexes
+            && self.base(index).builtin() == Some(BaseType::Num)
+        {
+            let whole = self.whole(*of)?.ok_or(Limit::Unclear)?;
+            return Ok((whole, Some(self.num(index)?)));
+        }
+        match self.whole(id)? {
+            Some(whole) => Ok((whole, None)),
+            None => Ok((self.boxed(formal, id, boxes)?, None)),
+        }
+    }
+
+    fn boxed(&mut self, formal: Option<Base>, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<Whole> {
+        let is_variable = !matches!(self.body.expr(id), Expr::Paren(_));
+        let variable = if is_variable { self.variable(id)? } else { None };
+        let value = match variable {
+            Some(variable) => variable,
+            None => self.value_as(id, formal.unwrap_or(Base::Unknown))?,
+        };
+        let (whole, copy) = self.own_container(value.base)?;
+        self.copy(copy, value)?;
+        boxes.extend(variable.map(|variable| Boxed { copy, variable }));
+        Ok(whole)
+    }
+
+    /// Gives the variables behind boxes the values that the call has left.
+    pub(crate) fn unbox(&mut self, boxes: &[Boxed]) -> Result<()> {
+        boxes.iter().try_for_each(|Boxed { copy, variable }| self.copy(*variable, *copy))
+    }
+
+    /// A place that need not exist.
+    fn slot(&mut self, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
+        let Expr::Index(of, indexes) = self.body.expr(id) else {
+            let whole = match self.whole(id)? {
+                Some(whole) => whole,
+                None => self.boxed(None, id, boxes)?,
+            };
+            return Ok(ArgumentSite::Slot(whole, SlotSite::Whole));
+        };
+        let whole = self.whole(*of)?.ok_or(Limit::Unclear)?;
+        let at = match **indexes {
+            [key] if self.base(key).builtin() == Some(BaseType::String) => SlotSite::Key(self.text(key)?),
+            _ => {
+                let count = u8::try_from(indexes.len()).map_err(|_| Limit::Unclear)?;
+                SlotSite::Index(self.run(indexes)?, count)
+            }
+        };
+        Ok(ArgumentSite::Slot(whole, at))
+    }
+
+    /// The first value of a field of a user type, by the number of the field.
+    pub(crate) fn first_of_field(&mut self, of: Value, number: usize) -> Result<Spot> {
+        let field = u16::try_from(number).map_err(|_| Limit::Items)?;
+        let (place, _) = self.located(of.spot)?;
+        let to = self.frame.view()?;
+        self.emit(val3_bytecode::Op::Field { to, place, field });
+        let whole = Whole::new(val3_bytecode::WholeKind::View(to)).ok_or(Limit::Containers)?;
+        Ok(Spot::First(whole, Lanes::default()))
+    }
+}

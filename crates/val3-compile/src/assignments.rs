@@ -1,0 +1,94 @@
+//! Assignments, which also yield what they have written (2.4, 3.5.2, 3.7.2).
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::ty::Base;
+use val3_bytecode::{InstructionSite, Operand};
+use val3_lang::operators::handlers;
+use val3_lang::types::BaseType;
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::moves::ASSIGNMENT;
+use crate::spot::{Spot, Value, is_number};
+
+impl Coder<'_, '_> {
+    /// `target = value`; the value that was written.
+    ///
+    /// Which variable is meant is computed first, then the value; only then is the variable looked up.
+    pub(crate) fn assign(&mut self, target: ExprId, value: ExprId) -> Result<Value> {
+        let to = self.variable(target)?.ok_or(Limit::Unclear)?;
+        if let Expr::Struct(values) = self.body.expr(self.body.peel(value)) {
+            self.literal_to(to, values)?;
+            return Ok(to);
+        }
+        let from = self.value(value, wanted(to))?;
+        match (to.base.builtin(), from.base.builtin()) {
+            (Some(BaseType::Dio), _) => self.write_digital(to, from),
+            (Some(BaseType::Sio), Some(base)) => self.write_serial(to, from, base),
+            (Some(base), Some(BaseType::Sio)) => self.read_serial(to, from, base),
+            (Some(base), _) if is_number(base) => {
+                let register = self.load(from, wanted(to))?;
+                self.store(to.spot, register)?;
+                Ok(Value::num(base, register))
+            }
+            (Some(BaseType::String), _) => {
+                let register = self.load_text(from, wanted(to))?;
+                let text = Value::text(register);
+                self.copy(to, text)?;
+                Ok(text)
+            }
+            _ => {
+                self.copy(to, from)?;
+                Ok(from)
+            }
+        }
+    }
+
+    /// `dioOut = condition` sets an output.
+    fn write_digital(&mut self, to: Value, from: Value) -> Result<Value> {
+        let register = self.load(from, None)?;
+        let state = Value::num(BaseType::Bool, register);
+        let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(BaseType::Dio, BaseType::Bool));
+        site.arguments = vec![self.argument_of(to)?, self.argument_of(state)?];
+        self.code.instruction(site);
+        Ok(state)
+    }
+
+    /// `sioOut = text` and `sioOut = number` send; what was sent is the value.
+    fn write_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
+        let sent = self.result(base, None)?;
+        let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(BaseType::Sio, base));
+        site.arguments = vec![self.argument_of(to)?, self.argument_of(from)?];
+        site.result = Some(Operand::Frame(sent));
+        self.code.instruction(site);
+        Ok(Value::on_frame(base, sent))
+    }
+
+    /// `text = sioIn` and `number = sioIn` receive.
+    fn read_serial(&mut self, to: Value, from: Value, base: BaseType) -> Result<Value> {
+        let received = self.result(base, wanted(to))?;
+        let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(base, BaseType::Sio));
+        site.arguments = vec![self.argument_of(from)?];
+        site.result = Some(Operand::Frame(received));
+        self.code.instruction(site);
+        let value = Value::on_frame(base, received);
+        self.copy(to, value)?;
+        Ok(value)
+    }
+
+    /// The value of an expression where a value of `base` is needed: `{…}` takes its type from there.
+    pub(crate) fn value_as(&mut self, id: ExprId, base: Base) -> Result<Value> {
+        match self.body.expr(self.body.peel(id)) {
+            Expr::Struct(values) => self.literal(base, values),
+            _ => self.value(id, None),
+        }
+    }
+}
+
+/// The lanes that a result may go to at once. A variable is written as a whole or not at all.
+fn wanted(to: Value) -> Option<val3_lang::memory::Lanes> {
+    match to.spot {
+        Spot::Lanes(lanes) => Some(lanes),
+        _ => None,
+    }
+}

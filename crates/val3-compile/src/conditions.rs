@@ -1,0 +1,112 @@
+//! Conditions as jumps: comparisons are one operation with the jump, `and` and `or` compute no truth value.
+
+use val3_analysis::body::{Constant, Expr, ExprId};
+use val3_bytecode::Op;
+use val3_lang::operators::{BinaryOp, UnaryOp};
+use val3_lang::types::BaseType;
+
+use crate::code::Label;
+use crate::coder::Coder;
+use crate::error::Result;
+use crate::spot::is_number;
+
+impl Coder<'_, '_> {
+    /// Goes to `label` if the expression is `when`, else on to the next operation.
+    pub(crate) fn branch(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
+        match self.body.expr(id) {
+            Expr::Paren(inner) => self.branch(*inner, when, label),
+            Expr::Unary(UnaryOp::Not, operand) => self.branch(*operand, !when, label),
+            Expr::Binary(op @ (BinaryOp::And | BinaryOp::Or), left, right) => {
+                self.branch_logic(*op, (*left, *right), when, label)
+            }
+            Expr::Binary(op @ (BinaryOp::Equal | BinaryOp::NotEqual), left, right) => {
+                self.branch_equality(id, *op, (*left, *right), when, label)
+            }
+            Expr::Binary(op, left, right) if self.base(*left).builtin() == Some(BaseType::Num) => {
+                self.branch_order(id, *op, (*left, *right), when, label)
+            }
+            _ => self.branch_value(id, when, label),
+        }
+    }
+
+    fn branch_value(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
+        match self.body.constant(id) {
+            Some(Constant::Bool(value)) if value == when => self.emit(Op::Jump { to: label.0 }),
+            Some(Constant::Bool(_)) => {}
+            _ => {
+                let condition = self.num(id)?;
+                self.emit(jump(condition, when, label));
+            }
+        }
+        Ok(())
+    }
+
+    /// The side that decides goes to the label at once, or past the other side.
+    fn branch_logic(
+        &mut self,
+        op: BinaryOp,
+        (left, right): (ExprId, ExprId),
+        when: bool,
+        label: Label,
+    ) -> Result<()> {
+        let decides = op == BinaryOp::Or;
+        if when == decides {
+            self.branch(left, when, label)?;
+            return self.branch(right, when, label);
+        }
+        let past = self.code.label();
+        self.branch(left, decides, past)?;
+        self.branch(right, when, label)?;
+        self.code.place(past);
+        Ok(())
+    }
+
+    /// `x == true` is `x`. Numbers are compared and jumped on in one operation; a number that is none equals nothing.
+    fn branch_equality(
+        &mut self,
+        id: ExprId,
+        op: BinaryOp,
+        (left, right): (ExprId, ExprId),
+        when: bool,
+        label: Label,
+    ) -> Result<()> {
+        let when_equal = (op == BinaryOp::Equal) == when;
+        if let Some(Constant::Bool(value)) = self.body.constant(right) {
+            return self.branch(left, value == when_equal, label);
+        }
+        let base = self.base(left).builtin();
+        if !base.is_some_and(|base| is_number(base) || base == BaseType::Dio) {
+            return self.branch_value(id, when, label);
+        }
+        let ((a, b), to) = (self.nums(left, right)?, label.0);
+        self.emit(if when_equal { Op::IfEqual { a, b, to } } else { Op::UnlessEqual { a, b, to } });
+        Ok(())
+    }
+
+    /// A jump unless a comparison holds is one operation; with a number that is none, none of them holds.
+    fn branch_order(
+        &mut self,
+        id: ExprId,
+        op: BinaryOp,
+        (left, right): (ExprId, ExprId),
+        when: bool,
+        label: Label,
+    ) -> Result<()> {
+        if when {
+            return self.branch_value(id, when, label);
+        }
+        let ((a, b), to) = (self.nums(left, right)?, label.0);
+        self.emit(match op {
+            BinaryOp::Less => Op::UnlessLess { a, b, to },
+            BinaryOp::LessOrEqual => Op::UnlessLessEqual { a, b, to },
+            BinaryOp::Greater => Op::UnlessLess { a: b, b: a, to },
+            _ => Op::UnlessLessEqual { a: b, b: a, to },
+        });
+        Ok(())
+    }
+}
+
+fn jump(condition: u16, when: bool, label: Label) -> Op {
+    let to = label.0;
+    if when { Op::JumpIf { condition, to } } else { Op::JumpUnless { condition, to } }
+}

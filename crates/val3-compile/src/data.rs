@@ -1,0 +1,158 @@
+//! The values of data at the start, as files of either dialect write them (formats: s5 to s8).
+
+mod fathers;
+mod values;
+
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+
+use val3_analysis::ty::Base;
+use val3_analysis::xml::Element as Xml;
+use val3_bytecode::LinkTarget;
+use val3_lang::memory::{Element, Kind, PartInit, Shape};
+use val3_lang::types::Container;
+use val3_lang::values::Text;
+
+use crate::error::{Limit, Result};
+use crate::kinds::Kinds;
+use crate::variables::shape;
+
+/// A container with its values, and the links of these values.
+pub(crate) struct Loaded {
+    pub(crate) init: PartInit,
+    pub(crate) links: Vec<Found>,
+}
+
+/// The link of a value of a container, or of a value within one.
+#[derive(Debug, Clone)]
+pub(crate) struct Found {
+    /// Number of a value, then of its field, from the container inwards.
+    pub(crate) path: Vec<(u32, u32)>,
+    /// The number of the value in the innermost container.
+    pub(crate) value: u32,
+    /// The number of the link among those of the value.
+    pub(crate) link: u32,
+    pub(crate) target: LinkTarget,
+}
+
+impl Found {
+    /// The same link, as seen from the container around.
+    pub(crate) fn within(&self, value: u32, field: u32) -> Self {
+        let path = std::iter::once((value, field)).chain(self.path.iter().copied()).collect();
+        Self { path, ..self.clone() }
+    }
+}
+
+impl Kinds<'_> {
+    /// Reads a `<Data>` or `<Field>`, or what the old dialect has in their place.
+    pub(crate) fn load(
+        &mut self,
+        element: Xml<'_>,
+        (container, sizes): (Container, &[u32]),
+        base: Base,
+    ) -> Result<Loaded> {
+        let base = base.on_arm(self.arm);
+        let kind = self.kind(base)?;
+        let (shape, written) = placed(element, container, sizes);
+        let count = shape.len();
+        let mut loaded = Loaded { init: PartInit { kind: kind.clone(), shape, values: Vec::new() }, links: Vec::new() };
+        if let Some(value) = values::unwritten(base, &kind) {
+            loaded.init.values = vec![Some(value); count as usize];
+        }
+        let mut overridden = vec![false; if kind.fields.is_empty() { 0 } else { count as usize }];
+        for (number, value) in written.into_iter().filter(|(number, _)| *number < count) {
+            let read = self.value(value, element, (base, &kind), number, &mut loaded.links)?;
+            put(&mut loaded.init.values, number, read);
+            overridden.get_mut(number as usize).into_iter().for_each(|slot| *slot = true);
+        }
+        self.inherit(base, &overridden, &mut loaded.links)?;
+        Ok(loaded)
+    }
+
+    fn value(
+        &mut self,
+        value: Xml<'_>,
+        around: Xml<'_>,
+        (base, kind): (Base, &Kind),
+        number: u32,
+        links: &mut Vec<Found>,
+    ) -> Result<Element> {
+        match base {
+            Base::Builtin(base, arm) => Ok(values::read(value, around, (base, arm, kind), number, links)),
+            Base::User(_) => self.user_value(value, (base, kind), number, links),
+            Base::Unknown => Err(Limit::Unclear),
+        }
+    }
+
+    /// The fields that a value writes, matched by name; the others are as the type has them.
+    fn user_value(
+        &mut self,
+        value: Xml<'_>,
+        (base, kind): (Base, &Kind),
+        number: u32,
+        links: &mut Vec<Found>,
+    ) -> Result<Element> {
+        let (bases, inherited) = (self.field_bases(base)?, self.links(base)?);
+        let mut parts = Vec::with_capacity(kind.fields.len());
+        for ((field, base), at) in kind.fields.iter().zip(bases).zip(0u32..) {
+            let named = |element: &Xml<'_>| element.value("name").is_some_and(|name| name == field.name.as_str());
+            if let Some(element) = value.elements().find(named) {
+                let declared = val3_analysis::items::data::shape(element);
+                let loaded = self.load(element, (declared.container, &declared.sizes), base)?;
+                links.extend(loaded.links.iter().map(|found| found.within(number, at)));
+                parts.push(loaded.init);
+            } else {
+                let own = inherited.iter().filter(|(field, _)| *field == at);
+                links.extend(own.map(|(_, found)| found.within(number, at)));
+                parts.push(field.init.clone());
+            }
+        }
+        Ok(Element { parts, ..Element::default() })
+    }
+
+    /// Values that are not written have the links of their type.
+    fn inherit(&mut self, base: Base, overridden: &[bool], links: &mut Vec<Found>) -> Result<()> {
+        let inherited = self.links(base)?;
+        for (number, _) in (0u32..).zip(overridden).filter(|(_, overridden)| !**overridden) {
+            links.extend(inherited.iter().map(|(field, found)| found.within(number, *field)));
+        }
+        Ok(())
+    }
+}
+
+/// The shape of a container, and the elements of its values with their numbers.
+fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, Vec<(u32, Xml<'g>)>) {
+    let key = |value: &Xml<'g>| value.value("key").or_else(|| value.value("index"));
+    let values = element.elements().filter(|value| value.name().to_ascii_lowercase().starts_with("value"));
+    if container == Container::Collection {
+        let mut keys = BTreeMap::new();
+        let mut written = Vec::new();
+        for value in values {
+            let Some(key) = key(&value) else { continue };
+            let number = u32::try_from(keys.len()).unwrap_or(u32::MAX);
+            written.push((*keys.entry(Text::from(key.as_ref())).or_insert(number), value));
+        }
+        return (Shape::Collection(keys), written);
+    }
+    let shape = shape(container, sizes);
+    let written = values.filter_map(|value| Some((number(&shape, key(&value)?)?, value))).collect();
+    (shape, written)
+}
+
+/// The number of the value under an index as files write it: `7`, `2,1`.
+fn number(shape: &Shape, key: Cow<'_, str>) -> Option<u32> {
+    let Shape::Array { dims, sizes } = shape else { return None };
+    let indexes: Vec<u32> = key.split(',').map(|index| index.trim().parse().ok()).collect::<Option<_>>()?;
+    let inside = indexes.len() == usize::from(*dims) && indexes.iter().zip(sizes).all(|(index, size)| index < size);
+    inside.then(|| indexes.iter().zip(sizes).fold(0, |number, (index, size)| number * size + index))
+}
+
+fn put(values: &mut Vec<Option<Element>>, number: u32, value: Element) {
+    let at = number as usize;
+    if values.len() <= at {
+        values.resize(at + 1, None);
+    }
+    if let Some(slot) = values.get_mut(at) {
+        *slot = Some(value);
+    }
+}

@@ -1,0 +1,57 @@
+//! What frames, tools and points are relative to at the start (9.4 to 9.6).
+
+use val3_analysis::data_check::steps;
+use val3_analysis::xml::Element as Xml;
+use val3_bytecode::{FatherLink, LinkTarget};
+use val3_lang::builtins;
+use val3_lang::memory::{Element, Link, Memory, Place};
+use val3_lang::types::BaseType;
+
+use super::Found;
+
+/// The father that a value names; in the old dialect the data around it does, for all values.
+pub(super) fn of(value: Xml<'_>, around: Xml<'_>) -> Option<FatherLink> {
+    if let Some(text) = value.value("fatherId") {
+        return parse(&text);
+    }
+    let father = around.elements().find(|element| element.name().ends_with("Father"))?;
+    let written = |name: &str| father.value(name).filter(|text| !text.is_empty()).map(|text| text.into_owned());
+    let at = written("fatherIndex").unwrap_or_else(|| "0".to_owned());
+    Some(FatherLink { library: written("alias"), name: written("name")?, at, fields: Vec::new() })
+}
+
+/// `fTray[0]`, `tSlot["a"].fFrame[0]`
+fn parse(reference: &str) -> Option<FatherLink> {
+    let mut steps = steps(reference)?.into_iter().map(|step| {
+        let at = step.index.unwrap_or_else(|| "0".to_owned());
+        (step.name, at.trim().trim_matches('"').to_owned())
+    });
+    let (name, at) = steps.next()?;
+    Some(FatherLink { library: None, name, at, fields: steps.collect() })
+}
+
+/// Links a value to its father: at once to what every controller has, else when all data exist.
+pub(super) fn hang(value: &mut Element, father: FatherLink, number: u32, links: &mut Vec<Found>) {
+    let builtin = builtins::find(&father.name).filter(|builtin| builtin.is_variable && father.library.is_none());
+    match builtin {
+        Some(builtin) => {
+            let store = if builtin.ty == BaseType::Frame { Memory::WORLD } else { Memory::FLANGE };
+            value.links.iter_mut().take(1).for_each(|link| *link = Link::Data(Place::first(store)));
+        }
+        None => links.push(Found { path: Vec::new(), value: number, link: 0, target: LinkTarget::Father(father) }),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parse;
+
+    #[test]
+    fn references() {
+        let shown = |text| parse(text).map(|found| format!("{}[{}]{:?}", found.name, found.at, found.fields));
+        assert_eq!(shown("fTray[1,2]").as_deref(), Some("fTray[1,2][]"));
+        assert_eq!(shown("tSlot[\"a b\"].fIn[0]").as_deref(), Some("tSlot[a b][(\"fIn\", \"0\")]"));
+        assert_eq!(shown("fTray").as_deref(), Some("fTray[0][]"));
+        assert_eq!(shown(""), None);
+    }
+}

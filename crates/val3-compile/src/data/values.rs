@@ -1,0 +1,97 @@
+//! Values of built-in types.
+
+use std::borrow::Cow;
+
+use val3_analysis::ty::Base;
+use val3_analysis::xml::Element as Xml;
+use val3_bytecode::LinkTarget;
+use val3_lang::enumerations::find_in_file;
+use val3_lang::memory::{Element, Kind, Lanes, enumerator, field_offset};
+use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes, field};
+use val3_lang::values::Text;
+
+use super::{Found, fathers};
+
+/// The value that a file leaves out, where that is another than the one a program creates (`mdesc`).
+pub(super) fn unwritten(base: Base, kind: &Kind) -> Option<Element> {
+    let Base::Builtin(base, arm) = base else { return None };
+    let value = default_of(base, arm, kind);
+    (value != kind.default).then_some(value)
+}
+
+/// Reads the value that `value` writes; `around` is what declares the data.
+pub(super) fn read(
+    value: Xml<'_>,
+    around: Xml<'_>,
+    (base, arm, kind): (BaseType, Option<Arm>, &Kind),
+    number: u32,
+    links: &mut Vec<Found>,
+) -> Element {
+    let mut read = default_of(base, arm, kind);
+    for attribute in attributes(base, arm) {
+        let Some(offset) = offset(base, arm, attribute.field) else { continue };
+        let Some(text) = written(value, attribute) else { continue };
+        let mut link = |target| links.push(Found { path: Vec::new(), value: number, link: offset.link, target });
+        match attribute.value {
+            AttributeValue::Text => put(&mut read.texts, offset.text, Text::from(text.as_ref())),
+            AttributeValue::Link if !text.is_empty() => {
+                let port = if base.is_linkable() { base } else { BaseType::Dio };
+                link(LinkTarget::Port(port, text.into_owned()));
+            }
+            AttributeValue::Link | AttributeValue::Father(_) => {}
+            _ => read_number(attribute, &text).into_iter().for_each(|found| put(&mut read.nums, offset.num, found)),
+        }
+    }
+    if let Some(father) = fathers::of(value, around) {
+        fathers::hang(&mut read, father, number, links);
+    }
+    read
+}
+
+/// The value of which nothing is written.
+fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
+    let mut value = kind.default.clone();
+    for attribute in attributes(base, arm) {
+        let Some(offset) = offset(base, arm, attribute.field) else { continue };
+        match attribute.default {
+            DefaultValue::Number(number) => put(&mut value.nums, offset.num, number),
+            DefaultValue::Enumerator(name) => put(&mut value.nums, offset.num, enumerator(name)),
+            _ => {}
+        }
+    }
+    value
+}
+
+/// The text of an attribute: of the value, or in the old dialect of an element in it.
+fn written<'g>(value: Xml<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
+    let old_name = match attribute.name {
+        "ioOpen" => "open",
+        "ioClose" => "close",
+        name => name,
+    };
+    value.value(attribute.name).or_else(|| value.elements().find_map(|part| part.value(old_name)))
+}
+
+fn read_number(attribute: &Attribute, text: &str) -> Option<f64> {
+    match attribute.value {
+        AttributeValue::Truth => Some(f64::from(u8::from(text.trim() == "true"))),
+        AttributeValue::Number => text.trim().parse().ok(),
+        AttributeValue::Choice(ty) => find_in_file(ty, text.trim()).map(|found| enumerator(found.name)),
+        _ => None,
+    }
+}
+
+/// The lanes before a field: `trsf.x`.
+fn offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes> {
+    let names = path.split('.').filter(|name| !name.is_empty());
+    let (_, offset) = names.into_iter().try_fold((base, Lanes::default()), |(base, offset), name| {
+        Some((field(base, arm, name)?.ty, offset + field_offset(base, arm, name)?))
+    })?;
+    Some(offset)
+}
+
+fn put<T>(lanes: &mut [T], at: u32, value: T) {
+    if let Some(slot) = lanes.get_mut(at as usize) {
+        *slot = value;
+    }
+}

@@ -1,0 +1,123 @@
+//! Expressions: each yields a value, computed into the lanes that are wanted where it is computed at all.
+
+use val3_analysis::body::{Constant, Expr, ExprId};
+use val3_bytecode::{Op, Register};
+use val3_lang::memory::Lanes;
+use val3_lang::operators::UnaryOp;
+use val3_lang::types::BaseType;
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::spot::{Value, is_number};
+
+impl Coder<'_, '_> {
+    /// The value of an expression. A variable stays where it is; a result may go to `want`.
+    pub(crate) fn value(&mut self, id: ExprId, want: Option<Lanes>) -> Result<Value> {
+        if let Some((base, number)) = self.constant(id) {
+            return Ok(Value::num(base, self.frame.constant(number)?));
+        }
+        if let Some(variable) = self.variable(id)? {
+            return Ok(variable);
+        }
+        match self.body.expr(id) {
+            Expr::Paren(inner) => self.value(*inner, want),
+            Expr::String(text) => self.text_constant(text, want),
+            Expr::Unary(op, operand) => self.unary(*op, *operand, want),
+            Expr::Binary(op, left, right) => self.binary(*op, (*left, *right), want),
+            Expr::Assign(target, value) => self.assign(*target, *value),
+            Expr::Call(callee, args) => self.instruction_value(id, *callee, args, want),
+            Expr::Struct(values) => self.literal(self.base(id), values),
+            _ => Err(Limit::Unclear),
+        }
+    }
+
+    /// The number that an expression stands for before the program runs.
+    pub(crate) fn constant(&self, id: ExprId) -> Option<(BaseType, f64)> {
+        if let Expr::Name(name) = self.body.expr(id) {
+            return Some((self.base(id).builtin()?, self.enumerator(name)?));
+        }
+        match self.body.constant(id)? {
+            Constant::Number(number) => Some((BaseType::Num, number)),
+            Constant::Bool(value) => Some((BaseType::Bool, f64::from(u8::from(value)))),
+            Constant::String(_) => None,
+        }
+    }
+
+    /// The register with the number, truth value or enumerator of an expression.
+    pub(crate) fn num(&mut self, id: ExprId) -> Result<Register> {
+        let value = self.value(id, None)?;
+        self.load(value, None)
+    }
+
+    /// Computes a number into a register.
+    pub(crate) fn num_to(&mut self, id: ExprId, to: Register) -> Result<()> {
+        let want = Some(Lanes::nums(to.into()));
+        let value = self.value(id, want)?;
+        let from = self.load(value, want)?;
+        self.move_num(to, from);
+        Ok(())
+    }
+
+    /// The register with the text of an expression.
+    pub(crate) fn text(&mut self, id: ExprId) -> Result<Register> {
+        let value = self.value(id, None)?;
+        self.load_text(value, None)
+    }
+
+    /// The numbers of two operands. The left one is read first: a variable that the right side may write to is kept.
+    pub(crate) fn nums(&mut self, left: ExprId, right: ExprId) -> Result<(Register, Register)> {
+        let a = self.num(left)?;
+        let a = if self.may_write(right) { self.kept(a)? } else { a };
+        Ok((a, self.num(right)?))
+    }
+
+    /// The texts of two operands, as [`nums`](Self::nums).
+    pub(crate) fn texts(&mut self, left: ExprId, right: ExprId) -> Result<(Register, Register)> {
+        let a = self.text(left)?;
+        let a = if self.may_write(right) {
+            let kept = self.frame.text()?;
+            self.emit(Op::TextMove { to: kept, from: a });
+            kept
+        } else {
+            a
+        };
+        Ok((a, self.text(right)?))
+    }
+
+    /// The expression may change variables: it calls an instruction that takes some of them by reference.
+    pub(crate) fn may_write(&self, id: ExprId) -> bool {
+        self.body.within(id).any(|id| match self.body.expr(id) {
+            Expr::Call(..) => match self.types.call(id).and_then(|call| call.form) {
+                Some(form) => form.params.iter().any(|param| param.shape.is_by_reference()),
+                None => true,
+            },
+            _ => false,
+        })
+    }
+
+    fn unary(&mut self, op: UnaryOp, operand: ExprId, want: Option<Lanes>) -> Result<Value> {
+        let base = self.builtin(operand)?;
+        match op {
+            UnaryOp::Negate => {
+                let a = self.num(operand)?;
+                let to = self.num_result(want)?;
+                self.emit(Op::Negate { to, a });
+                Ok(Value::num(BaseType::Num, to))
+            }
+            UnaryOp::Not if is_number(base) || base == BaseType::Dio => {
+                let a = self.num(operand)?;
+                let to = self.num_result(want)?;
+                self.emit(Op::Not { to, a });
+                Ok(Value::num(BaseType::Bool, to))
+            }
+            UnaryOp::Not => self.unary_handler(op, operand, base, want),
+        }
+    }
+
+    /// Makes sure that a number is not changed by what follows.
+    pub(crate) fn kept(&mut self, register: Register) -> Result<Register> {
+        let to = self.frame.num()?;
+        self.move_num(to, register);
+        Ok(to)
+    }
+}

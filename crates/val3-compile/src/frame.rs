@@ -1,0 +1,177 @@
+//! The frame of a program: where its variables are, its constants, and registers for what lines compute.
+//!
+//! A parameter or local that is one value of a built-in type lies in lanes; local arrays and values of user types are
+//! containers. What a statement computes in between is given back when the statement ends.
+
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_bytecode::{FrameSize, Register, Storage, Whole, WholeKind};
+use val3_lang::memory::{Kind, Lanes, PartInit, Shape};
+
+use crate::error::{Limit, Result};
+use crate::pool::Pool;
+
+/// The frame of one program.
+#[derive(Debug, Default)]
+pub(crate) struct Frame {
+    scope: FxHashMap<SmolStr, Storage>,
+    pools: [Pool; 5],
+    taken: Vec<(Sort, u32, u32)>,
+    constants: FxHashMap<u64, Register>,
+    nums: Vec<f64>,
+    /// The containers of a new frame.
+    pub(crate) parts: Vec<PartInit>,
+}
+
+/// A sort of registers.
+#[derive(Debug, Clone, Copy)]
+enum Sort {
+    Num,
+    Text,
+    Link,
+    Place,
+    View,
+}
+
+/// How many registers were taken when a statement began.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Mark(usize);
+
+impl Frame {
+    /// Where a parameter or local is.
+    pub(crate) fn find(&self, name: &str) -> Option<Storage> {
+        self.scope.get(name).copied()
+    }
+
+    /// Makes a parameter or local known. Where a name is declared twice, the last declaration counts.
+    pub(crate) fn declare(&mut self, name: SmolStr, storage: Storage) {
+        self.scope.insert(name, storage);
+    }
+
+    fn pool(&mut self, sort: Sort) -> &mut Pool {
+        let [num, text, link, place, view] = &mut self.pools;
+        match sort {
+            Sort::Num => num,
+            Sort::Text => text,
+            Sort::Link => link,
+            Sort::Place => place,
+            Sort::View => view,
+        }
+    }
+
+    /// Lanes that hold a default value for good: a variable, or a value whose links stay empty.
+    pub(crate) fn lasting(&mut self, kind: &Kind) -> Result<Lanes> {
+        let num = self.pool(Sort::Num).grow(kind.size.num)?;
+        for (at, value) in (num..).zip(&kind.default.nums) {
+            self.preset(at, *value);
+        }
+        let text = self.pool(Sort::Text).grow(kind.size.text)?;
+        let link = self.pool(Sort::Link).grow(kind.size.link)?;
+        Ok(Lanes { num, text, link, part: 0 })
+    }
+
+    /// A place for good: a parameter by reference.
+    pub(crate) fn lasting_place(&mut self) -> Result<Register> {
+        self.pool(Sort::Place).grow(1).map(narrow)
+    }
+
+    /// A view for good: a container by reference.
+    pub(crate) fn lasting_view(&mut self) -> Result<Register> {
+        self.pool(Sort::View).grow(1).map(narrow)
+    }
+
+    /// A container of the frame.
+    pub(crate) fn part(&mut self, kind: Arc<Kind>, shape: Shape) -> Result<u16> {
+        let number = u16::try_from(self.parts.len()).map_err(|_| Limit::Containers)?;
+        Whole::new(WholeKind::Part(number)).ok_or(Limit::Containers)?;
+        self.parts.push(PartInit { kind, shape, values: Vec::new() });
+        Ok(number)
+    }
+
+    /// The register that holds a constant number.
+    pub(crate) fn constant(&mut self, value: f64) -> Result<Register> {
+        if let Some(known) = self.constants.get(&value.to_bits()) {
+            return Ok(*known);
+        }
+        let at = self.pool(Sort::Num).grow(1)?;
+        self.preset(at, value);
+        self.constants.insert(value.to_bits(), narrow(at));
+        Ok(narrow(at))
+    }
+
+    fn preset(&mut self, at: u32, value: f64) {
+        let least = at as usize + 1;
+        if self.nums.len() < least {
+            self.nums.resize(least, 0.0);
+        }
+        if let Some(slot) = self.nums.get_mut(at as usize) {
+            *slot = value;
+        }
+    }
+
+    fn take(&mut self, sort: Sort, count: u32) -> Result<u32> {
+        let start = self.pool(sort).take(count)?;
+        self.taken.push((sort, start, count));
+        Ok(start)
+    }
+
+    /// A number for the time of the statement.
+    pub(crate) fn num(&mut self) -> Result<Register> {
+        self.nums(1)
+    }
+
+    /// So many numbers, one behind the other.
+    pub(crate) fn nums(&mut self, count: u32) -> Result<Register> {
+        self.take(Sort::Num, count).map(narrow)
+    }
+
+    /// A text for the time of the statement.
+    pub(crate) fn text(&mut self) -> Result<Register> {
+        self.take(Sort::Text, 1).map(narrow)
+    }
+
+    /// A place for the time of the statement.
+    pub(crate) fn place(&mut self) -> Result<Register> {
+        self.take(Sort::Place, 1).map(narrow)
+    }
+
+    /// A view for the time of the statement.
+    pub(crate) fn view(&mut self) -> Result<Register> {
+        self.take(Sort::View, 1).map(narrow)
+    }
+
+    /// A value of a built-in type for the time of the statement. What it holds at first is not known.
+    pub(crate) fn value(&mut self, size: Lanes) -> Result<Lanes> {
+        let num = self.take(Sort::Num, size.num)?;
+        let text = self.take(Sort::Text, size.text)?;
+        let link = self.take(Sort::Link, size.link)?;
+        Ok(Lanes { num, text, link, part: 0 })
+    }
+
+    /// What is taken from here on can be given back.
+    pub(crate) fn mark(&self) -> Mark {
+        Mark(self.taken.len())
+    }
+
+    /// Gives back what was taken since.
+    pub(crate) fn release(&mut self, mark: Mark) {
+        for (sort, start, count) in self.taken.split_off(mark.0.min(self.taken.len())) {
+            self.pool(sort).give(start, count);
+        }
+    }
+
+    /// The size of the frame, the numbers of a new one, and its containers.
+    pub(crate) fn finish(mut self) -> (FrameSize, Vec<f64>, Vec<PartInit>) {
+        let [num, text, link, place, view] = self.pools.map(|pool| pool.size());
+        let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
+        self.nums.resize(num as usize, 0.0);
+        (FrameSize { lanes: Lanes { num, text, link, part }, places: place, views: view }, self.nums, self.parts)
+    }
+}
+
+/// The number of a register; pools hand out no higher ones.
+pub(crate) fn narrow(register: u32) -> Register {
+    Register::try_from(register).unwrap_or(Register::MAX)
+}

@@ -1,0 +1,124 @@
+//! Calls of instructions.
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::ty::Base;
+use val3_bytecode::{ArgumentSite, InstructionSite, Op, Operand};
+use val3_lang::add_on::AddOnOverload;
+use val3_lang::instruction::Overload;
+use val3_lang::instructions;
+use val3_lang::memory::Lanes;
+use val3_lang::types::BaseType;
+
+use crate::arguments::Formal;
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::spot::Value;
+
+/// A call whose form is known.
+struct Called {
+    site: InstructionSite,
+    formals: Vec<Formal>,
+    result: Option<BaseType>,
+}
+
+impl Coder<'_, '_> {
+    /// A call where its value is needed.
+    pub(crate) fn instruction_value(
+        &mut self,
+        id: ExprId,
+        callee: ExprId,
+        args: &[ExprId],
+        want: Option<Lanes>,
+    ) -> Result<Value> {
+        if self.waits(id) == Some(instructions::WATCH) {
+            return self.watch(args, want);
+        }
+        let mut called = self.called(id)?;
+        let base = called.result.ok_or(Limit::Unclear)?;
+        let lanes = self.result(base, want)?;
+        called.site.result = Some(Operand::Frame(lanes));
+        self.execute(called, callee, args)?;
+        Ok(Value { spot: crate::spot::Spot::Lanes(lanes), base: Base::of(base).on_arm(self.unit.items.arm) })
+    }
+
+    /// A call alone on its line.
+    pub(crate) fn instruction_stmt(&mut self, id: ExprId) -> Result<()> {
+        let Expr::Call(callee, args) = self.body.expr(id) else { return Err(Limit::Unclear) };
+        match self.waits(id) {
+            Some(instructions::WAIT) => self.wait(args),
+            Some(_) => self.watch(args, None).map(drop),
+            None => {
+                let called = self.called(id)?;
+                self.execute(called, *callee, args)
+            }
+        }
+    }
+
+    fn execute(&mut self, mut called: Called, callee: ExprId, args: &[ExprId]) -> Result<()> {
+        if let Expr::Path { library, .. } = self.body.expr(callee) {
+            called.site.arguments.push(ArgumentSite::Library(self.unit.library(library)?));
+        }
+        let mut boxes = Vec::new();
+        let arguments = self.arguments(&called.formals, args, &mut boxes)?;
+        called.site.arguments.extend(arguments);
+        self.code.instruction(called.site);
+        self.unbox(&boxes)
+    }
+
+    fn called(&self, id: ExprId) -> Result<Called> {
+        if let Some(call) = self.types.call(id) {
+            let form = call.form.ok_or(Limit::Unclear)?;
+            let formal = |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
+            let formals = form.params.iter().map(formal).collect();
+            return Ok(Called { site: InstructionSite::new(call.instruction, form), formals, result: form.result });
+        }
+        let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
+        let formal = |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
+        let formals = call.form.params.iter().map(formal).collect();
+        Ok(Called { site: add_on_site(&call.name, &call.form), formals, result: call.form.result })
+    }
+
+    /// The instruction that waits for a condition which `id` calls, by its name.
+    fn waits(&self, id: ExprId) -> Option<&'static str> {
+        let name = self.types.call(id)?.instruction.name;
+        matches!(name, instructions::WAIT | instructions::WATCH).then_some(name)
+    }
+
+    /// `wait(condition)`: the condition is computed anew in each turn (5.10).
+    fn wait(&mut self, args: &[ExprId]) -> Result<()> {
+        let &[condition] = args else { return Err(Limit::Unclear) };
+        let retry = self.code.here();
+        let condition = self.num(condition)?;
+        self.emit(Op::WaitUntil { condition, retry: retry.0 });
+        Ok(())
+    }
+
+    /// `watch(condition, seconds)`: the time is computed once, then the condition in each turn (5.10).
+    fn watch(&mut self, args: &[ExprId], want: Option<Lanes>) -> Result<Value> {
+        let &[condition, seconds] = args else { return Err(Limit::Unclear) };
+        let seconds = self.num(seconds)?;
+        let seconds = self.kept(seconds)?;
+        let retry = self.code.here();
+        let condition = self.num(condition)?;
+        let to = self.num_result(want)?;
+        self.emit(Op::Watch { to, condition, seconds, retry: retry.0 });
+        Ok(Value::num(BaseType::Bool, to))
+    }
+}
+
+/// An instruction of an add-on does what the catalogue's form with the same parameters does.
+fn add_on_site(name: &str, form: &AddOnOverload) -> InstructionSite {
+    let known = instructions::find(name);
+    let same = known.and_then(|known| known.overloads.iter().find(|other| is_same(other, form)));
+    match known.zip(same) {
+        Some((instruction, form)) => InstructionSite::new(instruction, form),
+        None => InstructionSite::named(name.to_owned(), None),
+    }
+}
+
+fn is_same(known: &Overload, form: &AddOnOverload) -> bool {
+    let params = || known.params.iter().zip(&form.params);
+    known.on_library == form.on_library
+        && known.params.len() == form.params.len()
+        && params().all(|(known, param)| known.ty == param.ty && known.shape == param.shape)
+}

@@ -1,0 +1,119 @@
+//! Types at run time, each made once and shared.
+
+use std::sync::Arc;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::data::{self, DataDecl};
+use val3_analysis::items::parse;
+use val3_analysis::items::project::{data_files, items, resolve_type};
+use val3_analysis::ty::Base;
+use val3_lang::memory::{FieldKind, Kind};
+use val3_lang::types::Arm;
+use val3_syntax::view::View;
+
+use crate::data::{Found, Loaded};
+use crate::error::{Limit, Result};
+
+/// The types of a project.
+pub(crate) struct Kinds<'db> {
+    pub(crate) db: &'db dyn Db,
+    pub(crate) arm: Option<Arm>,
+    builtin: FxHashMap<Base, Arc<Kind>>,
+    user: FxHashMap<Project, UserKind>,
+    /// User types that are being made: one that holds itself is an error of the project.
+    open: Vec<Project>,
+}
+
+/// A user type.
+#[derive(Clone)]
+struct UserKind {
+    kind: Arc<Kind>,
+    bases: Vec<Base>,
+    /// Links that each new value has: number of the field, and the link in it.
+    links: Arc<[(u32, Found)]>,
+}
+
+impl<'db> Kinds<'db> {
+    pub(crate) fn new(db: &'db dyn Db, arm: Option<Arm>) -> Self {
+        Self { db, arm, builtin: FxHashMap::default(), user: FxHashMap::default(), open: Vec::new() }
+    }
+
+    /// A type. Positions of no particular arm are of the project's.
+    pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
+        match base.on_arm(self.arm) {
+            Base::Builtin(builtin, arm) => {
+                let make = || Arc::new(Kind::builtin(builtin, arm));
+                Ok(self.builtin.entry(Base::Builtin(builtin, arm)).or_insert_with(make).clone())
+            }
+            Base::User(project) => Ok(self.user(project)?.kind),
+            Base::Unknown => Err(Limit::Unclear),
+        }
+    }
+
+    /// The types of the fields of a user type, in order.
+    pub(crate) fn field_bases(&mut self, base: Base) -> Result<Vec<Base>> {
+        match base {
+            Base::User(project) => Ok(self.user(project)?.bases),
+            _ => Err(Limit::Unclear),
+        }
+    }
+
+    /// The links that each new value of a type has.
+    pub(crate) fn links(&mut self, base: Base) -> Result<Arc<[(u32, Found)]>> {
+        match base {
+            Base::User(project) => Ok(self.user(project)?.links),
+            _ => Ok(Arc::default()),
+        }
+    }
+
+    fn user(&mut self, project: Project) -> Result<UserKind> {
+        if let Some(known) = self.user.get(&project) {
+            return Ok(known.clone());
+        }
+        if self.open.contains(&project) {
+            return Err(Limit::Unclear);
+        }
+        self.open.push(project);
+        let made = self.make(project);
+        self.open.pop();
+        let made = made?;
+        self.user.insert(project, made.clone());
+        Ok(made)
+    }
+
+    /// The public data of the type's project are its fields, with their values at the start (7.1).
+    fn make(&mut self, project: Project) -> Result<UserKind> {
+        let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
+        for (decl, base, Loaded { init, links: found }) in self.data_of(project, |decl| decl.public)? {
+            let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
+            links.extend(found.into_iter().map(|found| (number, found)));
+            fields.push(FieldKind { name: decl.name.to_string(), init });
+            bases.push(base);
+        }
+        let name = Base::User(project).display(self.db).to_string();
+        Ok(UserKind { kind: Arc::new(Kind::user(name, fields)), bases, links: links.into() })
+    }
+
+    /// The data of a project that are wanted, in the order of its files. Where a name is declared twice, the first
+    /// declaration counts.
+    pub(crate) fn data_of(
+        &mut self,
+        project: Project,
+        wanted: impl Fn(&DataDecl) -> bool,
+    ) -> Result<Vec<(DataDecl, Base, Loaded)>> {
+        let (db, types) = (self.db, &items(self.db, project).types);
+        let (mut all, mut known) = (Vec::new(), FxHashSet::default());
+        for &file in data_files(db, project) {
+            for element in data::elements(View::root(parse(db, file).green())) {
+                let Some(decl) = data::declaration(element).filter(|decl| wanted(decl)) else { continue };
+                if known.insert(decl.name.clone()) {
+                    let base = resolve_type(types, &decl.type_name).unwrap_or(Base::Unknown);
+                    let loaded = self.load(element, (decl.container, &decl.sizes), base)?;
+                    all.push((decl, base, loaded));
+                }
+            }
+        }
+        Ok(all)
+    }
+}

@@ -1,0 +1,124 @@
+//! `{…}`: the values of a structure. What is left out is 0 (2.4.2).
+
+use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::ty::Base;
+use val3_lang::memory::{Kind, Lanes, field_offset};
+use val3_lang::types::{Arm, BaseType, Field, fields};
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::frame::narrow;
+use crate::spot::{Spot, Value};
+
+/// The values between braces.
+type Values = [Option<ExprId>];
+
+impl Coder<'_, '_> {
+    /// `{values}` as a value of type `base`.
+    pub(crate) fn literal(&mut self, base: Base, values: &Values) -> Result<Value> {
+        let Base::Builtin(builtin, arm) = base else {
+            let (_, own) = self.own_container(base)?;
+            self.user_literal(own, values)?;
+            return Ok(own);
+        };
+        let kind = self.kind(base)?;
+        let arm = arm.or(self.unit.items.arm);
+        if let Some(nums) = self.constants(builtin, arm, values) {
+            return self.constant_literal(base, &kind, nums);
+        }
+        // Nothing else may leave a link in its lanes.
+        let lanes = if kind.size.link > 0 { self.frame.lasting(&kind)? } else { self.frame.value(kind.size)? };
+        self.fill(lanes, (builtin, arm), values)?;
+        Ok(Value { spot: Spot::Lanes(lanes), base })
+    }
+
+    /// A value that is known before the program runs lies in the frame from the start.
+    fn constant_literal(&mut self, base: Base, kind: &Kind, nums: Vec<f64>) -> Result<Value> {
+        let mut kind = kind.clone();
+        let length = kind.default.nums.len();
+        kind.default.nums = nums;
+        kind.default.nums.resize(length, 0.0);
+        let lanes = self.frame.lasting(&kind)?;
+        Ok(Value { spot: Spot::Lanes(lanes), base })
+    }
+
+    /// The numbers of a structure where all of its values are constants.
+    fn constants(&self, base: BaseType, arm: Option<Arm>, values: &Values) -> Option<Vec<f64>> {
+        let mut nums = Vec::new();
+        for (at, field) in fields(base, arm).iter().enumerate() {
+            let value = values.get(at).copied().flatten();
+            let inner = value.map(|id| self.body.expr(self.body.peel(id)));
+            match (inner, value) {
+                (Some(Expr::Struct(inner)), _) => nums.extend(self.constants(field.ty, arm, inner)?),
+                (_, Some(id)) => nums.push(self.constant(id)?.1),
+                (_, None) => nums.extend(zeros(field, arm)),
+            }
+        }
+        Some(nums)
+    }
+
+    /// Writes every number of a structure on the frame.
+    fn fill(&mut self, lanes: Lanes, (base, arm): (BaseType, Option<Arm>), values: &Values) -> Result<()> {
+        let mut end = 0;
+        for (at, field) in fields(base, arm).iter().enumerate() {
+            let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
+            let to = Value { spot: Spot::Lanes(lanes + offset), base: Base::Builtin(field.ty, arm) };
+            end = offset.num + self.kind(to.base)?.size.num;
+            let value = values.get(at).copied().flatten();
+            match value.map(|id| (id, self.body.expr(self.body.peel(id)))) {
+                Some((_, Expr::Struct(inner))) => self.fill(lanes + offset, (field.ty, arm), inner)?,
+                Some((id, _)) => {
+                    let value = self.value(id, to.spot.lanes())?;
+                    self.copy(to, value)?;
+                }
+                None => self.clear(lanes.num + offset.num, lanes.num + end)?,
+            }
+        }
+        let size = self.kind(Base::Builtin(base, arm))?.size.num;
+        self.clear(lanes.num + end, lanes.num + size)
+    }
+
+    fn clear(&mut self, from: u32, to: u32) -> Result<()> {
+        let zero = self.frame.constant(0.0)?;
+        (from..to).for_each(|lane| self.move_num(narrow(lane), zero));
+        Ok(())
+    }
+
+    /// `variable = {values}`: a frame, tool or point keeps what it is linked to (9.4 to 9.6).
+    pub(crate) fn literal_to(&mut self, to: Value, values: &Values) -> Result<()> {
+        let Base::Builtin(base, arm) = to.base else { return self.user_literal(to, values) };
+        let from = self.literal(to.base, values)?;
+        if self.kind(to.base)?.size.link == 0 {
+            return self.copy(to, from);
+        }
+        let arm = arm.or(self.unit.items.arm);
+        for (at, field) in fields(base, arm).iter().enumerate() {
+            let given = values.get(at).copied().flatten().is_some();
+            if field.ty.is_linkable() && !given {
+                continue;
+            }
+            let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
+            let field = Base::Builtin(field.ty, arm);
+            let [to, from] = [self.behind(to.spot, offset)?, self.behind(from.spot, offset)?];
+            self.copy(Value { spot: to, base: field }, Value { spot: from, base: field })?;
+        }
+        Ok(())
+    }
+
+    /// The values of the fields of a user type, in the order of its data; what is left out stays as it is.
+    fn user_literal(&mut self, to: Value, values: &Values) -> Result<()> {
+        let (kind, bases) = (self.kind(to.base)?, self.unit.kinds.field_bases(to.base)?);
+        for (number, (value, base)) in values.iter().zip(bases).enumerate().take(kind.fields.len()) {
+            let Some(id) = *value else { continue };
+            let value = self.value_as(id, base)?;
+            let field = self.first_of_field(to, number)?;
+            self.copy(Value { spot: field, base }, value)?;
+        }
+        Ok(())
+    }
+}
+
+fn zeros(field: &Field, arm: Option<Arm>) -> Vec<f64> {
+    let size = Kind::builtin(field.ty, arm).size.num;
+    vec![0.0; size as usize]
+}

@@ -1,0 +1,94 @@
+//! Loops (2.2.5).
+
+use val3_analysis::body::{ExprId, Stmt};
+use val3_bytecode::{Op, Register};
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::places::num_register;
+use crate::spot::{At, Spot, Value};
+use crate::statements::head;
+
+impl Coder<'_, '_> {
+    pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
+        let condition = condition.ok_or(Limit::Unclear)?;
+        let (again, end) = (self.code.here(), self.code.label());
+        self.code.line(head(stmt, self.body.range(condition)));
+        self.condition(condition, false, end)?;
+        self.block(block)?;
+        self.emit(Op::Jump { to: again.0 });
+        self.code.place(end);
+        Ok(())
+    }
+
+    pub(crate) fn do_stmt(&mut self, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
+        let condition = condition.ok_or(Limit::Unclear)?;
+        let again = self.code.here();
+        self.block(block)?;
+        self.range = self.body.range(condition);
+        self.code.line(self.range);
+        self.condition(condition, false, again)
+    }
+
+    /// Start, limit and step are computed once, in this order, before the counter gets its first value.
+    pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
+        let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
+        let (exit, body) = (self.code.label(), self.code.label());
+        self.code.line(head(stmt, self.body.range(step.unwrap_or(stop))));
+        let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
+        let variable = Value { spot: self.pinned(variable.spot)?, ..variable };
+        let limit = self.frame.nums(2)?;
+        let counter = match variable.spot {
+            Spot::Lanes(lanes) => num_register(lanes),
+            _ => self.frame.num()?,
+        };
+        let start = self.num(start)?;
+        self.num_to(stop, limit)?;
+        self.step(step, limit + 1)?;
+        self.move_num(counter, start);
+        self.emit(Op::ForTest { counter, limit, exit: exit.0 });
+        self.code.place(body);
+        self.store_counter(variable, counter)?;
+        self.block(block)?;
+        let counted = self.load(variable, None)?;
+        self.move_num(counter, counted);
+        self.emit(Op::ForNext { counter, limit, body: body.0 });
+        self.code.place(exit);
+        self.store_counter(variable, counter)
+    }
+
+    fn step(&mut self, step: Option<ExprId>, to: Register) -> Result<()> {
+        match step {
+            Some(step) => self.num_to(step, to),
+            None => {
+                let one = self.frame.constant(1.0)?;
+                self.move_num(to, one);
+                Ok(())
+            }
+        }
+    }
+
+    /// A counter that is not on the frame is counted there and written back before and after each round.
+    fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
+        match variable.spot {
+            Spot::Lanes(_) => Ok(()),
+            spot => self.store(spot, counter),
+        }
+    }
+
+    /// The same variable, whatever the block does to those in its index.
+    fn pinned(&mut self, spot: Spot) -> Result<Spot> {
+        let Spot::Element { whole, at, plain } = spot else { return Ok(spot) };
+        let at = match at {
+            At::One(index) => At::One(self.kept(index)?),
+            At::Two(i, j) => At::Two(self.kept(i)?, self.kept(j)?),
+            At::Three(i) => At::Three(i),
+            At::Key(key) => {
+                let to = self.frame.text()?;
+                self.emit(Op::TextMove { to, from: key });
+                At::Key(to)
+            }
+        };
+        Ok(Spot::Element { whole, at, plain })
+    }
+}

@@ -1,0 +1,175 @@
+//! Operators between two values.
+
+use val3_analysis::body::ExprId;
+use val3_analysis::ty::Base;
+use val3_bytecode::{InstructionSite, Op, Operand};
+use val3_lang::memory::Lanes;
+use val3_lang::operators::{self, BinaryOp, UnaryOp, handlers};
+use val3_lang::types::BaseType;
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::spot::{Spot, Value, is_number};
+
+impl Coder<'_, '_> {
+    /// `left op right`
+    pub(crate) fn binary(
+        &mut self,
+        op: BinaryOp,
+        (left, right): (ExprId, ExprId),
+        want: Option<Lanes>,
+    ) -> Result<Value> {
+        match self.base(left) {
+            _ if matches!(op, BinaryOp::And | BinaryOp::Or) => self.logic(op, left, right),
+            Base::Builtin(base, _) if is_number(base) || base == BaseType::Dio => self.on_nums(op, (left, right), want),
+            Base::Builtin(BaseType::String, _) => self.on_texts(op, (left, right), want),
+            Base::Builtin(base, _) => self.on_structures(op, base, (left, right), want),
+            Base::User(_) => self.compared(op, left, right, want),
+            Base::Unknown => Err(Limit::Unclear),
+        }
+    }
+
+    /// `and` and `or` compute their right side only where the left one does not decide (3.1.2). The result is kept
+    /// apart: the right side may read what is wanted.
+    fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<Value> {
+        let condition = self.frame.num()?;
+        let end = self.code.label();
+        self.num_to(left, condition)?;
+        self.emit(match op {
+            BinaryOp::And => Op::JumpUnless { condition, to: end.0 },
+            _ => Op::JumpIf { condition, to: end.0 },
+        });
+        self.num_to(right, condition)?;
+        self.code.place(end);
+        Ok(Value::num(BaseType::Bool, condition))
+    }
+
+    fn on_nums(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
+        let (a, b) = self.nums(left, right)?;
+        let to = self.num_result(want)?;
+        self.emit(match op {
+            BinaryOp::Add => Op::Add { to, a, b },
+            BinaryOp::Subtract => Op::Subtract { to, a, b },
+            BinaryOp::Multiply => Op::Multiply { to, a, b },
+            BinaryOp::Divide => Op::Divide { to, a, b },
+            BinaryOp::Remainder => Op::Remainder { to, a, b },
+            BinaryOp::Less => Op::Less { to, a, b },
+            BinaryOp::LessOrEqual => Op::LessEqual { to, a, b },
+            BinaryOp::Greater => Op::Less { to, a: b, b: a },
+            BinaryOp::GreaterOrEqual => Op::LessEqual { to, a: b, b: a },
+            BinaryOp::Equal => Op::Equal { to, a, b },
+            BinaryOp::NotEqual | BinaryOp::Xor => Op::NotEqual { to, a, b },
+            BinaryOp::And | BinaryOp::Or => return Err(Limit::Unclear),
+        });
+        let is_number = operators::binary(op, BaseType::Num, BaseType::Num) == Some(BaseType::Num);
+        Ok(Value::num(if is_number { BaseType::Num } else { BaseType::Bool }, to))
+    }
+
+    fn on_texts(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
+        let (a, b) = self.texts(left, right)?;
+        if op == BinaryOp::Add {
+            let to = self.text_result(want)?;
+            self.emit(Op::Concatenate { to, a, b });
+            return Ok(Value::text(to));
+        }
+        let to = self.num_result(want)?;
+        self.emit(Op::TextEqual { to, a, b });
+        self.negated(op, to)
+    }
+
+    /// The truth value in a register, or its contrary for `!=`.
+    fn negated(&mut self, op: BinaryOp, to: u16) -> Result<Value> {
+        if op == BinaryOp::NotEqual {
+            self.emit(Op::Not { to, a: to });
+        }
+        Ok(Value::num(BaseType::Bool, to))
+    }
+
+    fn on_structures(
+        &mut self,
+        op: BinaryOp,
+        base: BaseType,
+        (left, right): (ExprId, ExprId),
+        want: Option<Lanes>,
+    ) -> Result<Value> {
+        let Some(run) = handlers::binary(op, base, self.unit.items.arm) else { return self.compared(op, left, right, want) };
+        let mut site = InstructionSite::named(op.symbol(), Some(run));
+        for id in [left, right] {
+            let value = self.value(id, None)?;
+            let argument = self.argument_of(value)?;
+            site.arguments.push(argument);
+        }
+        let result = operators::binary(op, base, base).ok_or(Limit::Unclear)?;
+        self.handled(site, result, want)
+    }
+
+    /// `!trA`
+    pub(crate) fn unary_handler(
+        &mut self,
+        op: UnaryOp,
+        operand: ExprId,
+        base: BaseType,
+        want: Option<Lanes>,
+    ) -> Result<Value> {
+        let mut site = InstructionSite::named(op.symbol(), handlers::unary(op, base));
+        let value = self.value(operand, None)?;
+        let argument = self.argument_of(value)?;
+        site.arguments.push(argument);
+        self.handled(site, base, want)
+    }
+
+    fn handled(&mut self, mut site: InstructionSite, result: BaseType, want: Option<Lanes>) -> Result<Value> {
+        let lanes = self.result(result, want)?;
+        site.result = Some(Operand::Frame(lanes));
+        self.code.instruction(site);
+        Ok(Value::on_frame(result, lanes))
+    }
+
+    /// `==` and `!=`, field by field.
+    fn compared(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<Value> {
+        let left = self.value(left, None)?;
+        let right = self.value(right, None)?;
+        let site = self.copy_site(left.base, left.spot, right.spot)?;
+        let to = self.num_result(want)?;
+        self.emit(Op::Compare { to, site });
+        self.negated(op, to)
+    }
+
+    /// Whether two values are equal, where the first was computed before.
+    pub(crate) fn is_equal(&mut self, left: Value, right: ExprId) -> Result<u16> {
+        let right = self.value_as(right, left.base)?;
+        let to = self.frame.num()?;
+        let base = left.base.builtin();
+        if base == Some(BaseType::String) {
+            let (a, b) = (self.load_text(left, None)?, self.load_text(right, None)?);
+            self.emit(Op::TextEqual { to, a, b });
+        } else if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base, self.unit.items.arm)) {
+            let mut site = InstructionSite::named(BinaryOp::Equal.symbol(), Some(run));
+            site.arguments = vec![self.argument_of(left)?, self.argument_of(right)?];
+            site.result = Some(Operand::Frame(Lanes::nums(to.into())));
+            self.code.instruction(site);
+        } else {
+            let site = self.copy_site(left.base, left.spot, right.spot)?;
+            self.emit(Op::Compare { to, site });
+        }
+        Ok(to)
+    }
+
+    /// Looks a value up now, so that it can be used several times.
+    pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
+        let base = value.base.builtin();
+        let spot = match value.spot {
+            _ if base.is_some_and(|base| is_number(base) || base == BaseType::Dio) => {
+                let register = self.load(value, None)?;
+                return Ok(Value::num(BaseType::Num, register));
+            }
+            _ if base == Some(BaseType::String) => return Ok(Value::text(self.load_text(value, None)?)),
+            spot @ (Spot::Lanes(_) | Spot::Place(..)) => spot,
+            spot => {
+                let (place, lanes) = self.located(spot)?;
+                Spot::Place(place, lanes)
+            }
+        };
+        Ok(Value { spot, base: value.base })
+    }
+}

@@ -1,0 +1,64 @@
+//! One program.
+
+use val3_analysis::body::body;
+use val3_analysis::db::File;
+use val3_analysis::infer::infer;
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::{Signature, signature};
+use val3_bytecode::{Op, Program};
+use val3_syntax::TextRange;
+
+use crate::code::{Code, source_range};
+use crate::coder::Coder;
+use crate::error::{CompileError, Result};
+use crate::frame::Frame;
+use crate::unit::Unit;
+
+/// Compiles the program in a file, which has this number among the files of the image.
+pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::result::Result<Program, CompileError> {
+    let (db, project) = (unit.db, unit.project);
+    let mut coder = Coder {
+        unit,
+        body: body(db, file),
+        types: infer(db, project, file),
+        frame: Frame::default(),
+        code: Code::new(file.text(db)),
+        range: TextRange::default(),
+    };
+    let compiled = coder.program(file, signature(db, project, file));
+    let range = source_range(coder.range);
+    let place = |limit| CompileError { file: file.path(db).to_string(), range, limit };
+    let program = compiled.map_err(place)?;
+    Ok(Program { file: number, ..program })
+}
+
+impl Coder<'_, '_> {
+    fn program(&mut self, file: File, signature: &Signature) -> Result<Program> {
+        let header = header(self.unit.db, file);
+        let params = self.params(&signature.params)?;
+        self.locals(header)?;
+        let variables = self.variables(&params, header)?;
+        self.block(&self.body.block)?;
+        self.emit(Op::Return);
+        let ops = self.code.finish()?;
+        let Code { lines, texts, copies, instructions, calls, tasks, .. } = std::mem::take(&mut self.code);
+        let (frame, nums, parts) = std::mem::take(&mut self.frame).finish();
+        Ok(Program {
+            name: signature.name.to_string(),
+            public: signature.public,
+            file: 0,
+            params,
+            variables,
+            frame,
+            nums,
+            parts,
+            code: ops,
+            lines,
+            texts,
+            copies,
+            instructions,
+            calls,
+            tasks,
+        })
+    }
+}

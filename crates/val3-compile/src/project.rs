@@ -1,0 +1,92 @@
+//! A whole project.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::manifest::{Manifest, manifest, spelling};
+use val3_analysis::items::parse;
+use val3_analysis::items::program::header;
+use val3_analysis::items::project::{folder, items, program_files};
+use val3_analysis::xml;
+use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, SourceRange, Whole, WholeKind};
+use val3_lang::builtins;
+use val3_syntax::view::View;
+
+use crate::data::Found;
+use crate::error::{CompileError, Limit};
+use crate::kinds::Kinds;
+use crate::program;
+use crate::unit::Unit;
+
+/// Bytes of stack of a task where the project does not say (2.1.4.2).
+const STACK_SIZE: u32 = 5000;
+
+/// The image of an application or library in which the analysis has found no error.
+///
+/// # Errors
+/// A limit that it exceeds.
+pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
+    let file = project.manifest(db);
+    let place = |limit| CompileError { file: file.path(db).to_string(), range: SourceRange::default(), limit };
+    let mut kinds = Kinds::new(db, items(db, project).arm);
+    let (data, links) = data(&mut kinds, project).map_err(place)?;
+    let programs = programs(db, project);
+    let names: Vec<SmolStr> = data.iter().map(|data| SmolStr::from(&data.name)).collect();
+    let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
+    let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
+    let compiled = compiled.collect::<Result<_, _>>()?;
+    Ok(Image {
+        name: folder(db, project).file_name().unwrap_or_default().to_owned(),
+        path: file.path(db).to_string(),
+        files: programs.iter().map(|(_, file)| file.path(db).to_string()).collect(),
+        version: unit.items.version,
+        stack_size: stack_size(db, file),
+        data,
+        links,
+        programs: compiled,
+        libraries: libraries(manifest(db, file)),
+        imports: unit.imports,
+    })
+}
+
+/// The programs with their files, in the project's order. Where two have one name, the first counts.
+fn programs(db: &dyn Db, project: Project) -> Vec<(SmolStr, File)> {
+    let mut known = FxHashSet::default();
+    let named = program_files(db, project).iter().map(|file| (header(db, *file).name.clone(), *file));
+    named.filter(|(name, _)| !name.is_empty() && known.insert(name.clone())).collect()
+}
+
+/// Global data with their links. What is built in is none of them, although files of s5 and s6 declare it.
+fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), Limit> {
+    let is_builtin = |name: &str| builtins::find(name).is_some_and(|builtin| builtin.is_variable);
+    let (mut data, mut links) = (Vec::new(), Vec::new());
+    for (decl, _, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
+        let number = u16::try_from(data.len()).map_err(|_| Limit::Containers)?;
+        Whole::new(WholeKind::Data(number)).ok_or(Limit::Containers)?;
+        links.extend(loaded.links.into_iter().map(|found| link(number.into(), found)));
+        data.push(DataDef { name: decl.name.to_string(), public: decl.public, init: loaded.init });
+    }
+    Ok((data, links))
+}
+
+fn link(data: u32, found: Found) -> LinkInit {
+    let Found { path, value, link, target } = found;
+    LinkInit { data, path, value, link, target }
+}
+
+fn libraries(manifest: &Manifest) -> Vec<LibraryDef> {
+    let library = |entry: &val3_analysis::items::manifest::LibraryEntry| LibraryDef {
+        alias: entry.alias.to_string(),
+        path: entry.path.to_string(),
+        autoload: entry.autoload,
+    };
+    manifest.libraries.iter().map(library).collect()
+}
+
+fn stack_size(db: &dyn Db, file: File) -> u32 {
+    let parse = parse(db, file);
+    let root = xml::root(View::root(parse.green()));
+    let parameters = root.and_then(|root| root.child(&[spelling(root).parameters]));
+    let written = parameters.and_then(|parameters| parameters.value("stackSize"));
+    written.and_then(|text| text.trim().parse().ok()).unwrap_or(STACK_SIZE)
+}

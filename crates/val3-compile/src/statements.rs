@@ -1,0 +1,97 @@
+//! Statements. Each simple one is an instruction line, and so is each condition (5.4).
+
+use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_bytecode::{InstructionSite, Op};
+use val3_lang::operators::handlers;
+use val3_lang::statements::PRINT;
+use val3_syntax::TextRange;
+
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+
+impl Coder<'_, '_> {
+    /// Statements one after the other. What one of them computes in between is forgotten behind it.
+    pub(crate) fn block(&mut self, block: &[Stmt]) -> Result<()> {
+        for stmt in block {
+            self.range = stmt.range;
+            let mark = self.frame.mark();
+            self.stmt(stmt)?;
+            self.frame.release(mark);
+        }
+        Ok(())
+    }
+
+    fn stmt(&mut self, stmt: &Stmt) -> Result<()> {
+        match &stmt.kind {
+            StmtKind::If { arms, otherwise } => return self.if_stmt(stmt, arms, otherwise.as_deref()),
+            StmtKind::While { condition, block } => return self.while_stmt(stmt, *condition, block),
+            StmtKind::Do { block, condition } => return self.do_stmt(*condition, block),
+            StmtKind::For { counter, start, stop, step, block } => {
+                return self.for_stmt(stmt, [*counter, *start, *stop, *step], block);
+            }
+            StmtKind::Switch { selector, cases } => return self.switch_stmt(stmt, *selector, cases),
+            _ => self.code.line(stmt.range),
+        }
+        match &stmt.kind {
+            StmtKind::Return => self.emit(Op::Return),
+            StmtKind::Call(call) => self.call_stmt(*call)?,
+            StmtKind::TaskCreate { synchronous, arguments } => self.task_create(*synchronous, arguments)?,
+            StmtKind::Print(value) => self.print(*value)?,
+            StmtKind::Assign { target, value } => drop(self.assign(*target, *value)?),
+            StmtKind::Expr(id) => self.instruction_stmt(*id)?,
+            _ => return Err(Limit::Unclear),
+        }
+        Ok(())
+    }
+
+    fn if_stmt(
+        &mut self,
+        stmt: &Stmt,
+        arms: &[(Option<ExprId>, Vec<Stmt>)],
+        otherwise: Option<&[Stmt]>,
+    ) -> Result<()> {
+        let end = self.code.label();
+        for (number, (condition, block)) in arms.iter().enumerate() {
+            let condition = condition.ok_or(Limit::Unclear)?;
+            let next = self.code.label();
+            let range = self.body.range(condition);
+            self.code.line(if number == 0 { head(stmt, range) } else { range });
+            self.condition(condition, false, next)?;
+            self.block(block)?;
+            if number + 1 < arms.len() || otherwise.is_some() {
+                self.emit(Op::Jump { to: end.0 });
+            }
+            self.code.place(next);
+        }
+        self.block(otherwise.unwrap_or_default())?;
+        self.code.place(end);
+        Ok(())
+    }
+
+    /// A jump on a condition; what it computes in between is forgotten.
+    pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
+        let mark = self.frame.mark();
+        self.branch(id, when, label)?;
+        self.frame.release(mark);
+        Ok(())
+    }
+
+    /// `? value`
+    fn print(&mut self, id: ExprId) -> Result<()> {
+        let value = self.value(id, None)?;
+        let mut site = InstructionSite::named(PRINT, Some(handlers::print(self.unit.items.arm)));
+        let printed = match self.body.expr(self.body.peel(id)) {
+            Expr::Assign(..) => self.settled(value)?,
+            _ => value,
+        };
+        let argument = self.argument_of(printed)?;
+        site.arguments.push(argument);
+        self.code.instruction(site);
+        Ok(())
+    }
+}
+
+/// A statement up to the end of its condition.
+pub(crate) fn head(stmt: &Stmt, condition: TextRange) -> TextRange {
+    TextRange::new(stmt.range.start(), condition.end().max(stmt.range.start()))
+}

@@ -1,0 +1,62 @@
+//! `switch`: the cases are compared one after the other, all with the line of the statement (2.2.5).
+
+use val3_analysis::body::{ExprId, Stmt};
+use val3_bytecode::Op;
+use val3_lang::types::BaseType;
+
+use crate::code::Label;
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+use crate::spot::{Value, is_number};
+use crate::statements::head;
+
+/// The values of a `case`, none for `default`, and its block.
+type Case = (Vec<ExprId>, Vec<Stmt>);
+
+impl Coder<'_, '_> {
+    pub(crate) fn switch_stmt(&mut self, stmt: &Stmt, selector: Option<ExprId>, cases: &[Case]) -> Result<()> {
+        let selector = selector.ok_or(Limit::Unclear)?;
+        self.code.line(head(stmt, self.body.range(selector)));
+        let labels: Vec<Label> = cases.iter().map(|_| self.code.label()).collect();
+        let end = self.code.label();
+        let mark = self.frame.mark();
+        self.comparisons(selector, cases, &labels)?;
+        self.frame.release(mark);
+        let default = cases.iter().zip(&labels).find(|((values, _), _)| values.is_empty());
+        self.emit(Op::Jump { to: default.map_or(end, |(_, label)| *label).0 });
+        for ((_, block), label) in cases.iter().zip(&labels) {
+            self.code.place(*label);
+            self.block(block)?;
+            self.emit(Op::Jump { to: end.0 });
+        }
+        self.code.place(end);
+        Ok(())
+    }
+
+    fn comparisons(&mut self, selector: ExprId, cases: &[Case], labels: &[Label]) -> Result<()> {
+        let base = self.base(selector);
+        let value = self.value(selector, None)?;
+        let value = self.settled(value)?;
+        let by_number = base.builtin().is_some_and(|base| is_number(base) || base == BaseType::Dio);
+        for ((values, _), label) in cases.iter().zip(labels) {
+            for id in values {
+                let mark = self.frame.mark();
+                if by_number { self.number_case(value, *id, *label) } else { self.other_case(value, *id, *label) }?;
+                self.frame.release(mark);
+            }
+        }
+        Ok(())
+    }
+
+    fn number_case(&mut self, selector: Value, id: ExprId, label: Label) -> Result<()> {
+        let (a, b) = (self.load(selector, None)?, self.num(id)?);
+        self.emit(Op::IfEqual { a, b, to: label.0 });
+        Ok(())
+    }
+
+    fn other_case(&mut self, selector: Value, id: ExprId, label: Label) -> Result<()> {
+        let condition = self.is_equal(selector, id)?;
+        self.emit(Op::JumpIf { condition, to: label.0 });
+        Ok(())
+    }
+}

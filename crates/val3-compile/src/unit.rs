@@ -1,0 +1,135 @@
+//! The project that is compiled: numbers of its data and programs, and what it uses of libraries.
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_analysis::body::Expr;
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::manifest::manifest;
+use val3_analysis::items::project::{Items, items, signature};
+use val3_bytecode::{Import, ImportKind};
+
+use crate::error::{Limit, Result};
+use crate::kinds::Kinds;
+
+/// What all programs of a project share.
+pub(crate) struct Unit<'db> {
+    pub(crate) db: &'db dyn Db,
+    pub(crate) project: Project,
+    pub(crate) items: &'db Items,
+    pub(crate) kinds: Kinds<'db>,
+    data: FxHashMap<SmolStr, u16>,
+    programs: FxHashMap<SmolStr, u16>,
+    libraries: FxHashMap<SmolStr, u16>,
+    /// What was used of libraries so far.
+    pub(crate) imports: Vec<Import>,
+    imported: FxHashMap<(u16, SmolStr), u16>,
+}
+
+impl<'db> Unit<'db> {
+    /// A project whose data and programs have these names, in order.
+    pub(crate) fn new<'n>(
+        kinds: Kinds<'db>,
+        project: Project,
+        data: impl Iterator<Item = &'n SmolStr>,
+        programs: impl Iterator<Item = &'n SmolStr>,
+    ) -> Result<Self> {
+        let db = kinds.db;
+        let items = items(db, project);
+        let aliases = manifest(db, project.manifest(db)).libraries.iter().map(|entry| &entry.alias);
+        Ok(Self {
+            db,
+            project,
+            items,
+            kinds,
+            data: numbered(data)?,
+            programs: numbered(programs)?,
+            libraries: numbered(aliases)?,
+            imports: Vec::new(),
+            imported: FxHashMap::default(),
+        })
+    }
+
+    /// The number of global data.
+    pub(crate) fn data(&self, name: &str) -> Option<u16> {
+        self.data.get(name).copied()
+    }
+
+    /// The number of a program of the project.
+    pub(crate) fn program(&self, name: &str) -> Result<u16> {
+        self.programs.get(name).copied().ok_or(Limit::Unclear)
+    }
+
+    /// The number of a library identifier.
+    pub(crate) fn library(&self, alias: &str) -> Result<u16> {
+        self.libraries.get(alias).copied().ok_or(Limit::Unclear)
+    }
+
+    /// The project that gives the interface of a library identifier.
+    pub(crate) fn interface(&self, alias: &str) -> Result<Project> {
+        self.items.libraries.get(alias).and_then(|item| item.interface).ok_or(Limit::Unclear)
+    }
+
+    /// The program that an expression names.
+    pub(crate) fn callee(&self, callee: &Expr) -> Option<(Project, File)> {
+        match callee {
+            Expr::Name(name) => self.items.programs.get(name).map(|file| (self.project, *file)),
+            Expr::Path { library, item } => {
+                let interface = self.interface(library).ok()?;
+                items(self.db, interface).programs.get(item).map(|file| (interface, *file))
+            }
+            _ => None,
+        }
+    }
+
+    /// The number under which the project uses data of a library.
+    pub(crate) fn import_data(&mut self, alias: &str, name: &SmolStr) -> Result<u16> {
+        let library = self.library(alias)?;
+        if let Some(known) = self.imported.get(&(library, name.clone())) {
+            return Ok(*known);
+        }
+        let interface = self.interface(alias)?;
+        let item = items(self.db, interface).data.get(name).ok_or(Limit::Unclear)?;
+        let kind = self.kinds.kind(item.base)?;
+        self.import(library, name, ImportKind::Data(kind, item.decl.container))
+    }
+
+    /// The number under which the project uses a program of a library.
+    pub(crate) fn import_program(
+        &mut self,
+        alias: &str,
+        name: &SmolStr,
+        (interface, file): (Project, File),
+    ) -> Result<u16> {
+        let library = self.library(alias)?;
+        // Data and a program may have one name.
+        let key = SmolStr::from(format!("{name}()"));
+        if let Some(known) = self.imported.get(&(library, key.clone())) {
+            return Ok(*known);
+        }
+        let params = signature(self.db, interface, file).params.iter();
+        let params = params.map(|param| Ok((self.kinds.kind(param.base)?, param.container, param.by_reference)));
+        let kind = ImportKind::Program(params.collect::<Result<_>>()?);
+        let number = self.import(library, name, kind)?;
+        self.imported.insert((library, key), number);
+        Ok(number)
+    }
+
+    fn import(&mut self, library: u16, name: &SmolStr, kind: ImportKind) -> Result<u16> {
+        let number = u16::try_from(self.imports.len()).map_err(|_| Limit::Containers)?;
+        if matches!(kind, ImportKind::Data(..)) {
+            self.imported.insert((library, name.clone()), number);
+        }
+        self.imports.push(Import { library, name: name.to_string(), kind });
+        Ok(number)
+    }
+}
+
+/// Names with their numbers. Where a name comes twice, the first counts.
+fn numbered<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Result<FxHashMap<SmolStr, u16>> {
+    let mut numbers = FxHashMap::default();
+    for (number, name) in names.enumerate() {
+        let number = u16::try_from(number).map_err(|_| Limit::Items)?;
+        numbers.entry(name.clone()).or_insert(number);
+    }
+    Ok(numbers)
+}

@@ -1,0 +1,156 @@
+//! Where parameters and locals are in the frame (2.6).
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::items::program::{Header, LocalDecl};
+use val3_analysis::items::project::{Param as Declared, resolve_type, signature};
+use val3_analysis::ty::Base;
+use val3_bytecode::{Param, Passing, Storage, Variable};
+use val3_lang::instruction::Shape;
+use val3_lang::memory::Shape as Form;
+use val3_lang::types::Container;
+
+use crate::calls::formal;
+use crate::coder::Coder;
+use crate::error::{Limit, Result};
+
+impl Coder<'_, '_> {
+    /// Gives the parameters their places, in order.
+    pub(crate) fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
+        params.iter().map(|param| self.param(param)).collect()
+    }
+
+    fn param(&mut self, param: &Declared) -> Result<Param> {
+        let kind = self.kind(param.base)?;
+        let (storage, passing) = match param.container {
+            Container::Element if param.by_reference => {
+                let place = self.frame.lasting_place()?;
+                (Storage::Place(place), Passing::Reference(place.into()))
+            }
+            Container::Element => match kind.base_type() {
+                Some(base) => {
+                    let lanes = self.frame.lasting(&kind)?;
+                    (Storage::Value(lanes), Passing::Value(base, lanes))
+                }
+                None => {
+                    let part = self.frame.part(kind.clone(), Form::ELEMENT)?;
+                    (Storage::Part(part), Passing::UserValue(part.into()))
+                }
+            },
+            Container::Array { .. } | Container::Collection => {
+                let view = self.frame.lasting_view()?;
+                (Storage::View(view), Passing::View(view.into()))
+            }
+        };
+        self.frame.declare(param.name.clone(), storage);
+        Ok(Param { name: param.name.to_string(), kind, container: param.container, passing })
+    }
+
+    /// Gives the locals their places. One value of a built-in type lies in lanes, unless the code uses it as an array.
+    pub(crate) fn locals(&mut self, header: &Header) -> Result<()> {
+        let arrays = self.used_as_arrays();
+        header.locals.iter().try_for_each(|local| self.local(local, &arrays))
+    }
+
+    fn local(&mut self, local: &LocalDecl, arrays: &FxHashSet<SmolStr>) -> Result<()> {
+        // A parameter of the same name hides it.
+        if self.frame.find(&local.name).is_some() {
+            return Ok(());
+        }
+        let base = resolve_type(&self.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
+        let kind = self.kind(base)?;
+        let in_lanes = local.sizes == [1] && kind.base_type().is_some() && !arrays.contains(&local.name);
+        let storage = if in_lanes {
+            Storage::Value(self.frame.lasting(&kind)?)
+        } else {
+            Storage::Part(self.frame.part(kind, shape(local.container, &local.sizes))?)
+        };
+        self.frame.declare(local.name.clone(), storage);
+        Ok(())
+    }
+
+    /// The names that the code uses with an index, or passes as a container.
+    fn used_as_arrays(&self) -> FxHashSet<SmolStr> {
+        let mut names = FxHashSet::default();
+        for (id, expr, _) in self.body.exprs() {
+            match expr {
+                Expr::Index(of, _) => names.extend(self.name(*of)),
+                Expr::Call(_, args) => {
+                    let shapes = self.instruction_shapes(id);
+                    let containers = args.iter().zip(shapes).filter(|(_, shape)| is_container(*shape));
+                    names.extend(containers.filter_map(|(id, _)| self.name(*id)));
+                }
+                _ => {}
+            }
+        }
+        for call in self.program_calls() {
+            let Expr::Call(_, args) = self.body.expr(call) else { continue };
+            let shapes = self.program_shapes(call);
+            let containers = args.iter().zip(shapes).filter(|(_, shape)| is_container(*shape));
+            names.extend(containers.filter_map(|(id, _)| self.name(*id)));
+        }
+        names
+    }
+
+    fn name(&self, id: ExprId) -> Option<SmolStr> {
+        match self.body.expr(id) {
+            Expr::Name(name) => Some(name.clone()),
+            _ => None,
+        }
+    }
+
+    fn instruction_shapes(&self, call: ExprId) -> Vec<Shape> {
+        let known = self.types.call(call).and_then(|call| call.form);
+        let add_on = self.types.add_on_call(call);
+        let known = known.iter().flat_map(|form| form.params).map(|param| param.shape);
+        known.chain(add_on.iter().flat_map(|call| &call.form.params).map(|param| param.shape)).collect()
+    }
+
+    fn program_calls(&self) -> Vec<ExprId> {
+        let call = |kind: &StmtKind| match kind {
+            StmtKind::Call(call) => Some(*call),
+            StmtKind::TaskCreate { arguments, .. } => arguments.last().copied(),
+            _ => None,
+        };
+        self.body.stmts().into_iter().filter_map(|stmt| call(&stmt.kind)).collect()
+    }
+
+    fn program_shapes(&self, call: ExprId) -> Vec<Shape> {
+        let Expr::Call(callee, _) = self.body.expr(call) else { return Vec::new() };
+        let Some((project, file)) = self.unit.callee(self.body.expr(*callee)) else { return Vec::new() };
+        signature(self.unit.db, project, file).params.iter().map(|param| formal(param).shape).collect()
+    }
+
+    /// Names and places for debuggers.
+    pub(crate) fn variables(&mut self, params: &[Param], header: &Header) -> Result<Vec<Variable>> {
+        let mut variables = Vec::new();
+        for param in params {
+            let storage = self.frame.find(&param.name).ok_or(Limit::Unclear)?;
+            let (kind, container) = (param.kind.clone(), param.container);
+            variables.push(Variable { name: param.name.clone(), kind, container, storage });
+        }
+        for local in header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
+            let storage = self.frame.find(&local.name).ok_or(Limit::Unclear)?;
+            let base = resolve_type(&self.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
+            let (kind, name) = (self.kind(base)?, local.name.to_string());
+            let container = if local.sizes == [1] { Container::Element } else { local.container };
+            variables.push(Variable { name, kind, container, storage });
+        }
+        Ok(variables)
+    }
+}
+
+fn is_container(shape: Shape) -> bool {
+    !matches!(shape, Shape::Value | Shape::Reference)
+}
+
+/// A container with these sizes; a collection without keys.
+pub(crate) fn shape(container: Container, sizes: &[u32]) -> Form {
+    if container == Container::Collection {
+        return Form::Collection(std::collections::BTreeMap::new());
+    }
+    let mut all = [1; 3];
+    all.iter_mut().zip(sizes).for_each(|(to, size)| *to = *size);
+    Form::Array { dims: u8::try_from(sizes.len()).unwrap_or(1).max(1), sizes: all }
+}

@@ -1,0 +1,130 @@
+//! Data in the form of s5 and s6, where every value is written, in elements that go by the type.
+
+use val3_lang::types::{Arm, Attribute, BaseType, DefaultValue, attributes};
+
+use super::{Variable, built_in_father};
+use crate::xml_list::escaped;
+
+/// The sections of a data file, in their order.
+pub(super) const SECTIONS: [&str; 19] = [
+    "aioSection",
+    "boolSection",
+    "configRsSection",
+    "configSection",
+    "configVrbSection",
+    "dioSection",
+    "frameSection",
+    "jointRsSection",
+    "jointSection",
+    "jointVrbSection",
+    "mdescSection",
+    "numSection",
+    "pointRsSection",
+    "pointSection",
+    "pointVrbSection",
+    "sioSection",
+    "stringSection",
+    "toolSection",
+    "trsfSection",
+];
+
+/// How the values of a structured type are written.
+struct Layout {
+    /// The element with the father.
+    father: Option<&'static str>,
+    /// The element around one value.
+    value: &'static str,
+    /// The elements in it, each with the type whose fields it holds.
+    parts: &'static [(&'static str, BaseType)],
+    /// What follows these.
+    rest: &'static [&'static str],
+}
+
+/// The output that opens and closes a tool for which none was chosen.
+const VALVE: &str = "<io alias=\"io\" name=\"valve1\" ioIndex=\"0\" open=\"0\" close=\"0\" />";
+
+/// The type as these files call it: it names the arm only where that is no six-axis arm.
+pub(super) fn type_name(type_name: &str) -> &str {
+    match BaseType::from_file_name(type_name) {
+        Some((_, Some(Arm::SixAxis))) => type_name.trim_end_matches(Arm::SixAxis.suffix()),
+        _ => type_name,
+    }
+}
+
+/// The lines of a declaration; `None` for a type whose values have another form.
+pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
+    let (name, ty) = (&variable.name, type_name(&variable.type_name));
+    let [size] = variable.sizes.as_slice() else { return None };
+    let start = format!("<{ty} name=\"{name}\" public=\"{public}\"");
+    if matches!(ty, "dio" | "aio" | "sio") {
+        return Some(vec![format!("{start} size=\"{size}\" />")]);
+    }
+    let mut lines = vec![format!("{start} >")];
+    lines.extend(simple(ty, *size, value).or_else(|| structured(ty, *size))?);
+    lines.push(format!("</{ty}>"));
+    Some(lines)
+}
+
+fn simple(ty: &str, size: u32, value: Option<&str>) -> Option<Vec<String>> {
+    let (element, default) = match ty {
+        "num" => ("valueNum", "0"),
+        "bool" => ("valueBool", "false"),
+        "string" => ("valueString", ""),
+        _ => return None,
+    };
+    let written = |index: u32| {
+        let value = value.filter(|_| index == 0).unwrap_or(default);
+        format!("  <{element} index=\"{index}\" value=\"{}\" />", escaped(value))
+    };
+    Some((0..size).map(written).collect())
+}
+
+/// Every value has the defaults of its fields.
+fn structured(type_name: &str, size: u32) -> Option<Vec<String>> {
+    let Layout { father, value, parts, rest } = layout(type_name)?;
+    let (_, arm) = BaseType::from_file_name(type_name)?;
+    let mut lines = Vec::new();
+    if let Some((element, name)) = father.zip(built_in_father(type_name)) {
+        lines.push(format!("  <{element} alias=\"\" name=\"{name}\" fatherIndex=\"0\" />"));
+    }
+    for index in 0..size {
+        lines.push(format!("  <{value} index=\"{index}\" >"));
+        lines.extend(parts.iter().map(|(element, ty)| format!("    <{element} {} />", defaults(*ty, arm))));
+        lines.extend(rest.iter().map(|line| format!("    {line}")));
+        lines.push(format!("  </{value}>"));
+    }
+    Some(lines)
+}
+
+fn defaults(ty: BaseType, arm: Option<Arm>) -> String {
+    let written: Vec<String> = attributes(ty, arm).iter().filter_map(default).collect();
+    written.join(" ")
+}
+
+/// An attribute with its default; `None` for links and fathers, which are written otherwise.
+fn default(attribute: &Attribute) -> Option<String> {
+    let name = attribute.name;
+    match attribute.default {
+        DefaultValue::Number(number) => Some(format!("{name}=\"{number}\"")),
+        DefaultValue::Enumerator(choice) => Some(format!("{name}=\"{choice}\"")),
+        _ => None,
+    }
+}
+
+fn layout(type_name: &str) -> Option<Layout> {
+    use BaseType::{Config, Joint, Mdesc, Trsf};
+    let of = |value, parts| Layout { father: None, value, parts, rest: &[] };
+    Some(match type_name {
+        "trsf" => of("valueTrsf", &[("trsfValue", Trsf)]),
+        "frame" => Layout { father: Some("fFather"), ..of("valueFrame", &[("tfValue", Trsf)]) },
+        "tool" => Layout { father: Some("tFather"), rest: &[VALVE], ..of("valueTool", &[("ttValue", Trsf)]) },
+        "joint" => of("valueJoint", &[("jointValue", Joint)]),
+        "jointRs" => of("valueJointRs", &[("jointRsValue", Joint)]),
+        "point" => Layout { father: Some("pFather"), ..of("valuePoint", &[("tpValue", Trsf), ("cpValue", Config)]) },
+        "pointRs" => {
+            Layout { father: Some("pRsFather"), ..of("valuePointRs", &[("tpRsValue", Trsf), ("cpRsValue", Config)]) }
+        }
+        "mdesc" => of("valueMdesc", &[("mdescValue", Mdesc)]),
+        _ => return None,
+    })
+}

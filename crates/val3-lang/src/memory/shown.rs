@@ -1,0 +1,60 @@
+//! Values as text, for `?`, `val3 eval` and debuggers.
+
+use super::{Kind, KindBase, Lanes, Memory, Place, View, field_offset};
+use crate::enumerations;
+use crate::fault::Result;
+use crate::types::{Arm, BaseType, fields};
+use crate::values::printed;
+
+impl Memory {
+    /// A value as VAL 3 writes it: texts in quotes, `{…}` for structures. Inputs, outputs and screens have no value.
+    ///
+    /// # Errors
+    /// 20 or 61 if it is gone.
+    pub fn shown(&self, kind: &Kind, at: Place) -> Result<String> {
+        match &kind.base {
+            KindBase::Builtin(base, arm) => self.shown_builtin((*base, *arm), at),
+            KindBase::User(_) => {
+                let parts: Result<Vec<String>> = (0..kind.size.part).map(|lane| self.shown_field(at, lane)).collect();
+                Ok(printed::structure(&parts?))
+            }
+        }
+    }
+
+    /// A field of a user type: its value, or those of an array.
+    fn shown_field(&self, at: Place, lane: u32) -> Result<String> {
+        let id = self.part(at, lane)?;
+        let kind = self.store(id)?.kind.clone();
+        let count = self.len(View::whole(id))?;
+        if count == 1 {
+            return self.shown(&kind, self.element(View::whole(id), 0)?);
+        }
+        let values: Result<Vec<String>> =
+            (0..count).map(|number| self.shown(&kind, self.element(View::whole(id), number)?)).collect();
+        Ok(printed::structure(&values?))
+    }
+
+    fn shown_builtin(&self, (base, arm): (BaseType, Option<Arm>), at: Place) -> Result<String> {
+        Ok(match base {
+            BaseType::Bool => printed::bool(self.num(at, 0)? != 0.0).to_owned(),
+            BaseType::Num => printed::num(self.num(at, 0)?).to_string(),
+            BaseType::String => printed::string(self.text(at)?),
+            _ if base.is_enumeration() => enumerator_name(base, self.num(at, 0)?).to_owned(),
+            _ if base.is_structured() => {
+                let field = |name: &str, ty| {
+                    let offset = field_offset(base, arm, name).unwrap_or(Lanes::default());
+                    self.shown_builtin((ty, arm), at.behind(offset))
+                };
+                let parts: Result<Vec<String>> =
+                    fields(base, arm).iter().map(|found| field(found.name, found.ty)).collect();
+                printed::structure(&parts?)
+            }
+            _ => String::new(),
+        })
+    }
+}
+
+fn enumerator_name(base: BaseType, number: f64) -> &'static str {
+    let mut values = enumerations::values(base).zip(0u32..);
+    values.find(|(_, at)| f64::from(*at) == number).map_or("", |(value, _)| value.name)
+}

@@ -1,0 +1,145 @@
+//! What operators do at run time where they are no operations of the virtual machine.
+//!
+//! Their arguments are the operands, from left to right; an assignment that only reads has the value alone.
+
+use val3_geometry::Trsf;
+
+use super::{BinaryOp, UnaryOp};
+use crate::call::{Argument, Call, Flow, FrameRef, IoRef, Outcome, PointRef, Run, Take, ToolRef};
+use crate::fault::{Fault, Result};
+use crate::memory::{Kind, Lanes, Memory, Place};
+use crate::types::{Arm, BaseType};
+use crate::values::printed;
+
+/// How far apart axes may be that count as equal, in degrees or mm: what an arm resolves. The manual names no number
+/// (9.2.2).
+pub const ARM_PRECISION: f64 = 1e-4;
+
+/// What `left op right` does with positions of this arm; `None` where values are compared field by field, or an
+/// operation does it.
+#[must_use]
+pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Run> {
+    use BaseType::{Frame, Joint, Point, Tool, Trsf};
+    use BinaryOp::{Add, Equal, Greater, Less, Multiply, NotEqual, Subtract};
+    Some(match (op, base) {
+        (Multiply, Trsf) => |call| two(call, |a: self::Trsf, b| a * b),
+        (Add, Joint) => |call| two(call, |a, b| each(a, b, |a, b| a + b)),
+        (Subtract, Joint) => |call| two(call, |a, b| each(a, b, |a, b| a - b)),
+        (Less, Joint) if arm == Some(Arm::Scara) => |call| two(call, |a, b| all::<4>(a, b, |a, b| a < b)),
+        (Less, Joint) => |call| two(call, |a, b| all::<6>(a, b, |a, b| a < b)),
+        (Greater, Joint) if arm == Some(Arm::Scara) => |call| two(call, |a, b| all::<4>(a, b, |a, b| a > b)),
+        (Greater, Joint) => |call| two(call, |a, b| all::<6>(a, b, |a, b| a > b)),
+        (Equal, Joint) => |call| two(call, |a, b| is_same_position(a, b)),
+        (NotEqual, Joint) => |call| two(call, |a, b| !is_same_position(a, b)),
+        (Equal, Frame) => |call| related(call, |FrameRef(a), FrameRef(b)| (a, b), Lanes::nums(6), 1, true),
+        (NotEqual, Frame) => |call| related(call, |FrameRef(a), FrameRef(b)| (a, b), Lanes::nums(6), 1, false),
+        (Equal, Tool) => |call| related(call, |ToolRef(a), ToolRef(b)| (a, b), Lanes::nums(8), 2, true),
+        (NotEqual, Tool) => |call| related(call, |ToolRef(a), ToolRef(b)| (a, b), Lanes::nums(8), 2, false),
+        (Equal, Point) => |call| related(call, |PointRef(a), PointRef(b)| (a, b), Lanes::nums(6), 1, true),
+        (NotEqual, Point) => |call| related(call, |PointRef(a), PointRef(b)| (a, b), Lanes::nums(6), 1, false),
+        _ => return None,
+    })
+}
+
+/// What `op operand` does.
+#[must_use]
+pub fn unary(op: UnaryOp, base: BaseType) -> Option<Run> {
+    match (op, base) {
+        (UnaryOp::Not, BaseType::Trsf) => Some(|call| Trsf::take(call)?.inverse().settle(call)),
+        _ => None,
+    }
+}
+
+/// What `target = value` does where it reads or writes an input or output.
+#[must_use]
+pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
+    match (target, value) {
+        (BaseType::Bool, BaseType::Dio) => Some(|call| {
+            let input = IoRef::take(call)?;
+            call.ports.read_digital(input.port).settle(call)
+        }),
+        (BaseType::Dio, BaseType::Bool) => Some(|call| {
+            let (output, state) = (IoRef::take(call)?, bool::take(call)?);
+            call.ports.write_digital(output.port, state).settle(call)
+        }),
+        _ => super::serial::assignment(target, value),
+    }
+}
+
+/// What `?` does with positions of this arm.
+#[must_use]
+pub fn print(arm: Option<Arm>) -> Run {
+    match arm {
+        Some(Arm::Scara) => |call| printed_line(call, Some(Arm::Scara)),
+        _ => |call| printed_line(call, None),
+    }
+}
+
+/// Strings are printed plainly, all else as VAL 3 writes it; of an input its state.
+fn printed_line(call: &mut Call<'_>, arm: Option<Arm>) -> Result<Flow> {
+    let line = match call.argument()? {
+        Argument::Value(place, BaseType::String) => call.memory.text(place)?.to_string(),
+        Argument::Value(place, BaseType::Dio) => {
+            let input = <IoRef as crate::call::Stored>::read(call.memory, place)?;
+            printed::bool(call.ports.read_digital(input.port)?).to_owned()
+        }
+        Argument::Value(place, base) => call.memory.shown(&Kind::builtin(base, arm), place)?,
+        Argument::UserValue(place) => {
+            let kind = call.memory.store(place.store)?.kind.clone();
+            call.memory.shown(&kind, place)?
+        }
+        _ => return Err(Fault::INTERPRETER),
+    };
+    call.ports.print(&line);
+    Ok(Flow::Done(()))
+}
+
+/// Takes both operands.
+fn two<T: Take, O: Outcome>(call: &mut Call<'_>, compute: impl FnOnce(T, T) -> O) -> Result<Flow> {
+    let (a, b) = (T::take(call)?, T::take(call)?);
+    compute(a, b).settle(call)
+}
+
+fn each(a: [f64; 6], b: [f64; 6], compute: impl Fn(f64, f64) -> f64) -> [f64; 6] {
+    let mut result = a;
+    result.iter_mut().zip(b).for_each(|(a, b)| *a = compute(*a, b));
+    result
+}
+
+/// Whether all axes of an arm suit; those that it lacks do not count.
+fn all<const AXES: usize>(a: [f64; 6], b: [f64; 6], suits: impl Fn(f64, f64) -> bool) -> bool {
+    a.into_iter().zip(b).take(AXES).all(|(a, b)| suits(a, b))
+}
+
+fn is_same_position(a: [f64; 6], b: [f64; 6]) -> bool {
+    all::<6>(a, b, |a, b| (a - b).abs() <= ARM_PRECISION)
+}
+
+/// Frames and points are equal in one place of one frame, tools in one place of one tool with one gripper and its
+/// times (9.4.3, 9.5.3, 9.6.2): so many numbers and links. How the arm reaches a point does not count.
+fn related<T: Take>(
+    call: &mut Call<'_>,
+    places: impl FnOnce(T, T) -> (Place, Place),
+    nums: Lanes,
+    links: u32,
+    when: bool,
+) -> Result<Flow> {
+    let (a, b) = (T::take(call)?, T::take(call)?);
+    let (a, b) = places(a, b);
+    let equal = alike(call.memory, (a, b), nums.num, links)?;
+    (equal == when).settle(call)
+}
+
+fn alike(memory: &Memory, (a, b): (Place, Place), nums: u32, links: u32) -> Result<bool> {
+    for lane in 0..nums {
+        if memory.num(a, lane)? != memory.num(b, lane)? {
+            return Ok(false);
+        }
+    }
+    for lane in 0..links {
+        if memory.link(a, lane)? != memory.link(b, lane)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}

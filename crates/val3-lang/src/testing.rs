@@ -1,0 +1,248 @@
+//! For tests of handlers: variables, and calls of instructions as a program writes them.
+//!
+//! What the compiler does with a program is done here with one call: its arguments choose the form, and a name becomes
+//! a value, a place, a part of an array or a slot, as the form wants it.
+
+mod notation;
+mod outside;
+
+use std::collections::BTreeMap;
+
+use self::notation::{Line, Spoken, Variable};
+use self::outside::Nothing;
+pub(crate) use self::outside::TaskList;
+use crate::call::{Argument, Call, Flow, Stored};
+use crate::fault::{Fault, Result};
+use crate::instruction::{Instruction, Overload, Param};
+use crate::instructions;
+use crate::memory::{Kind, Memory, PartInit, Place, Shape, Slot, SlotAt, StoreId, View};
+use crate::ports::{Ports, Tasks, Time};
+use crate::types::BaseType;
+use crate::values::{Text, printed};
+use crate::versions::Version;
+
+/// Variables, tasks and a clock.
+#[derive(Default)]
+pub(crate) struct Bench {
+    pub(crate) memory: Memory,
+    pub(crate) tasks: TaskList,
+    pub(crate) now: Time,
+    pub(crate) version: Version,
+    since: Option<Time>,
+    variables: BTreeMap<String, (View, BaseType)>,
+}
+
+/// What a call without variables yields.
+#[track_caller]
+pub(crate) fn check(call: &str, expected: &str) {
+    assert_eq!(Bench::default().run(call), expected, "{call}");
+}
+
+impl Bench {
+    /// Global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
+    pub(crate) fn global(mut self, declarations: &str) -> Self {
+        for variable in declarations.split("; ").map(Variable::parse) {
+            self.declare(&variable);
+        }
+        self
+    }
+
+    /// Local variables. All of them have a container here, those of one value too.
+    pub(crate) fn local(mut self, declarations: &str) -> Self {
+        for variable in declarations.split("; ").map(Variable::parse) {
+            let store = self.declare(&variable);
+            self.memory.store_mut(store).unwrap().local = true;
+        }
+        self
+    }
+
+    fn declare(&mut self, variable: &Variable<'_>) -> StoreId {
+        let kind = Kind::builtin(variable.base, None).into();
+        let store = self.memory.create(&PartInit { kind, shape: variable.shape.clone(), values: Vec::new() });
+        self.variables.insert(variable.name.to_owned(), (View::whole(store), variable.base));
+        store
+    }
+
+    /// Gives the numbers of a variable, from the first value on.
+    pub(crate) fn with(mut self, name: &str, numbers: &[f64]) -> Self {
+        self.set(name, numbers);
+        self
+    }
+
+    /// As [`with`](Self::with).
+    pub(crate) fn set(&mut self, name: &str, numbers: &[f64]) {
+        let place = Place::first(self.view(name).store);
+        for (lane, number) in (0..).zip(numbers) {
+            self.memory.set_num(place, lane, *number).unwrap();
+        }
+    }
+
+    /// Gives the texts of a variable, from the first value on.
+    pub(crate) fn with_texts(mut self, name: &str, texts: &[&str]) -> Self {
+        let store = self.memory.store_mut(self.view(name).store).unwrap();
+        for (value, text) in store.texts.iter_mut().zip(texts) {
+            *value = Text::from(*text);
+        }
+        self
+    }
+
+    /// Gives a collection keys, in this order.
+    pub(crate) fn with_keys(mut self, name: &str, keys: &[&str]) -> Self {
+        let store = self.view(name).store;
+        for key in keys {
+            self.memory.insert_key(store, Text::from(*key), None).unwrap();
+        }
+        self
+    }
+
+    /// Lets a parameter stand for an array from an index on (2.6.3).
+    pub(crate) fn part(mut self, name: &str, of: &str, start: u32) -> Self {
+        let (view, base) = self.variables[of];
+        self.variables.insert(name.to_owned(), (View { start, ..view }, base));
+        self
+    }
+
+    /// Sets the clock, in nanoseconds.
+    pub(crate) fn at(mut self, now: Time) -> Self {
+        self.now = now;
+        self
+    }
+
+    /// Executes a call, or an assignment of one, and prints its value: `12`, `"a"`, `{1,2,3,0,0,0}`. Else prints
+    /// `error 20`, `waits`, `sleeps until 1.5`.
+    #[track_caller]
+    pub(crate) fn run(&mut self, line: &str) -> String {
+        let line = Line::parse(line);
+        let (instruction, form) = self.form(&line);
+        let arguments: Vec<_> =
+            form.params.iter().zip(&line.arguments).map(|(param, spoken)| self.argument(param, spoken)).collect();
+        let target = line.target.as_ref().map(|target| self.place(target));
+        let result = target.or_else(|| form.result.map(|base| Place::first(self.value_of(base))));
+        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.memory, &mut Nothing, &mut self.tasks);
+        let mut call = Call::new(reach, (self.now, self.since), self.version, &arguments, result);
+        let run = form.run.unwrap_or_else(|| panic!("{} has no handler", form.signature(instruction.name)));
+        let flow = run(&mut call);
+        self.since = matches!(flow, Ok(Flow::Wait(_))).then(|| self.since.unwrap_or(self.now));
+        match flow {
+            Ok(Flow::Done(())) => match (form.result, result) {
+                (Some(base), Some(place)) => self.printed(place, base).unwrap(),
+                _ => String::new(),
+            },
+            Ok(Flow::Wait(wait)) if wait.sleeps => format!("sleeps until {}", wait.wake.unwrap() as f64 / 1e9),
+            Ok(Flow::Wait(_)) => "waits".to_owned(),
+            Err(Fault(number)) => {
+                assert!(instruction.errors.contains(&number), "{} does not list {number}", instruction.name);
+                format!("error {number}")
+            }
+        }
+    }
+
+    /// The values of a variable, with their keys if it is a collection.
+    pub(crate) fn show(&self, name: &str) -> String {
+        let (view, base) = self.variables[name];
+        let store = self.memory.store(view.store).unwrap();
+        let value = |number| self.printed(store.place(view.store, number), base).unwrap();
+        let values: Vec<_> = match &store.shape {
+            Shape::Array { .. } => (view.start..store.shape.len()).map(value).collect(),
+            Shape::Collection(keys) => keys.iter().map(|(key, number)| format!("{key}: {}", value(*number))).collect(),
+        };
+        values.join(", ")
+    }
+
+    fn form(&self, line: &Line<'_>) -> (&'static Instruction, &'static Overload) {
+        let instruction = instructions::find(line.name).unwrap();
+        let fits = |form: &&Overload| {
+            form.params.len() == line.arguments.len()
+                && form.params.iter().zip(&line.arguments).all(|(param, spoken)| self.fits(param, spoken))
+        };
+        (instruction, instruction.overloads.iter().find(fits).unwrap_or_else(|| panic!("no form of {}", line.name)))
+    }
+
+    fn fits(&self, param: &Param, spoken: &Spoken<'_>) -> bool {
+        param.ty.is_none_or(|ty| match spoken {
+            Spoken::Num(_) => ty == BaseType::Num,
+            Spoken::Text(_) => ty == BaseType::String,
+            Spoken::Bool(_) => ty == BaseType::Bool,
+            Spoken::Structure(_) => matches!(ty, BaseType::Trsf | BaseType::Joint),
+            Spoken::Name(name, _) => self.variable(name).is_some_and(|(_, base)| base == ty),
+        })
+    }
+
+    fn argument(&mut self, param: &Param, spoken: &Spoken<'_>) -> Argument {
+        use crate::instruction::Shape as Wanted;
+        match (param.shape, spoken) {
+            (Wanted::Value, Spoken::Num(number)) => self.constant(BaseType::Num, &[*number]),
+            (Wanted::Value, Spoken::Bool(value)) => self.constant(BaseType::Bool, &[f64::from(u8::from(*value))]),
+            (Wanted::Value, Spoken::Structure(numbers)) => self.constant(param.ty.unwrap(), numbers),
+            (Wanted::Value, Spoken::Text(text)) => {
+                let place = Place::first(self.value_of(BaseType::String));
+                self.memory.set_text(place, Text::from(*text)).unwrap();
+                Argument::Value(place, BaseType::String)
+            }
+            (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
+                Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at: *at })
+            }
+            (Wanted::Value, Spoken::Name(name, _)) => Argument::Value(self.place(spoken), self.variable(name).unwrap().1),
+            (Wanted::Reference, Spoken::Name(name, at)) => {
+                let (view, base) = self.variable(name).unwrap();
+                match self.memory.store(view.store).unwrap().shape {
+                    Shape::Array { dims: 1, .. } if param.ty.is_none() => Argument::View(self.part_of(view, at)),
+                    _ => Argument::Value(self.place(spoken), base),
+                }
+            }
+            (_, Spoken::Name(name, at)) => Argument::View(self.part_of(self.view(name), at)),
+            _ => panic!("{param} is no constant"),
+        }
+    }
+
+    fn constant(&mut self, base: BaseType, numbers: &[f64]) -> Argument {
+        let store = self.value_of(base);
+        self.memory.store_mut(store).unwrap().nums.iter_mut().zip(numbers).for_each(|(lane, number)| *lane = *number);
+        Argument::Value(Place::first(store), base)
+    }
+
+    /// A container for one value that has no name.
+    fn value_of(&mut self, base: BaseType) -> StoreId {
+        let kind = Kind::builtin(base, None).into();
+        let store = self.memory.create(&PartInit { kind, shape: Shape::ELEMENT, values: Vec::new() });
+        self.memory.store_mut(store).unwrap().local = true;
+        store
+    }
+
+    fn variable(&self, name: &str) -> Option<(View, BaseType)> {
+        match name {
+            "world" => Some((View::whole(Memory::WORLD), BaseType::Frame)),
+            "flange" => Some((View::whole(Memory::FLANGE), BaseType::Tool)),
+            _ => self.variables.get(name).copied(),
+        }
+    }
+
+    pub(crate) fn view(&self, name: &str) -> View {
+        self.variable(name).unwrap_or_else(|| panic!("no variable {name}")).0
+    }
+
+    fn part_of(&self, view: View, at: &SlotAt) -> View {
+        match at {
+            SlotAt::Whole => view,
+            SlotAt::Index([index, ..], 1) => {
+                View { start: self.memory.store(view.store).unwrap().number1(view, *index).unwrap(), ..view }
+            }
+            _ => panic!("no part of an array"),
+        }
+    }
+
+    fn place(&self, spoken: &Spoken<'_>) -> Place {
+        let Spoken::Name(name, at) = spoken else { panic!("no variable") };
+        self.memory.locate(&Slot { view: Some(self.view(name)), at: *at }).unwrap()
+    }
+
+    fn printed(&self, place: Place, base: BaseType) -> Result<String> {
+        let structure = |numbers: &[f64]| printed::structure(&numbers.iter().map(|n| printed::num(*n)).collect::<Vec<_>>());
+        Ok(match base {
+            BaseType::Bool => printed::bool(bool::read(&self.memory, place)?).to_owned(),
+            BaseType::Num => printed::num(f64::read(&self.memory, place)?).to_string(),
+            BaseType::String => printed::string(&Text::read(&self.memory, place)?),
+            _ => structure(&self.memory.nums::<6>(place, 0)?),
+        })
+    }
+}

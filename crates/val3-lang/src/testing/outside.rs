@@ -1,0 +1,74 @@
+//! What is outside the program: nothing but a list of tasks.
+
+use std::collections::BTreeMap;
+
+use crate::fault::{Fault, Result};
+use crate::memory::View;
+use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
+use crate::runtime_errors::{NO_TASK, TaskState};
+use crate::types::BaseType;
+
+/// No controller.
+pub(super) struct Nothing;
+
+impl Ports for Nothing {
+    fn origin(&mut self, _: Origin) {}
+
+    fn task(&mut self, _: TaskNumber, _: &str, _: TaskChange) {}
+
+    fn port(&mut self, _: BaseType, _: &str) -> Option<u32> {
+        None
+    }
+
+    fn print(&mut self, _: &str) {}
+}
+
+/// Tasks by their names, and data that `getData` finds.
+#[derive(Debug, Default)]
+pub(crate) struct TaskList {
+    pub(crate) states: BTreeMap<String, TaskState>,
+    pub(crate) data: BTreeMap<String, View>,
+    /// The library identifiers.
+    pub(crate) libraries: Vec<&'static str>,
+}
+
+impl TaskList {
+    fn state(&mut self, name: &str) -> Result<&mut TaskState> {
+        self.states.get_mut(name).ok_or(Fault(NO_TASK))
+    }
+}
+
+impl Tasks for TaskList {
+    fn status(&self, name: &str) -> i16 {
+        self.states.get(name).map_or(TaskState::Absent, |state| *state).number()
+    }
+
+    fn suspend(&mut self, name: &str) -> Result<()> {
+        *self.state(name)? = TaskState::Halted;
+        Ok(())
+    }
+
+    fn resume(&mut self, name: &str, _: f64) -> Result<()> {
+        *self.state(name)? = TaskState::Running;
+        Ok(())
+    }
+
+    fn kill(&mut self, name: &str) {
+        self.states.remove(name);
+    }
+
+    fn data(&self, name: &str) -> std::result::Result<View, i16> {
+        let is_known = name.split_once(':').is_none_or(|(library, _)| self.libraries.contains(&library));
+        self.data.get(name).copied().ok_or(if is_known { -1 } else { -2 })
+    }
+
+    fn request(&mut self, _: Request) {}
+
+    fn path(&self, _: Option<u16>) -> String {
+        String::new()
+    }
+
+    fn exports(&self, _: u16, _: &str) -> bool {
+        false
+    }
+}

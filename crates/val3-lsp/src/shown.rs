@@ -1,0 +1,76 @@
+//! What clients show about documents beside their findings, as far as edits of other files may change it.
+
+use std::hash::{Hash as _, Hasher as _};
+
+use rustc_hash::{FxHashMap, FxHasher};
+use serde::Serialize;
+use tower_lsp::lsp_types::{Range, Url};
+
+/// The last answers that the client got, by document.
+#[derive(Debug, Default)]
+pub(crate) struct Shown {
+    by_uri: FxHashMap<Url, ShownIn>,
+}
+
+/// What is shown in one document.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct ShownIn {
+    /// The version of the text that it belongs to.
+    pub(crate) version: i32,
+    /// The hints in a range.
+    pub(crate) hints: Option<(Range, Fingerprint)>,
+    /// The places of the lenses.
+    pub(crate) lenses: Option<Fingerprint>,
+    /// The lenses that were on the screen, by their lines, and the number of uses that each tells.
+    pub(crate) uses: Vec<(Range, usize)>,
+}
+
+/// The same for the same answer.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Fingerprint(u64);
+
+impl Fingerprint {
+    /// That of an answer. Answers are JSON, so that a fault of writing them does not occur; it would count as change.
+    pub(crate) fn of(answer: &impl Serialize) -> Self {
+        let mut hasher = FxHasher::default();
+        serde_json::to_string(answer).unwrap_or_default().hash(&mut hasher);
+        Self(hasher.finish())
+    }
+}
+
+impl Shown {
+    /// What is shown in a version of a document, to be changed: nothing yet, if it was of another version.
+    pub(crate) fn entry(&mut self, uri: &Url, version: i32) -> &mut ShownIn {
+        let nothing = || ShownIn { version, hints: None, lenses: None, uses: Vec::new() };
+        let shown = self.by_uri.entry(uri.clone()).or_insert_with(nothing);
+        if shown.version != version {
+            *shown = nothing();
+        }
+        shown
+    }
+
+    /// Replaces what is known about a document.
+    pub(crate) fn keep(&mut self, uri: Url, shown: ShownIn) {
+        self.by_uri.insert(uri, shown);
+    }
+
+    /// The document was closed.
+    pub(crate) fn forget(&mut self, uri: &Url) {
+        self.by_uri.remove(uri);
+    }
+
+    /// Everything.
+    pub(crate) fn iter(&self) -> impl Iterator<Item = (&Url, &ShownIn)> {
+        self.by_uri.iter()
+    }
+}
+
+impl ShownIn {
+    /// A lens tells a number of uses.
+    pub(crate) fn counted(&mut self, lens: Range, uses: usize) {
+        match self.uses.iter_mut().find(|(range, _)| *range == lens) {
+            Some((_, known)) => *known = uses,
+            None => self.uses.push((lens, uses)),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+// Runs the steps of one test in one workbench, one after the other; every step leaves a screenshot in target/editors/output.
+const { rmSync } = require("node:fs");
+const { join } = require("node:path");
+const { User } = require("./user");
+const { startVsCode } = require("./vscode");
+
+/** Does all that a test file does. `folder` is a scratch folder, `open` says what the workbench opens at first. */
+function runSteps({ name, folder, open, steps }) {
+  run({ name, folder, open, steps }).then((failed) => process.exit(failed), (fault) => {
+    console.error(fault);
+    process.exit(1);
+  });
+}
+
+async function run({ name, folder, open, steps }) {
+  const vscode = await startVsCode(folder, process.env.VAL3_VSIX);
+  const user = await User.open(vscode.address, open);
+  let number = 0;
+  let fault;
+  for (const [title, step] of Object.entries(steps)) {
+    number += 1;
+    const started = Date.now();
+    fault = await step(user).then(() => undefined, (fault) => fault);
+    const picture = `${name}-${String(number).padStart(2, "0")}-${title.replaceAll(/[^\w]+/g, "-")}.png`;
+    await user.page.screenshot({ path: join(process.env.VAL3_OUTPUT, picture) });
+    console.log(`${fault === undefined ? "ok" : "FAILED"} ${title} (${Date.now() - started} ms)`);
+    if (fault !== undefined) {
+      console.log(String(fault.stack ?? fault).slice(0, 2000));
+      break;
+    }
+  }
+  await user.leave();
+  vscode.stop();
+  rmSync(folder, { recursive: true, force: true });
+  const failed = fault === undefined ? 0 : 1;
+  console.log(`test result: ${failed ? "FAILED" : "ok"}. ${number - failed} passed; ${failed} failed; ${name}`);
+  return failed;
+}
+
+module.exports = { runSteps };

@@ -1,0 +1,61 @@
+//! What lies in a binary for those who look for a fault: taken out of what people download, and kept.
+
+use std::fs;
+use std::process::Command;
+
+use anyhow::Context;
+use camino::{Utf8Path, Utf8PathBuf};
+
+use crate::project;
+
+/// A binary and what was taken out of it.
+pub struct Parts {
+    /// It runs alone. Backtraces name functions.
+    pub binary: Utf8PathBuf,
+    /// The lines of the source. Beside the binary it is found by backtraces and debuggers. `None` where the linker
+    /// keeps it apart anyway (macOS, Windows).
+    pub debug: Option<Utf8PathBuf>,
+}
+
+/// Takes the binary apart into `folder`; the one that was built stays as it is.
+///
+/// # Errors
+/// When the toolchain's `rust-objcopy` is missing or fails, or a file cannot be written.
+pub fn split(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<Parts> {
+    let host = project::host()?;
+    if !host.contains("linux") {
+        return Ok(Parts { binary: binary.to_owned(), debug: None });
+    }
+    fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
+    let libraries = project::sysroot()?.join("lib");
+    let objcopy = libraries.join("rustlib").join(host).join("bin/rust-objcopy");
+    let copy = |arguments: &[&str]| {
+        project::succeed(Command::new(&objcopy).args(arguments).env("LD_LIBRARY_PATH", &libraries))
+    };
+    let small = folder.join(binary.file_name().context("a binary has a name")?);
+    let debug = small.with_extension("debug");
+    copy(&["--only-keep-debug", binary.as_str(), debug.as_str()])?;
+    let link = format!("--add-gnu-debuglink={debug}");
+    copy(&["--strip-debug", &link, binary.as_str(), small.as_str()])?;
+    Ok(Parts { binary: small, debug: Some(debug) })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_left_runs_and_is_smaller() {
+        let folder = tempfile::tempdir().unwrap();
+        let folder = Utf8Path::from_path(folder.path()).unwrap();
+        let built = Utf8PathBuf::from_path_buf(std::env::current_exe().unwrap()).unwrap();
+        let parts = split(&built, folder).unwrap();
+        let output = Command::new(&parts.binary).arg("--list").output().unwrap();
+        assert!(output.status.success());
+        let size = |path: &Utf8Path| fs::metadata(path).unwrap().len();
+        if let Some(debug) = parts.debug {
+            assert!(size(&parts.binary) < size(&built) / 2, "{} of {}", size(&parts.binary), size(&built));
+            assert!(size(&debug) > size(&built) / 2);
+        }
+    }
+}
