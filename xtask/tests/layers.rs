@@ -111,15 +111,8 @@ fn vm_and_motion_do_not_know_each_other() {
 
 #[test]
 fn the_machine_stands_on_the_vm_and_the_arm() {
-    let below = [
-        "val3-syntax",
-        "val3-lang",
-        "val3-geometry",
-        "val3-bytecode",
-        "val3-vm",
-        "val3-kinematics",
-        "val3-motion",
-    ];
+    let below =
+        ["val3-syntax", "val3-lang", "val3-geometry", "val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion"];
     check_only("val3-machine", &below, &["salsa", "clap", "tokio"]);
 }
 

@@ -62,9 +62,7 @@ impl Coder<'_, '_> {
     fn kept_argument(&mut self, formal: Formal, site: ArgumentSite, later: &[ExprId]) -> Result<ArgumentSite> {
         match site {
             ArgumentSite::Value(Operand::Frame(lanes), base)
-                if formal.shape == Shape::Value
-                    && is_number(base)
-                    && later.iter().any(|id| self.may_write(*id)) =>
+                if formal.shape == Shape::Value && is_number(base) && later.iter().any(|id| self.may_write(*id)) =>
             {
                 let register = self.kept(crate::places::num_register(lanes))?;
                 Ok(ArgumentSite::Value(Operand::Frame(Lanes::nums(register.into())), base))
@@ -111,12 +109,7 @@ impl Coder<'_, '_> {
     }
 
     /// A container, an array from an index on.
-    fn view(
-        &mut self,
-        formal: Option<Base>,
-        id: ExprId,
-        boxes: &mut Vec<Boxed>,
-    ) -> Result<(Whole, Option<Register>)> {
+    fn view(&mut self, formal: Option<Base>, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<(Whole, Option<Register>)> {
         if let Expr::Index(of, indexes) = self.body.expr(id)
             && let [index] = **indexes
             && self.base(index).builtin() == Some(BaseType::Num)

@@ -42,13 +42,7 @@ impl Coder<'_, '_> {
     }
 
     /// The side that decides goes to the label at once, or past the other side.
-    fn branch_logic(
-        &mut self,
-        op: BinaryOp,
-        (left, right): (ExprId, ExprId),
-        when: bool,
-        label: Label,
-    ) -> Result<()> {
+    fn branch_logic(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
         let decides = op == BinaryOp::Or;
         if when == decides {
             self.branch(left, when, label)?;

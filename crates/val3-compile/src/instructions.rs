@@ -68,12 +68,14 @@ impl Coder<'_, '_> {
     fn called(&self, id: ExprId) -> Result<Called> {
         if let Some(call) = self.types.call(id) {
             let form = call.form.ok_or(Limit::Unclear)?;
-            let formal = |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
+            let formal =
+                |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
             let formals = form.params.iter().map(formal).collect();
             return Ok(Called { site: InstructionSite::new(call.instruction, form), formals, result: form.result });
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
-        let formal = |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
+        let formal =
+            |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         let formals = call.form.params.iter().map(formal).collect();
         Ok(Called { site: add_on_site(&call.name, &call.form), formals, result: call.form.result })
     }

@@ -92,7 +92,9 @@ impl Coder<'_, '_> {
         (left, right): (ExprId, ExprId),
         want: Option<Lanes>,
     ) -> Result<Value> {
-        let Some(run) = handlers::binary(op, base, self.unit.items.arm) else { return self.compared(op, left, right, want) };
+        let Some(run) = handlers::binary(op, base, self.unit.items.arm) else {
+            return self.compared(op, left, right, want);
+        };
         let mut site = InstructionSite::named(op.symbol(), Some(run));
         for id in [left, right] {
             let value = self.value(id, None)?;

@@ -44,12 +44,7 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    fn if_stmt(
-        &mut self,
-        stmt: &Stmt,
-        arms: &[(Option<ExprId>, Vec<Stmt>)],
-        otherwise: Option<&[Stmt]>,
-    ) -> Result<()> {
+    fn if_stmt(&mut self, stmt: &Stmt, arms: &[(Option<ExprId>, Vec<Stmt>)], otherwise: Option<&[Stmt]>) -> Result<()> {
         let end = self.code.label();
         for (number, (condition, block)) in arms.iter().enumerate() {
             let condition = condition.ok_or(Limit::Unclear)?;

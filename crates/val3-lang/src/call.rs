@@ -9,7 +9,8 @@ mod take;
 
 pub use give::{Give, Outcome, PointValue};
 pub use take::{
-    Any, AnyVar, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef, Var,
+    Any, AnyVar, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef,
+    Var,
 };
 
 use crate::fault::{Fault, Result};

@@ -182,7 +182,9 @@ impl Bench {
             (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
                 Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at: *at })
             }
-            (Wanted::Value, Spoken::Name(name, _)) => Argument::Value(self.place(spoken), self.variable(name).unwrap().1),
+            (Wanted::Value, Spoken::Name(name, _)) => {
+                Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
+            }
             (Wanted::Reference, Spoken::Name(name, at)) => {
                 let (view, base) = self.variable(name).unwrap();
                 match self.memory.store(view.store).unwrap().shape {
@@ -237,7 +239,8 @@ impl Bench {
     }
 
     fn printed(&self, place: Place, base: BaseType) -> Result<String> {
-        let structure = |numbers: &[f64]| printed::structure(&numbers.iter().map(|n| printed::num(*n)).collect::<Vec<_>>());
+        let structure =
+            |numbers: &[f64]| printed::structure(&numbers.iter().map(|n| printed::num(*n)).collect::<Vec<_>>());
         Ok(match base {
             BaseType::Bool => printed::bool(bool::read(&self.memory, place)?).to_owned(),
             BaseType::Num => printed::num(f64::read(&self.memory, place)?).to_string(),

@@ -97,7 +97,8 @@ impl Schedule {
 
     fn asynchronous(&mut self, vm: &mut Vm, end: Time, host: &mut dyn Host) -> Cycle {
         let mut any = false;
-        let mut round = Round::default();
+        // A round that the last cycle has interrupted does not show that all tasks wait.
+        let mut round = Round { lines: u32::from(self.next != TaskNumber(0)), reads_clock: false };
         while self.now < end {
             let Some((id, left)) = self.next_turn(vm) else {
                 // The round is over.

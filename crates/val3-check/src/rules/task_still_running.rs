@@ -136,13 +136,15 @@ mod tests {
               | run-time error 31
               ? give each task a name of its own, or end the first one with `taskKill` before
               > start.pgx:5 `"io"` the first one
-        "#]].assert_eq(&two(START, "taskCreate \"io\",10,other()"));
+        "#]]
+        .assert_eq(&two(START, "taskCreate \"io\",10,other()"));
         expect![[r#"
             two.pgx:6 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
               ? give each task a name of its own, or end the first one with `taskKill` before
               > start.pgx:5 `"io"` the first one
-        "#]].assert_eq(&two(START, "if bA\n  taskCreate \"io\",20,loop()\nendIf"));
+        "#]]
+        .assert_eq(&two(START, "if bA\n  taskCreate \"io\",20,loop()\nendIf"));
     }
 
     #[test]
@@ -153,7 +155,8 @@ mod tests {
               | run-time error 31
               ? give each task a name of its own, or end the first one with `taskKill` before
               > two.pgx:5 `"io"` the first one
-        "#]].assert_eq(&two(start, "taskCreate \"io\",10,other()"));
+        "#]]
+        .assert_eq(&two(start, "taskCreate \"io\",10,other()"));
     }
 
     #[test]
@@ -164,7 +167,8 @@ mod tests {
               | run-time error 31
               ? give each task a name of its own, or end the first one with `taskKill` before
               > start.pgx:5 `"io"` the first one
-        "#]].assert_eq(&two(start, "taskCreate \"io\",10,other()"));
+        "#]]
+        .assert_eq(&two(start, "taskCreate \"io\",10,other()"));
     }
 
     #[test]

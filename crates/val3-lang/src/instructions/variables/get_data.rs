@@ -98,7 +98,8 @@ mod tests {
     /// The variables of the library `part` are those of the bench.
     fn bench() -> Bench {
         let declared = r#"num nTrack[3]; num nCount; num nGrid[2,2]; num nColl[""]; string sName"#;
-        let mut bench = Bench::default().global(declared).local("num l_nPath[5]; num l_nOne; string l_sText; num nSelf[4]");
+        let mut bench =
+            Bench::default().global(declared).local("num l_nPath[5]; num l_nOne; string l_sText; num nSelf[4]");
         for name in ["nTrack", "nCount", "nGrid", "nColl", "sName"] {
             bench.tasks.data.insert(format!("part:{name}"), bench.view(name));
         }

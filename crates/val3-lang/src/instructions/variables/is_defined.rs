@@ -51,7 +51,8 @@ mod tests {
     #[test]
     fn asks_for_indexes() {
         let mut bench = Bench::default().global("num nRow[3]; num nGrid[4,6]; num nCube[2,3,4]");
-        for (index, expected) in [("0", true), ("2", true), ("2.49", true), ("2.5", false), ("3", false), ("-1", false)] {
+        for (index, expected) in [("0", true), ("2", true), ("2.49", true), ("2.5", false), ("3", false), ("-1", false)]
+        {
             check(&mut bench, &format!("nRow[{index}]"), expected);
         }
         check(&mut bench, "nGrid[3,5]", true);

@@ -65,6 +65,9 @@ mod tests {
     #[test]
     fn from_an_index_on_less_can_be_reached() {
         let mut bench = Bench::default().global("num nValue[10]").part("x_nValue", "nValue", 4);
-        assert_eq!(["size(nValue[3])", "size(x_nValue)", "size(x_nValue[2])"].map(|line| bench.run(line)), ["7", "6", "4"]);
+        assert_eq!(
+            ["size(nValue[3])", "size(x_nValue)", "size(x_nValue[2])"].map(|line| bench.run(line)),
+            ["7", "6", "4"]
+        );
     }
 }
