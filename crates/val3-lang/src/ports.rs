@@ -15,9 +15,7 @@ pub use robot::Robot;
 pub use screen::Screen;
 pub use serial::{LineValue, Outgoing, Reply, Serial};
 
-use std::sync::Arc;
 
-use crate::call::Flow;
 use crate::fault::{Fault, Result};
 use crate::memory::View;
 use crate::types::BaseType;

@@ -12,7 +12,7 @@ use crate::files::{FileFault, LibraryPath};
 impl Devices {
     /// Finds and compiles the library that a program of `from` names.
     pub(super) fn find_library(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, FileFault> {
-        let library = LibraryPath::new(&controller_path(from, path)?)?;
+        let library = LibraryPath::new(&self.roots.spelled(&controller_path(from, path)?)?)?;
         let files = library.read(&self.roots, password)?;
         let image = self.libraries.image(library.folder(), files.clone()).map_err(|reason| {
             let now = self.origin.time;
