@@ -50,6 +50,6 @@ impl Devices {
 
     fn saver<'s>(&'s self, space: &'s Space, saved: InstanceId) -> Option<Saver<'s>> {
         let instance = space.instance(saved)?;
-        Some(Saver { memory: &space.memory, instance, links: Links::new(space, instance, self) })
+        Some(Saver { memory: &space.memory, instance, links: Links::new(space, (saved, instance), self) })
     }
 }

@@ -6,13 +6,15 @@ use rustc_hash::FxHashMap;
 use val3_bytecode::{FatherLink, LinkInit, LinkTarget};
 use val3_lang::memory::{KindBase, Link, Memory, Shape, StoreId};
 use val3_lang::types::BaseType;
-use val3_vm::{Instance, Space};
+use val3_vm::{Instance, InstanceId, Space};
 
 use super::super::Devices;
 use crate::io::LinkId;
 
 /// The names of what values can be linked to, and the links that were loaded.
 pub(super) struct Links<'s> {
+    space: &'s Space,
+    id: InstanceId,
     memory: &'s Memory,
     devices: &'s Devices,
     /// The frames and tools of global data, as a reference begins: `tSlot["a"].fIn`.
@@ -24,10 +26,14 @@ pub(super) struct Links<'s> {
 pub(super) type Spot = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> Links<'s> {
-    pub(super) fn new(space: &'s Space, instance: &'s Instance, devices: &'s Devices) -> Self {
+    pub(super) fn new(
+        space: &'s Space,
+        (id, instance): (InstanceId, &'s Instance),
+        devices: &'s Devices,
+    ) -> Self {
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
-        let mut links = Self { memory: &space.memory, devices, names: FxHashMap::default(), loaded };
+        let mut links = Self { space, id, memory: &space.memory, devices, names: FxHashMap::default(), loaded };
         links.names.insert(Memory::WORLD, "world".to_owned());
         links.names.insert(Memory::FLANGE, "flange".to_owned());
         links.name_all(instance, "");
@@ -79,13 +85,29 @@ impl<'s> Links<'s> {
         }
     }
 
+    /// The link of a value as a file writes it. A father that was not there when it was loaded stays as it was written.
+    pub(super) fn text_at(&self, spot: Option<&Spot>, link: Link, base: BaseType) -> Option<String> {
+        self.text(link, base).or_else(|| self.missing(spot, link).map(reference))
+    }
+
+    /// The father that the file names and that is not there.
+    fn missing(&self, spot: Option<&Spot>, link: Link) -> Option<&FatherLink> {
+        match self.loaded.get(spot?)? {
+            LinkTarget::Father(father) if link == Link::None && self.space.father(self.id, father).is_none() => {
+                Some(father)
+            }
+            _ => None,
+        }
+    }
+
     /// The value has the link that it was loaded with; `own` is that of the type.
     pub(super) fn is_loaded(&self, spot: Option<&Spot>, link: Link, own: Link) -> bool {
         match spot.and_then(|spot| self.loaded.get(spot)) {
             Some(LinkTarget::Port(base, path)) => self.text(link, *base).as_ref() == Some(path),
-            Some(LinkTarget::Father(father)) => {
-                self.text(link, BaseType::Frame).is_some_and(|text| text.replace('"', "") == reference(father))
-            }
+            Some(LinkTarget::Father(father)) => match self.space.father(self.id, father) {
+                Some(place) => link == Link::Data(place),
+                None => link == Link::None,
+            },
             None => link == own,
         }
     }
@@ -107,9 +129,15 @@ pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> Stri
     used.collect::<Vec<_>>().join(",")
 }
 
-/// A father as a file writes it, without quotation marks.
+/// A father as a file writes it.
 fn reference(father: &FatherLink) -> String {
     let library = father.library.as_ref().map(|library| format!("{library}:")).unwrap_or_default();
-    let fields = father.fields.iter().map(|(name, at)| format!(".{name}[{at}]"));
-    format!("{library}{}[{}]{}", father.name, father.at, fields.collect::<String>())
+    let fields = father.fields.iter().map(|(name, at)| format!(".{name}[{}]", quoted(at)));
+    format!("{library}{}[{}]{}", father.name, quoted(&father.at), fields.collect::<String>())
+}
+
+/// Keys stand in quotation marks, indexes do not.
+fn quoted(at: &str) -> String {
+    let is_index = at.chars().all(|character| character.is_ascii_digit() || matches!(character, ',' | ' '));
+    if is_index { at.to_owned() } else { format!("\"{at}\"") }
 }

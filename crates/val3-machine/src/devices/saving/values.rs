@@ -67,26 +67,34 @@ impl Saver<'_> {
         loaded: &Loaded<'_>,
         key: &str,
     ) -> Result<(Content, bool)> {
+        let (number, element) = loaded.value(kind, key);
+        let spot = loaded.way(number);
         let mut written = Vec::new();
         for attribute in attributes(base, arm) {
             let Some(offset) = path_offset(base, arm, attribute.field) else { continue };
-            if let Some(text) = self.attribute(place.behind(offset), base, attribute)? {
+            let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, offset.link));
+            if let Some(text) = self.attribute(place.behind(offset), base, attribute, spot.as_ref())? {
                 written.push((attribute.name.into(), text));
             }
         }
-        let (number, element) = loaded.value(kind, key);
-        let same = self.is_same(place, kind.size, element)? && self.has_links(place, kind, loaded.way(number), element)?;
+        let same = self.is_same(place, kind.size, element)? && self.has_links(place, kind, spot, element)?;
         Ok((Content::Attributes(written), same))
     }
 
     /// The text of an attribute; `None` where it has its default.
-    fn attribute(&self, at: Place, base: BaseType, attribute: &Attribute) -> Result<Option<String>> {
+    fn attribute(
+        &self,
+        at: Place,
+        base: BaseType,
+        attribute: &Attribute,
+        spot: Option<&Spot>,
+    ) -> Result<Option<String>> {
         let text = match attribute.value {
             AttributeValue::Text => self.memory.text(at)?.to_string(),
-            AttributeValue::Father(_) => return Ok(self.links.text(self.memory.link(at, 0)?, base)),
+            AttributeValue::Father(_) => return Ok(self.links.text_at(spot, self.memory.link(at, 0)?, base)),
             AttributeValue::Link => {
                 let port = if base.is_linkable() { base } else { BaseType::Dio };
-                return Ok(self.links.text(self.memory.link(at, 0)?, port));
+                return Ok(self.links.text_at(spot, self.memory.link(at, 0)?, port));
             }
             AttributeValue::Truth => (self.memory.num(at, 0)? != 0.0).to_string(),
             AttributeValue::Number => {
