@@ -57,7 +57,8 @@ impl Controller {
     #[must_use]
     pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Self {
         let mut vm = Vm::default();
-        let application = vm.space.load(image, path, &mut devices);
+        let application = vm.space.load(image, path.clone(), &mut devices);
+        devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
         Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, stopped: false }
         Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, script: Script::default() }
@@ -135,6 +136,8 @@ impl Controller {
             Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
             _ => Step::Busy,
         }
+        self.devices.lines.shut_down();
+        self.phase = Phase::Stopped;
     }
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
@@ -150,6 +153,7 @@ impl Controller {
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
             _ if self.is_stuck() => Step::Stuck,
+            (_, Cycle::Idle { .. }) if self.devices.lines.are_in_use() => Step::Idle(Some(self.schedule.now)),
             (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
             _ => Step::Busy,
         }
@@ -205,6 +209,28 @@ impl Controller {
 
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
+    }
+
+    fn refresh_inputs(&mut self, now: Time) {
+        self.devices.lines.attend();
+        self.devices.pendant.advance(now);
+        self.devices.robot.advance(now, true);
+        for change in self.devices.io.refresh_inputs() {
+            self.record_io(now, change);
+        }
+    }
+
+    fn refresh_outputs(&mut self, now: Time) {
+        for change in self.devices.io.refresh_outputs() {
+            self.record_io(now, change);
+        }
+    }
+
+    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
+        if let Some(signal) = self.devices.io.signal(change.signal) {
+            let link = signal.path.clone();
+            self.devices.record_outside(now, What::Io { link, value: change.value });
+        }
     }
 }
 

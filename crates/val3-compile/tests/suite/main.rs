@@ -5,10 +5,13 @@ mod show;
 
 mod assignments;
 mod calls;
+mod cell;
 mod control;
 mod data;
 mod execution;
 mod expressions;
 mod instructions;
+mod libraries;
 mod places;
 mod programs;
+mod saving;
