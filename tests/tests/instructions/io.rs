@@ -62,7 +62,10 @@ fn signals_are_read_and_written_as_a_binary_number() {
         "  doBits[0]=false\n  doBits[1]=true\n  doBits[2]=false\n  doBits[3]=true\n  ? dioGet(doBits)\n  ? dioGet(doBits[1])",
         expect![[r#""#]],
     );
-    check("  ? dioSet(doBits,10)\n  ? dioSet(doBits,26)\n  ? dioSet(doBits,3.9)\n  ? dioSet(doBits[2],3)\n  ? dioGet(doBits)", expect![[r#""#]]);
+    check(
+        "  ? dioSet(doBits,10)\n  ? dioSet(doBits,26)\n  ? dioSet(doBits,3.9)\n  ? dioSet(doBits[2],3)\n  ? dioGet(doBits)",
+        expect![[r#""#]],
+    );
 }
 
 #[test]
@@ -72,7 +75,10 @@ fn outputs_stand_in_the_record_when_the_cycle_ends() {
 
 #[test]
 fn an_analog_output_tells_the_value_that_it_has() {
-    check("  ? aioSet(aiFloat,-12.3)\n  ? aioGet(aiFloat)\n  ? aioSet(aiByte,12.3)\n  ? aioSet(aiByte,300)\n  ? aioGet(aiByte)", expect![[r#""#]]);
+    check(
+        "  ? aioSet(aiFloat,-12.3)\n  ? aioGet(aiFloat)\n  ? aioSet(aiByte,12.3)\n  ? aioSet(aiByte,300)\n  ? aioGet(aiByte)",
+        expect![[r#""#]],
+    );
 }
 
 #[test]
@@ -93,7 +99,10 @@ fn every_misuse_has_its_error() {
 
 #[test]
 fn a_variable_takes_the_link_of_another() {
-    check("  dioLink(diNone,doBits[2])\n  diNone=true\n  ? dioGet(doBits)\n  aioLink(aiNone,aiByte)\n  ? aioSet(aiNone,1.6)", expect![[r#""#]]);
+    check(
+        "  dioLink(diNone,doBits[2])\n  diNone=true\n  ? dioGet(doBits)\n  aioLink(aiNone,aiByte)\n  ? aioSet(aiNone,1.6)",
+        expect![[r#""#]],
+    );
     check(
         r#"
           if (ioStatus(diMissing)>=0)
@@ -112,7 +121,10 @@ fn a_variable_takes_the_link_of_another() {
 
 #[test]
 fn the_status_tells_whether_a_signal_works() {
-    check("  ? ioStatus(diInput)\n  ? ioStatus(diNone)\n  ? ioStatus(diMissing)\n  ? ioStatus(aiNone)\n  ? ioStatus(aiFloat)", expect![[r#""#]]);
+    check(
+        "  ? ioStatus(diInput)\n  ? ioStatus(diNone)\n  ? ioStatus(diMissing)\n  ? ioStatus(aiNone)\n  ? ioStatus(aiFloat)",
+        expect![[r#""#]],
+    );
     let id = |devices: &Devices| devices.known_signal("Io\\float").unwrap();
     let status = |prepare: &dyn Fn(&mut Devices)| run(prepare, "  ? ioStatus(aiFloat)").printed();
     assert_eq!(status(&|devices| devices.io.lock(id(devices), None)), "1\n");

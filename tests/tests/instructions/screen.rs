@@ -90,7 +90,10 @@ fn screens_are_written_apart_and_shown_one_at_a_time() {
         "#;
     check_record(listing, expect![[r#""#]]);
     check_page(listing, expect![[r#""#]]);
-    check_page("screen scMain\n  put(\"default\")\n  put(scMain,\"main\")\n  userPage(scMain)\n  userPage(true)", expect![[r#""#]]);
+    check_page(
+        "screen scMain\n  put(\"default\")\n  put(scMain,\"main\")\n  userPage(scMain)\n  userPage(true)",
+        expect![[r#""#]],
+    );
 }
 
 #[test]
@@ -101,7 +104,8 @@ fn text_modes_other_than_the_four_are_an_error() {
 
 #[test]
 fn wide_characters_take_two_columns() {
-    let running = Running::start("  ? getDisplayLen(\"bolt\")\n  ? getDisplayLen(\"中文\")\n  ? getDisplayLen(\"\")").to_the_end();
+    let running = Running::start("  ? getDisplayLen(\"bolt\")\n  ? getDisplayLen(\"中文\")\n  ? getDisplayLen(\"\")")
+        .to_the_end();
     assert_eq!(running.printed(), "4\n4\n0\n");
 }
 
@@ -125,7 +129,9 @@ fn get_gives_the_key_and_what_was_entered() {
 
 #[test]
 fn esc_leaves_the_variable() {
-    check_typed(&[51, 255, 98, 255, 255], r#"
+    check_typed(
+        &[51, 255, 98, 255, 255],
+        r#"
         num nValue = 12
         string sText = "a"
           ? get(nValue)
@@ -133,19 +139,25 @@ fn esc_leaves_the_variable() {
           ? get(sText)
           ? sText
           ? get()
-        "#, expect![[r#""#]]);
+        "#,
+        expect![[r#""#]],
+    );
 }
 
 #[test]
 fn the_example_of_get_waits_for_return() {
-    check_typed(&[53, 271, 54, 270], r#"
+    check_typed(
+        &[53, 271, 54, 270],
+        r#"
         num nKey
         num nValue
           do
             nKey=get(nValue)
           until (nKey==270)
           ? nValue
-        "#, expect![[r#""#]]);
+        "#,
+        expect![[r#""#]],
+    );
 }
 
 #[test]
@@ -159,7 +171,9 @@ fn get_shows_what_is_edited_and_the_cursor_stays() {
 
 #[test]
 fn only_the_page_that_is_shown_gets_keys() {
-    check_typed(&[97, 98], r#"
+    check_typed(
+        &[97, 98],
+        r#"
         screen scOther
         program other()
         begin
@@ -172,12 +186,16 @@ fn only_the_page_that_is_shown_gets_keys() {
           ? "default "+chr(get())
           userPage(scOther)
         end
-        "#, expect![[r#""#]]);
+        "#,
+        expect![[r#""#]],
+    );
 }
 
 #[test]
 fn a_task_that_is_killed_no_longer_waits_for_a_key() {
-    check_typed(&[97], r#"
+    check_typed(
+        &[97],
+        r#"
         program reads()
         begin
           ? get()
@@ -189,7 +207,9 @@ fn a_task_that_is_killed_no_longer_waits_for_a_key() {
           taskKill("reads")
           ? get()
         end
-        "#, expect![[r#""#]]);
+        "#,
+        expect![[r#""#]],
+    );
 }
 
 #[test]
@@ -202,7 +222,9 @@ fn get_key_gives_the_last_key_once() {
 
 #[test]
 fn the_example_of_get_key_ends_with_a_key() {
-    check_typed(&[270], r#"
+    check_typed(
+        &[270],
+        r#"
           getKey()
           while (getKey()==-1)
             gotoxy(0,0)
@@ -210,12 +232,15 @@ fn the_example_of_get_key_ends_with_a_key() {
             delay(0)
           endWhile
           ? "key"
-        "#, expect![[r#""#]]);
+        "#,
+        expect![[r#""#]],
+    );
 }
 
 #[test]
 fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
-    let mut running = Running::start(r#"
+    let mut running = Running::start(
+        r#"
         screen scOther
           ? isKeyPressed(97)
           ? isKeyPressed(scOther,97)
@@ -224,7 +249,8 @@ fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
           delay(1)
           ? isKeyPressed(97)
           ? isKeyPressed(281)
-        "#);
+        "#,
+    );
     running.controller.devices.pendant.tap(97, 0);
     running.controller.devices.pendant.press(281);
     expect![[r#""#]].assert_eq(&running.to_the_end().printed());
@@ -233,12 +259,16 @@ fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
 #[test]
 fn messages_are_shown_and_logged() {
     check_record("  popUpMsg(\"Close the guard\")\n  logMsg(\"gripper lost a part\")", expect![[r#""#]]);
-    check_record("version s8.10\n  popUpMsg(\"Jam\",3)\n  logMsg(\"slow\",2)\n  userPageAlert(\"Tray\")", expect![[r#""#]]);
+    check_record(
+        "version s8.10\n  popUpMsg(\"Jam\",3)\n  logMsg(\"slow\",2)\n  userPageAlert(\"Tray\")",
+        expect![[r#""#]],
+    );
 }
 
 #[test]
 fn too_many_messages_are_lost_until_there_is_time() {
-    let running = Running::start(r#"
+    let running = Running::start(
+        r#"
         bool bLogged = true
         num nLogged
         string sLong = "12345678901234567890123456789012345678901234567890123456789012345678901234567890"
@@ -251,22 +281,26 @@ fn too_many_messages_are_lost_until_there_is_time() {
             delay(0)
           endWhile
           ? "logged"
-        "#);
+        "#,
+    );
     expect![[r#""#]].assert_eq(&running.to_the_end().printed());
 }
 
 #[test]
 fn profiles_change_with_every_result() {
     use val3_machine::controller_state::{Profile, Profiles};
-    let profile = |name: &str, password: &str| Profile { name: name.into(), password: password.into(), controls_speed: false };
-    let mut running = Running::start(r#"
+    let profile =
+        |name: &str, password: &str| Profile { name: name.into(), password: password.into(), controls_speed: false };
+    let mut running = Running::start(
+        r#"
           ? getProfile()
           ? setProfile("nobody","")
           ? setProfile("setter","4321")
           ? setProfile("staubli","x")
           ? setProfile("setter","1234")
           ? getProfile()
-        "#);
+        "#,
+    );
     let known = vec![profile("default", ""), profile("setter", "1234")];
     running.controller.devices.profiles = Profiles::new(known, profile("default", ""));
     expect![[r#""#]].assert_eq(&running.to_the_end().printed());
@@ -277,13 +311,15 @@ fn profiles_change_with_every_result() {
 
 #[test]
 fn languages_are_those_that_are_installed() {
-    let running = Running::start(r#"
+    let running = Running::start(
+        r#"
           ? getLanguage()
           ? setLanguage("chinese")
           ? getLanguage()
           ? setLanguage("klingon")
           ? getLanguage()
-        "#);
+        "#,
+    );
     assert_eq!(running.to_the_end().printed(), "english\ntrue\nchinese\nfalse\nchinese\n");
 }
 
@@ -315,7 +351,9 @@ fn the_date_is_that_of_the_clock() {
 
 #[test]
 fn questions_are_answered_by_the_operator() {
-    check_typed(&[270, 255, 98, 270, 99, 255], r#"
+    check_typed(
+        &[270, 255, 98, 270, 99, 255],
+        r#"
         version s8.10
         string sOrder = "a"
           ? userPageConfirm("Empty the gripper?")
@@ -324,12 +362,15 @@ fn questions_are_answered_by_the_operator() {
           ? sOrder
           ? userPagePrompt("Order",sOrder)
           ? sOrder
-        "#, expect![[r#""#]]);
+        "#,
+        expect![[r#""#]],
+    );
 }
 
 #[test]
 fn pages_of_html_are_set_and_shown() {
-    let mut running = Running::start(r#"
+    let mut running = Running::start(
+        r#"
         version s8.10
         num nDone = 3
           ? userPage("main")
@@ -337,7 +378,8 @@ fn pages_of_html_are_set_and_shown() {
           userPageSet("main","lblDone","innerHTML",nDone)
           userPageSet("main","lblDone","style.color","red")
           userPageSet("main","lblDone","hidden",nDone>2)
-        "#);
+        "#,
+    );
     running.controller.devices.pendant.add_html_page("main");
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");

@@ -23,7 +23,8 @@ fn the_form_of_the_page_is_read() {
 
 #[test]
 fn entries_happen_in_the_order_of_their_times() {
-    let mut script = Script::parse("[[at]]\nt = 2\nkey = 97\n[[at]]\nt = 1.5\nkey = 98\n[[at]]\nt = 2\nkey = 99").unwrap();
+    let mut script =
+        Script::parse("[[at]]\nt = 2\nkey = 97\n[[at]]\nt = 1.5\nkey = 98\n[[at]]\nt = 2\nkey = 99").unwrap();
     assert_eq!(script.take_due(1_499_999_999), None);
     let keys = std::iter::from_fn(|| script.take_due(2_000_000_000)).map(|entry| entry.key.unwrap().0);
     assert_eq!(keys.collect::<Vec<_>>(), [98, 97, 99]);
