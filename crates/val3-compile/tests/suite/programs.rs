@@ -57,11 +57,12 @@ fn programs_of_the_old_dialect() {
     "#;
     let image = image(listing);
     let shown = format!(
-        "{}\n{}",
+        "start\n{}old\n{}",
         val3_bytecode::disassemble(program(&image, "start")),
         val3_bytecode::disassemble(program(&image, "old"))
     );
     expect![[r#"
+        start
            1     0  Line
                  1  Call program 0(Data(0) from n0, num n1)
            2     2  Line
@@ -69,7 +70,7 @@ fn programs_of_the_old_dialect() {
                  4  LoadFirst { to: 3, whole: Data(0), lane: 0 }
                  5  Call program 0(Part(0), num n3)
                  6  Return
-
+        old
            1     0  Line
                  1  LoadFirst { to: 2, whole: View(0), lane: 0 }
                  2  UnlessLess { a: 2, b: 3, to: 5 }
