@@ -171,6 +171,7 @@ impl Controller {
     }
 
     fn refresh_outputs(&mut self, now: Time) {
+        self.devices.record_lines(now);
         for change in self.devices.io.refresh_outputs() {
             self.record_io(now, change);
         }
