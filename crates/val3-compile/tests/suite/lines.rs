@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use val3_machine::controller::Controller;
 use val3_machine::event::What;
-use val3_machine::sio::{ChannelConfig, Entry, LineKind, MemoryLine, Peer, Setting, replay};
+use val3_machine::sio::{ChannelConfig, LineKind, MemoryLine, Peer, Setting, replay};
 
 use crate::cell::{Cell, run, shown};
 

@@ -104,6 +104,45 @@ fn files_are_copied_moved_and_deleted() {
     assert!(!cell.path("usrapp/data").exists());
 }
 
+/// The table of the cell says `void` and a single variable where the catalogue has a number and an array.
+#[test]
+fn the_table_of_a_cell_may_have_other_forms() {
+    let cell = Cell::new(
+        r#"
+        num nFile
+        string sLine[2]
+        program start()
+        begin
+          nFile=$fileOpen("./log.txt","w")
+          sLine[1]="second"
+          ? $fileSet(nFile,sLine[1],1)
+          $fileClose(nFile)
+        end
+        === /app/val3.Expansion.anthro.cfx
+        <?xml version="1.0" encoding="utf-8"?>
+        <Language xmlns="http://www.staubli.com/robotics/VAL3/1">
+          <Version>s7.8</Version>
+          <Functions>
+            <Func><Name>$fileOpen</Name><Return>num</Return>
+              <Param index="0" type="string" dataRef="false" array="false" arrayDim="0" />
+              <Param index="1" type="string" dataRef="false" array="false" arrayDim="0" />
+              <Lib>false</Lib><Class>Function</Class></Func>
+            <Func><Name>$fileSet</Name><Return>num</Return>
+              <Param index="0" type="num" dataRef="false" array="false" arrayDim="0" />
+              <Param index="1" type="string" dataRef="true" array="false" arrayDim="0" />
+              <Param index="2" type="num" dataRef="false" array="false" arrayDim="0" />
+              <Lib>false</Lib><Class>Modifier</Class></Func>
+            <Func><Name>$fileClose</Name><Return>void</Return>
+              <Param index="0" type="num" dataRef="false" array="false" arrayDim="0" />
+              <Lib>false</Lib><Class>Modifier</Class></Func>
+          </Functions>
+        </Language>
+        "#,
+    );
+    assert_eq!(cell.run(), "1\n");
+    assert_eq!(cell.read("usrapp/main/log.txt"), "second\n");
+}
+
 #[test]
 fn the_old_forms_of_insert_and_delete() {
     let cell = Cell::new(
