@@ -23,6 +23,9 @@ pub struct Program {
     pub variables: Vec<Variable>,
     /// The lanes of a frame.
     pub frame: FrameSize,
+    /// What a call takes of the stack that the project declares (2.1.4.2), in bytes: the return, the parameters and
+    /// the locals.
+    pub stack_bytes: u32,
     /// The numbers of a new frame, as many as it has: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
     /// The containers of a new frame: local arrays, and values of user types.

@@ -23,6 +23,7 @@ pub mod motion;
 pub mod operators;
 pub mod page;
 pub mod ports;
+pub mod references;
 pub mod results;
 pub mod runtime_errors;
 pub mod statements;

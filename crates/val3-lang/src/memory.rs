@@ -9,6 +9,7 @@ mod containers;
 mod copy;
 mod kind;
 mod lanes;
+mod lifetime;
 mod place;
 mod shown;
 mod stack;
@@ -200,8 +201,9 @@ impl Memory {
     /// Links a value.
     ///
     /// # Errors
-    /// 20 if the value is gone.
+    /// 20 if the value is gone, 165 if it is global and would refer to a local one.
     pub fn set_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
+        self.check_link(self.is_local(at.store), link)?;
         let index = (at.link + offset) as usize;
         let found = match at.store {
             StoreId::STACK => self.stack.links.get_mut(index),

@@ -9,9 +9,11 @@ mod robot;
 mod screen;
 mod serial;
 
-pub use io::Io;
+pub use io::{Described, Io};
 pub use media::Media;
 pub use robot::Robot;
+pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
+
 pub use screen::Screen;
 pub use serial::{LineValue, Outgoing, Reply, Serial};
 

@@ -95,6 +95,24 @@ pub const NO_LINE: u16 = 90;
 /// An argument that the instruction does not take.
 pub const INVALID_PARAMETER: u16 = 70;
 
+/// The position of `flange` is not 0 (9.5.1).
+pub const FLANGE_CHANGED: u16 = 160;
+
+/// The position of `world` is not 0 (9.4.1).
+pub const WORLD_CHANGED: u16 = 161;
+
+/// A point without reference frame (9.6.1).
+pub const POINT_WITHOUT_REFERENCE: u16 = 162;
+
+/// A frame without reference frame (9.4.1).
+pub const FRAME_WITHOUT_REFERENCE: u16 = 163;
+
+/// A tool without reference tool (9.5.1).
+pub const TOOL_WITHOUT_REFERENCE: u16 = 164;
+
+/// The reference of a global variable is a local one.
+pub const GLOBAL_REFERS_TO_LOCAL: u16 = 165;
+
 /// The error with this number.
 #[must_use]
 pub fn find(number: u16) -> Option<&'static RuntimeError> {

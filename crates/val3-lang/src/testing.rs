@@ -4,6 +4,7 @@
 //! a value, a place, a part of an array or a slot, as the form wants it.
 
 mod notation;
+mod nothing;
 mod outside;
 
 use std::collections::BTreeMap;
@@ -15,7 +16,7 @@ use crate::call::{Argument, Call, Flow, Stored};
 use crate::fault::{Fault, Result};
 use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
-use crate::memory::{Kind, Memory, PartInit, Place, Shape, Slot, SlotAt, StoreId, View};
+use crate::memory::{Memory, Place, Shape, Slot, SlotAt, StoreId, View};
 use crate::ports::{Ports, Tasks, Time};
 use crate::types::BaseType;
 use crate::values::{Text, printed};
@@ -42,7 +43,8 @@ impl Bench {
     /// Global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
     pub(crate) fn global(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
-            self.declare(&variable);
+            let store = self.memory.create(&variable.init());
+            self.declare(&variable, store);
         }
         self
     }
@@ -50,17 +52,14 @@ impl Bench {
     /// Local variables. All of them have a container here, those of one value too.
     pub(crate) fn local(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
-            let store = self.declare(&variable);
-            self.memory.store_mut(store).unwrap().local = true;
+            let store = self.memory.create_local(&variable.init());
+            self.declare(&variable, store);
         }
         self
     }
 
-    fn declare(&mut self, variable: &Variable<'_>) -> StoreId {
-        let kind = Kind::builtin(variable.base, None).into();
-        let store = self.memory.create(&PartInit { kind, shape: variable.shape.clone(), values: Vec::new() });
+    fn declare(&mut self, variable: &Variable<'_>, store: StoreId) {
         self.variables.insert(variable.name.to_owned(), (View::whole(store), variable.base));
-        store
     }
 
     /// Gives the numbers of a variable, from the first value on.
@@ -75,6 +74,11 @@ impl Bench {
         for (lane, number) in (0..).zip(numbers) {
             self.memory.set_num(place, lane, *number).unwrap();
         }
+    }
+
+    /// The numbers of a variable.
+    pub(crate) fn numbers(&self, name: &str) -> &[f64] {
+        &self.memory.store(self.view(name).store).unwrap().nums
     }
 
     /// Gives the texts of a variable, from the first value on.
@@ -182,15 +186,11 @@ impl Bench {
             (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
                 Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at: *at })
             }
-            (Wanted::Value, Spoken::Name(name, _)) => {
-                Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
+            (Wanted::Reference, Spoken::Name(name, at)) if param.ty.is_none() => {
+                Argument::View(self.part_of(self.view(name), at))
             }
-            (Wanted::Reference, Spoken::Name(name, at)) => {
-                let (view, base) = self.variable(name).unwrap();
-                match self.memory.store(view.store).unwrap().shape {
-                    Shape::Array { dims: 1, .. } if param.ty.is_none() => Argument::View(self.part_of(view, at)),
-                    _ => Argument::Value(self.place(spoken), base),
-                }
+            (Wanted::Value | Wanted::Reference, Spoken::Name(name, _)) => {
+                Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
             }
             (_, Spoken::Name(name, at)) => Argument::View(self.part_of(self.view(name), at)),
             _ => panic!("{param} is no constant"),
@@ -205,10 +205,7 @@ impl Bench {
 
     /// A container for one value that has no name.
     fn value_of(&mut self, base: BaseType) -> StoreId {
-        let kind = Kind::builtin(base, None).into();
-        let store = self.memory.create(&PartInit { kind, shape: Shape::ELEMENT, values: Vec::new() });
-        self.memory.store_mut(store).unwrap().local = true;
-        store
+        self.memory.create_local(&Variable { name: "", base, shape: Shape::ELEMENT }.init())
     }
 
     fn variable(&self, name: &str) -> Option<(View, BaseType)> {

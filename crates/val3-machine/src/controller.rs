@@ -7,7 +7,7 @@ use val3_lang::ports::Time;
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
-use crate::event::What;
+use crate::script::Script;
 
 /// The priority of the tasks that execute `start` and `stop` (5.2).
 const PRIORITY: u32 = 10;
@@ -22,6 +22,9 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
+    stopped: bool,
+    /// What happens from outside.
+    pub(crate) script: Script,
 }
 
 /// Where an application is in its life.
@@ -57,7 +60,8 @@ impl Controller {
         let application = vm.space.load(image, path.clone(), &mut devices);
         devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
-        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running }
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, stopped: false }
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, script: Script::default() }
     }
 
     /// The controller's clock, in nanoseconds.
@@ -81,6 +85,7 @@ impl Controller {
     /// their creation (5.2).
     pub fn stop(&mut self) {
         if self.phase == Phase::Running {
+            self.stopped = true;
             let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
             let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
             if let Some(start) = start {
@@ -88,6 +93,12 @@ impl Controller {
             }
             self.begin_stop();
         }
+    }
+
+    /// It was stopped from outside.
+    #[must_use]
+    pub fn was_stopped(&self) -> bool {
+        self.stopped
     }
 
     /// Lets `stop` run.
@@ -99,8 +110,31 @@ impl Controller {
     }
 
     fn end(&mut self) {
+        self.kill_tasks();
+        self.phase = Phase::Stopped;
+    }
+
+    /// Lets another image of the same application take the place of the one in memory. The data stay, so both must
+    /// declare the same.
+    pub fn exchange(&mut self, image: Arc<Image>) {
+        self.vm.space.exchange(self.application, image, &mut self.devices);
+    }
+
+    /// Kills all tasks, the newest first.
+    pub fn kill_tasks(&mut self) {
         while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
             self.vm.kill(task, &mut self.devices);
+        }
+    }
+
+    /// As [`step`](Self::step); the application does not stop when its tasks have ended.
+    pub fn step_tasks(&mut self) -> Step {
+        let cycle = self.cycle();
+        match cycle {
+            _ if self.vm.tasks().is_empty() => Step::Finished,
+            _ if self.is_stuck() => Step::Stuck,
+            Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
+            _ => Step::Busy,
         }
         self.devices.lines.shut_down();
         self.phase = Phase::Stopped;
@@ -108,11 +142,13 @@ impl Controller {
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
+        let cycle = self.cycle();
         let start = self.schedule.now;
         let end = (start / CYCLE + 1) * CYCLE;
-        self.refresh_inputs(start);
+        self.follow_script(start);
+        self.devices.begin_cycle(start);
         let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
-        self.refresh_outputs(end);
+        self.devices.end_cycle(end);
         self.advance_phase();
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
@@ -123,16 +159,30 @@ impl Controller {
         }
     }
 
+    fn cycle(&mut self) -> Cycle {
+        let start = self.schedule.now;
+        let end = (start / CYCLE + 1) * CYCLE;
+        self.refresh_inputs(start);
+        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        self.refresh_outputs(end);
+        cycle
+    }
+
     /// Leaves out the time until the cycle of `time`: nothing can happen before.
     pub fn jump(&mut self, time: Time) {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
     }
 
-    /// When something happens by itself, outside of tasks: a key is released, power comes.
+    /// The application, as the run time knows it.
+    pub(crate) fn application(&self) -> InstanceId {
+        self.application
+    }
+
+    /// When something happens by itself, outside of tasks: a key is released, power comes, a script goes on.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
-        [self.devices.pendant.next_due(now), self.devices.robot.next_due()].into_iter().flatten().min()
+        self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
     }
 
     /// Something outside may speak at any time.

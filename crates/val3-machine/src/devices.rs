@@ -1,5 +1,7 @@
 //! What programs reach of the controller: the ports of instructions, each in a file of its own.
 
+mod cycle;
+mod instances;
 mod io;
 mod libraries;
 mod lines;
@@ -16,10 +18,15 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::ports::{Origin, TaskNumber, Time};
 
-use crate::controller_state::{EventLog, Languages, Profiles, Robot, Versions};
+use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
 use crate::files::{ControllerPath, LibraryFiles, OpenFiles, Roots};
 use crate::io::IoTable;
+use crate::screen::{Pendant, ReadingId};
+
+pub use io::NoSignal;
+
+use instances::Held;
 use crate::screen::Pendant;
 pub use lines::Lines;
 
@@ -41,6 +48,10 @@ pub struct Devices {
     pub languages: Languages,
     /// Versions and licences.
     pub versions: Versions,
+    /// Date and time.
+    pub calendar: Calendar,
+    /// What CS9 controllers add.
+    pub cs9: Cs9,
     /// The media that paths name.
     pub roots: Roots,
     /// The files that programs have open.
@@ -53,6 +64,10 @@ pub struct Devices {
     origin: Origin,
     /// The names of tasks.
     names: BTreeMap<TaskNumber, String>,
+    /// What tasks wait for on the pendant.
+    readings: BTreeMap<TaskNumber, ReadingId>,
+    /// What is in memory, by the number of the instance.
+    instances: Vec<Option<Held>>,
     /// The images in memory, by the number of their instance.
     images: Vec<Arc<Image>>,
     /// Their files as they were loaded, by the number of their instance.
@@ -114,12 +129,16 @@ impl Devices {
             profiles: Profiles::default(),
             languages: Languages::default(),
             versions: Versions::default(),
+            calendar: Calendar::default(),
+            cs9: Cs9::default(),
             roots,
             files: OpenFiles::default(),
             libraries,
             events: Vec::new(),
             origin: Origin::default(),
             names: BTreeMap::new(),
+            readings: BTreeMap::new(),
+            instances: Vec::new(),
             images: Vec::new(),
             sources: BTreeMap::new(),
             read: None,

@@ -9,8 +9,8 @@ use crate::{InstanceId, Space};
 
 /// The controller around the run time.
 pub trait Host: Ports {
-    /// An application or library has come into memory under a number; events refer to it.
-    fn loaded(&mut self, instance: u16, image: &Arc<Image>);
+    /// An application or library has come into memory under a number, with its global data; events refer to it.
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
 
     /// A library was loaded or saved under an identifier, or not: the code tells. `path` is as the program gave it;
     /// without an identifier the application itself was meant.

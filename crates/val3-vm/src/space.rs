@@ -42,16 +42,36 @@ impl Space {
         }
         let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
         if let Some(instance) = self.instance(id) {
-            host.loaded(id.0, &instance.image);
+            host.loaded(id.0, &instance.image, &instance.data);
         }
         self.link_data(id, None, host);
         id
+    }
+
+    /// Lets an image with the same data take the place of the one in memory; the data stay as they are.
+    pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) {
+        let Some(instance) = self.instances.get_mut(usize::from(id.0)) else { return };
+        host.loaded(id.0, &image);
+        instance.imports = vec![None; image.imports.len()];
+        instance.image = image;
+        let libraries = instance.libraries.clone();
+        for (number, library) in (0u16..).zip(libraries) {
+            if let Some(library) = library {
+                self.connect_items(id, number, library);
+            }
+        }
     }
 
     /// Lets a library identifier of `user` stand for `library`.
     ///
     /// What the library lacks of what `user` uses raises error 80 when it is used; the answer is whether it has all.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
+        let complete = self.connect_items(user, alias, library);
+        self.link_data(user, Some(alias), host);
+        complete
+    }
+
+    fn connect_items(&mut self, user: InstanceId, alias: u16, library: InstanceId) -> bool {
         let Some(instance) = self.instances.get(usize::from(user.0)) else { return false };
         let exporter = self.instances.get(usize::from(library.0));
         let of_alias = |import: &&Import| import.library == alias;
@@ -71,7 +91,6 @@ impl Space {
                 }
             }
         }
-        self.link_data(user, Some(alias), host);
         complete
     }
 

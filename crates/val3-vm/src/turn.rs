@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Passing, TaskSite};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Place, StoreId};
+use val3_lang::memory::{Lanes, Memory, Place};
 use val3_lang::ports::{SECOND, TaskChange, Time};
 use val3_lang::tasks::{PERIOD_STEP, period_steps, priority};
 
@@ -77,7 +77,7 @@ impl Machine<'_> {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 100")]
             return if suits { Ok(Rate::Priority(lines as u32)) } else { Err(Fault::INVALID_PARAMETER) };
         };
-        if overrun.store == StoreId::STACK {
+        if self.space.memory.is_local(overrun.store) {
             return Err(Fault::INVALID_PARAMETER);
         }
         let steps = period_steps(rate).filter(|steps| *steps > 0).ok_or(Fault::INVALID_PARAMETER)?;
@@ -95,13 +95,13 @@ impl Machine<'_> {
         let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
         let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.passing));
-        if references.map(|(_, argument)| argument).any(is_local) {
+        if references.map(|(_, argument)| argument).any(|argument| is_local(&self.space.memory, argument)) {
             return Err(Fault::INVALID_PARAMETER);
         }
         let stack = &self.space.memory.stack;
         let lanes = stack.ends();
         let (place, view) = (length(&stack.places), length(&stack.views));
-        let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view };
+        let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
         enter(&mut self.space.memory, callee, base, arguments, u32::MAX)?;
         let stack = self.space.memory.stack.split_off(lanes, place, view);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
@@ -117,11 +117,11 @@ fn is_reference(passing: Passing) -> bool {
     matches!(passing, Passing::Reference(_) | Passing::View(_))
 }
 
-/// A value on the stack of the creator: the task may outlive it (5.10).
-fn is_local(argument: &Argument) -> bool {
+/// A local variable of the creator: the task may outlive it (5.10).
+fn is_local(memory: &Memory, argument: &Argument) -> bool {
     match argument {
-        Argument::Value(place, _) | Argument::UserValue(place) => place.store == StoreId::STACK,
-        Argument::View(view) => view.store == StoreId::STACK,
+        Argument::Value(place, _) | Argument::UserValue(place) => memory.is_local(place.store),
+        Argument::View(view) => memory.is_local(view.store),
         Argument::Slot(_) | Argument::Library(_) => false,
     }
 }

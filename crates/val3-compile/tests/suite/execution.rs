@@ -197,7 +197,7 @@ fn structures_and_user_types() {
             42
             {42,{"","b"},{0,0,0,0,0,0}}
             true
-            true
+            false
             {2,4,6,8,10,6}
             true
             false
@@ -271,7 +271,7 @@ fn errors_stop_at_their_line() {
         error 20 in line 5
     "#]]);
     check("program start()\nbegin\ncall start()\nend", expect![[r#"
-        goes on
+        error 41 in line 5
     "#]]);
 }
 

@@ -1,14 +1,24 @@
 //! New containers, and copies of values.
 
+use super::{Element, Kind, Lanes, Memory, PartInit, Place, Store, StoreId};
 use std::sync::Arc;
 
-use super::{Element, Kind, Lanes, Memory, PartInit, Place, Store, StoreId};
+use super::{Element, Kind, Lanes, Memory, PartInit, Place, Shape, Store, StoreId};
 use crate::fault::{Fault, Result};
 
 impl Memory {
-    /// A new container with these values.
+    /// A new container with these values: global data.
     pub fn create(&mut self, init: &PartInit) -> StoreId {
-        let mut store = Store::filled(init.kind.clone(), init.shape.clone());
+        self.create_as(init, false, false)
+    }
+
+    /// A new container with these values, which ends with a program.
+    pub fn create_local(&mut self, init: &PartInit) -> StoreId {
+        self.create_as(init, true, false)
+    }
+
+    fn create_as(&mut self, init: &PartInit, local: bool, field: bool) -> StoreId {
+        let mut store = Store { local, field, ..Store::filled(init.kind.clone(), init.shape.clone()) };
         let count = init.shape.len();
         for (number, value) in (0..count).zip(&init.values) {
             if let Some(value) = value {
@@ -18,25 +28,25 @@ impl Memory {
         if init.kind.size.part > 0 {
             let values = init.values.iter().map(Option::as_ref).chain(std::iter::repeat(None));
             let values: Vec<_> = values.take(count as usize).collect();
-            store.parts = values.into_iter().flat_map(|value| self.create_parts(&init.kind, value)).collect();
+            store.parts = values.into_iter().flat_map(|value| self.create_parts(&init.kind, value, local)).collect();
         }
         self.add(store)
     }
 
     /// The containers of one value of a user type.
-    pub(super) fn create_parts(&mut self, kind: &Arc<Kind>, value: Option<&Element>) -> Vec<StoreId> {
+    pub(super) fn create_parts(&mut self, kind: &Kind, value: Option<&Element>, local: bool) -> Vec<StoreId> {
         let parts = match value {
             Some(value) if !value.parts.is_empty() => &value.parts,
             _ => &kind.default.parts,
         };
-        parts.iter().map(|part| self.create(part)).collect()
+        parts.iter().map(|part| self.create_as(part, local, true)).collect()
     }
 
     /// Copies a value of the type `kind`: `to = from` (2.3, 7.3). The fields of a user type get as many values as
     /// those that are copied.
     ///
     /// # Errors
-    /// 20 if one of the values is gone, 61 if its container is.
+    /// 20 if one of the values is gone, 61 if its container is, 165 if a global would refer to a local.
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
         if num == 6 {
@@ -64,7 +74,9 @@ impl Memory {
             return Ok(());
         }
         let source = self.store(from)?.clone();
-        let parts = source.parts.iter().map(|part| self.duplicate(*part)).collect::<Result<Vec<_>>>()?;
+        let local = self.is_local(to);
+        source.links.iter().try_for_each(|link| self.check_link(local, *link))?;
+        let parts = source.parts.iter().map(|part| self.duplicate(*part, local)).collect::<Result<Vec<_>>>()?;
         let target = self.store_mut(to)?;
         let old = std::mem::replace(&mut target.parts, parts);
         (target.shape, target.gaps) = (source.shape, source.gaps);
@@ -73,22 +85,21 @@ impl Memory {
         Ok(())
     }
 
-    /// A copy of a container.
-    ///
-    /// # Errors
-    /// 61 if it is gone.
-    pub fn duplicate(&mut self, id: StoreId) -> Result<StoreId> {
-        let mut copy = self.store(id)?.clone();
-        copy.parts = copy.parts.iter().map(|part| self.duplicate(*part)).collect::<Result<_>>()?;
+    /// A copy of a container, which ends with a program if it is `local`.
+    fn duplicate(&mut self, id: StoreId, local: bool) -> Result<StoreId> {
+        let mut copy = Store { local, ..self.store(id)?.clone() };
+        copy.links.iter().try_for_each(|link| self.check_link(local, *link))?;
+        copy.parts = copy.parts.iter().map(|part| self.duplicate(*part, local)).collect::<Result<_>>()?;
         Ok(self.add(copy))
     }
 
-    /// Whether two values of one type are equal, field by field; links do not count.
+    /// Whether two values of one type are equal, field by field, containers of a user type with their indexes and
+    /// keys; links do not count.
     ///
     /// # Errors
     /// 20 if one of the values is gone.
     pub fn equal(&self, kind: &Kind, a: Place, b: Place) -> Result<bool> {
-        let Lanes { num, text, .. } = kind.size;
+        let Lanes { num, text, part, .. } = kind.size;
         for lane in 0..num {
             if self.num(a, lane)? != self.num(b, lane)? {
                 return Ok(false);
@@ -100,6 +111,30 @@ impl Memory {
                 return Ok(false);
             }
         }
+        for lane in 0..part {
+            if !self.equal_stores(self.part(a, lane)?, self.part(b, lane)?)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn equal_stores(&self, a: StoreId, b: StoreId) -> Result<bool> {
+        let (left, right) = (self.store(a)?, self.store(b)?);
+        let numbers: Vec<(u32, u32)> = match (&left.shape, &right.shape) {
+            (Shape::Array { sizes, .. }, Shape::Array { sizes: others, .. }) if sizes == others => {
+                (0..left.shape.len()).map(|number| (number, number)).collect()
+            }
+            (Shape::Collection(keys), Shape::Collection(others)) if keys.keys().eq(others.keys()) => {
+                keys.values().copied().zip(others.values().copied()).collect()
+            }
+            _ => return Ok(false),
+        };
+        for (at, other) in numbers {
+            if !self.equal(&left.kind, left.place(a, at), right.place(b, other))? {
+                return Ok(false);
+            }
+        }
         Ok(true)
     }
 
@@ -108,12 +143,12 @@ impl Memory {
     /// # Errors
     /// 61 if the container is gone.
     pub(super) fn reset(&mut self, id: StoreId, number: u32) -> Result<()> {
-        let kind = self.store(id)?.kind.clone();
+        let (kind, local) = (self.store(id)?.kind.clone(), self.is_local(id));
         write_lanes(self.store_mut(id)?, number, &kind.default);
         for lane in 0..kind.size.part {
             let part = self.part(Place::new(id, kind.size * number), lane)?;
             let init = kind.default.parts.get(lane as usize).ok_or(Fault::INTERPRETER)?;
-            let fresh = self.create(init);
+            let fresh = self.create_as(init, local, true);
             let at = (kind.size.part * number + lane) as usize;
             if let Some(slot) = self.store_mut(id)?.parts.get_mut(at) {
                 *slot = fresh;

@@ -197,8 +197,11 @@ pub fn enumerator(name: &str) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{BaseType, Kind, enumerator, field_offset};
-    use crate::memory::Lanes;
+    use std::sync::Arc;
+
+    use super::{BaseType, FieldKind, Kind, PartInit, enumerator, field_offset};
+    use crate::memory::{Lanes, Shape};
+    use crate::types::Arm;
 
     #[test]
     fn defaults_are_those_of_the_manual() {
@@ -224,5 +227,22 @@ mod tests {
             let kind = Kind::builtin(base, None);
             assert_eq!(kind.default.nums.len(), kind.size.num as usize, "{base:?}");
         }
+    }
+
+    #[test]
+    fn values_of_one_make_can_be_copied() {
+        let user = |name: &str, field: &str, base, size| {
+            let init = PartInit { kind: Arc::new(Kind::builtin(base, None)), shape: size, values: Vec::new() };
+            Kind::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])
+        };
+        let part = user("Part", "nCount", BaseType::Num, Shape::array(1));
+        assert!(part.suits(&user("bolt", "nCount", BaseType::Num, Shape::array(5))));
+        assert!(!part.suits(&user("Part", "nOther", BaseType::Num, Shape::array(1))));
+        assert!(!part.suits(&user("Part", "nCount", BaseType::Bool, Shape::array(1))));
+        assert!(!part.suits(&user("Part", "nCount", BaseType::Num, Shape::Collection(Default::default()))));
+        assert!(!part.suits(&Kind::builtin(BaseType::Num, None)));
+        let joint = |arm| Kind::builtin(BaseType::Joint, arm);
+        assert!(joint(None).suits(&joint(Some(Arm::Scara))));
+        assert!(!joint(Some(Arm::SixAxis)).suits(&joint(Some(Arm::Scara))));
     }
 }

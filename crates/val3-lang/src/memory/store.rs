@@ -75,8 +75,10 @@ pub struct Store {
     pub kind: Arc<Kind>,
     /// How they are reached.
     pub shape: Shape,
-    /// It is local to a program: it cannot grow or shrink (2.5.4), and no global may refer to it (error 165).
+    /// It ends with a program: no global may refer to it (error 165), and it cannot grow or shrink (2.5.4).
     pub local: bool,
+    /// It is a field of a value of a user type: it can grow and shrink even if it is local (7.3).
+    pub(super) field: bool,
     pub(super) gaps: Vec<u32>,
     /// Numbers.
     pub nums: Vec<f64>,
@@ -102,6 +104,7 @@ impl Store {
             kind,
             shape,
             local: false,
+            field: false,
             gaps: Vec::new(),
         }
     }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::memory::{Shape, SlotAt};
+use crate::memory::{Kind, PartInit, Shape, SlotAt};
 use crate::types::BaseType;
 use crate::values::Text;
 
@@ -46,6 +46,10 @@ impl<'t> Variable<'t> {
             }
         };
         Self { name, base, shape }
+    }
+
+    pub(super) fn init(&self) -> PartInit {
+        PartInit { kind: Kind::builtin(self.base, None).into(), shape: self.shape.clone(), values: Vec::new() }
     }
 }
 

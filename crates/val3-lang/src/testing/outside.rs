@@ -8,7 +8,7 @@ use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
 use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
 
-/// No controller.
+/// No controller: no handler that is tested here asks for one.
 pub(super) struct Nothing;
 
 impl Ports for Nothing {
@@ -19,8 +19,6 @@ impl Ports for Nothing {
     fn port(&mut self, _: BaseType, _: &str) -> Option<u32> {
         None
     }
-
-    fn print(&mut self, _: &str) {}
 }
 
 /// Tasks by their names, and data that `getData` finds.

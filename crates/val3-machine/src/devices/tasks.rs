@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use val3_bytecode::{DataDef, Image};
 use val3_bytecode::{Image, Program};
 use val3_lang::fault::Fault;
 use val3_lang::ports::{Origin, Ports, TaskChange, TaskNumber};
@@ -38,6 +39,7 @@ impl Ports for Devices {
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.names.remove(&task);
+            self.cancel_reading(task);
             self.lines.sending.remove(&task);
         }
     }
@@ -52,6 +54,8 @@ impl Ports for Devices {
 }
 
 impl Host for Devices {
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
+        self.hold(instance, image, data);
     fn loaded(&mut self, instance: u16, image: &Arc<Image>) {
         let at = usize::from(instance);
         if self.images.len() <= at {
@@ -80,18 +84,5 @@ impl Host for Devices {
             LibraryOp::Save => "save",
         };
         self.record(What::Lib { op, alias: alias.to_owned(), path: path.to_owned(), code });
-    }
-}
-
-impl Devices {
-    /// The program, line and file that the task that runs is in.
-    fn place(&self) -> (String, u32, String) {
-        let found = self.images.get(usize::from(self.origin.instance)).and_then(|image| {
-            let program: &Program = image.programs.get(usize::from(self.origin.program))?;
-            let line = program.line_of(self.origin.line).and_then(|number| program.lines.get(number));
-            let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
-            Some((program.name.clone(), line.map_or(0, |line| line.row), file))
-        });
-        found.unwrap_or_default()
     }
 }

@@ -1,3 +1,4 @@
+use crate::call::{AnyVar, Call};
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,8 @@ instruction! {
     ///   opcuaExport(nDone,false)
     /// ```
     "opcuaExport": Additions, since 8;
-    modifier (any& variable, bool bWritable);
+    modifier (any& variable, bool bWritable) = export;
 }
+
+/// The virtual controller has no clients: the variable is published and nobody reads it.
+fn export(_: &mut Call<'_>, _: AnyVar, _: bool) {}

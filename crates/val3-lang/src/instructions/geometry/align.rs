@@ -1,3 +1,6 @@
+use val3_geometry::Trsf;
+
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -14,5 +17,21 @@ instruction! {
     ///   trPick=align(trPick,trTable)
     /// ```
     "align": Geometry "9.3.4";
-    function (trsf trPosition, trsf trReference) -> trsf;
+    function (trsf trPosition, trsf trReference) -> trsf = align;
+}
+
+fn align(_: &mut Call<'_>, position: Trsf, reference: Trsf) -> Trsf {
+    val3_geometry::align(&position, &reference)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("align({1,2,3,10,0,0},{7,8,9,0,0,0})", "{1,2,3,0,0,0}");
+        check("align({1,2,3,80,0,25},{0,0,0,0,0,0})", "{1,2,3,90,0,25}");
+        check("align({1,2,3,20,0,0},{0,0,0,30,0,0})", "{1,2,3,30,0,0}");
+    }
 }

@@ -1,4 +1,8 @@
+use val3_geometry::Trsf;
+
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::fault::{Fault, Result};
 
 instruction! {
     /// Gives a position on the arc through three positions.
@@ -16,5 +20,26 @@ instruction! {
     ///   trMiddle=interpolateC(pArc[0].trsf,pArc[1].trsf,pArc[2].trsf,0.5)
     /// ```
     "interpolateC": Geometry "9.3.4", errors [70];
-    function (trsf trStart, trsf trIntermediate, trsf trEnd, num nPosition) -> trsf;
+    function (trsf trStart, trsf trIntermediate, trsf trEnd, num nPosition) -> trsf = interpolate_c;
+}
+
+fn interpolate_c(_: &mut Call<'_>, start: Trsf, intermediate: Trsf, end: Trsf, position: f64) -> Result<Trsf> {
+    val3_geometry::interpolate_c(&start, &intermediate, &end, position).map_err(|_| Fault::INVALID_PARAMETER)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn results() {
+        check("interpolateC({600,200,0,0,0,0},{500,300,0,0,0,0},{400,200,0,0,0,0},0)", "{600,200,0,0,0,0}");
+        check("interpolateC({600,200,0,0,0,0},{500,300,0,0,0,0},{400,200,0,0,0,0},1)", "{400,200,0,0,0,0}");
+        check("interpolateC({600,200,0,0,0,0},{500,300,0,0,0,0},{400,200,0,0,0,0},0.5)", "{500,300,0,0,0,0}");
+        check("interpolateC({600,200,0,0,0,0},{500,300,0,0,0,0},{400,200,0,0,0,0},1.5)", "{500,100,0,0,0,0}");
+        check("interpolateC({600,200,0,0,0,0},{500,300,0,0,0,0},{400,200,0,0,0,0},2)", "error 70");
+        check("interpolateC({0,0,0,0,0,0},{1,0,0,0,0,0},{2,0,0,0,0,0},0.5)", "error 70");
+        check("interpolateC({0,0,0,0,0,0},{0,0,0,0,0,0},{2,0,0,0,0,0},0)", "error 70");
+        check("interpolateC({100,0,0,0,0,0},{0,100,0,180,0,0},{-100,0,0,0,0,0},0.5)", "error 70");
+    }
 }

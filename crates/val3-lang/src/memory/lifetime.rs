@@ -1,0 +1,80 @@
+//! What ends with a program, and what may refer to it (error 165).
+
+use super::{Link, Memory, StoreId};
+use crate::fault::{Fault, Result};
+use crate::runtime_errors::GLOBAL_REFERS_TO_LOCAL;
+
+impl Memory {
+    /// The values of a container end with a program.
+    #[must_use]
+    pub fn is_local(&self, id: StoreId) -> bool {
+        id == StoreId::STACK || self.store(id).is_ok_and(|store| store.local)
+    }
+
+    /// What a value, which is `local` or not, may be linked to.
+    ///
+    /// # Errors
+    /// 165 if it would outlive what it refers to.
+    pub(super) fn check_link(&self, local: bool, link: Link) -> Result<()> {
+        match link {
+            Link::Data(reference) if !local && self.is_local(reference.store) => Err(Fault(GLOBAL_REFERS_TO_LOCAL)),
+            _ => Ok(()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::{Fault, Link, Memory};
+    use crate::memory::{FieldKind, Kind, PartInit, Place, Shape, View};
+    use crate::types::BaseType;
+
+    fn init(kind: Kind, shape: Shape) -> PartInit {
+        PartInit { kind: Arc::new(kind), shape, values: Vec::new() }
+    }
+
+    /// A user type with one field: a row of two frames.
+    fn station() -> PartInit {
+        let row = init(Kind::builtin(BaseType::Frame, None), Shape::array(2));
+        init(Kind::user("Station".to_owned(), vec![FieldKind { name: "row".to_owned(), init: row }]), Shape::ELEMENT)
+    }
+
+    #[test]
+    fn a_field_ends_with_its_variable() {
+        let mut memory = Memory::new();
+        let (global, local) = (memory.create(&station()), memory.create_local(&station()));
+        let first = |memory: &Memory, store| Place::first(memory.part(Place::first(store), 0).unwrap());
+        let (global, local) = (first(&memory, global), first(&memory, local));
+        assert_eq!(memory.set_link(global, 0, Link::Data(local)), Err(Fault(165)));
+        assert_eq!(memory.set_link(local, 0, Link::Data(global)), Ok(()));
+        assert_eq!(memory.set_link(local, 0, Link::Data(local)), Ok(()));
+    }
+
+    #[test]
+    fn fields_of_a_local_variable_grow_and_stay_local() {
+        let mut memory = Memory::new();
+        let (local, global) = (memory.create_local(&station()), memory.create(&station()));
+        let row = memory.part(Place::first(local), 0).unwrap();
+        assert_eq!(memory.append(row, None), Ok(()));
+        assert_eq!(memory.append(local, None), Err(Fault::INVALID_PARAMETER));
+        let grown = memory.element(View::whole(row), 2).unwrap();
+        let other = Place::first(memory.part(Place::first(global), 0).unwrap());
+        assert_eq!(memory.set_link(other, 0, Link::Data(grown)), Err(Fault(165)));
+    }
+
+    #[test]
+    fn a_copy_lasts_as_long_as_what_it_is_in() {
+        let mut memory = Memory::new();
+        let stations = PartInit { shape: Shape::array(2), ..station() };
+        let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
+        let line = init(kind.clone(), Shape::ELEMENT);
+        let (global, local) = (Place::first(memory.create(&line)), Place::first(memory.create_local(&line)));
+        memory.copy(&kind, global, local).unwrap();
+        let copied = memory.part(Place::first(memory.part(local, 0).unwrap()), 0).unwrap();
+        assert!(memory.is_local(copied));
+        memory.set_link(Place::first(copied), 0, Link::Data(Place::first(copied))).unwrap();
+        assert_eq!(memory.copy(&kind, local, global), Err(Fault(165)));
+    }
+}

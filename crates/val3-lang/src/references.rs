@@ -1,0 +1,140 @@
+//! The references of points, frames and tools up to `world` and `flange` (9.4 to 9.6).
+//!
+//! A way that comes back to where it was leads nowhere, and neither does one whose next frame or tool is no longer
+//! there (its array has shrunk, its library has left memory): then the last one on it has no reference.
+
+use val3_geometry::Trsf;
+
+use crate::call::{FrameRef, PointRef, Stored, ToolRef};
+use crate::fault::{Fault, Result};
+use crate::memory::{Link, Memory, Place, StoreId};
+use crate::runtime_errors::{
+    FLANGE_CHANGED, FRAME_WITHOUT_REFERENCE, POINT_WITHOUT_REFERENCE, TOOL_WITHOUT_REFERENCE, WORLD_CHANGED,
+};
+
+/// Transformations from the inside out, as [`val3_geometry::chain`] wants them.
+pub type Chain = Vec<Trsf>;
+
+/// Where frames or tools begin.
+struct Root {
+    store: StoreId,
+    changed: Fault,
+    lacking: Fault,
+}
+
+const WORLD: Root =
+    Root { store: Memory::WORLD, changed: Fault(WORLD_CHANGED), lacking: Fault(FRAME_WITHOUT_REFERENCE) };
+
+const FLANGE: Root =
+    Root { store: Memory::FLANGE, changed: Fault(FLANGE_CHANGED), lacking: Fault(TOOL_WITHOUT_REFERENCE) };
+
+/// The way from a frame to `world`.
+///
+/// # Errors
+/// 161 if `world` was changed, 163 if a frame on the way has no reference.
+pub fn of_frame(memory: &Memory, FrameRef(frame): FrameRef) -> Result<Chain> {
+    follow(memory, frame, &WORLD)
+}
+
+/// The way from a tool to `flange`.
+///
+/// # Errors
+/// 160 if `flange` was changed, 164 if a tool on the way has no reference.
+pub fn of_tool(memory: &Memory, ToolRef(tool): ToolRef) -> Result<Chain> {
+    follow(memory, tool, &FLANGE)
+}
+
+/// The way from a point to `world`.
+///
+/// # Errors
+/// 161 if `world` was changed, 162 if the point and 163 if a frame on the way has no reference.
+pub fn of_point(memory: &Memory, point: PointRef) -> Result<Chain> {
+    let mut chain = vec![Trsf::read(memory, point.0)?];
+    chain.extend(of_frame(memory, frame_of(memory, point)?)?);
+    Ok(chain)
+}
+
+/// The reference frame of a point.
+///
+/// # Errors
+/// 162 if it has none.
+pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> {
+    let frame = reference(memory, point)?;
+    frame.map(FrameRef).ok_or(Fault(POINT_WITHOUT_REFERENCE))
+}
+
+/// What a frame or tool is given in, or a point; `None` if it has no reference that is there.
+///
+/// # Errors
+/// 20 or 61 if it is gone itself.
+pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
+    match memory.link(at, 0)? {
+        Link::Data(reference) => Ok(memory.link(reference, 0).is_ok().then_some(reference)),
+        Link::None | Link::Port(_) => Ok(None),
+    }
+}
+
+fn follow(memory: &Memory, start: Place, root: &Root) -> Result<Chain> {
+    let mut way = Vec::new();
+    let mut at = start;
+    while at.store != root.store {
+        if way.contains(&at) {
+            return Err(root.lacking);
+        }
+        way.push(at);
+        at = reference(memory, at)?.ok_or(root.lacking)?;
+    }
+    if Trsf::read(memory, at)? != Trsf::IDENTITY {
+        return Err(root.changed);
+    }
+    way.into_iter().map(|place| Trsf::read(memory, place)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{FrameRef, Place, of_frame};
+    use crate::fault::Fault;
+    use crate::testing::Bench;
+
+    fn frame(bench: &Bench, name: &str) -> FrameRef {
+        FrameRef(Place::first(bench.view(name).store))
+    }
+
+    #[test]
+    fn a_way_leads_from_the_inside_out() {
+        let mut bench = Bench::default().global("frame fCell; frame fTable").with("fCell", &[1.0]);
+        bench.set("fTable", &[2.0]);
+        bench.run("link(fTable,fCell)");
+        bench.run("link(fCell,world)");
+        let chain = of_frame(&bench.memory, frame(&bench, "fTable")).unwrap();
+        assert_eq!(chain.iter().map(|trsf| trsf.x).collect::<Vec<_>>(), [2.0, 1.0]);
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "world")), Ok(Vec::new()));
+    }
+
+    #[test]
+    fn a_circle_leads_nowhere() {
+        let mut bench = Bench::default().global("frame fA; frame fB; frame fC");
+        for line in ["link(fA,fB)", "link(fB,fC)", "link(fC,fB)"] {
+            assert_eq!(bench.run(line), "");
+        }
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "fA")), Err(Fault(163)));
+        bench.run("link(fC,fC)");
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "fA")), Err(Fault(163)));
+        bench.run("link(fC,world)");
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "fA")).map(|chain| chain.len()), Ok(3));
+    }
+
+    #[test]
+    fn a_reference_that_is_gone_is_none() {
+        let mut bench = Bench::default().global("frame fA; frame fB; frame fRow[2]");
+        bench.run("link(fA,fRow[1])");
+        bench.run("link(fRow[1],fB)");
+        bench.run("link(fB,world)");
+        assert!(of_frame(&bench.memory, frame(&bench, "fA")).is_ok());
+        let removed = bench.view("fB").store;
+        bench.memory.remove(removed);
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "fA")), Err(Fault(163)));
+        bench.run("delete(fRow[1])");
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "fA")), Err(Fault(163)));
+    }
+}
