@@ -48,8 +48,9 @@ impl Coder<'_, '_> {
     fn argument(&mut self, formal: Formal, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
         match formal.shape {
             Shape::Value => self.by_value(formal.base, id),
-            Shape::Reference => self.by_reference(id),
-            Shape::Array { .. } | Shape::Collection | Shape::Whole => {
+            Shape::Reference if formal.base.is_some() => self.by_reference(id),
+            // A variable of any type may be an array (`getData`).
+            Shape::Reference | Shape::Array { .. } | Shape::Collection | Shape::Whole => {
                 let (whole, start) = self.view(formal.base, id, boxes)?;
                 Ok(ArgumentSite::View(whole, start))
             }

@@ -10,8 +10,7 @@ mod take;
 
 pub use give::{Give, Outcome, PointValue};
 pub use take::{
-    Any, AnyVar, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef,
-    Var,
+    Any, Arr, ConfigValue, FrameRef, IoRef, LibraryRef, MdescValue, PointRef, ScreenRef, Stored, Take, ToolRef, Var,
 };
 
 use crate::fault::{Fault, Result};

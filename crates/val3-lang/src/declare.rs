@@ -213,7 +213,7 @@ macro_rules! take {
         let $name: $crate::declare::value!($ty) = $crate::call::Take::take($call)?;
     };
     ($call:ident, any & $name:ident) => {
-        let $name: $crate::call::AnyVar = $crate::call::Take::take($call)?;
+        let $name: $crate::memory::View = $crate::call::Take::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident) => {
         #[allow(non_snake_case, reason = "named as in the syntax line")]

@@ -186,15 +186,11 @@ impl Bench {
             (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
                 Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at: *at })
             }
-            (Wanted::Value, Spoken::Name(name, _)) => {
-                Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
+            (Wanted::Reference, Spoken::Name(name, at)) if param.ty.is_none() => {
+                Argument::View(self.part_of(self.view(name), at))
             }
-            (Wanted::Reference, Spoken::Name(name, at)) => {
-                let (view, base) = self.variable(name).unwrap();
-                match self.memory.store(view.store).unwrap().shape {
-                    Shape::Array { dims: 1, .. } if param.ty.is_none() => Argument::View(self.part_of(view, at)),
-                    _ => Argument::Value(self.place(spoken), base),
-                }
+            (Wanted::Value | Wanted::Reference, Spoken::Name(name, _)) => {
+                Argument::Value(self.place(spoken), self.variable(name).unwrap().1)
             }
             (_, Spoken::Name(name, at)) => Argument::View(self.part_of(self.view(name), at)),
             _ => panic!("{param} is no constant"),

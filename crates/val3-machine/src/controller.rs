@@ -22,6 +22,7 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
+    stopped: bool,
     /// What happens from outside.
     pub(crate) script: Script,
 }
@@ -56,8 +57,10 @@ impl Controller {
     #[must_use]
     pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Self {
         let mut vm = Vm::default();
-        let application = vm.space.load(image, path, &mut devices);
+        let application = vm.space.load(image, path.clone(), &mut devices);
+        devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
+        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, stopped: false }
         Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, script: Script::default() }
     }
 
@@ -82,6 +85,7 @@ impl Controller {
     /// their creation (5.2).
     pub fn stop(&mut self) {
         if self.phase == Phase::Running {
+            self.stopped = true;
             let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
             let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
             if let Some(start) = start {
@@ -89,6 +93,12 @@ impl Controller {
             }
             self.begin_stop();
         }
+    }
+
+    /// It was stopped from outside.
+    #[must_use]
+    pub fn was_stopped(&self) -> bool {
+        self.stopped
     }
 
     /// Lets `stop` run.
@@ -100,14 +110,39 @@ impl Controller {
     }
 
     fn end(&mut self) {
+        self.kill_tasks();
+        self.phase = Phase::Stopped;
+    }
+
+    /// Lets another image of the same application take the place of the one in memory. The data stay, so both must
+    /// declare the same.
+    pub fn exchange(&mut self, image: Arc<Image>) {
+        self.vm.space.exchange(self.application, image, &mut self.devices);
+    }
+
+    /// Kills all tasks, the newest first.
+    pub fn kill_tasks(&mut self) {
         while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
             self.vm.kill(task, &mut self.devices);
         }
+    }
+
+    /// As [`step`](Self::step); the application does not stop when its tasks have ended.
+    pub fn step_tasks(&mut self) -> Step {
+        let cycle = self.cycle();
+        match cycle {
+            _ if self.vm.tasks().is_empty() => Step::Finished,
+            _ if self.is_stuck() => Step::Stuck,
+            Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
+            _ => Step::Busy,
+        }
+        self.devices.lines.shut_down();
         self.phase = Phase::Stopped;
     }
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
+        let cycle = self.cycle();
         let start = self.schedule.now;
         let end = (start / CYCLE + 1) * CYCLE;
         self.follow_script(start);
@@ -118,9 +153,19 @@ impl Controller {
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
             _ if self.is_stuck() => Step::Stuck,
+            (_, Cycle::Idle { .. }) if self.devices.lines.are_in_use() => Step::Idle(Some(self.schedule.now)),
             (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
             _ => Step::Busy,
         }
+    }
+
+    fn cycle(&mut self) -> Cycle {
+        let start = self.schedule.now;
+        let end = (start / CYCLE + 1) * CYCLE;
+        self.refresh_inputs(start);
+        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        self.refresh_outputs(end);
+        cycle
     }
 
     /// Leaves out the time until the cycle of `time`: nothing can happen before.
@@ -164,6 +209,28 @@ impl Controller {
 
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
+    }
+
+    fn refresh_inputs(&mut self, now: Time) {
+        self.devices.lines.attend();
+        self.devices.pendant.advance(now);
+        self.devices.robot.advance(now, true);
+        for change in self.devices.io.refresh_inputs() {
+            self.record_io(now, change);
+        }
+    }
+
+    fn refresh_outputs(&mut self, now: Time) {
+        for change in self.devices.io.refresh_outputs() {
+            self.record_io(now, change);
+        }
+    }
+
+    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
+        if let Some(signal) = self.devices.io.signal(change.signal) {
+            let link = signal.path.clone();
+            self.devices.record_outside(now, What::Io { link, value: change.value });
+        }
     }
 }
 

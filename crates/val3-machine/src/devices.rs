@@ -4,10 +4,12 @@ mod cycle;
 mod instances;
 mod io;
 mod libraries;
+mod lines;
 mod media;
 mod robot;
 mod saving;
 mod screen;
+mod serial;
 mod tasks;
 
 use std::collections::BTreeMap;
@@ -18,18 +20,22 @@ use val3_lang::ports::{Origin, TaskNumber, Time};
 
 use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
-use crate::files::{ControllerPath, LibraryFiles, Roots};
+use crate::files::{ControllerPath, LibraryFiles, OpenFiles, Roots};
 use crate::io::IoTable;
 use crate::screen::{Pendant, ReadingId};
 
 pub use io::NoSignal;
 
 use instances::Held;
+use crate::screen::Pendant;
+pub use lines::Lines;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
     /// Digital and analog inputs and outputs.
     pub io: IoTable,
+    /// Serial lines and sockets.
+    pub lines: Lines,
     /// The pendant.
     pub pendant: Pendant,
     /// Power, modes and speed.
@@ -48,6 +54,8 @@ pub struct Devices {
     pub cs9: Cs9,
     /// The media that paths name.
     pub roots: Roots,
+    /// The files that programs have open.
+    files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
     /// What has happened and was not taken yet.
@@ -60,6 +68,12 @@ pub struct Devices {
     readings: BTreeMap<TaskNumber, ReadingId>,
     /// What is in memory, by the number of the instance.
     instances: Vec<Option<Held>>,
+    /// The images in memory, by the number of their instance.
+    images: Vec<Arc<Image>>,
+    /// Their files as they were loaded, by the number of their instance.
+    sources: BTreeMap<u16, LibraryFiles>,
+    /// The library that was read last, until it comes into memory.
+    read: Option<(Arc<Image>, LibraryFiles)>,
 }
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
@@ -101,6 +115,7 @@ impl Devices {
     pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
         Self {
             io: IoTable::default(),
+            lines: Lines::default(),
             pendant: Pendant::default(),
             robot: Robot::default(),
             log: EventLog::default(),
@@ -110,12 +125,16 @@ impl Devices {
             calendar: Calendar::default(),
             cs9: Cs9::default(),
             roots,
+            files: OpenFiles::default(),
             libraries,
             events: Vec::new(),
             origin: Origin::default(),
             names: BTreeMap::new(),
             readings: BTreeMap::new(),
             instances: Vec::new(),
+            images: Vec::new(),
+            sources: BTreeMap::new(),
+            read: None,
         }
     }
 }

@@ -139,9 +139,23 @@ pub enum What {
     },
     /// The run is over.
     End {
-        /// `finished`, `stopped`, `limit` or `error`.
-        reason: &'static str,
+        /// Why.
+        reason: EndReason,
     },
+}
+
+/// Why a run is over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EndReason {
+    /// The application has ended by itself.
+    Finished,
+    /// It was stopped from outside.
+    Stopped,
+    /// The time of the run was up.
+    Limit,
+    /// No task could go on.
+    Error,
 }
 
 /// Seconds of a time.

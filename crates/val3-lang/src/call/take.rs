@@ -44,15 +44,6 @@ pub struct Any {
     pub base: Option<BaseType>,
 }
 
-/// A variable of any type by reference.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum AnyVar {
-    /// An element.
-    Element(Any),
-    /// A one-dimensional array, from an index on.
-    Array(View),
-}
-
 /// The number of an input, output or line of the controller; `None` where the variable has no link (error 123).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IoRef {
@@ -357,17 +348,6 @@ impl Take for Any {
             Argument::Value(place, base) => Ok(Self { place, base: Some(base) }),
             Argument::UserValue(place) => Ok(Self { place, base: None }),
             _ => Err(Fault::INTERPRETER),
-        }
-    }
-}
-
-impl Take for AnyVar {
-    fn take(call: &mut Call<'_>) -> Result<Self> {
-        match call.argument()? {
-            Argument::Value(place, base) => Ok(Self::Element(Any { place, base: Some(base) })),
-            Argument::UserValue(place) => Ok(Self::Element(Any { place, base: None })),
-            Argument::View(view) => Ok(Self::Array(view)),
-            Argument::Slot(_) | Argument::Library(_) => Err(Fault::INTERPRETER),
         }
     }
 }

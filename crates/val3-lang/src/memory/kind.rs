@@ -151,6 +151,16 @@ pub fn field_offset(base: BaseType, arm: Option<Arm>, name: &str) -> Option<Lane
     Some(offset)
 }
 
+/// The lanes of a built-in type before the field at the end of a path: `trsf.x`; none for the empty path.
+#[must_use]
+pub fn path_offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes> {
+    let mut names = path.split('.').filter(|name| !name.is_empty());
+    let found = names.try_fold((base, Lanes::default()), |(base, offset), name| {
+        Some((types::field(base, arm, name)?.ty, offset + field_offset(base, arm, name)?))
+    });
+    found.map(|(_, offset)| offset)
+}
+
 fn default_of(base: BaseType, arm: Option<Arm>) -> Element {
     let size = lanes(base);
     let mut nums = Vec::new();
@@ -187,8 +197,11 @@ pub fn enumerator(name: &str) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{BaseType, Kind, enumerator, field_offset};
-    use crate::memory::Lanes;
+    use std::sync::Arc;
+
+    use super::{BaseType, FieldKind, Kind, PartInit, enumerator, field_offset};
+    use crate::memory::{Lanes, Shape};
+    use crate::types::Arm;
 
     #[test]
     fn defaults_are_those_of_the_manual() {
@@ -214,5 +227,22 @@ mod tests {
             let kind = Kind::builtin(base, None);
             assert_eq!(kind.default.nums.len(), kind.size.num as usize, "{base:?}");
         }
+    }
+
+    #[test]
+    fn values_of_one_make_can_be_copied() {
+        let user = |name: &str, field: &str, base, size| {
+            let init = PartInit { kind: Arc::new(Kind::builtin(base, None)), shape: size, values: Vec::new() };
+            Kind::user(name.to_owned(), vec![FieldKind { name: field.to_owned(), init }])
+        };
+        let part = user("Part", "nCount", BaseType::Num, Shape::array(1));
+        assert!(part.suits(&user("bolt", "nCount", BaseType::Num, Shape::array(5))));
+        assert!(!part.suits(&user("Part", "nOther", BaseType::Num, Shape::array(1))));
+        assert!(!part.suits(&user("Part", "nCount", BaseType::Bool, Shape::array(1))));
+        assert!(!part.suits(&user("Part", "nCount", BaseType::Num, Shape::Collection(Default::default()))));
+        assert!(!part.suits(&Kind::builtin(BaseType::Num, None)));
+        let joint = |arm| Kind::builtin(BaseType::Joint, arm);
+        assert!(joint(None).suits(&joint(Some(Arm::Scara))));
+        assert!(!joint(Some(Arm::SixAxis)).suits(&joint(Some(Arm::Scara))));
     }
 }

@@ -29,7 +29,7 @@ pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Run> {
         (Less, Joint) => |call| two(call, |a, b| all::<6>(a, b, |a, b| a < b)),
         (Greater, Joint) if arm == Some(Arm::Scara) => |call| two(call, |a, b| all::<4>(a, b, |a, b| a > b)),
         (Greater, Joint) => |call| two(call, |a, b| all::<6>(a, b, |a, b| a > b)),
-        (Equal, Joint) => |call| two(call, |a, b| is_same_position(a, b)),
+        (Equal, Joint) => |call| two(call, is_same_position),
         (NotEqual, Joint) => |call| two(call, |a, b| !is_same_position(a, b)),
         (Equal, Frame) => |call| related(call, |FrameRef(a), FrameRef(b)| (a, b), Lanes::nums(6), 1, true),
         (NotEqual, Frame) => |call| related(call, |FrameRef(a), FrameRef(b)| (a, b), Lanes::nums(6), 1, false),
@@ -62,7 +62,7 @@ pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
             let (output, state) = (IoRef::take(call)?, bool::take(call)?);
             call.ports.write_digital(output.port, state).settle(call)
         }),
-        _ => None,
+        _ => super::serial::assignment(target, value),
     }
 }
 

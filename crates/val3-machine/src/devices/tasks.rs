@@ -3,15 +3,16 @@
 use std::sync::Arc;
 
 use val3_bytecode::{DataDef, Image};
+use val3_bytecode::{Image, Program};
 use val3_lang::fault::Fault;
-use val3_lang::memory::{Memory, StoreId};
 use val3_lang::ports::{Origin, Ports, TaskChange, TaskNumber};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
-use val3_vm::{Host, Loaded};
+use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
 
 use super::Devices;
 use crate::event::What;
+use crate::files::FileFault;
 
 impl Ports for Devices {
     fn origin(&mut self, origin: Origin) {
@@ -39,12 +40,14 @@ impl Ports for Devices {
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.names.remove(&task);
             self.cancel_reading(task);
+            self.lines.sending.remove(&task);
         }
     }
 
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32> {
         match base {
             BaseType::Dio | BaseType::Aio => Some(self.io.adopt(path, base == BaseType::Dio).number()),
+            BaseType::Sio => Some(self.lines.number(path)),
             _ => None,
         }
     }
@@ -53,20 +56,33 @@ impl Ports for Devices {
 impl Host for Devices {
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
         self.hold(instance, image, data);
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>) {
+        let at = usize::from(instance);
+        if self.images.len() <= at {
+            self.images.resize(at + 1, Arc::clone(image));
+        }
+        if let Some(slot) = self.images.get_mut(at) {
+            *slot = Arc::clone(image);
+        }
+        self.sources.remove(&instance);
+        if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
+            self.sources.insert(instance, files);
+        }
     }
 
     fn load(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, u16> {
-        self.load_library(from, path, password)
+        self.find_library(from, path, password).map_err(FileFault::code)
     }
 
-    fn save(
-        &mut self,
-        image: &Image,
-        memory: &Memory,
-        data: &[(&DataDef, StoreId)],
-        from: &str,
-        to: Option<&str>,
-    ) -> u16 {
-        self.save_library(image, memory, data, from, to)
+    fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
+        self.save_library(space, (from, saved), to).err().map_or(0, FileFault::code)
+    }
+
+    fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16) {
+        let op = match done {
+            LibraryOp::Load => "load",
+            LibraryOp::Save => "save",
+        };
+        self.record(What::Lib { op, alias: alias.to_owned(), path: path.to_owned(), code });
     }
 }

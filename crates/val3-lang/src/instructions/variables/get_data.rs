@@ -1,7 +1,9 @@
-use crate::call::{Any, AnyVar, Call};
+use std::sync::Arc;
+
+use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::Result;
-use crate::memory::{Kind, Shape, View};
+use crate::memory::{Kind, Shape, Store, View};
 use crate::values::Text;
 
 instruction! {
@@ -34,23 +36,21 @@ const NO_INDEX: f64 = -3.0;
 const OTHER_TYPE: f64 = -4.0;
 
 /// Both sides count from their index on, and data of a grid or a collection are of another type than any variable.
-fn get_data(call: &mut Call<'_>, name: Text, variable: AnyVar) -> Result<f64> {
+fn get_data(call: &mut Call<'_>, name: Text, variable: View) -> Result<f64> {
     let source = match find(call, &name) {
         Ok(source) => source,
         Err(code) => return Ok(code),
     };
-    let kind = call.memory.store(source.store)?.kind.clone();
-    if !suits(call, &kind, variable)? {
+    let (from, to) = (call.memory.store(source.store)?, call.memory.store(variable.store)?);
+    if !is_row(to) || !from.kind.suits(&to.kind) {
         return Ok(OTHER_TYPE);
     }
-    match variable {
-        AnyVar::Element(Any { place, .. }) => {
-            let from = call.memory.element(source, 0)?;
-            call.memory.copy(&kind, from, place)?;
-            Ok(1.0)
-        }
-        AnyVar::Array(target) => copy(call, &kind, source, target),
-    }
+    let kind = Arc::clone(&from.kind);
+    copy(call, &kind, source, variable)
+}
+
+fn is_row(store: &Store) -> bool {
+    matches!(store.shape, Shape::Array { dims: 1, .. })
 }
 
 /// The data that a name means, from its index on. A name that cannot be one means none.
@@ -64,19 +64,11 @@ fn find(call: &Call<'_>, name: &str) -> std::result::Result<View, f64> {
     };
     let view = call.tasks.data(name).map_err(f64::from)?;
     let store = call.memory.store(view.store).map_err(|_| NO_DATA)?;
-    if !matches!(store.shape, Shape::Array { dims: 1, .. }) {
+    if !is_row(store) {
         return Err(OTHER_TYPE);
     }
     let start = store.number1(view, index).map_err(|_| NO_INDEX)?;
     Ok(View { start, ..view })
-}
-
-fn suits(call: &Call<'_>, kind: &Kind, variable: AnyVar) -> Result<bool> {
-    match variable {
-        AnyVar::Element(Any { base: Some(base), .. }) => Ok(kind.base_type() == Some(base)),
-        AnyVar::Element(Any { place, base: None }) => Ok(kind.suits(&call.memory.store(place.store)?.kind)),
-        AnyVar::Array(view) => Ok(kind.suits(&call.memory.store(view.store)?.kind)),
-    }
 }
 
 /// As many values as both hold. Where an array is moved up within itself, the last value goes first.
@@ -151,6 +143,7 @@ mod tests {
         check(r#"getData("part:sName",l_nOne)"#, "-4", "l_nOne", "0");
         check(r#"getData("part:nGrid",l_nOne)"#, "-4", "l_nOne", "0");
         check(r#"getData("part:nColl",l_nOne)"#, "-4", "l_nOne", "0");
+        check(r#"getData("part:nTrack",nGrid)"#, "-4", "nGrid", "0, 0, 0, 0");
     }
 
     #[test]
