@@ -24,7 +24,8 @@ fn power_comes_on_and_is_waited_for() {
     expect![[r#"
         {"t":1.004,"kind":"power","on":true}
         {"t":1.108,"kind":"power","on":false}
-    "#]].assert_eq(&running.record());
+    "#]]
+    .assert_eq(&running.record());
 }
 
 #[test]
@@ -104,7 +105,8 @@ fn versions_and_licences_are_told() {
         []
         enabled
         []
-    "#]].assert_eq(&run(|_| {}, body));
+    "#]]
+    .assert_eq(&run(|_| {}, body));
     let licence = "  ? \"[\"+getVersion(\"alter\")+\"]\"\n  ? getLicence(\"vision\",\"secret\")\n  ? \"[\"+getLicence(\"vision\",\"x\")+\"]\"";
     let demo = |devices: &mut Devices| {
         devices.versions.set_licence("alter", Some(Licence::Demo));

@@ -65,13 +65,16 @@ fn signals_are_read_and_written_as_a_binary_number() {
             5
         "#]],
     );
-    check("  ? dioSet(doBits,10)\n  ? dioSet(doBits,26)\n  ? dioSet(doBits,3.9)\n  ? dioSet(doBits[2],3)\n  ? dioGet(doBits)", expect![[r#"
+    check(
+        "  ? dioSet(doBits,10)\n  ? dioSet(doBits,26)\n  ? dioSet(doBits,3.9)\n  ? dioSet(doBits[2],3)\n  ? dioGet(doBits)",
+        expect![[r#"
         10
         10
         3
         3
         15
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -80,18 +83,22 @@ fn outputs_stand_in_the_record_when_the_cycle_ends() {
         {"t":0.004,"kind":"io","link":"Io\\%Q1","value":1.0}
         {"t":0.004,"kind":"io","link":"Io\\%Q3","value":1.0}
         {"t":0.004,"kind":"io","link":"Io\\float","value":-12.3}
-    "#]].assert_eq(&run(|_| {}, "  dioSet(doBits,10)\n  aioSet(aiFloat,-12.3)").record());
+    "#]]
+    .assert_eq(&run(|_| {}, "  dioSet(doBits,10)\n  aioSet(aiFloat,-12.3)").record());
 }
 
 #[test]
 fn an_analog_output_tells_the_value_that_it_has() {
-    check("  ? aioSet(aiFloat,-12.3)\n  ? aioGet(aiFloat)\n  ? aioSet(aiByte,12.3)\n  ? aioSet(aiByte,300)\n  ? aioGet(aiByte)", expect![[r#"
+    check(
+        "  ? aioSet(aiFloat,-12.3)\n  ? aioGet(aiFloat)\n  ? aioSet(aiByte,12.3)\n  ? aioSet(aiByte,300)\n  ? aioGet(aiByte)",
+        expect![[r#"
         -12.3
         -12.3
         12
         255
         255
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -112,10 +119,13 @@ fn every_misuse_has_its_error() {
 
 #[test]
 fn a_variable_takes_the_link_of_another() {
-    check("  dioLink(diNone,doBits[2])\n  diNone=true\n  ? dioGet(doBits)\n  aioLink(aiNone,aiByte)\n  ? aioSet(aiNone,1.6)", expect![[r#"
+    check(
+        "  dioLink(diNone,doBits[2])\n  diNone=true\n  ? dioGet(doBits)\n  aioLink(aiNone,aiByte)\n  ? aioSet(aiNone,1.6)",
+        expect![[r#"
         4
         2
-    "#]]);
+    "#]],
+    );
     check(
         r#"
           if (ioStatus(diMissing)>=0)
@@ -136,13 +146,16 @@ fn a_variable_takes_the_link_of_another() {
 
 #[test]
 fn the_status_tells_whether_a_signal_works() {
-    check("  ? ioStatus(diInput)\n  ? ioStatus(diNone)\n  ? ioStatus(diMissing)\n  ? ioStatus(aiNone)\n  ? ioStatus(aiFloat)", expect![[r#"
+    check(
+        "  ? ioStatus(diInput)\n  ? ioStatus(diNone)\n  ? ioStatus(diMissing)\n  ? ioStatus(aiNone)\n  ? ioStatus(aiFloat)",
+        expect![[r#"
         0
         -1
         -2
         -1
         0
-    "#]]);
+    "#]],
+    );
     let id = |devices: &Devices| devices.known_signal("Io\\float").unwrap();
     let status = |prepare: &dyn Fn(&mut Devices)| run(prepare, "  ? ioStatus(aiFloat)").printed();
     assert_eq!(status(&|devices| devices.io.lock(id(devices), None)), "1\n");
@@ -190,11 +203,13 @@ fn failed_devices_are_counted_and_described() {
         2
         5:Io
         12:J207\Box1
-    "#]].assert_eq(&run(fail, body).printed());
+    "#]]
+    .assert_eq(&run(fail, body).printed());
     let local = "program start()\n  string l_sFaults[1]\nbegin\n  ? ioBusStatus(l_sFaults)\n  ? size(l_sFaults)\n  ? l_sFaults[0]\nend";
     expect![[r#"
         2
         1
         5:Io
-    "#]].assert_eq(&run(fail, local).printed());
+    "#]]
+    .assert_eq(&run(fail, local).printed());
 }

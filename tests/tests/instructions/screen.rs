@@ -111,7 +111,9 @@ fn screens_are_written_apart_and_shown_one_at_a_time() {
           userPage(scMain)
         end
         "#;
-    check_record(listing, expect![[r#"
+    check_record(
+        listing,
+        expect![[r#"
         {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"default"}
         {"t":4e-6,"task":"~main","kind":"put","screen":"scMain","x":0,"y":0,"text":"main"}
         {"t":6e-6,"task":"~main","kind":"put","screen":"scMain","x":0,"y":1,"text":"1.5"}
@@ -120,11 +122,18 @@ fn screens_are_written_apart_and_shown_one_at_a_time() {
         {"t":0.000016,"task":"~main","kind":"put","screen":"scBy[\"maintenance\"]","x":0,"y":0,"text":"oil"}
         {"t":0.000018,"task":"~main","kind":"put","screen":"screen4","x":0,"y":0,"text":"local"}
         {"t":0.00002,"task":"~main","kind":"cls","screen":"scPages[0]"}
-    "#]]);
-    check_page(listing, expect![[r#"
+    "#]],
+    );
+    check_page(
+        listing,
+        expect![[r#"
         main
-        1.5"#]]);
-    check_page("screen scMain\n  put(\"default\")\n  put(scMain,\"main\")\n  userPage(scMain)\n  userPage(true)", expect!["default"]);
+        1.5"#]],
+    );
+    check_page(
+        "screen scMain\n  put(\"default\")\n  put(scMain,\"main\")\n  userPage(scMain)\n  userPage(true)",
+        expect!["default"],
+    );
 }
 
 #[test]
@@ -135,7 +144,8 @@ fn text_modes_other_than_the_four_are_an_error() {
 
 #[test]
 fn wide_characters_take_two_columns() {
-    let running = Running::start("  ? getDisplayLen(\"bolt\")\n  ? getDisplayLen(\"中文\")\n  ? getDisplayLen(\"\")").to_the_end();
+    let running = Running::start("  ? getDisplayLen(\"bolt\")\n  ? getDisplayLen(\"中文\")\n  ? getDisplayLen(\"\")")
+        .to_the_end();
     assert_eq!(running.printed(), "4\n4\n0\n");
 }
 
@@ -165,7 +175,9 @@ fn get_gives_the_key_and_what_was_entered() {
 
 #[test]
 fn esc_leaves_the_variable() {
-    check_typed(&[51, 255, 98, 255, 255], r#"
+    check_typed(
+        &[51, 255, 98, 255, 255],
+        r#"
         num nValue = 12
         string sText = "a"
           ? get(nValue)
@@ -173,27 +185,33 @@ fn esc_leaves_the_variable() {
           ? get(sText)
           ? sText
           ? get()
-        "#, expect![[r#"
+        "#,
+        expect![[r#"
             255
             12
             255
             a
             255
-        "#]]);
+        "#]],
+    );
 }
 
 #[test]
 fn the_example_of_get_waits_for_return() {
-    check_typed(&[53, 271, 54, 270], r#"
+    check_typed(
+        &[53, 271, 54, 270],
+        r#"
         num nKey
         num nValue
           do
             nKey=get(nValue)
           until (nKey==270)
           ? nValue
-        "#, expect![[r#"
+        "#,
+        expect![[r#"
             56
-        "#]]);
+        "#]],
+    );
 }
 
 #[test]
@@ -209,13 +227,16 @@ fn get_shows_what_is_edited_and_the_cursor_stays() {
         {"t":0.012,"kind":"put","screen":"","x":7,"y":0,"text":"7 "}
         {"t":0.016,"kind":"put","screen":"","x":7,"y":0,"text":"7 "}
         {"t":0.016002,"task":"~main","kind":"put","screen":"","x":7,"y":0,"text":"!"}
-    "#]].assert_eq(&running.record());
+    "#]]
+    .assert_eq(&running.record());
     expect!["speed: !"].assert_eq(&running.page());
 }
 
 #[test]
 fn only_the_page_that_is_shown_gets_keys() {
-    check_typed(&[97, 98], r#"
+    check_typed(
+        &[97, 98],
+        r#"
         screen scOther
         program other()
         begin
@@ -228,15 +249,19 @@ fn only_the_page_that_is_shown_gets_keys() {
           ? "default "+chr(get())
           userPage(scOther)
         end
-        "#, expect![[r#"
+        "#,
+        expect![[r#"
             default a
             other b
-        "#]]);
+        "#]],
+    );
 }
 
 #[test]
 fn a_task_that_is_killed_no_longer_waits_for_a_key() {
-    check_typed(&[97], r#"
+    check_typed(
+        &[97],
+        r#"
         program reads()
         begin
           ? get()
@@ -248,9 +273,11 @@ fn a_task_that_is_killed_no_longer_waits_for_a_key() {
           taskKill("reads")
           ? get()
         end
-        "#, expect![[r#"
+        "#,
+        expect![[r#"
             97
-        "#]]);
+        "#]],
+    );
 }
 
 #[test]
@@ -263,7 +290,9 @@ fn get_key_gives_the_last_key_once() {
 
 #[test]
 fn the_example_of_get_key_ends_with_a_key() {
-    check_typed(&[270], r#"
+    check_typed(
+        &[270],
+        r#"
           getKey()
           while (getKey()==-1)
             gotoxy(0,0)
@@ -271,14 +300,17 @@ fn the_example_of_get_key_ends_with_a_key() {
             delay(0)
           endWhile
           ? "key"
-        "#, expect![[r#"
+        "#,
+        expect![[r#"
             key
-        "#]]);
+        "#]],
+    );
 }
 
 #[test]
 fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
-    let mut running = Running::start(r#"
+    let mut running = Running::start(
+        r#"
         screen scOther
           ? isKeyPressed(97)
           ? isKeyPressed(scOther,97)
@@ -287,7 +319,8 @@ fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
           delay(1)
           ? isKeyPressed(97)
           ? isKeyPressed(281)
-        "#);
+        "#,
+    );
     running.controller.devices.pendant.tap(97, 0);
     running.controller.devices.pendant.press(281);
     expect![[r#"
@@ -297,25 +330,33 @@ fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
         false
         false
         true
-    "#]].assert_eq(&running.to_the_end().printed());
+    "#]]
+    .assert_eq(&running.to_the_end().printed());
 }
 
 #[test]
 fn messages_are_shown_and_logged() {
-    check_record("  popUpMsg(\"Close the guard\")\n  logMsg(\"gripper lost a part\")", expect![[r#"
+    check_record(
+        "  popUpMsg(\"Close the guard\")\n  logMsg(\"gripper lost a part\")",
+        expect![[r#"
         {"t":2e-6,"task":"~main","kind":"popup","text":"Close the guard"}
         {"t":4e-6,"task":"~main","kind":"log","level":"info","text":"USR gripper lost a part"}
-    "#]]);
-    check_record("version s8.10\n  popUpMsg(\"Jam\",3)\n  logMsg(\"slow\",2)\n  userPageAlert(\"Tray\")", expect![[r#"
+    "#]],
+    );
+    check_record(
+        "version s8.10\n  popUpMsg(\"Jam\",3)\n  logMsg(\"slow\",2)\n  userPageAlert(\"Tray\")",
+        expect![[r#"
         {"t":2e-6,"task":"~main","kind":"popup","text":"Jam"}
         {"t":4e-6,"task":"~main","kind":"log","level":"warning","text":"USR slow"}
         {"t":6e-6,"task":"~main","kind":"popup","text":"Tray"}
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn too_many_messages_are_lost_until_there_is_time() {
-    let running = Running::start(r#"
+    let running = Running::start(
+        r#"
         bool bLogged = true
         num nLogged
         string sLong = "12345678901234567890123456789012345678901234567890123456789012345678901234567890"
@@ -328,25 +369,30 @@ fn too_many_messages_are_lost_until_there_is_time() {
             delay(0)
           endWhile
           ? "logged"
-        "#);
+        "#,
+    );
     expect![[r#"
         74
         logged
-    "#]].assert_eq(&running.to_the_end().printed());
+    "#]]
+    .assert_eq(&running.to_the_end().printed());
 }
 
 #[test]
 fn profiles_change_with_every_result() {
     use val3_machine::controller_state::{Profile, Profiles};
-    let profile = |name: &str, password: &str| Profile { name: name.into(), password: password.into(), controls_speed: false };
-    let mut running = Running::start(r#"
+    let profile =
+        |name: &str, password: &str| Profile { name: name.into(), password: password.into(), controls_speed: false };
+    let mut running = Running::start(
+        r#"
           ? getProfile()
           ? setProfile("nobody","")
           ? setProfile("setter","4321")
           ? setProfile("staubli","x")
           ? setProfile("setter","1234")
           ? getProfile()
-        "#);
+        "#,
+    );
     let known = vec![profile("default", ""), profile("setter", "1234")];
     running.controller.devices.profiles = Profiles::new(known, profile("default", ""));
     expect![[r#"
@@ -356,7 +402,8 @@ fn profiles_change_with_every_result() {
         3
         0
         setter
-    "#]].assert_eq(&running.to_the_end().printed());
+    "#]]
+    .assert_eq(&running.to_the_end().printed());
     let mut running = Running::start("  ? setProfile(\"default\",\"\")\n  ? getProfile()");
     running.controller.devices.profiles = Profiles::new(vec![profile("default", "")], profile("staubli", "x"));
     assert_eq!(running.to_the_end().printed(), "4\nstaubli\n");
@@ -364,13 +411,15 @@ fn profiles_change_with_every_result() {
 
 #[test]
 fn languages_are_those_that_are_installed() {
-    let running = Running::start(r#"
+    let running = Running::start(
+        r#"
           ? getLanguage()
           ? setLanguage("chinese")
           ? getLanguage()
           ? setLanguage("klingon")
           ? getLanguage()
-        "#);
+        "#,
+    );
     assert_eq!(running.to_the_end().printed(), "english\ntrue\nchinese\nfalse\nchinese\n");
 }
 
@@ -402,7 +451,9 @@ fn the_date_is_that_of_the_clock() {
 
 #[test]
 fn questions_are_answered_by_the_operator() {
-    check_typed(&[270, 255, 98, 270, 99, 255], r#"
+    check_typed(
+        &[270, 255, 98, 270, 99, 255],
+        r#"
         version s8.10
         string sOrder = "a"
           ? userPageConfirm("Empty the gripper?")
@@ -411,19 +462,22 @@ fn questions_are_answered_by_the_operator() {
           ? sOrder
           ? userPagePrompt("Order",sOrder)
           ? sOrder
-        "#, expect![[r#"
+        "#,
+        expect![[r#"
             true
             false
             true
             ab
             false
             ab
-        "#]]);
+        "#]],
+    );
 }
 
 #[test]
 fn pages_of_html_are_set_and_shown() {
-    let mut running = Running::start(r#"
+    let mut running = Running::start(
+        r#"
         version s8.10
         num nDone = 3
           ? userPage("main")
@@ -431,7 +485,8 @@ fn pages_of_html_are_set_and_shown() {
           userPageSet("main","lblDone","innerHTML",nDone)
           userPageSet("main","lblDone","style.color","red")
           userPageSet("main","lblDone","hidden",nDone>2)
-        "#);
+        "#,
+    );
     running.controller.devices.pendant.add_html_page("main");
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");
@@ -439,7 +494,8 @@ fn pages_of_html_are_set_and_shown() {
         {"t":6e-6,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"innerHTML","value":"3"}
         {"t":8e-6,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"style.color","value":"red"}
         {"t":0.00001,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"hidden","value":"true"}
-    "#]].assert_eq(&running.record());
+    "#]]
+    .assert_eq(&running.record());
 }
 
 #[test]

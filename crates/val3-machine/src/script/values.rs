@@ -28,7 +28,12 @@ impl Seconds {
     }
 
     pub(super) fn time(self) -> Time {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "checked")]
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "checked"
+        )]
         let time = (self.0 * SECOND as f64).round() as Time;
         time
     }
