@@ -311,11 +311,9 @@ impl Machine<'_> {
 
                 Op::WaitUntil { condition, retry } => {
                     if get!(condition) == 0.0 {
-                        thread.since = Some(thread.since.unwrap_or(self.now()));
                         thread.wait = Some(Wait::default());
                         leave!(retry, Leave::Turn(Stop::Waits));
                     }
-                    thread.since = None;
                 }
                 Op::Watch { to, condition, seconds, retry } => {
                     let (holds, seconds) = (get!(condition) != 0.0, get!(seconds));
@@ -431,20 +429,20 @@ impl Machine<'_> {
         at.is_some_and(|task| task.state != TaskState::Running)
     }
 
-    /// `watch`: its answer, or that the task waits (5.10).
+    /// `watch`: its answer, or that the task waits (5.10). Instructions in its condition have waits of their own.
     fn watch(&mut self, thread: &mut Thread, holds: bool, seconds: f64) -> Option<bool> {
         let now = self.now();
-        let wake = thread.since.map(|since| since.saturating_add(nanoseconds(seconds)));
+        let wake = thread.watched.map(|since| since.saturating_add(nanoseconds(seconds)));
         let answer = match wake {
             _ if holds => Some(true),
             Some(wake) if now >= wake => Some(false),
             _ => None,
         };
         if answer.is_some() {
-            thread.since = None;
+            thread.watched = None;
         } else {
-            let since = thread.since.unwrap_or(now);
-            thread.since = Some(since);
+            let since = thread.watched.unwrap_or(now);
+            thread.watched = Some(since);
             let wake = Some(since.saturating_add(nanoseconds(seconds)));
             thread.wait = Some(Wait { wake, sleeps: false });
         }

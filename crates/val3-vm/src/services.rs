@@ -55,7 +55,7 @@ impl Tasks for Services<'_> {
         // A task that was halted within a line goes on there; every other one begins a line.
         if skip != 0.0 || task.state != TaskState::Halted {
             (task.thread.next, task.thread.line) = (op, op);
-            (task.thread.since, task.thread.wait) = (None, None);
+            (task.thread.since, task.thread.watched, task.thread.wait) = (None, None, None);
         }
         task.state = TaskState::Running;
         self.changes.push((task.id, task.name.clone(), TaskChange::Resumed));

@@ -41,6 +41,8 @@ pub struct Thread {
     pub line: u32,
     /// When it reached the instruction that it waits in.
     pub since: Option<Time>,
+    /// When it reached the `watch` that it waits in.
+    pub watched: Option<Time>,
     /// It waits: when time alone lets it go on, if time does.
     pub wait: Option<Wait>,
 }

@@ -103,7 +103,7 @@ impl Vm {
             Stop::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
                 thread.next = thread.line;
-                (thread.since, thread.wait) = (None, None);
+                (thread.since, thread.watched, thread.wait) = (None, None, None);
                 host.task(id, &task.name, TaskChange::Failed(fault));
             }
             Stop::Ended => {

@@ -21,7 +21,11 @@ fn power_comes_on_and_is_waited_for() {
     let example = "  enablePower()\n  ? isPowered()\n  ? watch(isPowered(),5)\n  disablePower()\n  ? isPowered()\n  disablePower()";
     let running = Running::start(example).to_the_end();
     assert_eq!(running.printed(), "false\ntrue\nfalse\n");
-    expect![[r#""#]].assert_eq(&running.record());
+    expect![[r#"
+        {"t":1.004,"kind":"power","on":true}
+        {"t":1.108,"kind":"power","on":false}
+    "#]]
+    .assert_eq(&running.record());
 }
 
 #[test]
@@ -30,7 +34,10 @@ fn power_stays_off_in_other_modes_and_the_log_says_why() {
     mode(3)(&mut running.controller.devices);
     let running = running.to_the_end();
     assert_eq!(running.printed(), "false\n");
-    expect![[r#""#]].assert_eq(&running.record());
+    expect![[r#"
+        {"t":0.0,"kind":"mode","mode":3}
+        {"t":2e-6,"task":"~main","kind":"log","level":"warning","text":"arm power not switched on: the robot is not in remote mode"}
+    "#]].assert_eq(&running.record());
 }
 
 #[test]
@@ -88,7 +95,18 @@ fn versions_and_licences_are_told() {
           ? getVersion("compliance")
           ? "["+getVersion("nothing")+"]"
         "#;
-    expect![[r#""#]].assert_eq(&run(|_| {}, body));
+    expect![[r#"
+        s7.11.0 - Jan 01 2024 - 00:00:00
+        tx90-S1
+        R1
+        floor
+        F24_000001_C_01
+        F24_000001_A_01
+        []
+        enabled
+        []
+    "#]]
+    .assert_eq(&run(|_| {}, body));
     let licence = "  ? \"[\"+getVersion(\"alter\")+\"]\"\n  ? getLicence(\"vision\",\"secret\")\n  ? \"[\"+getLicence(\"vision\",\"x\")+\"]\"";
     let demo = |devices: &mut Devices| {
         devices.versions.set_licence("alter", Some(Licence::Demo));

@@ -60,24 +60,44 @@ fn check(body: &str, expected: Expect) {
 fn signals_are_read_and_written_as_a_binary_number() {
     check(
         "  doBits[0]=false\n  doBits[1]=true\n  doBits[2]=false\n  doBits[3]=true\n  ? dioGet(doBits)\n  ? dioGet(doBits[1])",
-        expect![[r#""#]],
+        expect![[r#"
+            10
+            5
+        "#]],
     );
     check(
         "  ? dioSet(doBits,10)\n  ? dioSet(doBits,26)\n  ? dioSet(doBits,3.9)\n  ? dioSet(doBits[2],3)\n  ? dioGet(doBits)",
-        expect![[r#""#]],
+        expect![[r#"
+        10
+        10
+        3
+        3
+        15
+    "#]],
     );
 }
 
 #[test]
 fn outputs_stand_in_the_record_when_the_cycle_ends() {
-    expect![[r#""#]].assert_eq(&run(|_| {}, "  dioSet(doBits,10)\n  aioSet(aiFloat,-12.3)").record());
+    expect![[r#"
+        {"t":0.004,"kind":"io","link":"Io\\%Q1","value":1.0}
+        {"t":0.004,"kind":"io","link":"Io\\%Q3","value":1.0}
+        {"t":0.004,"kind":"io","link":"Io\\float","value":-12.3}
+    "#]]
+    .assert_eq(&run(|_| {}, "  dioSet(doBits,10)\n  aioSet(aiFloat,-12.3)").record());
 }
 
 #[test]
 fn an_analog_output_tells_the_value_that_it_has() {
     check(
         "  ? aioSet(aiFloat,-12.3)\n  ? aioGet(aiFloat)\n  ? aioSet(aiByte,12.3)\n  ? aioSet(aiByte,300)\n  ? aioGet(aiByte)",
-        expect![[r#""#]],
+        expect![[r#"
+        -12.3
+        -12.3
+        12
+        255
+        255
+    "#]],
     );
 }
 
@@ -101,7 +121,10 @@ fn every_misuse_has_its_error() {
 fn a_variable_takes_the_link_of_another() {
     check(
         "  dioLink(diNone,doBits[2])\n  diNone=true\n  ? dioGet(doBits)\n  aioLink(aiNone,aiByte)\n  ? aioSet(aiNone,1.6)",
-        expect![[r#""#]],
+        expect![[r#"
+        4
+        2
+    "#]],
     );
     check(
         r#"
@@ -115,7 +138,9 @@ fn a_variable_takes_the_link_of_another() {
           ioStatus(diNone,sText,sPath)
           ? sPath
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            Io\%I0
+        "#]],
     );
 }
 
@@ -123,7 +148,13 @@ fn a_variable_takes_the_link_of_another() {
 fn the_status_tells_whether_a_signal_works() {
     check(
         "  ? ioStatus(diInput)\n  ? ioStatus(diNone)\n  ? ioStatus(diMissing)\n  ? ioStatus(aiNone)\n  ? ioStatus(aiFloat)",
-        expect![[r#""#]],
+        expect![[r#"
+        0
+        -1
+        -2
+        -1
+        0
+    "#]],
     );
     let id = |devices: &Devices| devices.known_signal("Io\\float").unwrap();
     let status = |prepare: &dyn Fn(&mut Devices)| run(prepare, "  ? ioStatus(aiFloat)").printed();
@@ -137,7 +168,14 @@ fn the_status_tells_whether_a_signal_works() {
 fn the_status_comes_with_description_and_path() {
     check(
         "  ? ioStatus(aiFloat,sText,sPath)\n  ? sText\n  ? sPath\n  ? ioStatus(diMissing,sText,sPath)\n  ? sText\n  ? sPath",
-        expect![[r#""#]],
+        expect![[r#"
+            0
+            the Io\float
+            Io\float
+            -2
+
+            Io\%I99
+        "#]],
     );
 }
 
@@ -160,7 +198,18 @@ fn failed_devices_are_counted_and_described() {
         devices.io.set_device_fault("Io", Some(5));
     };
     let body = "  ? ioBusStatus(sFaults)\n  ? size(sFaults)\n  ? sFaults[0]\n  ? sFaults[1]";
-    expect![[r#""#]].assert_eq(&run(fail, body).printed());
+    expect![[r#"
+        2
+        2
+        5:Io
+        12:J207\Box1
+    "#]]
+    .assert_eq(&run(fail, body).printed());
     let local = "program start()\n  string l_sFaults[1]\nbegin\n  ? ioBusStatus(l_sFaults)\n  ? size(l_sFaults)\n  ? l_sFaults[0]\nend";
-    expect![[r#""#]].assert_eq(&run(fail, local).printed());
+    expect![[r#"
+        2
+        1
+        5:Io
+    "#]]
+    .assert_eq(&run(fail, local).printed());
 }

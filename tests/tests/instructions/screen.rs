@@ -32,7 +32,11 @@ fn put_goes_on_behind_what_it_has_written() {
           gotoxy(43,17)
           put("x")
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            parts: 12
+            -1.235
+
+               x"#]],
     );
 }
 
@@ -46,7 +50,21 @@ fn a_full_page_moves_up() {
           endFor
           put("1234567890123456789012345678901234567890a")
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            4
+            5
+            6
+            7
+            8
+            9
+            10
+            11
+            12
+            13
+            14
+            15
+            1234567890123456789012345678901234567890
+            a"#]],
     );
 }
 
@@ -59,7 +77,12 @@ fn cls_empties_the_page_and_titles_stay() {
           cls()
           put("y")
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            {"t":2e-6,"task":"~main","kind":"title","screen":"","text":"Palletiser"}
+            {"t":4e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"x"}
+            {"t":6e-6,"task":"~main","kind":"cls","screen":""}
+            {"t":8e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"y"}
+        "#]],
     );
 }
 
@@ -88,11 +111,28 @@ fn screens_are_written_apart_and_shown_one_at_a_time() {
           userPage(scMain)
         end
         "#;
-    check_record(listing, expect![[r#""#]]);
-    check_page(listing, expect![[r#""#]]);
+    check_record(
+        listing,
+        expect![[r#"
+        {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"default"}
+        {"t":4e-6,"task":"~main","kind":"put","screen":"scMain","x":0,"y":0,"text":"main"}
+        {"t":6e-6,"task":"~main","kind":"put","screen":"scMain","x":0,"y":1,"text":"1.5"}
+        {"t":8e-6,"task":"~main","kind":"title","screen":"scPages[1]","text":"second"}
+        {"t":0.000014,"task":"~main","kind":"put","screen":"scPages[1]","x":3,"y":4,"text":"by reference"}
+        {"t":0.000016,"task":"~main","kind":"put","screen":"scBy[\"maintenance\"]","x":0,"y":0,"text":"oil"}
+        {"t":0.000018,"task":"~main","kind":"put","screen":"screen4","x":0,"y":0,"text":"local"}
+        {"t":0.00002,"task":"~main","kind":"cls","screen":"scPages[0]"}
+    "#]],
+    );
+    check_page(
+        listing,
+        expect![[r#"
+        main
+        1.5"#]],
+    );
     check_page(
         "screen scMain\n  put(\"default\")\n  put(scMain,\"main\")\n  userPage(scMain)\n  userPage(true)",
-        expect![[r#""#]],
+        expect!["default"],
     );
 }
 
@@ -123,7 +163,13 @@ fn get_gives_the_key_and_what_was_entered() {
           ? sText
           ? get()
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            270
+            123
+            271
+            ab
+            97
+        "#]],
     );
 }
 
@@ -140,7 +186,13 @@ fn esc_leaves_the_variable() {
           ? sText
           ? get()
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            255
+            12
+            255
+            a
+            255
+        "#]],
     );
 }
 
@@ -156,7 +208,9 @@ fn the_example_of_get_waits_for_return() {
           until (nKey==270)
           ? nValue
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            56
+        "#]],
     );
 }
 
@@ -165,8 +219,17 @@ fn get_shows_what_is_edited_and_the_cursor_stays() {
     let mut running = Running::start("num nSpeed = 50\n  put(\"speed: \")\n  get(nSpeed)\n  put(\"!\")");
     running.controller.devices.pendant.type_when_asked([263, 263, 55, 270]);
     let running = running.to_the_end();
-    expect![[r#""#]].assert_eq(&running.record());
-    expect![[r#""#]].assert_eq(&running.page());
+    expect![[r#"
+        {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"speed: "}
+        {"t":4e-6,"task":"~main","kind":"put","screen":"","x":7,"y":0,"text":"50"}
+        {"t":0.004,"kind":"put","screen":"","x":7,"y":0,"text":"5 "}
+        {"t":0.008,"kind":"put","screen":"","x":7,"y":0,"text":"  "}
+        {"t":0.012,"kind":"put","screen":"","x":7,"y":0,"text":"7 "}
+        {"t":0.016,"kind":"put","screen":"","x":7,"y":0,"text":"7 "}
+        {"t":0.016002,"task":"~main","kind":"put","screen":"","x":7,"y":0,"text":"!"}
+    "#]]
+    .assert_eq(&running.record());
+    expect!["speed: !"].assert_eq(&running.page());
 }
 
 #[test]
@@ -187,7 +250,10 @@ fn only_the_page_that_is_shown_gets_keys() {
           userPage(scOther)
         end
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            default a
+            other b
+        "#]],
     );
 }
 
@@ -208,7 +274,9 @@ fn a_task_that_is_killed_no_longer_waits_for_a_key() {
           ? get()
         end
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            97
+        "#]],
     );
 }
 
@@ -233,7 +301,9 @@ fn the_example_of_get_key_ends_with_a_key() {
           endWhile
           ? "key"
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            key
+        "#]],
     );
 }
 
@@ -253,15 +323,33 @@ fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
     );
     running.controller.devices.pendant.tap(97, 0);
     running.controller.devices.pendant.press(281);
-    expect![[r#""#]].assert_eq(&running.to_the_end().printed());
+    expect![[r#"
+        true
+        false
+        true
+        false
+        false
+        true
+    "#]]
+    .assert_eq(&running.to_the_end().printed());
 }
 
 #[test]
 fn messages_are_shown_and_logged() {
-    check_record("  popUpMsg(\"Close the guard\")\n  logMsg(\"gripper lost a part\")", expect![[r#""#]]);
+    check_record(
+        "  popUpMsg(\"Close the guard\")\n  logMsg(\"gripper lost a part\")",
+        expect![[r#"
+        {"t":2e-6,"task":"~main","kind":"popup","text":"Close the guard"}
+        {"t":4e-6,"task":"~main","kind":"log","level":"info","text":"USR gripper lost a part"}
+    "#]],
+    );
     check_record(
         "version s8.10\n  popUpMsg(\"Jam\",3)\n  logMsg(\"slow\",2)\n  userPageAlert(\"Tray\")",
-        expect![[r#""#]],
+        expect![[r#"
+        {"t":2e-6,"task":"~main","kind":"popup","text":"Jam"}
+        {"t":4e-6,"task":"~main","kind":"log","level":"warning","text":"USR slow"}
+        {"t":6e-6,"task":"~main","kind":"popup","text":"Tray"}
+    "#]],
     );
 }
 
@@ -283,7 +371,11 @@ fn too_many_messages_are_lost_until_there_is_time() {
           ? "logged"
         "#,
     );
-    expect![[r#""#]].assert_eq(&running.to_the_end().printed());
+    expect![[r#"
+        74
+        logged
+    "#]]
+    .assert_eq(&running.to_the_end().printed());
 }
 
 #[test]
@@ -303,7 +395,15 @@ fn profiles_change_with_every_result() {
     );
     let known = vec![profile("default", ""), profile("setter", "1234")];
     running.controller.devices.profiles = Profiles::new(known, profile("default", ""));
-    expect![[r#""#]].assert_eq(&running.to_the_end().printed());
+    expect![[r#"
+        default
+        1
+        2
+        3
+        0
+        setter
+    "#]]
+    .assert_eq(&running.to_the_end().printed());
     let mut running = Running::start("  ? setProfile(\"default\",\"\")\n  ? getProfile()");
     running.controller.devices.profiles = Profiles::new(vec![profile("default", "")], profile("staubli", "x"));
     assert_eq!(running.to_the_end().printed(), "4\nstaubli\n");
@@ -363,7 +463,14 @@ fn questions_are_answered_by_the_operator() {
           ? userPagePrompt("Order",sOrder)
           ? sOrder
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            true
+            false
+            true
+            ab
+            false
+            ab
+        "#]],
     );
 }
 
@@ -383,5 +490,23 @@ fn pages_of_html_are_set_and_shown() {
     running.controller.devices.pendant.add_html_page("main");
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");
-    expect![[r#""#]].assert_eq(&running.record());
+    expect![[r#"
+        {"t":6e-6,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"innerHTML","value":"3"}
+        {"t":8e-6,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"style.color","value":"red"}
+        {"t":0.00001,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"hidden","value":"true"}
+    "#]]
+    .assert_eq(&running.record());
+}
+
+#[test]
+fn a_condition_may_wait_for_keys_again_and_again() {
+    check_typed(
+        &[97, 98, 270],
+        "num nKeys\n  wait(get()==270)\n  ? \"Return\"\n  ? watch(getKey()==97,2)\n  ? clock()>2",
+        expect![[r#"
+            Return
+            false
+            true
+        "#]],
+    );
 }

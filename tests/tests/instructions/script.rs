@@ -35,7 +35,12 @@ fn variables_are_set_at_their_time() {
           ? sNames[1]
           ? bDone["x"]
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            1
+            2.5
+            bolt
+            true
+        "#]],
     );
 }
 
@@ -49,7 +54,13 @@ fn what_cannot_be_done_stands_in_the_log() {
             lock = "Board\\%I7"
         "#,
         "num nCount\n  delay(1)\n  ? nCount",
-        expect![[r#""#]],
+        expect![[r#"
+            0
+            {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: no input or output is called `Board\\%I7`"}
+            {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: `nCount` is of type num and does not take this value"}
+            {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: there is no variable `nCount[7]`"}
+            {"t":0.0,"kind":"log","level":"error","text":"script, t = 0: there is no variable `nNothing`"}
+        "#]],
     );
 }
 
@@ -82,7 +93,22 @@ fn keys_power_and_modes_come_from_outside() {
           ? workingMode()
           ? esStatus()
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            270
+            12
+            40
+            271
+            2
+            1
+            1
+            {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"0"}
+            {"t":0.5,"kind":"put","screen":"","x":0,"y":0,"text":"01"}
+            {"t":0.5,"kind":"power","on":true}
+            {"t":0.504,"kind":"put","screen":"","x":0,"y":0,"text":"012"}
+            {"t":0.508,"kind":"put","screen":"","x":0,"y":0,"text":"012"}
+            {"t":1.0,"kind":"power","on":false}
+            {"t":2.0,"kind":"mode","mode":1}
+        "#]],
     );
 }
 
@@ -105,7 +131,10 @@ fn a_script_stops_the_application() {
           ? clock()
         end
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            2
+            3
+        "#]],
     );
 }
 
@@ -152,6 +181,23 @@ fn inputs_outputs_and_faults() {
           </Datas>
         </Database>
         "#,
-        expect![[r#""#]],
+        expect![[r#"
+            1 0
+
+            2 1
+
+            3 0
+
+            4 -3
+            -3:Board
+            5 0
+            -3:Board
+            6 -3
+            17:Board
+            {"t":1.0,"kind":"io","link":"Board\\%I0","value":1.0}
+            {"t":1.0,"kind":"io","link":"Board\\%IW2","value":4.0}
+            {"t":2.0,"kind":"io","link":"Board\\%I0","value":0.0}
+            {"t":3.0,"kind":"io","link":"Board\\%I0","value":1.0}
+        "#]],
     );
 }

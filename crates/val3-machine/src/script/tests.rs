@@ -33,14 +33,94 @@ fn entries_happen_in_the_order_of_their_times() {
 
 #[test]
 fn what_is_wrong_is_shown_where_it_stands() {
-    check_error("[[at]]\nt = 1\nky = 270", expect![[r#""#]]);
-    check_error("[[at]]\nkey = 270", expect![[r#""#]]);
-    check_error("[[at]]\nt = -1", expect![[r#""#]]);
-    check_error("[[at]]\nt = 1\nkey = \"Enter\"", expect![[r#""#]]);
-    check_error("[[at]]\nt = 1\nmode = 7", expect![[r#""#]]);
-    check_error("[[at]]\nt = 1\nmonitor_speed = 120", expect![[r#""#]]);
-    check_error("[[at]]\nt = 1\nio = { x = \"on\" }", expect![[r#""#]]);
-    check_error("[[at]]\nt = 1\nlock = 3", expect![[r#""#]]);
-    check_error("[[at]]\nt = 1\nfault = { link = \"x\" }", expect![[r#""#]]);
-    check_error("[[at]]\nt = ", expect![[r#""#]]);
+    check_error(
+        "[[at]]\nt = 1\nky = 270",
+        expect![[r#"
+        TOML parse error at line 3, column 1
+          |
+        3 | ky = 270
+          | ^^
+        unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `fault`, `set`, `power`, `estop`, `mode`, `monitor_speed`, `key`, `keys`, `stop`"#]],
+    );
+    check_error(
+        "[[at]]\nkey = 270",
+        expect![[r#"
+        TOML parse error at line 1, column 1
+          |
+        1 | [[at]]
+          | ^^^^^^
+        missing field `t`"#]],
+    );
+    check_error(
+        "[[at]]\nt = -1",
+        expect![[r#"
+        TOML parse error at line 2, column 5
+          |
+        2 | t = -1
+          |     ^^
+        -1 is no time: write seconds since the start"#]],
+    );
+    check_error(
+        "[[at]]\nt = 1\nkey = \"Enter\"",
+        expect![[r#"
+        TOML parse error at line 3, column 7
+          |
+        3 | key = "Enter"
+          |       ^^^^^^^
+        `Enter` is no key: write a code such as 97 for `a`, or a name such as Return, Esc or F1"#]],
+    );
+    check_error(
+        "[[at]]\nt = 1\nmode = 7",
+        expect![[r#"
+        TOML parse error at line 3, column 8
+          |
+        3 | mode = 7
+          |        ^
+        no such mode: write manual (1), test (2), local (3) or remote (4)"#]],
+    );
+    check_error(
+        "[[at]]\nt = 1\nmonitor_speed = 120",
+        expect![[r#"
+        TOML parse error at line 3, column 17
+          |
+        3 | monitor_speed = 120
+          |                 ^^^
+        the monitor speed is 0 to 100 %, not 120"#]],
+    );
+    check_error(
+        "[[at]]\nt = 1\nio = { x = \"on\" }",
+        expect![[r#"
+        TOML parse error at line 3, column 12
+          |
+        3 | io = { x = "on" }
+          |            ^^^^
+        an input or output is true, false or a number"#]],
+    );
+    check_error(
+        "[[at]]\nt = 1\nlock = 3",
+        expect![[r#"
+        TOML parse error at line 3, column 8
+          |
+        3 | lock = 3
+          |        ^
+        write the path of an input or output, a list of such paths, or a table of paths and values"#]],
+    );
+    check_error(
+        "[[at]]\nt = 1\nfault = { link = \"x\" }",
+        expect![[r#"
+        TOML parse error at line 3, column 9
+          |
+        3 | fault = { link = "x" }
+          |         ^^^^^^^^^^^^^^
+        missing field `code`"#]],
+    );
+    check_error(
+        "[[at]]\nt = ",
+        expect![[r#"
+        TOML parse error at line 2, column 5
+          |
+        2 | t = 
+          |     ^
+        string values must be quoted, expected literal string"#]],
+    );
 }
