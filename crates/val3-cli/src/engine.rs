@@ -25,6 +25,9 @@ use crate::user_error::UserError;
 /// Pieces of work between which trees that are no longer needed are dropped.
 const BATCH: usize = 768;
 
+/// Findings that are translated together: those of a file stand together, and share what is known of it.
+const CHUNK: usize = 32;
+
 /// Everything that was asked for, read and ready to be checked.
 pub(crate) struct Session<'r> {
     request: &'r Request,
@@ -50,7 +53,7 @@ impl<'r> Session<'r> {
     /// Checks everything.
     pub(crate) fn check(&mut self) -> Result<Outcomes, UserError> {
         let Self { request, opened: Opened { threads, current, paths, workspace, settings }, .. } = self;
-        let units = val3_check::units(&workspace.db, &workspace.projects);
+        let units = units(workspace, threads);
         let mut checked = check_units(workspace, &units, settings, threads);
         let named = request.baseline.as_ref().map(|path| current.join(path));
         let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
@@ -62,9 +65,10 @@ impl<'r> Session<'r> {
     pub(crate) fn report(&self, outcomes: Outcomes) -> Report {
         let Opened { threads, paths, workspace, .. } = &self.opened;
         let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
-        let mut translator = Translator::new(&workspace.db, paths);
-        let findings = outcomes.diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+        let translator = Translator::new(workspace.db.clone(), paths);
         let applications = translator.applications(&workspace.projects);
+        let translated = outcomes.diagnostics.par_iter().with_min_len(CHUNK).map_with(translator, Translator::finding);
+        let findings = threads.install(|| translated.collect());
         Report {
             silenced: outcomes.silenced,
             baseline: outcomes.baseline,
@@ -102,6 +106,13 @@ impl<'r> Session<'r> {
 fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
     UserError::new(format!("cannot read the folder `{}`: {reason}", paths.shown(folder)))
         .with_help("what lies in it was not checked")
+}
+
+/// The pieces of work, in the order of the projects.
+fn units(workspace: &Workspace, threads: &ThreadPool) -> Vec<Unit> {
+    let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
+    let found = workspace.projects.par_iter().map_with(workspace.db.clone(), units);
+    threads.install(|| found.flatten_iter().collect())
 }
 
 fn check_units(

@@ -3,6 +3,7 @@
 mod expressions;
 
 use rowan::{NodeOrToken, TextRange};
+use smallvec::SmallVec;
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::view::{TokenView, View};
 
@@ -28,6 +29,9 @@ fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {
         NodeOrToken::Token(token) => token.kind(),
     }
 }
+
+/// A list that becomes a boxed slice of just its length: collected here, it is allocated once.
+type Few<T> = SmallVec<[T; 8]>;
 
 struct Lowering {
     exprs: Vec<(Expr, TextRange)>,
@@ -102,7 +106,7 @@ impl Lowering {
         for clause in view.children() {
             match clause.kind() {
                 CASE_CLAUSE | DEFAULT_CLAUSE => {
-                    let values = self.exprs_of(clause);
+                    let values = self.exprs_of(clause).into_vec();
                     cases.push((values, self.block(clause)));
                 }
                 _ => {
@@ -117,7 +121,7 @@ impl Lowering {
 
     fn task_create(&mut self, view: View<'_>) -> StmtKind {
         let synchronous = view.token(TASK_CREATE_SYNC_KW).is_some();
-        StmtKind::TaskCreate { synchronous, arguments: self.exprs_of(view) }
+        StmtKind::TaskCreate { synchronous, arguments: self.exprs_of(view).into_vec() }
     }
 
     fn assign_stmt(&mut self, view: View<'_>) -> StmtKind {
@@ -129,7 +133,7 @@ impl Lowering {
         }
     }
 
-    fn exprs_of(&mut self, view: View<'_>) -> Vec<ExprId> {
+    fn exprs_of(&mut self, view: View<'_>) -> Few<ExprId> {
         view.children().filter_map(|child| self.expr(child)).collect()
     }
 

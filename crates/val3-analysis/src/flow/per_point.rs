@@ -16,7 +16,12 @@ impl<T> PerPoint<T> {
 
     /// Adds the values of the next point; every point must get its turn, in the order of the graph.
     pub fn push(&mut self, values: impl IntoIterator<Item = T>) {
-        self.all.extend(values);
+        self.push_with(|all| all.extend(values));
+    }
+
+    /// As [`push`](Self::push), with a function that adds the values to the end of the list.
+    pub fn push_with(&mut self, add: impl FnOnce(&mut Vec<T>)) {
+        add(&mut self.all);
         self.ends.push(self.all.len());
     }
 

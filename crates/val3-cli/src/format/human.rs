@@ -18,7 +18,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     for finding in &report.findings {
         write_finding(finding, &config, &mut out)?;
     }
-    Ok(())
+    out.flush()
 }
 
 fn write_finding(finding: &Finding, config: &Config, out: &mut Printable<'_>) -> io::Result<()> {
