@@ -58,6 +58,7 @@ fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {
     let effects = Effects::new(db, project, file);
     let mut accesses = PerPoint::EMPTY;
     effects.flow.points().for_each(|(_, point)| accesses.push_with(|found| walk::point(&effects, point, found)));
+    accesses.shrink_to_fit();
     accesses
 }
 

@@ -7,8 +7,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use salsa::Database as _;
-use val3_analysis::db::{Database, File, Project, Sources};
-use val3_analysis::items;
+use val3_analysis::db::{Database, Db as _, File, Project, Sources};
 use val3_analysis::load::Workspace;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
@@ -22,8 +21,8 @@ use crate::report::{Report, Statistics};
 use crate::translation::Translator;
 use crate::user_error::UserError;
 
-/// Pieces of work between which trees that are no longer needed are dropped.
-const BATCH: usize = 768;
+/// Pieces of work between which the code of programs is freed that nobody will ask for again.
+const BATCH: usize = 1536;
 
 /// Findings that are translated together: those of a file stand together, and share what is known of it.
 const CHUNK: usize = 32;
@@ -115,6 +114,7 @@ fn units(workspace: &Workspace, threads: &ThreadPool) -> Vec<Unit> {
     threads.install(|| found.flatten_iter().collect())
 }
 
+/// Checks the projects side by side, and the pieces of each. The trees of one that is done are of no more use.
 fn check_units(
     workspace: &mut Workspace,
     units: &[Unit],
@@ -127,41 +127,33 @@ fn check_units(
         progress.advance();
         found
     };
-    let mut checked = Vec::with_capacity(units.len());
-    let mut batches = batches(units).into_iter().peekable();
+    let check_project = |db: &mut Database, units: &[Unit]| -> Vec<Checked> {
+        let found = units.par_iter().map_with(db.clone(), check).collect();
+        db.trees().forget(units.iter().map(|unit| unit.file(db)));
+        found
+    };
+    let projects: Vec<&[Unit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
+    let mut checked: Vec<Vec<Checked>> = Vec::with_capacity(projects.len());
+    let mut batches = batches(&projects).peekable();
     while let Some(batch) = batches.next() {
-        let db = workspace.db.clone();
-        checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
+        let found = batch.par_iter().map_with(workspace.db.clone(), |db, units| check_project(db, units));
+        threads.install(|| checked.par_extend(found));
         if batches.peek().is_some() {
-            forget_trees(&mut workspace.db, batch, threads);
+            workspace.db.trigger_lru_eviction();
         }
     }
-    finish(&workspace.db, units, settings, checked.into_iter().sum())
+    finish(&workspace.db, units, settings, checked.into_iter().flatten().sum())
 }
 
-/// Pieces of about [`BATCH`] units. The units of a project stay together, since each asks about all of it.
-fn batches(units: &[Unit]) -> Vec<&[Unit]> {
-    let mut batches = Vec::new();
-    let mut rest = units;
-    while !rest.is_empty() {
-        let last = rest.get(BATCH.min(rest.len()) - 1).map(|unit| unit.project());
-        let len = rest
-            .iter()
-            .skip(BATCH)
-            .position(|unit| Some(unit.project()) != last)
-            .map_or(rest.len(), |more| BATCH + more);
-        let (batch, behind) = rest.split_at(len);
-        batches.push(batch);
-        rest = behind;
-    }
-    batches
-}
-
-/// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
-fn forget_trees(db: &mut Database, batch: &[Unit], threads: &ThreadPool) {
-    let trees: Vec<_> = batch.iter().map(|unit| items::parse(db, unit.file(db)).green().clone()).collect();
-    db.trigger_lru_eviction();
-    threads.spawn(move || drop(trees));
+/// The units of each project, in lots of about [`BATCH`] units.
+fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u [Unit]]> {
+    let mut count = 0;
+    projects.chunk_by(move |project, _| {
+        count += project.len();
+        let fits = count < BATCH;
+        count *= usize::from(fits);
+        fits
+    })
 }
 
 fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> Statistics {

@@ -58,6 +58,18 @@ impl<'a> Lines<'a> {
         Range { start: self.position(range.start()), end: self.position(range.end()) }
     }
 
+    /// The columns that a part of a line takes.
+    pub(crate) fn width(&self, range: TextRange) -> u32 {
+        let text = self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("");
+        let width = match self.encoding {
+            _ if text.is_ascii() => text.len(),
+            Encoding::Utf8 => text.len(),
+            Encoding::Utf16 => text.encode_utf16().count(),
+            Encoding::Utf32 => text.chars().count(),
+        };
+        u32::try_from(width).unwrap_or(u32::MAX)
+    }
+
     /// The offset of a place; behind the end of a line it is that end, and within a character its start.
     pub(crate) fn offset(&self, position: Position) -> TextSize {
         let Some(line) = self.index.line(position.line) else { return self.end() };
@@ -121,7 +133,13 @@ mod tests {
                 assert_eq!(lines.offset(*place), size(at));
             }
         }
+        let starts = TEXT.char_indices().map(|(at, letter)| (lines.position(size(at)), lines.width(range(at, letter))));
+        assert!(starts.take(4).zip(&places[1..]).all(|((start, width), next)| start.character + width == next.character));
         places.iter().take(5).map(|place| place.character).collect()
+    }
+
+    fn range(at: usize, letter: char) -> TextRange {
+        TextRange::at(size(at), TextSize::of(letter))
     }
 
     fn size(at: usize) -> TextSize {

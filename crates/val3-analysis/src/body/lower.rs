@@ -11,7 +11,7 @@ use super::{Body, Expr, ExprId, Stmt, StmtKind};
 use crate::items::program;
 
 /// Bytes of code for each expression, about, in real programs.
-const BYTES_AN_EXPRESSION: usize = 12;
+const BYTES_AN_EXPRESSION: usize = 10;
 
 /// Reads the code of the first program of a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {
@@ -20,6 +20,7 @@ pub(super) fn lower(file: View<'_>) -> Body {
     let exprs = Vec::with_capacity(usize::from(code.range().len()) / BYTES_AN_EXPRESSION);
     let mut lowering = Lowering { exprs, escaped };
     let block = lowering.block(code);
+    lowering.exprs.shrink_to_fit();
     Body { exprs: lowering.exprs, block }
 }
 
@@ -30,7 +31,7 @@ fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {
     }
 }
 
-/// A list that becomes a boxed slice of just its length: collected here, it is allocated once.
+/// A list that is kept in just its length: collected here first, it is allocated once.
 type Few<T> = SmallVec<[T; 8]>;
 
 struct Lowering {
@@ -42,8 +43,9 @@ struct Lowering {
 impl Lowering {
     /// The statements of the `BLOCK` below `parent`.
     fn block(&mut self, parent: View<'_>) -> Vec<Stmt> {
-        let block = parent.child(BLOCK);
-        block.map(|block| block.children().filter_map(|child| self.stmt(child)).collect()).unwrap_or_default()
+        let Some(block) = parent.child(BLOCK) else { return Vec::new() };
+        let stmts: Few<Stmt> = block.children().filter_map(|child| self.stmt(child)).collect();
+        stmts.into_vec()
     }
 
     fn stmt(&mut self, view: View<'_>) -> Option<Stmt> {
