@@ -17,8 +17,8 @@ pub(crate) enum Encoding {
     Utf32,
 }
 
-/// The lines of a file; kept while its text stays the same.
-#[salsa::tracked(lru = 128, no_eq)]
+/// The lines of a file; kept while its text stays the same, since it is small.
+#[salsa::tracked(no_eq)]
 pub(crate) fn line_index(db: &dyn Db, file: File) -> LineIndex {
     LineIndex::new(file.text(db))
 }

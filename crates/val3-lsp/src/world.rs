@@ -47,7 +47,7 @@ pub(crate) struct Job {
 pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
 
 /// Trees that are kept; they are cheap to make again.
-const TREES: usize = 256;
+const TREES: usize = 64;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {

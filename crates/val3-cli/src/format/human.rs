@@ -14,11 +14,7 @@ use crate::report::{Finding, Place, Related, Report, Severity};
 /// Writes every finding with its source lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     let config = Config::default();
-    let mut out = Printable::new(out);
-    for finding in &report.findings {
-        write_finding(finding, &config, &mut out)?;
-    }
-    out.flush()
+    Printable::before(out, |out| report.findings.iter().try_for_each(|finding| write_finding(finding, &config, out)))
 }
 
 fn write_finding(finding: &Finding, config: &Config, out: &mut Printable<'_>) -> io::Result<()> {

@@ -6,19 +6,27 @@ use codespan_reporting::diagnostic::{LabelStyle, Severity};
 use codespan_reporting::term::termcolor::WriteColor;
 use codespan_reporting::term::{GeneralWriteResult, WriteStyle};
 
+/// Bytes that are kept back at most, about.
+const PENDING: usize = 4096;
+
 /// Passes text on with `?` for every control character but tab and line feed; colours pass by their own way.
 pub(crate) struct Printable<'a> {
     out: &'a mut dyn WriteColor,
-    /// What was written since the colour changed: codespan writes character by character.
+    /// What was written last, in one colour: codespan writes character by character.
     pending: Vec<u8>,
     /// The word of a level is being written.
     in_level: bool,
 }
 
 impl<'a> Printable<'a> {
-    /// A writer before `out`.
-    pub(crate) fn new(out: &'a mut dyn WriteColor) -> Self {
-        Self { out, pending: Vec::new(), in_level: false }
+    /// Runs `write` with a writer before `out`.
+    pub(crate) fn before(
+        out: &'a mut dyn WriteColor,
+        write: impl FnOnce(&mut Self) -> io::Result<()>,
+    ) -> io::Result<()> {
+        let mut printable = Self { out, pending: Vec::with_capacity(2 * PENDING), in_level: false };
+        write(&mut printable)?;
+        printable.hand_on().map(drop)
     }
 
     /// The writer behind, which has everything now.
@@ -35,6 +43,9 @@ impl Write for Printable<'_> {
         let is_note = std::mem::take(&mut self.in_level) && bytes == b"note";
         let text: &[u8] = if is_note { b"info" } else { bytes };
         self.pending.extend(text.iter().map(|byte| if is_control(*byte) { b'?' } else { *byte }));
+        if self.pending.len() > PENDING {
+            self.hand_on()?;
+        }
         Ok(bytes.len())
     }
 
@@ -87,9 +98,7 @@ mod tests {
     #[test]
     fn control_characters_do_not_reach_the_terminal() {
         let mut out = NoColor::new(Vec::new());
-        let mut printable = Printable::new(&mut out);
-        printable.write_all("\u{1b}[2Jé\t\r\n".as_bytes()).unwrap();
-        printable.flush().unwrap();
+        Printable::before(&mut out, |out| out.write_all("\u{1b}[2Jé\t\r\n".as_bytes())).unwrap();
         assert_eq!(String::from_utf8(out.into_inner()).unwrap(), "?[2Jé\t?\n");
     }
 }
