@@ -134,7 +134,9 @@ mod tests {
             }
         }
         let starts = TEXT.char_indices().map(|(at, letter)| (lines.position(size(at)), lines.width(range(at, letter))));
-        assert!(starts.take(4).zip(&places[1..]).all(|((start, width), next)| start.character + width == next.character));
+        assert!(
+            starts.take(4).zip(&places[1..]).all(|((start, width), next)| start.character + width == next.character)
+        );
         places.iter().take(5).map(|place| place.character).collect()
     }
 
