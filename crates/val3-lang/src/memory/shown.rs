@@ -1,6 +1,6 @@
 //! Values as text, for `?`, `val3 eval` and debuggers.
 
-use super::{Kind, KindBase, Lanes, Memory, Place, View, field_offset};
+use super::{Kind, KindBase, Memory, Place, View, field_offset};
 use crate::enumerations;
 use crate::fault::Result;
 use crate::types::{Arm, BaseType, fields};
@@ -42,7 +42,7 @@ impl Memory {
             _ if base.is_enumeration() => enumerator_name(base, self.num(at, 0)?).to_owned(),
             _ if base.is_structured() => {
                 let field = |name: &str, ty| {
-                    let offset = field_offset(base, arm, name).unwrap_or(Lanes::default());
+                    let offset = field_offset(base, arm, name).unwrap_or_default();
                     self.shown_builtin((ty, arm), at.behind(offset))
                 };
                 let parts: Result<Vec<String>> =

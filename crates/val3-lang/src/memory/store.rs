@@ -162,7 +162,7 @@ impl Store {
         }
         let [x, y, z] = indexes;
         let [_, rows, columns] = sizes;
-        (self.shape.len() > 0 && indexes.iter().zip(sizes).all(|(index, size)| index < size))
+        (!self.shape.is_empty() && indexes.iter().zip(sizes).all(|(index, size)| index < size))
             .then(|| (x * rows + y) * columns + z)
     }
 

@@ -29,7 +29,7 @@ pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Run> {
         (Less, Joint) => |call| two(call, |a, b| all::<6>(a, b, |a, b| a < b)),
         (Greater, Joint) if arm == Some(Arm::Scara) => |call| two(call, |a, b| all::<4>(a, b, |a, b| a > b)),
         (Greater, Joint) => |call| two(call, |a, b| all::<6>(a, b, |a, b| a > b)),
-        (Equal, Joint) => |call| two(call, |a, b| is_same_position(a, b)),
+        (Equal, Joint) => |call| two(call, is_same_position),
         (NotEqual, Joint) => |call| two(call, |a, b| !is_same_position(a, b)),
         (Equal, Frame) => |call| related(call, |FrameRef(a), FrameRef(b)| (a, b), Lanes::nums(6), 1, true),
         (NotEqual, Frame) => |call| related(call, |FrameRef(a), FrameRef(b)| (a, b), Lanes::nums(6), 1, false),
