@@ -2,9 +2,13 @@
 
 use std::fmt::Write;
 
-use crate::{Op, Program};
+use val3_lang::memory::{Kind, Lanes};
+
+use crate::{ArgumentSite, CallSite, CopySite, InstructionSite, Op, Operand, Program, ProgramRef, Register, SlotSite};
 
 /// The operations of a program, one a line; those that begin an instruction line have its number before them.
+///
+/// Lanes are written as `n3` (numbers), `t0` (texts), `l0` (links), places as `p2`.
 #[must_use]
 pub fn disassemble(program: &Program) -> String {
     let mut text = String::new();
@@ -18,9 +22,73 @@ pub fn disassemble(program: &Program) -> String {
 }
 
 fn shown(op: &Op, program: &Program) -> String {
-    let name = |site: u32| program.instructions.get(site as usize).map_or("?", |site| site.name.as_ref());
+    fn find<T>(table: &[T], site: u32, show: impl Fn(&T) -> String) -> String {
+        table.get(site as usize).map_or_else(|| "?".to_owned(), show)
+    }
     match op {
-        Op::Instruction { site } => format!("Instruction {}", name(*site)),
+        Op::Instruction { site } => find(&program.instructions, *site, instruction),
+        Op::Copy { site } => find(&program.copies, *site, |site| format!("Copy {}", copy(site))),
+        Op::Compare { to, site } => find(&program.copies, *site, |site| format!("Compare n{to}, {}", copy(site))),
+        Op::Call { site } => find(&program.calls, *site, |site| format!("Call {}", call(site))),
+        Op::CreateTask { site } => find(&program.tasks, *site, |site| {
+            let overrun = site.overrun.map_or(String::new(), |overrun| format!(", {}", operand(overrun, ONE_NUM)));
+            format!("CreateTask t{}, n{}{overrun}, {}", site.name, site.rate, call(&site.call))
+        }),
         other => format!("{other:?}"),
+    }
+}
+
+fn instruction(site: &InstructionSite) -> String {
+    let result = site.result.map_or(String::new(), |result| format!(" -> {}", operand(result, ALL)));
+    format!("Instruction {}({}){result}", site.name, arguments(&site.arguments))
+}
+
+fn call(site: &CallSite) -> String {
+    let program = match site.program {
+        ProgramRef::Own(number) => format!("program {number}"),
+        ProgramRef::Import(number) => format!("import {number}"),
+    };
+    format!("{program}({})", arguments(&site.arguments))
+}
+
+fn copy(site: &CopySite) -> String {
+    format!("{} from {}", operand(site.to, site.kind.size), operand(site.from, site.kind.size))
+}
+
+fn arguments(sites: &[ArgumentSite]) -> String {
+    sites.iter().map(argument).collect::<Vec<_>>().join(", ")
+}
+
+fn argument(site: &ArgumentSite) -> String {
+    let from = |start: &Option<Register>| start.map_or(String::new(), |start| format!(" from n{start}"));
+    match site {
+        ArgumentSite::Value(value, base) => {
+            format!("{} {}", base.name(), operand(*value, Kind::builtin(*base, None).size))
+        }
+        ArgumentSite::UserValue(value) => format!("user {}", operand(*value, ALL)),
+        ArgumentSite::View(whole, start) => format!("{whole:?}{}", from(start)),
+        ArgumentSite::Slot(whole, SlotSite::Whole) => format!("{whole:?}"),
+        ArgumentSite::Slot(whole, SlotSite::Index(first, count)) => format!("{whole:?}[{count} from n{first}]"),
+        ArgumentSite::Slot(whole, SlotSite::Key(key)) => format!("{whole:?}[t{key}]"),
+        ArgumentSite::Library(number) => format!("library {number}"),
+    }
+}
+
+const ONE_NUM: Lanes = Lanes::nums(1);
+
+/// What is shown of a value whose type is not known.
+const ALL: Lanes = Lanes { num: 1, text: 1, link: 1, part: 0 };
+
+/// The lanes of an operand that a value of this size uses.
+fn operand(operand: Operand, size: Lanes) -> String {
+    let lanes = |lanes: Lanes| {
+        let sorts = [('n', lanes.num, size.num), ('t', lanes.text, size.text), ('l', lanes.link, size.link)];
+        let used = sorts.into_iter().filter(|(_, _, size)| *size > 0);
+        used.map(|(sort, at, _)| format!("{sort}{at}")).collect::<Vec<_>>().join("/")
+    };
+    match operand {
+        Operand::Frame(at) => lanes(at),
+        Operand::Place(place, behind) if behind == Lanes::default() => format!("p{place}"),
+        Operand::Place(place, behind) => format!("p{place}+{}", lanes(behind)),
     }
 }

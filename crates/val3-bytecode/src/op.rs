@@ -4,8 +4,14 @@
 pub type Register = u16;
 
 /// A container that an operation works on: its kind in the upper bits, its number in the others.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Whole(u16);
+
+impl std::fmt::Debug for Whole {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.kind().fmt(f)
+    }
+}
 
 /// Where a container is found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

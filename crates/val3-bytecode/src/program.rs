@@ -23,6 +23,9 @@ pub struct Program {
     pub variables: Vec<Variable>,
     /// The lanes of a frame.
     pub frame: FrameSize,
+    /// What a call takes of the stack that the project declares (2.1.4.2), in bytes: the return, the parameters and
+    /// the locals.
+    pub stack_bytes: u32,
     /// The numbers of a new frame, as many as it has: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
     /// The containers of a new frame: local arrays, and values of user types.
@@ -128,8 +131,14 @@ pub struct Line {
 
 impl Program {
     /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
+    ///
+    /// The next round of a `for` belongs to the line with its head.
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
+        let op = match self.code.get(op as usize) {
+            Some(Op::ForNext { body, .. }) => body.saturating_sub(1),
+            _ => op,
+        };
         let before = |(_, line): &(usize, &Line)| line.op <= op;
         self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op).map(|(number, _)| number)
     }

@@ -71,6 +71,8 @@ pub(crate) enum Command {
     /// Run an application on the embedded controller
     #[command(after_help = RUN_EXIT_CODES)]
     Run(RunArgs),
+    /// Print values of expressions, and execute statements
+    Eval(EvalArgs),
     /// Print the page of a finding, an instruction, a statement or a run-time error
     Explain(ExplainArgs),
     /// Serve an editor: the language server, on standard input and output
@@ -206,6 +208,23 @@ pub(crate) struct RunArgs {
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,
+}
+
+/// Arguments of `val3 eval`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct EvalArgs {
+    /// Expressions and statements; without any, lines of the standard input
+    #[arg(value_name = "TEXT", allow_hyphen_values = true)]
+    pub(crate) texts: Vec<String>,
+    /// The application whose data, programs and libraries the texts may use
+    #[arg(long, value_name = "DIR")]
+    pub(crate) app: Option<Utf8PathBuf>,
+    /// The arm, where the application does not tell it
+    #[arg(long, value_name = "NAME")]
+    pub(crate) arm: Option<String>,
+    /// A variable of the texts: "num nVal", "point pA[3]"; may be repeated
+    #[arg(long, value_name = "TYPE NAME")]
+    pub(crate) local: Vec<String>,
 }
 
 /// How time passes.

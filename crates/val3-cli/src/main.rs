@@ -7,6 +7,7 @@ mod baseline;
 mod check;
 mod code_lines;
 mod engine;
+mod eval;
 mod explain;
 mod explain_config;
 mod fingerprint;
@@ -57,6 +58,7 @@ fn run(args: &Args) -> Result<ExitCode, UserError> {
     match &args.command {
         Command::Check(check) => check::run(check, args.color),
         Command::Fmt(fmt) => fmt::run(fmt, args.color),
+        Command::Eval(eval) => eval::run(eval, args.color),
         Command::Run(run) => run::run(run, args.color),
         Command::Explain(explain) => explain::run(explain, args.color).map(|()| ExitCode::SUCCESS),
         Command::Lsp(lsp) => lsp::run(lsp),

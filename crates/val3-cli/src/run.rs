@@ -9,7 +9,7 @@ mod record;
 use std::process::ExitCode;
 
 use val3_machine::controller::{Controller, Step};
-use val3_machine::event::What;
+use val3_machine::event::{EndReason, What};
 
 use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
@@ -17,6 +17,9 @@ use console::Console;
 use opening::Opened;
 use pace::Pace;
 use record::Record;
+
+pub(crate) use images::{Images, Laid};
+pub(crate) use opening::only_application;
 
 /// Exit code of a run that `--until` has ended.
 const EXIT_LIMIT: u8 = 3;
@@ -81,9 +84,10 @@ fn until_the_end(
         }
     };
     let reason = match end {
-        End::Finished => "finished",
-        End::Stuck => "error",
-        End::Limit => "limit",
+        End::Finished if controller.was_stopped() => EndReason::Stopped,
+        End::Finished => EndReason::Finished,
+        End::Stuck => EndReason::Error,
+        End::Limit => EndReason::Limit,
     };
     controller.devices.record_outside(controller.now(), What::End { reason });
     controller.devices.take_events().iter().try_for_each(tell)?;

@@ -38,6 +38,7 @@ impl Coder<'_, '_> {
         let params = self.params(&signature.params)?;
         self.locals(header)?;
         let variables = self.variables(&params, header)?;
+        let stack_bytes = self.frame.bytes();
         self.block(&self.body.block)?;
         self.emit(Op::Return);
         let ops = self.code.finish()?;
@@ -50,6 +51,7 @@ impl Coder<'_, '_> {
             params,
             variables,
             frame,
+            stack_bytes,
             nums,
             parts,
             code: ops,

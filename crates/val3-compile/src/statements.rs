@@ -1,6 +1,6 @@
 //! Statements. Each simple one is an instruction line, and so is each condition (5.4).
 
-use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
+use val3_analysis::body::{ExprId, Stmt, StmtKind};
 use val3_bytecode::{InstructionSite, Op};
 use val3_lang::operators::handlers;
 use val3_lang::statements::PRINT;
@@ -75,11 +75,7 @@ impl Coder<'_, '_> {
     fn print(&mut self, id: ExprId) -> Result<()> {
         let value = self.value(id, None)?;
         let mut site = InstructionSite::named(PRINT, Some(handlers::print(self.unit.items.arm)));
-        let printed = match self.body.expr(self.body.peel(id)) {
-            Expr::Assign(..) => self.settled(value)?,
-            _ => value,
-        };
-        let argument = self.argument_of(printed)?;
+        let argument = self.argument_of(value)?;
         site.arguments.push(argument);
         self.code.instruction(site);
         Ok(())

@@ -5,6 +5,7 @@
 //! [`Tasks`]. An instruction that has to wait is called again in each turn of its task until it is done.
 
 mod give;
+mod screen;
 mod take;
 
 pub use give::{Give, Outcome, PointValue};
@@ -37,6 +38,11 @@ pub struct Wait {
     pub wake: Option<Time>,
     /// Nothing but time ends it.
     pub sleeps: bool,
+}
+
+impl Wait {
+    /// The wait for what other tasks or the outside do.
+    pub const FOR_OTHERS: Self = Self { wake: None, sleeps: false };
 }
 
 /// One argument as the program passes it.

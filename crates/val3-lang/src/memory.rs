@@ -15,7 +15,7 @@ mod shown;
 mod stack;
 mod store;
 
-pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset};
+pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
 pub use stack::Stack;

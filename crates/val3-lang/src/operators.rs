@@ -11,6 +11,7 @@
 //! `and` and `or` evaluate their right side only where the left side does not decide; `xor` evaluates both.
 
 pub mod handlers;
+mod serial;
 
 use crate::types::BaseType;
 

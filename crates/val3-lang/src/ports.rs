@@ -7,11 +7,14 @@ mod io;
 mod media;
 mod robot;
 mod screen;
+mod serial;
 
-pub use io::Io;
+pub use io::{Described, Io};
 pub use media::Media;
 pub use robot::Robot;
-pub use screen::Screen;
+pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
+
+pub use serial::{LineValue, Outgoing, Reply, Serial};
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;
@@ -32,7 +35,7 @@ pub fn nanoseconds(seconds: f64) -> Time {
 }
 
 /// Everything outside programs and their data.
-pub trait Ports: Io + Screen + Robot + Media {
+pub trait Ports: Io + Serial + Screen + Robot + Media {
     /// Where the next calls come from. The run time tells it before each instruction.
     fn origin(&mut self, origin: Origin);
 

@@ -4,6 +4,7 @@
 //! a value, a place, a part of an array or a slot, as the form wants it.
 
 mod notation;
+mod nothing;
 mod outside;
 
 use std::collections::BTreeMap;

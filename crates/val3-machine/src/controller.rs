@@ -7,7 +7,7 @@ use val3_lang::ports::Time;
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
-use crate::event::What;
+use crate::script::Script;
 
 /// The priority of the tasks that execute `start` and `stop` (5.2).
 const PRIORITY: u32 = 10;
@@ -22,6 +22,9 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
+    stopped: bool,
+    /// What happens from outside.
+    pub(crate) script: Script,
 }
 
 /// Where an application is in its life.
@@ -54,9 +57,18 @@ impl Controller {
     #[must_use]
     pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Self {
         let mut vm = Vm::default();
-        let application = vm.space.load(image, path, &mut devices);
+        let application = vm.space.load(image, path.clone(), &mut devices);
+        devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
-        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running }
+        Self {
+            vm,
+            devices,
+            schedule: Schedule::new(line_cost),
+            application,
+            phase: Phase::Running,
+            stopped: false,
+            script: Script::default(),
+        }
     }
 
     /// The controller's clock, in nanoseconds.
@@ -80,6 +92,7 @@ impl Controller {
     /// their creation (5.2).
     pub fn stop(&mut self) {
         if self.phase == Phase::Running {
+            self.stopped = true;
             let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
             let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
             if let Some(start) = start {
@@ -87,6 +100,12 @@ impl Controller {
             }
             self.begin_stop();
         }
+    }
+
+    /// It was stopped from outside.
+    #[must_use]
+    pub fn was_stopped(&self) -> bool {
+        self.stopped
     }
 
     /// Lets `stop` run.
@@ -98,19 +117,38 @@ impl Controller {
     }
 
     fn end(&mut self) {
+        self.kill_tasks();
+        self.devices.lines.shut_down();
+        self.phase = Phase::Stopped;
+    }
+
+    /// Lets another image of the same application take the place of the one in memory. The data stay, so both must
+    /// declare the same.
+    pub fn exchange(&mut self, image: Arc<Image>) {
+        self.vm.space.exchange(self.application, image, &mut self.devices);
+    }
+
+    /// Kills all tasks, the newest first.
+    pub fn kill_tasks(&mut self) {
         while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
             self.vm.kill(task, &mut self.devices);
         }
-        self.phase = Phase::Stopped;
+    }
+
+    /// As [`step`](Self::step); the application does not stop when its tasks have ended.
+    pub fn step_tasks(&mut self) -> Step {
+        let cycle = self.cycle();
+        match cycle {
+            _ if self.vm.tasks().is_empty() => Step::Finished,
+            _ if self.is_stuck() => Step::Stuck,
+            Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
+            _ => Step::Busy,
+        }
     }
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
-        let start = self.schedule.now;
-        let end = (start / CYCLE + 1) * CYCLE;
-        self.refresh_inputs(start);
-        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
-        self.refresh_outputs(end);
+        let cycle = self.cycle();
         self.advance_phase();
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
@@ -120,22 +158,37 @@ impl Controller {
         }
     }
 
+    fn cycle(&mut self) -> Cycle {
+        let start = self.schedule.now;
+        let end = (start / CYCLE + 1) * CYCLE;
+        self.follow_script(start);
+        self.devices.begin_cycle(start);
+        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        self.devices.end_cycle(end);
+        cycle
+    }
+
     /// Leaves out the time until the cycle of `time`: nothing can happen before.
     pub fn jump(&mut self, time: Time) {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);
     }
 
-    /// When something happens by itself, outside of tasks: a key is released, power comes.
+    /// The application, as the run time knows it.
+    pub(crate) fn application(&self) -> InstanceId {
+        self.application
+    }
+
+    /// When something happens by itself, outside of tasks: a key is released, power comes, a script goes on.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
-        [self.devices.pendant.next_due(now), self.devices.robot.next_due()].into_iter().flatten().min()
+        self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
     }
 
     /// Something outside may speak at any time.
     #[must_use]
     pub fn hears_outside(&self) -> bool {
-        false
+        self.devices.lines.are_in_use()
     }
 
     /// An error has stopped a task, and nothing has changed that.
@@ -156,27 +209,6 @@ impl Controller {
 
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
-    }
-
-    fn refresh_inputs(&mut self, now: Time) {
-        self.devices.pendant.advance(now);
-        self.devices.robot.advance(now, true);
-        for change in self.devices.io.refresh_inputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn refresh_outputs(&mut self, now: Time) {
-        for change in self.devices.io.refresh_outputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
-        if let Some(signal) = self.devices.io.signal(change.signal) {
-            let link = signal.path.clone();
-            self.devices.record_outside(now, What::Io { link, value: change.value });
-        }
     }
 }
 

@@ -12,7 +12,7 @@ mod versions;
 mod working_mode;
 
 pub use cs9::Cs9;
-pub use date::{date_after, date_text};
+pub use date::Calendar;
 pub use event_log::{EventLog, LogEntry};
 pub use languages::Languages;
 pub use power::{POWER_OFF_TIME, POWER_ON_TIME, Power};

@@ -1,11 +1,15 @@
 //! What programs reach of the controller: the ports of instructions, each in a file of its own.
 
+mod cycle;
+mod instances;
 mod io;
 mod libraries;
+mod lines;
 mod media;
 mod robot;
 mod saving;
 mod screen;
+mod serial;
 mod tasks;
 
 use std::collections::BTreeMap;
@@ -14,16 +18,23 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::ports::{Origin, TaskNumber, Time};
 
-use crate::controller_state::{EventLog, Languages, Profiles, Robot, Versions};
+use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
-use crate::files::{ControllerPath, LibraryFiles, Roots};
+use crate::files::{ControllerPath, LibraryFiles, OpenFiles, Roots};
 use crate::io::IoTable;
-use crate::screen::Pendant;
+use crate::screen::{Pendant, ReadingId};
+
+pub use io::NoSignal;
+
+use instances::Held;
+pub use lines::Lines;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
     /// Digital and analog inputs and outputs.
     pub io: IoTable,
+    /// Serial lines and sockets.
+    pub lines: Lines,
     /// The pendant.
     pub pendant: Pendant,
     /// Power, modes and speed.
@@ -36,8 +47,14 @@ pub struct Devices {
     pub languages: Languages,
     /// Versions and licences.
     pub versions: Versions,
+    /// Date and time.
+    pub calendar: Calendar,
+    /// What CS9 controllers add.
+    pub cs9: Cs9,
     /// The media that paths name.
     pub roots: Roots,
+    /// The files that programs have open.
+    files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
     /// What has happened and was not taken yet.
@@ -46,8 +63,16 @@ pub struct Devices {
     origin: Origin,
     /// The names of tasks.
     names: BTreeMap<TaskNumber, String>,
+    /// What tasks wait for on the pendant.
+    readings: BTreeMap<TaskNumber, ReadingId>,
+    /// What is in memory, by the number of the instance.
+    instances: Vec<Option<Held>>,
     /// The images in memory, by the number of their instance.
     images: Vec<Arc<Image>>,
+    /// Their files as they were loaded, by the number of their instance.
+    sources: BTreeMap<u16, LibraryFiles>,
+    /// The library that was read last, until it comes into memory.
+    read: Option<(Arc<Image>, LibraryFiles)>,
 }
 
 /// Finds and compiles libraries: the way from the run time to the analysis.
@@ -89,18 +114,26 @@ impl Devices {
     pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
         Self {
             io: IoTable::default(),
+            lines: Lines::default(),
             pendant: Pendant::default(),
             robot: Robot::default(),
             log: EventLog::default(),
             profiles: Profiles::default(),
             languages: Languages::default(),
             versions: Versions::default(),
+            calendar: Calendar::default(),
+            cs9: Cs9::default(),
             roots,
+            files: OpenFiles::default(),
             libraries,
             events: Vec::new(),
             origin: Origin::default(),
             names: BTreeMap::new(),
+            readings: BTreeMap::new(),
+            instances: Vec::new(),
             images: Vec::new(),
+            sources: BTreeMap::new(),
+            read: None,
         }
     }
 }

@@ -55,6 +55,17 @@ pub enum What {
         /// The message.
         text: String,
     },
+    /// A property of an element of a page made with HTML has another value (s8).
+    Html {
+        /// The page.
+        page: String,
+        /// The element.
+        id: String,
+        /// The property, such as `innerHTML`.
+        attribute: String,
+        /// The value as text.
+        value: String,
+    },
     /// The event log has a new line.
     Log {
         /// `info`, `warning` or `error`.
@@ -128,9 +139,23 @@ pub enum What {
     },
     /// The run is over.
     End {
-        /// `finished`, `stopped`, `limit` or `error`.
-        reason: &'static str,
+        /// Why.
+        reason: EndReason,
     },
+}
+
+/// Why a run is over.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum EndReason {
+    /// The application has ended by itself.
+    Finished,
+    /// It was stopped from outside.
+    Stopped,
+    /// The time of the run was up.
+    Limit,
+    /// No task could go on.
+    Error,
 }
 
 /// Seconds of a time.

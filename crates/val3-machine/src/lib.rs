@@ -7,5 +7,6 @@ pub mod event;
 pub mod files;
 pub mod io;
 pub mod screen;
+pub mod script;
 pub mod sio;
 mod string_bytes;

@@ -13,7 +13,6 @@ mod width;
 pub use keyboard::TAP;
 pub use page::{COLUMNS, Page, Position, ROWS};
 pub use pendant::{PageId, Pendant, PopUp, ReadingId, ScreenEvent};
-pub use reading::{Answer, Asked, Entry};
 pub use row::Cell;
 pub use text_mode::TextMode;
 pub use width::display_columns;

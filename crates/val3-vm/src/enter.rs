@@ -19,15 +19,8 @@ pub(crate) fn behind(base: Base, program: &Program) -> Base {
         part: base.part + size.lanes.part,
         place: base.place + size.places,
         view: base.view + size.views,
+        bytes: base.bytes.saturating_add(program.stack_bytes),
     }
-}
-
-/// Bytes that the frames up to `end` take of the stack that the project declares (2.1.4.2).
-fn bytes(end: Base) -> u32 {
-    const NUM: u32 = 8;
-    const TEXT: u32 = 132;
-    const REFERENCE: u32 = 16;
-    NUM * end.num + TEXT * end.text + REFERENCE * (end.link + end.part + end.place + end.view)
 }
 
 /// Makes the frame of `program` at `base`, with its parameters.
@@ -39,7 +32,7 @@ pub(crate) fn enter(
     most: u32,
 ) -> Result<()> {
     let end = behind(base, program);
-    if bytes(end) > most {
+    if end.bytes > most {
         return Err(Fault::STACK_FULL);
     }
     let stack = &mut memory.stack;

@@ -2,14 +2,20 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{DataDef, Image};
-use val3_lang::memory::{Memory, StoreId};
+use val3_bytecode::Image;
+use val3_lang::memory::StoreId;
 use val3_lang::ports::Ports;
+
+use crate::{InstanceId, Space};
 
 /// The controller around the run time.
 pub trait Host: Ports {
-    /// An application or library has come into memory under a number; events refer to it.
-    fn loaded(&mut self, instance: u16, image: &Arc<Image>);
+    /// An application or library has come into memory under a number, with its global data; events refer to it.
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
+
+    /// A library was loaded or saved under an identifier, or not: the code tells. `path` is as the program gave it;
+    /// without an identifier the application itself was meant.
+    fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16);
 
     /// Compiles the library that a program names (6.6).
     ///
@@ -21,15 +27,17 @@ pub trait Host: Ports {
 
     /// Saves data and programs of an application or library; the code of `libSave` (6.6).
     ///
-    /// `from` is where it was loaded from, `to` where the program wants it, if it says so.
-    fn save(
-        &mut self,
-        image: &Image,
-        memory: &Memory,
-        data: &[(&DataDef, StoreId)],
-        from: &str,
-        to: Option<&str>,
-    ) -> u16;
+    /// `to` is where the program, which is one of `from`, wants it; where it was loaded from if it does not say.
+    fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16;
+}
+
+/// What was done with a library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LibraryOp {
+    /// It was loaded.
+    Load,
+    /// It was saved.
+    Save,
 }
 
 /// A library that was found.

@@ -8,6 +8,7 @@ mod enter;
 mod execute;
 mod host;
 mod instance;
+mod interface;
 mod libraries;
 mod resume;
 mod roster;
@@ -18,7 +19,7 @@ mod task;
 mod turn;
 mod vm;
 
-pub use host::{Host, Loaded};
+pub use host::{Host, LibraryOp, Loaded};
 pub use instance::{Instance, InstanceId};
 pub use schedule::{CYCLE, Cycle, Schedule};
 pub use space::Space;

@@ -6,28 +6,43 @@ use val3_lang::library_errors as code;
 use val3_lang::ports::Request;
 
 use crate::execute::Machine;
-use crate::{Host, InstanceId, Space};
+use crate::{Host, InstanceId, LibraryOp, Space};
+
+/// The application, which is the first in memory and never leaves it.
+const APPLICATION: InstanceId = InstanceId(0);
 
 impl Machine<'_> {
     /// Does what an instruction has asked for; the code it comes to.
     pub(crate) fn fulfil(&mut self, owner: InstanceId, request: Request) -> f64 {
-        f64::from(match request {
+        let (op, library, path) = match request {
+            Request::Load { library, path, .. } => (LibraryOp::Load, Some(library), path),
+            Request::Save { library, path } => (LibraryOp::Save, library, path.unwrap_or_default()),
+        };
+        let alias = self.alias(owner, library);
+        let code = match request {
             Request::Load { library, path, password } => self.load(owner, library, path.as_str(), password.as_str()),
             Request::Save { library, path } => self.save(owner, library, path.as_ref().map(|path| path.as_str())),
-        })
+        };
+        self.ports.library(op, &alias, path.as_str(), code);
+        f64::from(code)
     }
 
+    fn alias(&self, owner: InstanceId, library: Option<u16>) -> String {
+        let instance = self.space.instance(owner);
+        let found = instance.and_then(|instance| instance.image.libraries.get(usize::from(library?)));
+        found.map(|library| library.alias.clone()).unwrap_or_default()
+    }
+
+    /// A library that is in memory already is taken from there, as it is.
     fn load(&mut self, owner: InstanceId, library: u16, path: &str, password: &str) -> u16 {
         let from = self.space.instance(owner).map(|instance| instance.path.clone()).unwrap_or_default();
         let loaded = match self.ports.load(&from, path, password) {
             Ok(loaded) => loaded,
             Err(code) => return code,
         };
-        let old = self.space.library(owner, library);
-        let same = old.and_then(|old| self.space.instance(old)).is_some_and(|old| old.path == loaded.path);
-        if let Some(old) = old.filter(|_| !same)
-            && let Some(refusal) = self.refusal(owner, library, old)
-        {
+        let there = self.space.in_memory(&loaded.path);
+        let leaving = self.space.unused(Some(((owner, library), there)));
+        if let Some(refusal) = leaving.iter().find_map(|leaving| self.refusal(*leaving)) {
             return refusal;
         }
         let new = self.space.take_in(loaded, self.ports);
@@ -36,15 +51,12 @@ impl Machine<'_> {
         if complete { code::DONE } else { code::INTERFACE_DIFFERS }
     }
 
-    /// Why a library cannot leave memory; `None` where it can, or where others still use it.
-    fn refusal(&self, owner: InstanceId, library: u16, old: InstanceId) -> Option<u16> {
-        if self.space.has_other_users(old, owner, library) {
-            return None;
-        }
-        if self.roster.has_tasks_of(old) {
+    /// Why a library cannot leave memory; `None` where it can.
+    fn refusal(&self, library: InstanceId) -> Option<u16> {
+        if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
         }
-        let is_in = |task: &crate::Task| task.thread.frames.iter().any(|frame| frame.instance == old);
+        let is_in = |task: &crate::Task| task.thread.frames.iter().any(|frame| frame.instance == library);
         self.roster.tasks.iter().any(is_in).then_some(code::IN_USE)
     }
 
@@ -53,24 +65,29 @@ impl Machine<'_> {
             None => Some(owner),
             Some(number) => self.space.library(owner, number),
         };
-        let Some(instance) = found.and_then(|id| self.space.instance(id)) else { return code::NO_LIBRARY };
-        let image = Arc::clone(&instance.image);
-        let data: Vec<_> = image.data.iter().zip(instance.data.iter().copied()).collect();
-        self.ports.save(&image, &self.space.memory, &data, &instance.path, path)
+        let Some(id) = found else { return code::NO_LIBRARY };
+        self.ports.save(self.space, owner, id, path)
     }
 }
 
 impl Space {
     /// What a library identifier stands for now.
-    pub(crate) fn library(&self, owner: InstanceId, number: u16) -> Option<InstanceId> {
+    #[must_use]
+    pub fn library(&self, owner: InstanceId, number: u16) -> Option<InstanceId> {
         self.instance(owner)?.libraries.get(usize::from(number)).copied().flatten()
+    }
+
+    /// The library of this path, if it is in memory. Letter case does not count on the media.
+    fn in_memory(&self, path: &str) -> Option<InstanceId> {
+        let path = path.to_lowercase();
+        let there = |instance: &crate::Instance| instance.loaded && instance.path.to_lowercase() == path;
+        self.instances.iter().position(there).and_then(|at| u16::try_from(at).ok()).map(InstanceId)
     }
 
     /// The library in memory; loaded with those that load with it, where it is not there yet.
     pub fn take_in(&mut self, loaded: crate::Loaded, host: &mut dyn Host) -> InstanceId {
-        let there = self.instances.iter().position(|instance| instance.loaded && instance.path == loaded.path);
-        if let Some(at) = there.and_then(|at| u16::try_from(at).ok()) {
-            return InstanceId(at);
+        if let Some(there) = self.in_memory(&loaded.path) {
+            return there;
         }
         let id = self.load(loaded.image, loaded.path, host);
         self.load_with(id, host);
@@ -83,32 +100,40 @@ impl Space {
         let Some(instance) = self.instance(id) else { return };
         let (image, path) = (Arc::clone(&instance.image), instance.path.clone());
         for (number, library) in (0u16..).zip(&image.libraries).filter(|(_, library)| library.autoload) {
-            if let Ok(loaded) = host.load(&path, &library.path, "") {
-                let library = self.take_in(loaded, host);
-                self.connect(id, number, library, host);
+            let code = match host.load(&path, &library.path, "") {
+                Ok(loaded) => {
+                    let loaded = self.take_in(loaded, host);
+                    let complete = self.connect(id, number, loaded, host);
+                    if complete { code::DONE } else { code::INTERFACE_DIFFERS }
+                }
+                Err(code) => code,
+            };
+            host.library(LibraryOp::Load, &library.alias, &library.path, code);
+        }
+    }
+
+    /// The libraries that nothing reaches from the application; with `changed`, once an identifier stands for another
+    /// library, or for one that is not in memory yet.
+    fn unused(&self, changed: Option<((InstanceId, u16), Option<InstanceId>)>) -> Vec<InstanceId> {
+        let mut used = vec![APPLICATION];
+        let mut at = 0;
+        while let Some(user) = used.get(at).copied() {
+            at += 1;
+            let libraries = self.instance(user).map(|instance| instance.libraries.as_slice()).unwrap_or_default();
+            for (alias, library) in (0u16..).zip(libraries) {
+                let library = match changed {
+                    Some((identifier, new)) if identifier == (user, alias) => new,
+                    _ => *library,
+                };
+                used.extend(library.filter(|library| !used.contains(library)));
             }
         }
+        let loaded = (0u16..).map(InstanceId).zip(&self.instances).filter(|(_, instance)| instance.loaded);
+        loaded.map(|(id, _)| id).filter(|id| !used.contains(id)).collect()
     }
 
-    fn has_other_users(&self, library: InstanceId, owner: InstanceId, number: u16) -> bool {
-        let ids = (0u16..).map(InstanceId);
-        ids.zip(&self.instances).filter(|(_, instance)| instance.loaded).any(|(id, instance)| {
-            let mut used = (0u16..).zip(&instance.libraries);
-            used.any(|(at, used)| *used == Some(library) && (id, at) != (owner, number))
-        })
-    }
-
-    /// Drops the libraries that no identifier stands for any more. The application is the first in memory.
     fn drop_unused(&mut self) {
-        loop {
-            let is_used = |id: InstanceId| {
-                self.instances.iter().any(|instance| instance.loaded && instance.libraries.contains(&Some(id)))
-            };
-            let ids = (1u16..).map(InstanceId).zip(self.instances.iter().skip(1));
-            let unused = ids.filter(|(_, instance)| instance.loaded).map(|(id, _)| id).find(|id| !is_used(*id));
-            let Some(unused) = unused else { return };
-            self.unload(unused);
-        }
+        self.unused(None).into_iter().for_each(|id| self.unload(id));
     }
 
     fn unload(&mut self, id: InstanceId) {

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
+use val3_bytecode::{FatherLink, Image, Import, LinkInit, LinkTarget};
 use val3_lang::memory::{Link, Memory, Place, StoreId, View};
+use val3_lang::types::BaseType;
 
 use crate::{Host, Instance, InstanceId};
 
@@ -41,26 +42,43 @@ impl Space {
         }
         let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
         if let Some(instance) = self.instance(id) {
-            host.loaded(id.0, &instance.image);
+            host.loaded(id.0, &instance.image, &instance.data);
         }
         self.link_data(id, None, host);
         id
+    }
+
+    /// Lets an image with the same data take the place of the one in memory; the data stay as they are.
+    pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) {
+        let Some(instance) = self.instances.get_mut(usize::from(id.0)) else { return };
+        host.loaded(id.0, &image, &instance.data);
+        instance.imports = vec![None; image.imports.len()];
+        instance.image = image;
+        let libraries = instance.libraries.clone();
+        for (number, library) in (0u16..).zip(libraries) {
+            if let Some(library) = library {
+                self.connect_items(id, number, library);
+            }
+        }
     }
 
     /// Lets a library identifier of `user` stand for `library`.
     ///
     /// What the library lacks of what `user` uses raises error 80 when it is used; the answer is whether it has all.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
+        let complete = self.connect_items(user, alias, library);
+        self.link_data(user, Some(alias), host);
+        complete
+    }
+
+    fn connect_items(&mut self, user: InstanceId, alias: u16, library: InstanceId) -> bool {
         let Some(instance) = self.instances.get(usize::from(user.0)) else { return false };
         let exporter = self.instances.get(usize::from(library.0));
         let of_alias = |import: &&Import| import.library == alias;
         let found: Vec<_> = (0usize..)
             .zip(&instance.image.imports)
             .filter(|(_, import)| of_alias(import))
-            .map(|(at, import)| {
-                let of_program = matches!(import.kind, ImportKind::Program(_));
-                (at, exporter.and_then(|exporter| exporter.export(library, &import.name, of_program)))
-            })
+            .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import))))
             .collect();
         let complete = found.iter().all(|(_, item)| item.is_some());
         if let Some(instance) = self.instances.get_mut(usize::from(user.0)) {
@@ -73,7 +91,6 @@ impl Space {
                 }
             }
         }
-        self.link_data(user, Some(alias), host);
         complete
     }
 
@@ -114,7 +131,9 @@ impl Space {
         }
     }
 
-    fn father(&self, id: InstanceId, father: &FatherLink) -> Option<Place> {
+    /// The frame or tool that a file of an application or library names; `None` where there is none.
+    #[must_use]
+    pub fn father(&self, id: InstanceId, father: &FatherLink) -> Option<Place> {
         let own = self.instance(id)?;
         let store = match (&father.library, father.name.as_str()) {
             (Some(library), name) => {
@@ -127,17 +146,28 @@ impl Space {
                 None => builtin(name)?,
             },
         };
-        let found = self.memory.store(store).ok()?;
-        let number = found.number_of_text(&father.at)?;
-        Some(found.place(store, number))
+        let first = self.value(store, &father.at)?;
+        let place = father.fields.iter().try_fold(first, |place, (field, at)| {
+            let fields = &self.memory.store(place.store).ok()?.kind.fields;
+            let number = fields.iter().position(|known| known.name == *field)?;
+            self.value(self.memory.part(place, u32::try_from(number).ok()?).ok()?, at)
+        })?;
+        let base = self.memory.store(place.store).ok()?.kind.base_type();
+        matches!(base, Some(BaseType::Frame | BaseType::Tool)).then_some(place)
+    }
+
+    /// The value of a container that a file names: `2`, `1,3`, `home`.
+    fn value(&self, id: StoreId, at: &str) -> Option<Place> {
+        let store = self.memory.store(id).ok()?;
+        Some(store.place(id, store.number_of_text(at)?))
     }
 }
 
 /// `world` or `flange`.
 fn builtin(name: &str) -> Option<StoreId> {
     val3_lang::builtins::find(name).and_then(|builtin| match builtin.ty {
-        val3_lang::types::BaseType::Frame => Some(Memory::WORLD),
-        val3_lang::types::BaseType::Tool => Some(Memory::FLANGE),
+        BaseType::Frame => Some(Memory::WORLD),
+        BaseType::Tool => Some(Memory::FLANGE),
         _ => None,
     })
 }

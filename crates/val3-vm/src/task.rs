@@ -100,6 +100,8 @@ pub(crate) struct Base {
     pub(crate) part: u32,
     pub(crate) place: u32,
     pub(crate) view: u32,
+    /// Bytes of the declared stack that the frames before take.
+    pub(crate) bytes: u32,
 }
 
 impl Task {

@@ -101,7 +101,7 @@ impl Machine<'_> {
         let stack = &self.space.memory.stack;
         let lanes = stack.ends();
         let (place, view) = (length(&stack.places), length(&stack.views));
-        let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view };
+        let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
         enter(&mut self.space.memory, callee, base, arguments, u32::MAX)?;
         let stack = self.space.memory.stack.split_off(lanes, place, view);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };

@@ -103,19 +103,24 @@ export class Client implements vscode.Disposable {
     }
     this.command = found.command;
     const server = { command: found.command, args: ["lsp", ...settings.get<string[]>("server.arguments", [])] };
-    const life: Life = { hasDied: false };
+    const life = new Life();
     this.life = life;
     const running = new QuietClient("val3", "VAL 3", server, this.options(life));
     this.running = running;
     running.onDidChangeState(({ oldState, newState }) => {
       this.states.fire(newState);
-      if (newState === State.Stopped && oldState === State.Running && life.hasDied) {
+      life.hasRun ||= newState === State.Running;
+      if (oldState === State.Running && life.hasDied) {
         this.mourn();
       }
     });
     try {
-      await running.start();
+      // The client waits for good where the server dies while it starts.
+      await Promise.race([running.start(), life.death]);
     } catch (fault) {
+      if (life.hasRun && life.hasDied) {
+        return;
+      }
       const reason = life.hasDied || isGone(fault) ? "it ended before it answered" : fault instanceof Error ? fault.message : String(fault);
       this.output.error(`${found.command}: ${reason}`);
       offer(`The VAL 3 server ${found.command} does not start: ${reason}.`, RESTART, SHOW_OUTPUT, OPEN_SETTINGS);
@@ -186,9 +191,25 @@ export class Client implements vscode.Disposable {
 }
 
 /** One run of the server. */
-interface Life {
-  /** The server closed the connection, though nobody had asked for it. */
-  hasDied: boolean;
+class Life {
+  /** The server answered. */
+  hasRun = false;
+  /** It closed the connection, though nobody had asked for it. */
+  hasDied = false;
+  /** Fails when it dies. */
+  readonly death: Promise<never>;
+  private fail: (reason: Error) => void = () => undefined;
+
+  constructor() {
+    this.death = new Promise((_, fail) => (this.fail = fail));
+    // Who waits for it is told; else nobody needs to be.
+    this.death.catch(() => undefined);
+  }
+
+  end(): void {
+    this.hasDied = true;
+    this.fail(new Error("The server closed the connection."));
+  }
 }
 
 /** Leaves it to the client here to start the server again and to tell the user. */
@@ -196,7 +217,7 @@ function noteDeath(life: Life): ErrorHandler {
   return {
     error: () => ({ action: ErrorAction.Continue, handled: true }),
     closed: (): CloseHandlerResult => {
-      life.hasDied = true;
+      life.end();
       return { action: CloseAction.DoNotRestart, message: "The connection to the server was closed.", handled: true };
     },
   };

@@ -65,8 +65,8 @@ impl Images {
 
 /// The disk, with the files of a library laid over it: an encrypted library is nowhere else.
 #[derive(Debug)]
-struct Laid {
-    files: BTreeMap<Utf8PathBuf, Vec<u8>>,
+pub(crate) struct Laid {
+    pub(crate) files: BTreeMap<Utf8PathBuf, Vec<u8>>,
 }
 
 impl System for Laid {

@@ -50,7 +50,7 @@ fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserErr
     Ok(Opened::Ready(Box::new(controller)))
 }
 
-fn only_application(session: &Session<'_>, asked: &Utf8Path) -> Result<Project, UserError> {
+pub(crate) fn only_application(session: &Session<'_>, asked: &Utf8Path) -> Result<Project, UserError> {
     let projects = session.projects();
     let db = session.db();
     match projects {
@@ -71,7 +71,7 @@ fn show_errors(session: &mut Session<'_>, color: Color) -> Result<bool, UserErro
     if report.findings.is_empty() {
         return Ok(false);
     }
-    to_stdout(color, |out| format::write(Format::Human, &report, &crate::format::val3check::Template::default(), out))?;
+    to_stdout(color, |out| format::write(Format::Human, &report, &format::val3check::Template::default(), out))?;
     Ok(true)
 }
 

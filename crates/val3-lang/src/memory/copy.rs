@@ -1,6 +1,6 @@
 //! New containers, and copies of values.
 
-use super::{Element, Kind, Lanes, Memory, PartInit, Place, Store, StoreId};
+use super::{Element, Kind, Lanes, Memory, PartInit, Place, Shape, Store, StoreId};
 use crate::fault::{Fault, Result};
 
 impl Memory {
@@ -90,12 +90,13 @@ impl Memory {
         Ok(self.add(copy))
     }
 
-    /// Whether two values of one type are equal, field by field; links do not count.
+    /// Whether two values of one type are equal, field by field, containers of a user type with their indexes and
+    /// keys; links do not count.
     ///
     /// # Errors
     /// 20 if one of the values is gone.
     pub fn equal(&self, kind: &Kind, a: Place, b: Place) -> Result<bool> {
-        let Lanes { num, text, .. } = kind.size;
+        let Lanes { num, text, part, .. } = kind.size;
         for lane in 0..num {
             if self.num(a, lane)? != self.num(b, lane)? {
                 return Ok(false);
@@ -104,6 +105,30 @@ impl Memory {
         for lane in 0..text {
             let lane = Lanes { text: lane, ..Lanes::default() };
             if self.text(a.behind(lane))? != self.text(b.behind(lane))? {
+                return Ok(false);
+            }
+        }
+        for lane in 0..part {
+            if !self.equal_stores(self.part(a, lane)?, self.part(b, lane)?)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn equal_stores(&self, a: StoreId, b: StoreId) -> Result<bool> {
+        let (left, right) = (self.store(a)?, self.store(b)?);
+        let numbers: Vec<(u32, u32)> = match (&left.shape, &right.shape) {
+            (Shape::Array { sizes, .. }, Shape::Array { sizes: others, .. }) if sizes == others => {
+                (0..left.shape.len()).map(|number| (number, number)).collect()
+            }
+            (Shape::Collection(keys), Shape::Collection(others)) if keys.keys().eq(others.keys()) => {
+                keys.values().copied().zip(others.values().copied()).collect()
+            }
+            _ => return Ok(false),
+        };
+        for (at, other) in numbers {
+            if !self.equal(&left.kind, left.place(a, at), right.place(b, other))? {
                 return Ok(false);
             }
         }

@@ -151,6 +151,16 @@ pub fn field_offset(base: BaseType, arm: Option<Arm>, name: &str) -> Option<Lane
     Some(offset)
 }
 
+/// The lanes of a built-in type before the field at the end of a path: `trsf.x`; none for the empty path.
+#[must_use]
+pub fn path_offset(base: BaseType, arm: Option<Arm>, path: &str) -> Option<Lanes> {
+    let mut names = path.split('.').filter(|name| !name.is_empty());
+    let found = names.try_fold((base, Lanes::default()), |(base, offset), name| {
+        Some((types::field(base, arm, name)?.ty, offset + field_offset(base, arm, name)?))
+    });
+    found.map(|(_, offset)| offset)
+}
+
 fn default_of(base: BaseType, arm: Option<Arm>) -> Element {
     let size = lanes(base);
     let mut nums = Vec::new();

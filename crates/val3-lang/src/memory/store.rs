@@ -46,6 +46,22 @@ impl Shape {
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
+
+    /// The number of the value that a file names: `3`, `1,2`, `home`.
+    #[must_use]
+    pub fn number_of_text(&self, at: &str) -> Option<u32> {
+        let sizes = match self {
+            Self::Collection(keys) => return keys.get(&Text::from(at)).copied(),
+            Self::Array { sizes, .. } => sizes,
+        };
+        let mut indexes = [0; 3];
+        for (index, text) in indexes.iter_mut().zip(at.split(',')) {
+            *index = text.trim().parse().ok()?;
+        }
+        let [x, y, z] = indexes;
+        let [_, rows, columns] = sizes;
+        indexes.iter().zip(sizes).all(|(index, size)| index < size).then(|| (x * rows + y) * columns + z)
+    }
 }
 
 /// A container: its shape and its values in lanes.
@@ -155,15 +171,7 @@ impl Store {
     /// The number of the value that a file names: `3`, `1,2`, `home`.
     #[must_use]
     pub fn number_of_text(&self, at: &str) -> Option<u32> {
-        let Shape::Array { sizes, .. } = &self.shape else { return self.number_of(&Text::from(at)).ok() };
-        let mut indexes = [0; 3];
-        for (index, text) in indexes.iter_mut().zip(at.split(',')) {
-            *index = text.trim().parse().ok()?;
-        }
-        let [x, y, z] = indexes;
-        let [_, rows, columns] = sizes;
-        (!self.shape.is_empty() && indexes.iter().zip(sizes).all(|(index, size)| index < size))
-            .then(|| (x * rows + y) * columns + z)
+        self.shape.number_of_text(at)
     }
 
     /// Adds the default lanes of one value of a built-in type behind the others; of a user type all but its parts.

@@ -62,7 +62,7 @@ pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
             let (output, state) = (IoRef::take(call)?, bool::take(call)?);
             call.ports.write_digital(output.port, state).settle(call)
         }),
-        _ => None,
+        _ => super::serial::assignment(target, value),
     }
 }
 

@@ -4,11 +4,11 @@ use std::collections::BTreeMap;
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;
-use crate::ports::{Io, Media, Origin, Ports, Request, Robot, Screen, TaskChange, TaskNumber, Tasks};
-use crate::runtime_errors::{NO_TASK, TaskState, UNLINKED};
+use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
+use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
 
-/// No controller.
+/// No controller: no handler that is tested here asks for one.
 pub(super) struct Nothing;
 
 impl Ports for Nothing {
@@ -20,24 +20,6 @@ impl Ports for Nothing {
         None
     }
 }
-
-impl Io for Nothing {
-    fn read_digital(&mut self, _: Option<u32>) -> Result<bool> {
-        Err(Fault(UNLINKED))
-    }
-
-    fn write_digital(&mut self, _: Option<u32>, _: bool) -> Result<()> {
-        Err(Fault(UNLINKED))
-    }
-}
-
-impl Screen for Nothing {
-    fn print(&mut self, _: &str) {}
-}
-
-impl Robot for Nothing {}
-
-impl Media for Nothing {}
 
 /// Tasks by their names, and data that `getData` finds.
 #[derive(Debug, Default)]

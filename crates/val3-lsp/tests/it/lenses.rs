@@ -89,7 +89,7 @@ fn edits_elsewhere_that_change_the_number_of_uses() {
     let abilities = json!({ "workspace": { "codeLens": { "refreshSupport": true } } });
     let mut session = Session::of(CELL, abilities);
     let other = session.cell.path(OTHER);
-    session.client.open(&other, &session.cell.text(OTHER).to_owned());
+    session.client.open(&other, session.cell.text(OTHER));
     let params = json!({ "textDocument": { "uri": uri(&other) } });
     let lenses = session.client.ask("textDocument/codeLens", params);
     session.client.ask("codeLens/resolve", lenses[0].clone());

@@ -1,94 +1,67 @@
-//! Date and time as text (`getDate`, 4.3).
+//! The date of the controller (`getDate`, 4.3).
 
-use time::{Duration, PrimitiveDateTime};
+use time::{Date, Duration, Month, PrimitiveDateTime, Time};
+use val3_lang::values::date::DateTime;
 
-/// The date `elapsed` nanoseconds after `start`; the last one that exists, where that lies beyond it.
-#[must_use]
-pub fn date_after(start: PrimitiveDateTime, elapsed: u64) -> PrimitiveDateTime {
-    let elapsed = Duration::nanoseconds(i64::try_from(elapsed).unwrap_or(i64::MAX));
-    start.saturating_add(elapsed)
+/// The calendar of the controller: virtual time counted from a date.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Calendar {
+    start: PrimitiveDateTime,
 }
 
-/// `format` with its keys replaced by the parts of `date`; what is no key stays.
-///
-/// Twelve o'clock is `12` of a clock of twelve hours; `%p` is `AM` or `PM`.
-#[must_use]
-pub fn date_text(format: &str, date: PrimitiveDateTime) -> String {
-    let mut text = String::new();
-    let mut rest = format;
-    while let Some((before, behind)) = rest.split_once('%') {
-        text.push_str(before);
-        let part = behind.chars().next().and_then(|key| part(key, date));
-        if part.is_none() {
-            text.push('%');
-        }
-        rest = behind.get(usize::from(part.is_some())..).unwrap_or_default();
-        text.push_str(&part.unwrap_or_default());
+impl Default for Calendar {
+    /// The controller is started on the first of January 2024 at midnight, so that runs are alike.
+    fn default() -> Self {
+        let start = Date::from_calendar_date(2024, Month::January, 1).unwrap_or(Date::MIN);
+        Self { start: PrimitiveDateTime::new(start, Time::MIDNIGHT) }
     }
-    text + rest
 }
 
-fn part(key: char, date: PrimitiveDateTime) -> Option<String> {
-    let two = |number: u8| Some(format!("{number:02}"));
-    match key {
-        'y' => Some(format!("{:02}", date.year().rem_euclid(100))),
-        'Y' => Some(format!("{:04}", date.year())),
-        'm' => two(date.month().into()),
-        'd' => two(date.day()),
-        'H' => two(date.hour()),
-        'I' => two((date.hour() + 11) % 12 + 1),
-        'p' => Some(if date.hour() < 12 { "AM" } else { "PM" }.to_owned()),
-        'M' => two(date.minute()),
-        'S' => two(date.second()),
-        _ => None,
+impl Calendar {
+    /// The controller is started at this date; `None` if there is no such date.
+    #[must_use]
+    pub fn starting_at(date: DateTime) -> Option<Self> {
+        let DateTime { year, month, day, hour, minute, second } = date;
+        let day = Date::from_calendar_date(year.into(), month.try_into().ok()?, day).ok()?;
+        let time = Time::from_hms(hour, minute, second).ok()?;
+        Some(Self { start: PrimitiveDateTime::new(day, time) })
+    }
+
+    /// The date `elapsed` nanoseconds after the start; the last one that exists, where that lies beyond it.
+    #[must_use]
+    pub fn after(&self, elapsed: u64) -> DateTime {
+        let elapsed = Duration::nanoseconds(i64::try_from(elapsed).unwrap_or(i64::MAX));
+        let date = self.start.saturating_add(elapsed);
+        DateTime {
+            year: u16::try_from(date.year()).unwrap_or_default(),
+            month: date.month().into(),
+            day: date.day(),
+            hour: date.hour(),
+            minute: date.minute(),
+            second: date.second(),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use time::{Date, Month, Time};
-    use val3_lang::arguments::DATE_KEYS;
 
-    fn date(hour: u8, minute: u8) -> PrimitiveDateTime {
-        let day = Date::from_calendar_date(2007, Month::January, 1).unwrap();
-        PrimitiveDateTime::new(day, Time::from_hms(hour, minute, 23).unwrap())
-    }
-
-    #[test]
-    fn the_example_of_the_manual() {
-        assert_eq!(date_text("%m", date(13, 45)), "01");
-        assert_eq!(date_text("January %d, %Y %H:%M:%S", date(13, 45)), "January 01, 2007 13:45:23");
-    }
-
-    #[test]
-    fn every_key_has_a_part() {
-        for key in DATE_KEYS {
-            assert!(!date_text(key, date(13, 45)).contains('%'), "{key}");
-        }
-        assert_eq!(date_text("%y", date(0, 0)), "07");
-    }
-
-    #[test]
-    fn the_clock_of_twelve_hours() {
-        let at = |hour| date_text("%I %p", date(hour, 0));
-        assert_eq!(
-            [at(0), at(1), at(11), at(12), at(13), at(23)],
-            ["12 AM", "01 AM", "11 AM", "12 PM", "01 PM", "11 PM"]
-        );
-    }
-
-    #[test]
-    fn what_is_no_key_stays() {
-        assert_eq!(date_text("100% %D %%d %é", date(0, 0)), "100% %D %01 %é");
-        assert_eq!(date_text("%", date(0, 0)), "%");
-        assert_eq!(date_text("", date(0, 0)), "");
-    }
+    const NEW_YEAR: DateTime = DateTime { year: 2007, month: 1, day: 1, hour: 13, minute: 45, second: 23 };
 
     #[test]
     fn time_goes_on() {
         let hour = 3_600_000_000_000;
-        assert_eq!(date_text("%d %H:%M", date_after(date(13, 45), 11 * hour)), "02 00:45");
-        assert_eq!(date_text("%Y", date_after(date(0, 0), u64::MAX)), "2299");
+        let calendar = Calendar::starting_at(NEW_YEAR).unwrap();
+        assert_eq!(calendar.after(999_999_999), NEW_YEAR);
+        assert_eq!(calendar.after(11 * hour), DateTime { day: 2, hour: 0, ..NEW_YEAR });
+        assert_eq!(calendar.after(u64::MAX).year, 2299);
+    }
+
+    #[test]
+    fn starts_at_dates_that_exist() {
+        assert_eq!(Calendar::starting_at(DateTime { month: 2, day: 30, ..NEW_YEAR }), None);
+        assert_eq!(Calendar::starting_at(DateTime { hour: 24, ..NEW_YEAR }), None);
+        assert_eq!(Calendar::default().after(0).format("%Y-%m-%d %H:%M:%S").as_str(), "2024-01-01 00:00:00");
     }
 }

@@ -25,6 +25,16 @@ impl Severity {
         }
     }
 
+    /// `info`, `warning` or `error`.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Information => "info",
+            Self::Warning => "warning",
+            Self::Error => "error",
+        }
+    }
+
     /// 1 to 3.
     #[must_use]
     pub fn number(self) -> u8 {

@@ -34,6 +34,17 @@ struct OemLicence {
     state: Licence,
 }
 
+/// What a part is at first: a controller of the language of the manual with an arm from its examples, and no board.
+const AT_FIRST: [(Component, &str); 7] = [
+    (Component::Val3, "s7.11.0 - Jan 01 2024 - 00:00:00"),
+    (Component::System, "s7.11.0"),
+    (Component::ArmType, "tx90-S1"),
+    (Component::Tuning, "R1"),
+    (Component::Mounting, "floor"),
+    (Component::ControllerSerial, "F24_000001_C_01"),
+    (Component::ArmSerial, "F24_000001_A_01"),
+];
+
 /// Versions and licences; a controller has those that are set, and at first the licences that the manual names.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Versions {
@@ -45,7 +56,8 @@ pub struct Versions {
 impl Default for Versions {
     fn default() -> Self {
         let licences = LICENCES.map(|name| (name.to_owned(), Licence::Enabled)).into();
-        Self { parts: Vec::new(), licences, oem: BTreeMap::new() }
+        let parts = AT_FIRST.map(|(part, version)| (part, version.to_owned())).to_vec();
+        Self { parts, licences, oem: BTreeMap::new() }
     }
 }
 
@@ -107,16 +119,17 @@ mod tests {
             ("VAL 3", Component::Val3, "s7.0 - Jun 18 2010 - 16:01:17"),
             ("ArmType", Component::ArmType, "rs60-S1-D20-L200"),
             ("Tuning", Component::Tuning, "R3"),
-            ("Mounting", Component::Mounting, "floor"),
+            ("Mounting", Component::Mounting, "ceiling"),
             ("ControllerSN", Component::ControllerSerial, "F07_12R3A1_C_01"),
             ("ArmSN", Component::ArmSerial, "F07_12R3A1_A_01"),
             ("Starc", Component::Starc, "1.16.3 - Sep 27 2007 - 16:01:17"),
         ];
         for (name, part, version) in parts {
-            assert_eq!(versions.version(name), "");
+            assert_ne!(versions.version(name), version);
             versions.set(part, version);
             assert_eq!(versions.version(name), version);
         }
+        assert_eq!(Versions::default().version("Starc"), "");
         versions.set(Component::Tuning, "R4");
         assert_eq!(versions.version("Tuning"), "R4");
     }

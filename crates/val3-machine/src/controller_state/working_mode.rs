@@ -52,6 +52,18 @@ impl WorkingMode {
         self as u8
     }
 
+    /// Its name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Changing => "changing",
+            Self::Manual => "manual",
+            Self::Test => "test",
+            Self::Local => "local",
+            Self::Remote => "remote",
+        }
+    }
+
     /// What the arm can do in this mode; its place is the state that `workingMode` gives.
     fn activities(self) -> &'static [Activity] {
         use Activity::{Connection, FastProgrammed, FrameJog, Hold, JointJog, PointJog, Programmed, ToolJog};

@@ -1,10 +1,12 @@
-//! Inputs and outputs as instructions reach them.
+//! Inputs and outputs as instructions reach them (3.5, 3.6, 8.1).
 
 use val3_lang::fault::{Fault, Result};
-use val3_lang::ports::Io;
+use val3_lang::ports::{Described, Io};
+use val3_lang::types::BaseType;
+use val3_lang::values::Text;
 
 use super::Devices;
-use crate::io::{IoError, LinkId};
+use crate::io::{IoError, LinkId, Signal, SignalId};
 
 impl Io for Devices {
     fn read_digital(&mut self, port: Option<u32>) -> Result<bool> {
@@ -14,12 +16,91 @@ impl Io for Devices {
     fn write_digital(&mut self, port: Option<u32>, value: bool) -> Result<()> {
         self.io.write_digital(link(port), value).map_err(fault)
     }
+
+    fn read_bits(&mut self, ports: &[Option<u32>]) -> Result<f64> {
+        self.io.read_bits(&links(ports)).map_err(fault)
+    }
+
+    fn write_bits(&mut self, ports: &[Option<u32>], value: f64) -> Result<f64> {
+        self.io.write_bits(&links(ports), value).map_err(fault)
+    }
+
+    fn read_analog(&mut self, port: Option<u32>) -> Result<f64> {
+        self.io.read_analog(link(port)).map_err(fault)
+    }
+
+    fn write_analog(&mut self, port: Option<u32>, value: f64) -> Result<f64> {
+        self.io.write_analog(link(port), value).map_err(fault)
+    }
+
+    fn io_status(&mut self, base: BaseType, port: Option<u32>) -> i8 {
+        let status = match base {
+            BaseType::Dio => self.io.digital_status(link(port)),
+            _ => self.io.analog_status(link(port)),
+        };
+        status.number()
+    }
+
+    fn io_texts(&mut self, port: Option<u32>) -> Described {
+        let link = link(port);
+        Described { description: Text::from(self.io.description(link)), path: Text::from(self.io.text(link)) }
+    }
+
+    fn failed_devices(&mut self) -> Vec<Text> {
+        self.io.bus_faults().iter().map(|fault| Text::from(fault.as_str())).collect()
+    }
 }
 
 fn link(port: Option<u32>) -> LinkId {
     port.map_or(LinkId::NONE, LinkId::from_number)
 }
 
+fn links(ports: &[Option<u32>]) -> Vec<LinkId> {
+    ports.iter().copied().map(link).collect()
+}
+
 fn fault(error: IoError) -> Fault {
     Fault(error.number())
 }
+
+/// What the outside says of inputs and outputs.
+impl Devices {
+    /// The signals of a device as the configuration of the cell has them: the last part of the path, and the type of
+    /// variable, `dio` or `aio`. Signals of other types are lines, which are no inputs or outputs.
+    pub fn declare_io<'s>(&mut self, device: &str, signals: impl IntoIterator<Item = (&'s str, BaseType)>) {
+        let io = |base: &BaseType| matches!(base, BaseType::Dio | BaseType::Aio);
+        for (name, base) in signals.into_iter().filter(|(_, base)| io(base)) {
+            self.io.declare(Signal::from_path(&format!("{device}\\{name}"), base == BaseType::Dio));
+        }
+    }
+
+    /// The signal of a path. Where nothing is configured of its device, one that no variable names comes into being:
+    /// a library that is loaded later may name it.
+    ///
+    /// # Errors
+    /// Its device has no such signal.
+    pub fn signal(&mut self, path: &str, digital: bool) -> std::result::Result<SignalId, NoSignal> {
+        self.io.adopt(path, digital);
+        self.known_signal(path)
+    }
+
+    /// The signal of a path.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn known_signal(&self, path: &str) -> std::result::Result<SignalId, NoSignal> {
+        self.io.find(path).ok_or_else(|| NoSignal(path.to_owned()))
+    }
+}
+
+/// No signal has this path.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NoSignal(pub String);
+
+impl std::fmt::Display for NoSignal {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "no input or output is called `{}`", self.0)
+    }
+}
+
+impl std::error::Error for NoSignal {}

@@ -1,7 +1,145 @@
-//! Power, modes, speed, versions, users and dates as instructions reach them.
+//! Power, modes, speed, versions, users and dates as instructions reach them (4.3, 8.1).
 
-use val3_lang::ports::Robot;
+use val3_lang::ports::{Robot, Time};
+use val3_lang::values::Text;
+use val3_lang::values::date::DateTime;
 
 use super::Devices;
+use crate::controller_state::{RobotEvent, Severity};
+use crate::event::What;
 
-impl Robot for Devices {}
+impl Robot for Devices {
+    fn enable_power(&mut self) {
+        let now = self.origin.time;
+        let request = self.robot.enable_power(now);
+        if let Some(refusal) = request.refusal() {
+            self.log.report(refusal, Severity::Warning, now);
+            self.record_log();
+        }
+    }
+
+    fn disable_power(&mut self) {
+        self.robot.disable_power(self.origin.time);
+    }
+
+    fn is_power_off(&mut self) -> bool {
+        self.robot.is_power_off()
+    }
+
+    fn is_powered(&mut self) -> bool {
+        self.robot.is_powered()
+    }
+
+    fn is_calibrated(&mut self) -> bool {
+        self.robot.is_calibrated()
+    }
+
+    fn working_mode(&mut self) -> (u8, u8) {
+        (self.robot.working_mode().number(), self.robot.mode_state())
+    }
+
+    fn es_status(&mut self) -> u8 {
+        self.robot.es_status() as u8
+    }
+
+    fn safety_fault(&mut self) -> Option<Text> {
+        self.robot.safety_fault().map(Text::from)
+    }
+
+    fn monitor_speed(&mut self) -> f64 {
+        self.robot.monitor_speed()
+    }
+
+    fn set_monitor_speed(&mut self, speed: f64) -> i8 {
+        let operator_controls = self.profiles.active().controls_speed;
+        self.robot.set_monitor_speed(speed, operator_controls) as i8
+    }
+
+    fn version(&mut self, component: &str) -> Text {
+        Text::from(self.versions.version(component))
+    }
+
+    fn oem_licence(&mut self, name: &str, password: &str) -> Text {
+        Text::from(self.versions.oem_licence(name, password))
+    }
+
+    fn date(&mut self, now: Time) -> DateTime {
+        self.calendar.after(now)
+    }
+
+    fn log(&mut self, text: &str, level: f64) -> bool {
+        let written = self.log.log(text, Severity::from_number(level), self.origin.time);
+        self.record_log();
+        written
+    }
+
+    fn profile(&mut self) -> Text {
+        Text::from(self.profiles.active().name.as_str())
+    }
+
+    fn set_profile(&mut self, login: &str, password: &str) -> u8 {
+        self.profiles.change(login, password) as u8
+    }
+
+    fn language(&mut self) -> Text {
+        Text::from(self.languages.active())
+    }
+
+    fn set_language(&mut self, language: &str) -> bool {
+        self.languages.change(language)
+    }
+
+    fn safe_reference(&mut self) -> f64 {
+        self.cs9.safe_reference
+    }
+
+    fn has_external_supply(&mut self) -> bool {
+        self.cs9.external_supply
+    }
+
+    fn restart_safety(&mut self) -> bool {
+        self.cs9.accepts_restart
+    }
+
+    fn wake_up(&mut self) -> f64 {
+        self.cs9.wake_up
+    }
+
+    fn reference_position(&mut self, name: &str) -> [f64; 6] {
+        let mut joint = [0.0; 6];
+        let known = self.cs9.references.get(name).into_iter().flatten();
+        joint.iter_mut().zip(known).for_each(|(axis, position)| *axis = *position);
+        joint
+    }
+}
+
+impl Devices {
+    /// Writes a line of the controller itself to the event log, where nothing is lost.
+    pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
+        self.log.report(text, severity, now);
+        let logged = self.take_log();
+        logged.into_iter().for_each(|what| self.record_outside(now, what));
+    }
+
+    /// Records what the task that runs has brought into the event log.
+    pub(super) fn record_log(&mut self) {
+        let logged = self.take_log();
+        logged.into_iter().for_each(|what| self.record(what));
+    }
+
+    fn take_log(&mut self) -> Vec<What> {
+        let entries = self.log.take_entries();
+        entries.iter().map(|entry| What::Log { level: entry.severity.name(), text: entry.line() }).collect()
+    }
+
+    /// Records what has become of power and mode.
+    pub(super) fn record_robot(&mut self, now: Time) {
+        for event in self.robot.take_events() {
+            match event {
+                RobotEvent::Power(on) => self.record_outside(now, What::Power { on }),
+                RobotEvent::Mode(mode) => self.record_outside(now, What::Mode { mode: mode.number() }),
+                RobotEvent::EmergencyStop(_) | RobotEvent::MonitorSpeed(_) => {}
+            }
+        }
+    }
+}

@@ -1,19 +1,55 @@
 //! `libSave` (6.7).
+//!
+//! The files of an application or library stay in memory as they were loaded, so that it can be saved where its files
+//! were deleted or changed. Values that are as they were loaded leave the bytes of their file as they are.
 
-use val3_bytecode::{DataDef, Image};
-use val3_lang::memory::{Memory, StoreId};
+mod links;
+mod values;
+
+use val3_vm::{InstanceId, Space};
 
 use super::Devices;
+use super::media::controller_path;
+use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
+use links::Links;
+use values::Saver;
 
 impl Devices {
+    /// Keeps the files of what was loaded, as the place to write its data to.
+    pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
+        let library = controller_path("", path).and_then(|path| LibraryPath::new(&path));
+        if let Ok(files) = library.and_then(|library| library.read(&self.roots, "")) {
+            self.sources.insert(instance.0, files);
+        }
+    }
+
+    /// Saves `saved` where the program of `from` wants it, or where it was loaded from.
     pub(super) fn save_library(
         &mut self,
-        _: &Image,
-        _: &Memory,
-        _: &[(&DataDef, StoreId)],
-        _: &str,
-        _: Option<&str>,
-    ) -> u16 {
-        30
+        space: &Space,
+        (from, saved): (InstanceId, InstanceId),
+        to: Option<&str>,
+    ) -> Result<(), FileFault> {
+        let path = |id| space.instance(id).map_or("", |instance| instance.path.as_str());
+        let origin = LibraryPath::new(&controller_path("", path(saved))?)?;
+        let loaded = self.sources.get(&saved.0).ok_or(FileFault::NotFound)?;
+        let new = loaded.with_data(&self.saver(space, saved).ok_or(FileFault::NoLibrary)?.all());
+        match to {
+            Some(to) => {
+                let target = LibraryPath::new(&controller_path(path(from), to)?)?;
+                target.save_as(&self.roots, &new, &mut Uninterrupted)
+            }
+            None => {
+                // What is no longer on the medium is written anew.
+                let nothing = LibraryFiles { files: Vec::new(), encrypted: new.encrypted };
+                let old = if new.encrypted { nothing } else { origin.read(&self.roots, "").unwrap_or(nothing) };
+                origin.save(&self.roots, &old, &new, &mut Uninterrupted)
+            }
+        }
+    }
+
+    fn saver<'s>(&'s self, space: &'s Space, saved: InstanceId) -> Option<Saver<'s>> {
+        let instance = space.instance(saved)?;
+        Some(Saver { memory: &space.memory, instance, links: Links::new(space, (saved, instance), self) })
     }
 }

@@ -1,12 +1,160 @@
-//! The pendant as instructions reach it.
+//! The pendant as instructions reach it (4.3).
 
-use val3_lang::ports::Screen;
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::Place;
+use val3_lang::ports::{Answer, Asked, Screen, Time};
 
 use super::Devices;
+use crate::controller_state::Severity;
 use crate::event::What;
+use crate::screen::{PageId, ReadingId, ScreenEvent, TextMode, display_columns};
 
 impl Screen for Devices {
     fn print(&mut self, text: &str) {
         self.record(What::Print { text: text.to_owned() });
+    }
+
+    fn create_page(&mut self, variable: Place) -> u32 {
+        let name = self.name_of_screen(variable);
+        self.pendant.create(&name).number()
+    }
+
+    fn show_page(&mut self, page: u32) {
+        self.on_pendant(|pendant| pendant.show(PageId::from_number(page)));
+    }
+
+    fn fix_page(&mut self, fixed: bool) {
+        self.on_pendant(|pendant| pendant.fix(fixed));
+    }
+
+    fn go_to(&mut self, page: u32, x: f64, y: f64) {
+        self.pendant.go_to(PageId::from_number(page), x, y);
+    }
+
+    fn clear(&mut self, page: u32) {
+        self.on_pendant(|pendant| pendant.clear(PageId::from_number(page)));
+    }
+
+    fn set_text_mode(&mut self, page: u32, mode: f64) -> Result<()> {
+        let mode = TextMode::from_number(mode).ok_or(Fault::INVALID_PARAMETER)?;
+        self.pendant.set_text_mode(PageId::from_number(page), mode);
+        Ok(())
+    }
+
+    fn put(&mut self, page: u32, text: &str, ends_line: bool) {
+        self.on_pendant(|pendant| pendant.put(PageId::from_number(page), text, ends_line));
+    }
+
+    fn set_title(&mut self, page: u32, text: &str) {
+        self.on_pendant(|pendant| pendant.set_title(PageId::from_number(page), text));
+    }
+
+    fn pop_up(&mut self, text: &str, level: f64) {
+        self.on_pendant(|pendant| pendant.show_pop_up(text, Severity::from_number(level)));
+    }
+
+    fn begin_reading(&mut self, page: u32, asked: Asked) {
+        self.give_up_reading();
+        let reading = self.on_pendant(|pendant| pendant.begin_reading(PageId::from_number(page), asked));
+        self.readings.insert(self.origin.task, reading);
+    }
+
+    fn begin_question(&mut self, text: &str, asked: Asked) {
+        self.give_up_reading();
+        let reading = self.on_pendant(|pendant| pendant.ask(text, asked));
+        self.readings.insert(self.origin.task, reading);
+    }
+
+    fn take_answer(&mut self) -> Option<Answer> {
+        let reading = self.reading()?;
+        let answer = self.pendant.take_answer(reading)?;
+        self.readings.remove(&self.origin.task);
+        Some(answer)
+    }
+
+    fn take_key(&mut self, page: u32) -> Option<u16> {
+        self.pendant.take_key(PageId::from_number(page))
+    }
+
+    fn is_key_pressed(&mut self, page: u32, code: f64) -> bool {
+        let code = code.round();
+        (0.0..=f64::from(u16::MAX)).contains(&code) && {
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the range")]
+            let code = code as u16;
+            self.pendant.is_key_pressed(PageId::from_number(page), code)
+        }
+    }
+
+    fn display_columns(&mut self, text: &str) -> usize {
+        display_columns(text)
+    }
+
+    fn show_html(&mut self, page: &str) -> i8 {
+        self.on_pendant(|pendant| pendant.show_html(page))
+    }
+
+    fn set_html(&mut self, page: &str, id: &str, attribute: &str, value: &str) {
+        self.on_pendant(|pendant| pendant.set_html(page, id, attribute, value));
+    }
+}
+
+impl Devices {
+    /// Does something on the pendant for the task that runs, and records what is seen of it.
+    fn on_pendant<T>(&mut self, act: impl FnOnce(&mut crate::screen::Pendant) -> T) -> T {
+        let result = act(&mut self.pendant);
+        let seen = self.take_seen();
+        seen.into_iter().for_each(|what| self.record(what));
+        result
+    }
+
+    /// Records what the operator has done on the pendant.
+    pub(super) fn record_pendant(&mut self, now: Time) {
+        let seen = self.take_seen();
+        seen.into_iter().for_each(|what| self.record_outside(now, what));
+    }
+
+    fn take_seen(&mut self) -> Vec<What> {
+        let events = self.pendant.take_events();
+        events.into_iter().filter_map(|event| self.seen(event)).collect()
+    }
+
+    /// What the record says of an event. A question comes up as a message does.
+    fn seen(&self, event: ScreenEvent) -> Option<What> {
+        let screen = |page| self.pendant.name(page).to_owned();
+        let cell = |number| u8::try_from(number).unwrap_or(u8::MAX);
+        Some(match event {
+            ScreenEvent::Put { page, at, text, .. } => {
+                What::Put { screen: screen(page), x: cell(at.column), y: cell(at.row), text }
+            }
+            ScreenEvent::Title(page, text) => What::Title { screen: screen(page), text },
+            ScreenEvent::Cleared(page) => What::Cls { screen: screen(page) },
+            ScreenEvent::PopUp(pop_up) => What::Popup { text: pop_up.text },
+            ScreenEvent::Question(text) => What::Popup { text },
+            ScreenEvent::HtmlSet { page, id, attribute, value } => What::Html { page, id, attribute, value },
+            ScreenEvent::Shown(_) | ScreenEvent::PopUpConfirmed | ScreenEvent::HtmlShown(_) => return None,
+        })
+    }
+
+    /// What the task that runs has asked the operator.
+    fn reading(&self) -> Option<ReadingId> {
+        self.readings.get(&self.origin.task).copied()
+    }
+
+    fn give_up_reading(&mut self) {
+        self.cancel_reading(self.origin.task);
+    }
+
+    /// Nobody waits for an answer any more.
+    pub(super) fn cancel_reading(&mut self, task: val3_lang::ports::TaskNumber) {
+        if let Some(reading) = self.readings.remove(&task) {
+            self.pendant.cancel_reading(reading);
+        }
+    }
+
+    /// The name of a screen in the record: that of the global variable, with its index or key if it has several
+    /// values; `screen` and a number for a local one and for a field.
+    fn name_of_screen(&self, variable: Place) -> String {
+        let global = self.instances.iter().flatten().find_map(|instance| instance.name_of(variable));
+        global.unwrap_or_else(|| format!("screen{}", self.pendant.pages().count()))
     }
 }

@@ -2,16 +2,17 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{DataDef, Image, Program};
+use val3_bytecode::Image;
 use val3_lang::fault::Fault;
-use val3_lang::memory::{Memory, StoreId};
+use val3_lang::memory::StoreId;
 use val3_lang::ports::{Origin, Ports, TaskChange, TaskNumber};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
-use val3_vm::{Host, Loaded};
+use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
 
 use super::Devices;
 use crate::event::What;
+use crate::files::FileFault;
 
 impl Ports for Devices {
     fn origin(&mut self, origin: Origin) {
@@ -38,53 +39,42 @@ impl Ports for Devices {
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
             self.names.remove(&task);
+            self.cancel_reading(task);
+            self.lines.sending.remove(&task);
         }
     }
 
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32> {
         match base {
             BaseType::Dio | BaseType::Aio => Some(self.io.adopt(path, base == BaseType::Dio).number()),
+            BaseType::Sio => Some(self.lines.number(path)),
             _ => None,
         }
     }
 }
 
 impl Host for Devices {
-    fn loaded(&mut self, instance: u16, image: &Arc<Image>) {
-        let at = usize::from(instance);
-        if self.images.len() <= at {
-            self.images.resize(at + 1, Arc::clone(image));
-        }
-        if let Some(slot) = self.images.get_mut(at) {
-            *slot = Arc::clone(image);
+    fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
+        self.hold(instance, image, data);
+        self.sources.remove(&instance);
+        if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
+            self.sources.insert(instance, files);
         }
     }
 
     fn load(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, u16> {
-        self.load_library(from, path, password)
+        self.find_library(from, path, password).map_err(FileFault::code)
     }
 
-    fn save(
-        &mut self,
-        image: &Image,
-        memory: &Memory,
-        data: &[(&DataDef, StoreId)],
-        from: &str,
-        to: Option<&str>,
-    ) -> u16 {
-        self.save_library(image, memory, data, from, to)
+    fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16 {
+        self.save_library(space, (from, saved), to).err().map_or(0, FileFault::code)
     }
-}
 
-impl Devices {
-    /// The program, line and file that the task that runs is in.
-    fn place(&self) -> (String, u32, String) {
-        let found = self.images.get(usize::from(self.origin.instance)).and_then(|image| {
-            let program: &Program = image.programs.get(usize::from(self.origin.program))?;
-            let line = program.line_of(self.origin.line).and_then(|number| program.lines.get(number));
-            let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
-            Some((program.name.clone(), line.map_or(0, |line| line.row), file))
-        });
-        found.unwrap_or_default()
+    fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16) {
+        let op = match done {
+            LibraryOp::Load => "load",
+            LibraryOp::Save => "save",
+        };
+        self.record(What::Lib { op, alias: alias.to_owned(), path: path.to_owned(), code });
     }
 }

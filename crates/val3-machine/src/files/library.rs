@@ -56,7 +56,19 @@ impl LibraryPath {
         Ok(Self { folder: path.clone(), manifest: Some(format!("{name}.pjx").into()) })
     }
 
-    /// The path as `libPath` gives it: the folder, or the archive.
+    /// The path as `libPath` gives it, and by which libraries are told apart: the folder, or the archive; the project
+    /// file where it is not named as its folder.
+    #[must_use]
+    pub fn path(&self) -> ControllerPath {
+        let usual = self.folder.name().map(|name| format!("{name}.pjx"));
+        match (&self.manifest, usual) {
+            (Some(manifest), Some(usual)) if manifest.eq_ignore_ascii_case(&usual) => self.folder.clone(),
+            (Some(manifest), _) => self.folder.child(manifest),
+            (None, _) => self.folder.clone(),
+        }
+    }
+
+    /// The folder, or the archive.
     #[must_use]
     pub fn folder(&self) -> &ControllerPath {
         &self.folder

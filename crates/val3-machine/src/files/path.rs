@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use camino::Utf8Path;
 use smol_str::SmolStr;
 
 use super::FileFault;
@@ -62,6 +63,21 @@ impl ControllerPath {
         let mut path = self.clone();
         name.replace('\\', "/").split('/').try_for_each(|part| path.push(part))?;
         Ok(path)
+    }
+
+    /// The path of what is called `name` here. It was a name before.
+    pub(super) fn child(&self, name: &str) -> Self {
+        let mut path = self.clone();
+        path.parts.push(name.into());
+        path
+    }
+
+    /// The path with its last names as those of `spelled`.
+    pub(super) fn with_names(&self, spelled: &Utf8Path) -> Self {
+        let mut path = self.clone();
+        let names = path.parts.iter_mut().rev().take_while(|part| *part != "..");
+        names.zip(spelled.components().rev()).for_each(|(name, found)| *name = found.as_str().into());
+        path
     }
 
     /// The name of the medium, as it was written.

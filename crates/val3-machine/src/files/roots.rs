@@ -105,6 +105,15 @@ impl Roots {
         Ok(place)
     }
 
+    /// The path with the letter case that stands on the medium.
+    ///
+    /// # Errors
+    /// As [`Self::place`].
+    pub fn spelled(&self, path: &ControllerPath) -> Result<ControllerPath, FileFault> {
+        let place = self.place(path)?;
+        Ok(path.with_names(&place.path))
+    }
+
     /// The place is a folder that a medium starts in, or one around it.
     pub(super) fn is_base(&self, place: &Place<'_>) -> bool {
         let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();

@@ -9,10 +9,10 @@ pub use event::{PopUp, ScreenEvent};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use val3_lang::keys;
+use val3_lang::ports::{Answer, Asked, DEFAULT_PAGE};
 
 use super::keyboard::Keyboard;
 use super::page::Page;
-use super::reading::{Answer, Asked};
 use super::text_mode::TextMode;
 use super::user_page::{Echo, UserPage};
 use crate::controller_state::Severity;
@@ -23,7 +23,19 @@ pub struct PageId(u32);
 
 impl PageId {
     /// The page that instructions without a screen use; it always exists (4.2.1).
-    pub const DEFAULT: Self = Self(0);
+    pub const DEFAULT: Self = Self(DEFAULT_PAGE);
+
+    /// The number that a variable keeps.
+    #[must_use]
+    pub const fn number(self) -> u32 {
+        self.0
+    }
+
+    /// The page whose number a variable keeps.
+    #[must_use]
+    pub const fn from_number(number: u32) -> Self {
+        Self(number)
+    }
 }
 
 /// A `get` under way.
@@ -95,6 +107,11 @@ impl Pendant {
     #[must_use]
     pub fn page(&self, page: PageId) -> Option<&Page> {
         self.pages.get(&page).map(|user| &user.page)
+    }
+
+    /// Every page, in the order in which they came into being.
+    pub fn pages(&self) -> impl Iterator<Item = PageId> {
+        self.pages.keys().copied()
     }
 
     /// The name of a page's variable, empty for the default page.

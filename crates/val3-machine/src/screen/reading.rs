@@ -1,54 +1,9 @@
 //! What a `get` waits for, and how it ends (4.3).
 
 use val3_lang::keys;
+use val3_lang::ports::{Answer, Asked, Entry};
 
 use super::line_editor::LineEditor;
-
-/// What the operator is asked for.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Asked {
-    /// Any key; it is not shown.
-    Key,
-    /// Return or a menu key for yes, Esc for no; other keys do nothing (`userPageConfirm`).
-    Confirmation,
-    /// A text, at first this one, which is shown at the cursor.
-    Text(String),
-    /// A number, at first this one.
-    Number {
-        /// Its value.
-        value: f64,
-        /// The value as `put` shows it.
-        shown: String,
-    },
-}
-
-/// How a `get` ended.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Answer {
-    /// The code of the key that ended it: the result of `get`.
-    pub key: u16,
-    /// What the variable becomes.
-    pub entry: Entry,
-}
-
-impl Answer {
-    /// The operator has accepted: any key but Esc has ended it.
-    #[must_use]
-    pub fn is_accepted(&self) -> bool {
-        self.key != keys::ESC
-    }
-}
-
-/// What the operator entered.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Entry {
-    /// The variable stays as it is: Esc, or no variable, or a text that is no number.
-    Unchanged,
-    /// The text accepted with Return or a menu key.
-    Text(String),
-    /// The number accepted with Return or a menu key.
-    Number(f64),
-}
 
 /// A `get` under way.
 #[derive(Debug, Clone)]

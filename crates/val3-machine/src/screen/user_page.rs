@@ -2,9 +2,11 @@
 
 use std::collections::VecDeque;
 
+use val3_lang::ports::{Answer, Asked};
+
 use super::page::{Page, Position};
 use super::pendant::ReadingId;
-use super::reading::{Answer, Asked, Reading, Step};
+use super::reading::{Reading, Step};
 use super::width::display_columns;
 
 /// A page, the keys it was given, and the `get` instructions that wait for one.

@@ -66,6 +66,12 @@ impl Sending {
         self.bytes.len()
     }
 
+    /// The bytes that are gone.
+    #[must_use]
+    pub fn gone(&self) -> &[u8] {
+        self.bytes.get(..self.sent).unwrap_or(&self.bytes)
+    }
+
     fn rest(&self) -> &[u8] {
         self.bytes.get(self.sent..).unwrap_or(&[])
     }
@@ -83,6 +89,12 @@ impl Channel {
     #[must_use]
     pub fn kind(&self) -> LineKind {
         self.line.kind()
+    }
+
+    /// How long an instruction waits, in seconds: 0 without limit, negative not at all.
+    #[must_use]
+    pub fn timeout(&self) -> f64 {
+        self.timeout
     }
 
     /// Looks after the line without reading: accepts and turns down callers, and takes in what has come.

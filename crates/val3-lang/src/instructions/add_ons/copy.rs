@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Copies a file or a folder.
@@ -13,5 +15,10 @@ instruction! {
     ///   endIf
     /// ```
     "$copy": AddOns, with_add_on "Expansion";
-    modifier (string sFrom, string sTo) -> bool;
+    modifier (string sFrom, string sTo) -> bool = copy;
+}
+
+fn copy(call: &mut Call<'_>, source: Text, target: Text) -> bool {
+    let from = call.tasks.path(None);
+    call.ports.copy_file(&from, &source, &target)
 }

@@ -1,4 +1,6 @@
+use crate::call::{Any, Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Removes a value from a one-dimensional array.
@@ -13,6 +15,10 @@ instruction! {
     /// num nPath[4]
     ///   $ddel(nPath,0)
     /// ```
-    "$ddel": AddOns, with_add_on "Expansion";
-    modifier (any& variable[], num nIndex);
+    "$ddel": AddOns, with_add_on "Expansion", errors [20, 21, 70];
+    modifier (any& variable[], num nIndex) = delete;
+}
+
+fn delete(call: &mut Call<'_>, variable: Arr<Any>, index: f64) -> Result<()> {
+    call.memory.delete_at(variable.view, index)
 }

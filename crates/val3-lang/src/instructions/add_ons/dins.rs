@@ -1,4 +1,6 @@
+use crate::call::{Any, Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Inserts a value into a one-dimensional array.
@@ -13,6 +15,11 @@ instruction! {
     /// num nPath[4]
     ///   $dins(nPath,size(nPath)-1)
     /// ```
-    "$dins": AddOns, with_add_on "Expansion";
-    modifier (any& variable[], num nIndex);
+    "$dins": AddOns, with_add_on "Expansion", errors [20, 21, 40, 70];
+    modifier (any& variable[], num nIndex) = insert;
+}
+
+fn insert(call: &mut Call<'_>, variable: Arr<Any>, index: f64) -> Result<()> {
+    let limit = call.version.container_limit();
+    call.memory.insert_at(variable.view, index, limit)
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,10 @@ instruction! {
     ///   endIf
     /// ```
     "$fileClose": AddOns, with_add_on "Expansion";
-    modifier (num nFile) -> num;
+    modifier (num nFile) -> num = close;
+}
+
+fn close(call: &mut Call<'_>, file: f64) -> f64 {
+    let closed = call.ports.close_file(file);
+    if closed { 0.0 } else { -1.0 }
 }

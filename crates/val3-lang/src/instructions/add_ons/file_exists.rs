@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Tells whether a file exists.
@@ -13,5 +15,10 @@ instruction! {
     ///   endIf
     /// ```
     "$fileExists": AddOns, with_add_on "Expansion";
-    function (string sPath) -> bool;
+    function (string sPath) -> bool = exists;
+}
+
+fn exists(call: &mut Call<'_>, path: Text) -> bool {
+    let from = call.tasks.path(None);
+    call.ports.file_exists(&from, &path)
 }

@@ -1,4 +1,8 @@
+use crate::call::{Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::Text;
+use crate::values::numbers::round;
 
 instruction! {
     /// Reads lines or bytes from an open file.
@@ -20,6 +24,30 @@ instruction! {
     ///   $fileClose(nFile)
     /// ```
     "$fileGet": AddOns, with_add_on "Expansion";
-    modifier (num nFile, string& sLines[], num nCount) -> num;
-    modifier (num nFile, num& nBytes[], num nCount) -> num;
+    modifier (num nFile, string& sLines[], num nCount) -> num = lines;
+    modifier (num nFile, num& nBytes[], num nCount) -> num = bytes;
+}
+
+fn lines(call: &mut Call<'_>, file: f64, lines: Arr<Text>, count: f64) -> Result<f64> {
+    let most = at_most(count, lines.len(call)?);
+    let read = call.ports.read_lines(file, most);
+    for (index, line) in read.iter().enumerate() {
+        lines.set(call, index, Text::from(line.as_str()))?;
+    }
+    Ok(read.len() as f64)
+}
+
+fn bytes(call: &mut Call<'_>, file: f64, bytes: Arr<f64>, count: f64) -> Result<f64> {
+    let most = at_most(count, bytes.len(call)?);
+    let read = call.ports.read_bytes(file, most);
+    for (index, byte) in read.iter().enumerate() {
+        bytes.set(call, index, f64::from(*byte))?;
+    }
+    Ok(read.len() as f64)
+}
+
+/// So many values as are wanted, and no more than the array has: a count beyond it is no error.
+pub(super) fn at_most(count: f64, len: usize) -> usize {
+    // The cast ends at both bounds of the range, and makes 0 of what is no number.
+    len.min(round(count) as usize)
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Opens a file.
@@ -20,5 +22,11 @@ instruction! {
     ///   endIf
     /// ```
     "$fileOpen": AddOns, with_add_on "Expansion";
-    function (string sPath, string sMode) -> num;
+    function (string sPath, string sMode) -> num = open;
+}
+
+/// -1 where the file cannot be opened: every number from 0 on is one of an open file.
+fn open(call: &mut Call<'_>, path: Text, mode: Text) -> f64 {
+    let from = call.tasks.path(None);
+    call.ports.open_file(&from, &path, &mode).map_or(-1.0, f64::from)
 }

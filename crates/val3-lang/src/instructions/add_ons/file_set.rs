@@ -1,4 +1,8 @@
+use super::file_get::at_most;
+use crate::call::{Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::Text;
 
 instruction! {
     /// Writes lines or bytes to an open file.
@@ -18,6 +22,18 @@ instruction! {
     ///   $fileClose(nFile)
     /// ```
     "$fileSet": AddOns, with_add_on "Expansion";
-    modifier (num nFile, string& sLines[], num nCount) -> num;
-    modifier (num nFile, num& nBytes[], num nCount) -> num;
+    modifier (num nFile, string& sLines[], num nCount) -> num = lines;
+    modifier (num nFile, num& nBytes[], num nCount) -> num = bytes;
+}
+
+fn lines(call: &mut Call<'_>, file: f64, lines: Arr<Text>, count: f64) -> Result<f64> {
+    let count = at_most(count, lines.len(call)?);
+    let lines = (0..count).map(|index| lines.get(call, index)).collect::<Result<Vec<_>>>()?;
+    Ok(call.ports.write_lines(file, &lines) as f64)
+}
+
+fn bytes(call: &mut Call<'_>, file: f64, bytes: Arr<f64>, count: f64) -> Result<f64> {
+    let count = at_most(count, bytes.len(call)?);
+    let bytes = (0..count).map(|index| bytes.get(call, index)).collect::<Result<Vec<_>>>()?;
+    Ok(call.ports.write_bytes(file, &bytes) as f64)
 }

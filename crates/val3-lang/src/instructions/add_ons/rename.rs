@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Moves a file or a folder, or gives it another name.
@@ -13,5 +15,10 @@ instruction! {
     ///   endIf
     /// ```
     "$rename": AddOns, with_add_on "Expansion";
-    modifier (string sFrom, string sTo) -> bool;
+    modifier (string sFrom, string sTo) -> bool = rename;
+}
+
+fn rename(call: &mut Call<'_>, old: Text, new: Text) -> bool {
+    let from = call.tasks.path(None);
+    call.ports.rename_file(&from, &old, &new)
 }

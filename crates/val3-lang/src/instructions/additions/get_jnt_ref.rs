@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives a reference position of the arm by its name.
@@ -15,5 +17,9 @@ instruction! {
     ///   jSafe=getJntRef("safeRef")
     /// ```
     "getJntRef": Additions, since 8;
-    function (string sName) -> joint;
+    function (string sName) -> joint = reference;
+}
+
+fn reference(call: &mut Call<'_>, name: Text) -> [f64; 6] {
+    call.ports.reference_position(&name)
 }

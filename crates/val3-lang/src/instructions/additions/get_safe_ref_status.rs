@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +14,9 @@ instruction! {
     ///   putln(getSafeRefStatus())
     /// ```
     "getSafeRefStatus": Additions, since 8;
-    function () -> num;
+    function () -> num = get_safe_ref_status;
+}
+
+fn get_safe_ref_status(call: &mut Call<'_>) -> f64 {
+    call.ports.safe_reference()
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,9 @@ instruction! {
     ///   endIf
     /// ```
     "hasCpuExtPowerSupply": Additions, since 8;
-    function () -> bool;
+    function () -> bool = has_cpu_ext_power_supply;
+}
+
+fn has_cpu_ext_power_supply(call: &mut Call<'_>) -> bool {
+    call.ports.has_external_supply()
 }

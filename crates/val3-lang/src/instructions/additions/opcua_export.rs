@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::memory::View;
 
 instruction! {
     /// Publishes a variable on the OPC UA server of the controller.
@@ -15,5 +17,8 @@ instruction! {
     ///   opcuaExport(nDone,false)
     /// ```
     "opcuaExport": Additions, since 8;
-    modifier (any& variable, bool bWritable);
+    modifier (any& variable, bool bWritable) = export;
 }
+
+/// The virtual controller has no clients: the variable is published and nobody reads it.
+fn export(_: &mut Call<'_>, _: View, _: bool) {}

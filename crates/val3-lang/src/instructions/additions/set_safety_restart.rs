@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,9 @@ instruction! {
     ///   endIf
     /// ```
     "setSafetyRestart": Additions, since 8;
-    modifier () -> bool;
+    modifier () -> bool = set_safety_restart;
+}
+
+fn set_safety_restart(call: &mut Call<'_>) -> bool {
+    call.ports.restart_safety()
 }

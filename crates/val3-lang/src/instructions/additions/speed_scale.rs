@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,9 @@ instruction! {
     ///   endIf
     /// ```
     "speedScale": Additions, until 6;
-    function () -> num;
+    function () -> num = speed_scale;
+}
+
+fn speed_scale(call: &mut Call<'_>) -> f64 {
+    call.ports.monitor_speed()
 }

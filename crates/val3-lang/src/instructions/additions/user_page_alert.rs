@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Shows a message above the user pages.
@@ -13,5 +15,9 @@ instruction! {
     ///   userPageAlert("Tray is empty")
     /// ```
     "userPageAlert": Additions, since 8;
-    modifier (string sText);
+    modifier (string sText) = alert;
+}
+
+fn alert(call: &mut Call<'_>, text: Text) {
+    call.ports.pop_up(&text, 1.0);
 }

@@ -1,4 +1,7 @@
+use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
+use crate::ports::Asked;
+use crate::values::Text;
 
 instruction! {
     /// Asks the operator a question on the user page.
@@ -16,5 +19,13 @@ instruction! {
     ///   endIf
     /// ```
     "userPageConfirm": Additions, since 8;
-    modifier (string sText) -> bool;
+    modifier (string sText) -> bool = confirm;
+}
+
+fn confirm(call: &mut Call<'_>, text: Text) -> Flow<bool> {
+    if call.is_first() {
+        call.ports.begin_question(&text, Asked::Confirmation);
+    }
+    let answer = call.ports.take_answer();
+    answer.map_or(Flow::Wait(Wait::FOR_OTHERS), |answer| Flow::Done(answer.is_accepted()))
 }

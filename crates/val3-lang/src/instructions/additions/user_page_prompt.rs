@@ -1,4 +1,8 @@
+use crate::call::{Call, Flow, Var, Wait};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::{Asked, Entry};
+use crate::values::Text;
 
 instruction! {
     /// Asks the operator for a text on the user page.
@@ -18,5 +22,17 @@ instruction! {
     ///   endIf
     /// ```
     "userPagePrompt": Additions, since 8;
-    modifier (string sPrompt, string& sText) -> bool;
+    modifier (string sPrompt, string& sText) -> bool = prompt;
+}
+
+fn prompt(call: &mut Call<'_>, question: Text, text: Var<Text>) -> Result<Flow<bool>> {
+    if call.is_first() {
+        let shown = text.get(call)?.to_string();
+        call.ports.begin_question(&question, Asked::Text(shown));
+    }
+    let Some(answer) = call.ports.take_answer() else { return Ok(Flow::Wait(Wait::FOR_OTHERS)) };
+    if let Entry::Text(entered) = &answer.entry {
+        text.set(call, Text::from(entered.as_str()))?;
+    }
+    Ok(Flow::Done(answer.is_accepted()))
 }

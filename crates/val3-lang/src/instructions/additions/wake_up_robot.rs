@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,9 @@ instruction! {
     ///   putln(nCode)
     /// ```
     "wakeUpRobot": Additions, since 8;
-    modifier () -> num;
+    modifier () -> num = wake_up_robot;
+}
+
+fn wake_up_robot(call: &mut Call<'_>) -> f64 {
+    call.ports.wake_up()
 }

@@ -1,3 +1,4 @@
+use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
 
 instruction! {
@@ -11,5 +12,12 @@ instruction! {
     ///   putln("power is off")
     /// ```
     "disablePower": Controller "8.1", blocking;
-    modifier ();
+    modifier () = disable_power;
+}
+
+fn disable_power(call: &mut Call<'_>) -> Flow {
+    if call.is_first() {
+        call.ports.disable_power();
+    }
+    if call.ports.is_power_off() { Flow::Done(()) } else { Flow::Wait(Wait::FOR_OTHERS) }
 }

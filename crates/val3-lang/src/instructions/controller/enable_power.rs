@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -14,5 +15,9 @@ instruction! {
     ///   endIf
     /// ```
     "enablePower": Controller "8.1";
-    modifier ();
+    modifier () = enable_power;
+}
+
+fn enable_power(call: &mut Call<'_>) {
+    call.ports.enable_power();
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +14,9 @@ instruction! {
     ///   endIf
     /// ```
     "esStatus": Controller "8.1";
-    function () -> num;
+    function () -> num = es_status;
+}
+
+fn es_status(call: &mut Call<'_>) -> f64 {
+    call.ports.es_status().into()
 }

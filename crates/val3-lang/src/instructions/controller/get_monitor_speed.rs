@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +14,9 @@ instruction! {
     ///   endIf
     /// ```
     "getMonitorSpeed": Controller "8.1";
-    function () -> num;
+    function () -> num = get_monitor_speed;
+}
+
+fn get_monitor_speed(call: &mut Call<'_>) -> f64 {
+    call.ports.monitor_speed()
 }

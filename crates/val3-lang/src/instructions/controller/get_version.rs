@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives the version or the state of a part of the controller.
@@ -15,5 +17,9 @@ instruction! {
     ///   endIf
     /// ```
     "getVersion": Controller "8.1";
-    function (string sComponent) -> string;
+    function (string sComponent) -> string = version;
+}
+
+fn version(call: &mut Call<'_>, component: Text) -> Text {
+    call.ports.version(&component)
 }

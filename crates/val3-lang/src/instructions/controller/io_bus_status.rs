@@ -1,4 +1,8 @@
+use crate::call::{Arr, Call};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::memory::View;
+use crate::values::Text;
 
 instruction! {
     /// Counts the field bus devices that have failed.
@@ -15,5 +19,26 @@ instruction! {
     ///   endIf
     /// ```
     "ioBusStatus": Controller "8.1";
-    modifier (string& sErrorDescription[]) -> num;
+    modifier (string& sErrorDescription[]) -> num = bus_status;
+}
+
+/// Texts fill the array from its first value on; values behind the last text stay. A local array does not grow and
+/// holds as many texts as it has values.
+fn bus_status(call: &mut Call<'_>, texts: Arr<Text>) -> Result<f64> {
+    let faults = call.ports.failed_devices();
+    if !call.memory.store(texts.view.store)?.local {
+        grow(call, texts.view, faults.len())?;
+    }
+    for (index, fault) in faults.iter().enumerate().take(texts.len(call)?) {
+        texts.set(call, index, *fault)?;
+    }
+    Ok(faults.len() as f64)
+}
+
+fn grow(call: &mut Call<'_>, view: View, wanted: usize) -> Result<()> {
+    let limit = call.version.container_limit();
+    while (call.memory.len(view)? as usize) < wanted {
+        call.memory.append(view.store, limit)?;
+    }
+    Ok(())
 }

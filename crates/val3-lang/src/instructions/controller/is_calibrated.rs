@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -12,5 +13,9 @@ instruction! {
     ///   endIf
     /// ```
     "isCalibrated": Controller "8.1";
-    function () -> bool;
+    function () -> bool = is_calibrated;
+}
+
+fn is_calibrated(call: &mut Call<'_>) -> bool {
+    call.ports.is_calibrated()
 }

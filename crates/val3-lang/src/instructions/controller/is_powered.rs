@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -10,5 +11,9 @@ instruction! {
     ///   wait(isPowered())
     /// ```
     "isPowered": Controller "8.1";
-    function () -> bool;
+    function () -> bool = is_powered;
+}
+
+fn is_powered(call: &mut Call<'_>) -> bool {
+    call.ports.is_powered()
 }

@@ -1,4 +1,7 @@
+use crate::call::{Call, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::Text;
 
 instruction! {
     /// Tells whether the safety circuit has a hardware fault that was found and confirmed.
@@ -14,5 +17,13 @@ instruction! {
     ///   endIf
     /// ```
     "safetyFault": Controller "8.1";
-    modifier (string& sSignalName) -> bool;
+    modifier (string& sSignalName) -> bool = safety_fault;
+}
+
+fn safety_fault(call: &mut Call<'_>, signal: Var<Text>) -> Result<bool> {
+    let fault = call.ports.safety_fault();
+    if let Some(name) = fault {
+        signal.set(call, name)?;
+    }
+    Ok(fault.is_some())
 }

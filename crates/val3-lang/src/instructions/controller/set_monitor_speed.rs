@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,9 @@ instruction! {
     ///   endIf
     /// ```
     "setMonitorSpeed": Controller "8.1";
-    modifier (num nSpeed) -> num;
+    modifier (num nSpeed) -> num = set_monitor_speed;
+}
+
+fn set_monitor_speed(call: &mut Call<'_>, speed: f64) -> f64 {
+    call.ports.set_monitor_speed(speed).into()
 }

@@ -1,4 +1,6 @@
+use crate::call::{Call, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Gives the working mode of the robot.
@@ -16,6 +18,16 @@ instruction! {
     ///   endIf
     /// ```
     "workingMode": Controller "8.1";
-    function () -> num;
-    modifier (num& nStatus) -> num;
+    function () -> num = mode;
+    modifier (num& nStatus) -> num = mode_and_state;
+}
+
+fn mode(call: &mut Call<'_>) -> f64 {
+    call.ports.working_mode().0.into()
+}
+
+fn mode_and_state(call: &mut Call<'_>, status: Var<f64>) -> Result<f64> {
+    let (mode, state) = call.ports.working_mode();
+    status.set(call, state.into())?;
+    Ok(mode.into())
 }

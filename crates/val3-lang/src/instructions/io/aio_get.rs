@@ -1,4 +1,6 @@
+use crate::call::{Call, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Reads a numerical input or output.
@@ -13,5 +15,9 @@ instruction! {
     ///   wait(aioGet(aiPressure)>=4.5)
     /// ```
     "aioGet": Io "3.6.2", errors [123, 125];
-    function (aio aiInput) -> num;
+    function (aio aiInput) -> num = read;
+}
+
+fn read(call: &mut Call<'_>, input: IoRef) -> Result<f64> {
+    call.ports.read_analog(input.port)
 }

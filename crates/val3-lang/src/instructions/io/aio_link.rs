@@ -1,4 +1,6 @@
+use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Links a numerical signal to the input or output that another one is linked to.
@@ -15,5 +17,9 @@ instruction! {
     ///   endIf
     /// ```
     "aioLink": Io "3.6.2";
-    modifier (aio& aiVariable, aio aiSource);
+    modifier (aio& aiVariable, aio aiSource) = link;
+}
+
+fn link(call: &mut Call<'_>, variable: Var<IoRef>, source: IoRef) -> Result<()> {
+    variable.set(call, source)
 }

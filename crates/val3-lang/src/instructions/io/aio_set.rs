@@ -1,4 +1,6 @@
+use crate::call::{Call, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Writes a number to a numerical output.
@@ -15,5 +17,9 @@ instruction! {
     ///   nFlow=aioSet(aiFlow,12.3)
     /// ```
     "aioSet": Io "3.6.2", errors [122, 123, 124, 125];
-    modifier (aio aiOutput, num nValue) -> num;
+    modifier (aio aiOutput, num nValue) -> num = write;
+}
+
+fn write(call: &mut Call<'_>, output: IoRef, value: f64) -> Result<f64> {
+    call.ports.write_analog(output.port, value)
 }

@@ -1,4 +1,6 @@
+use crate::call::{Call, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Throws away what a serial channel has received and nobody has read.
@@ -14,5 +16,10 @@ instruction! {
     ///   siHost="READY"
     /// ```
     "clearBuffer": Io "3.7.3", errors [123];
-    modifier (sio siVariable) -> num;
+    modifier (sio siVariable) -> num = clear;
+}
+
+fn clear(call: &mut Call<'_>, line: IoRef) -> Result<f64> {
+    let cleared = call.ports.clear_line(line.port)?;
+    Ok(cleared.map_or(-1.0, |count| count as f64))
 }

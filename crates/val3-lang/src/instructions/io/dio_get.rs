@@ -1,4 +1,6 @@
+use crate::call::{Arr, Call, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Reads an array of digital signals as a binary number.
@@ -14,5 +16,10 @@ instruction! {
     ///   nCode=dioGet(diCode)
     /// ```
     "dioGet": Io "3.5.3", errors [123, 125];
-    function (dio& diArray[]) -> num;
+    function (dio& diArray[]) -> num = read;
+}
+
+fn read(call: &mut Call<'_>, signals: Arr<IoRef>) -> Result<f64> {
+    let ports: Vec<_> = signals.all(call)?.iter().map(|signal| signal.port).collect();
+    call.ports.read_bits(&ports)
 }

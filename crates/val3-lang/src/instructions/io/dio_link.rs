@@ -1,4 +1,6 @@
+use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Links a digital signal to the input or output that another one is linked to.
@@ -20,5 +22,9 @@ instruction! {
     ///   endIf
     /// ```
     "dioLink": Io "3.5.3";
-    modifier (dio& diVariable, dio diSource);
+    modifier (dio& diVariable, dio diSource) = link;
+}
+
+fn link(call: &mut Call<'_>, variable: Var<IoRef>, source: IoRef) -> Result<()> {
+    variable.set(call, source)
 }

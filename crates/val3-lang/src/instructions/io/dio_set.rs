@@ -1,4 +1,6 @@
+use crate::call::{Arr, Call, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Writes a number in binary to an array of digital outputs.
@@ -15,5 +17,10 @@ instruction! {
     ///   dioSet(diTray,nTray)
     /// ```
     "dioSet": Io "3.5.3", errors [122, 123, 124, 125];
-    modifier (dio& diArray[], num nValue) -> num;
+    modifier (dio& diArray[], num nValue) -> num = write;
+}
+
+fn write(call: &mut Call<'_>, signals: Arr<IoRef>, value: f64) -> Result<f64> {
+    let ports: Vec<_> = signals.all(call)?.iter().map(|signal| signal.port).collect();
+    call.ports.write_bits(&ports, value)
 }

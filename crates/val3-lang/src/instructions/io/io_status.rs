@@ -1,4 +1,8 @@
+use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::types::BaseType;
+use crate::values::Text;
 
 instruction! {
     /// Tells whether an input or output works.
@@ -21,8 +25,32 @@ instruction! {
     ///   endIf
     /// ```
     "ioStatus": Io "3.5.3, 3.6.2";
-    function (dio diInputOutput) -> num;
-    modifier (dio diInputOutput, string& sDescription, string& sPhysicalPath) -> num;
-    function (aio aiInputOutput) -> num;
-    modifier (aio aiInputOutput, string& sDescription, string& sPhysicalPath) -> num;
+    function (dio diInputOutput) -> num = of_digital;
+    modifier (dio diInputOutput, string& sDescription, string& sPhysicalPath) -> num = describe_digital;
+    function (aio aiInputOutput) -> num = of_analog;
+    modifier (aio aiInputOutput, string& sDescription, string& sPhysicalPath) -> num = describe_analog;
+}
+
+fn of_digital(call: &mut Call<'_>, signal: IoRef) -> f64 {
+    call.ports.io_status(BaseType::Dio, signal.port).into()
+}
+
+fn of_analog(call: &mut Call<'_>, signal: IoRef) -> f64 {
+    call.ports.io_status(BaseType::Aio, signal.port).into()
+}
+
+fn describe_digital(call: &mut Call<'_>, signal: IoRef, description: Var<Text>, path: Var<Text>) -> Result<f64> {
+    describe(call, signal, &description, &path)?;
+    Ok(of_digital(call, signal))
+}
+
+fn describe_analog(call: &mut Call<'_>, signal: IoRef, description: Var<Text>, path: Var<Text>) -> Result<f64> {
+    describe(call, signal, &description, &path)?;
+    Ok(of_analog(call, signal))
+}
+
+fn describe(call: &mut Call<'_>, signal: IoRef, description: &Var<Text>, path: &Var<Text>) -> Result<()> {
+    let found = call.ports.io_texts(signal.port);
+    description.set(call, found.description)?;
+    path.set(call, found.path)
 }

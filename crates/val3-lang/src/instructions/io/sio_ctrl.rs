@@ -1,4 +1,9 @@
+use crate::call::{Any, Call, IoRef, Stored};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::LineValue;
+use crate::types::BaseType;
+use crate::values::Text;
 
 instruction! {
     /// Changes a communication parameter of a serial channel.
@@ -20,5 +25,15 @@ instruction! {
     ///   sioCtrl(siHost,"timeout",0.5)
     /// ```
     "sioCtrl": Io "3.7.3", errors [123];
-    modifier (sio siChannel, string sParameter, any value) -> num;
+    modifier (sio siChannel, string sParameter, any value) -> num = control;
+}
+
+fn control(call: &mut Call<'_>, line: IoRef, parameter: Text, value: Any) -> Result<f64> {
+    let value = match value.base {
+        Some(BaseType::Bool) => LineValue::Bool(bool::read(call.memory, value.place)?),
+        Some(BaseType::Num) => LineValue::Num(f64::read(call.memory, value.place)?),
+        Some(BaseType::String) => LineValue::Text(Text::read(call.memory, value.place)?),
+        _ => LineValue::Other,
+    };
+    call.ports.control_line(line.port, &parameter, value).map(f64::from)
 }

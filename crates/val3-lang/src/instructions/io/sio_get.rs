@@ -1,4 +1,6 @@
+use crate::call::{Arr, Call, Flow, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Reads bytes from a serial channel.
@@ -22,5 +24,20 @@ instruction! {
     ///   endIf
     /// ```
     "sioGet": Io "3.7.3", blocking, errors [70, 123, 125];
-    modifier (sio siInput, num& nData[]) -> num;
+    modifier (sio siInput, num& nData[]) -> num = get;
+}
+
+fn get(call: &mut Call<'_>, line: IoRef, data: Arr<f64>) -> Result<Flow<f64>> {
+    let most = data.len(call)?;
+    let waited = call.waited();
+    let reply = call.ports.receive(line.port, most, waited)?;
+    let read = match reply.flow(call) {
+        Flow::Done(Some(read)) => read,
+        Flow::Done(None) => return Ok(Flow::Done(-1.0)),
+        Flow::Wait(wait) => return Ok(Flow::Wait(wait)),
+    };
+    for (index, byte) in read.iter().enumerate().take(most) {
+        data.set(call, index, f64::from(*byte))?;
+    }
+    Ok(Flow::Done(read.len() as f64))
 }

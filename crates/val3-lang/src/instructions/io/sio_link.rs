@@ -1,4 +1,6 @@
+use crate::call::{Call, IoRef, Var};
 use crate::declare::instruction;
+use crate::fault::Result;
 
 instruction! {
     /// Links a serial channel to the line or socket that another one is linked to.
@@ -13,5 +15,10 @@ instruction! {
     ///   sioLink(siHost,siSocket)
     /// ```
     "sioLink": Io "3.7.3";
-    modifier (sio& siVariable, sio siSource);
+    modifier (sio& siVariable, sio siSource) = link;
+}
+
+/// A source without a link takes the link of the variable away.
+fn link(call: &mut Call<'_>, variable: Var<IoRef>, source: IoRef) -> Result<()> {
+    variable.set(call, source)
 }

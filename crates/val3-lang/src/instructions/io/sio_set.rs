@@ -1,4 +1,8 @@
+use crate::call::{Arr, Call, Flow, IoRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::Outgoing;
+use crate::values::numbers::round;
 
 instruction! {
     /// Writes bytes to a serial channel.
@@ -19,6 +23,23 @@ instruction! {
     ///   endIf
     /// ```
     "sioSet": Io "3.7.3", blocking, errors [123, 125];
-    modifier (sio siOutput, num& nData[]) -> num;
-    modifier (sio siOutput, num& nData[], num nLength) -> num since 8;
+    modifier (sio siOutput, num& nData[]) -> num = set;
+    modifier (sio siOutput, num& nData[], num nLength) -> num since 8 = set_some;
+}
+
+fn set(call: &mut Call<'_>, line: IoRef, data: Arr<f64>) -> Result<Flow<f64>> {
+    set_some(call, line, data, f64::INFINITY)
+}
+
+/// A length beyond the array means all of it.
+fn set_some(call: &mut Call<'_>, line: IoRef, data: Arr<f64>, length: f64) -> Result<Flow<f64>> {
+    // The cast ends at both bounds of the range, and makes 0 of what is no number.
+    let count = data.len(call)?.min(round(length) as usize);
+    let numbers = (0..count).map(|index| data.get(call, index)).collect::<Result<Vec<_>>>()?;
+    let (first, waited) = (call.is_first(), call.waited());
+    let reply = call.ports.send(line.port, Outgoing::Numbers(&numbers), first, waited)?;
+    Ok(match reply.flow(call) {
+        Flow::Done(sent) => Flow::Done(sent.map_or(-1.0, |count| count as f64)),
+        Flow::Wait(wait) => Flow::Wait(wait),
+    })
 }

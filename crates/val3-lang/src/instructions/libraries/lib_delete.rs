@@ -1,4 +1,6 @@
+use crate::call::{Call, Flow};
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Deletes a library from a disk.
@@ -13,5 +15,13 @@ instruction! {
     ///   endIf
     /// ```
     "libDelete": Libraries "6.7", blocking;
-    modifier (string sPath) -> num;
+    modifier (string sPath) -> num = delete;
+}
+
+fn delete(call: &mut Call<'_>, path: Text) -> Flow<f64> {
+    if call.is_first() {
+        return call.sleep(0);
+    }
+    let from = call.tasks.path(None);
+    Flow::Done(f64::from(call.ports.delete_library(&from, &path)))
 }

@@ -1,4 +1,6 @@
+use crate::call::{Call, LibraryRef};
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Tells whether the library under an identifier has a public variable or program.
@@ -20,5 +22,10 @@ instruction! {
     /// end
     /// ```
     "libExist": Libraries "6.7";
-    function (string sSymbolName) -> bool on library;
+    function (string sSymbolName) -> bool on library = exists;
+}
+
+/// `false` too where nothing is loaded under the identifier.
+fn exists(call: &mut Call<'_>, library: LibraryRef, symbol: Text) -> bool {
+    call.tasks.exports(library.0, &symbol)
 }

@@ -1,4 +1,7 @@
+use crate::call::{Arr, Call, Flow};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::values::Text;
 
 instruction! {
     /// Lists what a folder contains.
@@ -18,5 +21,33 @@ instruction! {
     ///   endFor
     /// ```
     "libList": Libraries "6.7", blocking;
-    modifier (string sPath, string& sContents[]) -> bool;
+    modifier (string sPath, string& sContents[]) -> bool = list;
+}
+
+/// `false` with an empty list where the folder cannot be read: no instruction for libraries raises an error (6.6).
+fn list(call: &mut Call<'_>, path: Text, contents: Arr<Text>) -> Result<Flow<bool>> {
+    if call.is_first() {
+        return Ok(call.sleep(0));
+    }
+    for index in 0..contents.len(call)? {
+        contents.set(call, index, Text::new())?;
+    }
+    let from = call.tasks.path(None);
+    let Some(names) = call.ports.list(&from, &path) else { return Ok(Flow::Done(false)) };
+    grow(call, &contents, names.len());
+    let room = contents.len(call)?;
+    for (index, name) in names.iter().enumerate().take(room) {
+        contents.set(call, index, Text::from(name.as_str()))?;
+    }
+    Ok(Flow::Done(names.len() <= room))
+}
+
+/// Makes room where the array can grow; the result of the instruction tells where it cannot.
+fn grow(call: &mut Call<'_>, contents: &Arr<Text>, wanted: usize) {
+    let limit = call.version.container_limit();
+    while contents.len(call).is_ok_and(|len| len < wanted) {
+        if call.memory.append(contents.view.store, limit).is_err() {
+            return;
+        }
+    }
 }

@@ -1,4 +1,7 @@
+use crate::call::{Call, Flow, LibraryRef};
 use crate::declare::instruction;
+use crate::ports::Request;
+use crate::values::Text;
 
 instruction! {
     /// Loads a library under an identifier of the application.
@@ -25,6 +28,23 @@ instruction! {
     /// public num nWeight
     /// ```
     "libLoad": Libraries "6.7", blocking;
-    modifier (string sPath) -> num on library;
-    modifier (string sPath, string sPassword) -> num on library;
+    modifier (string sPath) -> num on library = load;
+    modifier (string sPath, string sPassword) -> num on library = load_encrypted;
+}
+
+fn load(call: &mut Call<'_>, library: LibraryRef, path: Text) -> Flow {
+    load_encrypted(call, library, path, Text::new())
+}
+
+fn load_encrypted(call: &mut Call<'_>, library: LibraryRef, path: Text, password: Text) -> Flow {
+    request(call, Request::Load { library: library.0, path, password })
+}
+
+/// Lets the other tasks have their turn, then asks for what the run time gives the code of.
+pub(super) fn request(call: &mut Call<'_>, request: Request) -> Flow {
+    if call.is_first() {
+        return call.sleep(0);
+    }
+    call.tasks.request(request);
+    Flow::Done(())
 }

@@ -1,4 +1,6 @@
+use crate::call::{Call, LibraryRef};
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives the path of a library, or of the program's own application.
@@ -12,6 +14,15 @@ instruction! {
     ///   putln(libPath())
     /// ```
     "libPath": Libraries "6.7";
-    function () -> string on library;
-    function () -> string;
+    function () -> string on library = of_library;
+    function () -> string = own;
+}
+
+/// Empty where nothing is loaded under the identifier.
+fn of_library(call: &mut Call<'_>, library: LibraryRef) -> Text {
+    Text::from(call.tasks.path(Some(library.0)).as_str())
+}
+
+fn own(call: &mut Call<'_>) -> Text {
+    Text::from(call.tasks.path(None).as_str())
 }

@@ -1,4 +1,8 @@
+use super::lib_load::request;
+use crate::call::{Call, Flow, LibraryRef};
 use crate::declare::instruction;
+use crate::ports::Request;
+use crate::values::Text;
 
 instruction! {
     /// Saves programs and data of a library, or of the application itself.
@@ -18,8 +22,24 @@ instruction! {
     ///   endIf
     /// ```
     "libSave": Libraries "6.7", blocking;
-    modifier () -> num on library;
-    modifier (string sPath) -> num on library;
-    modifier () -> num;
-    modifier (string sPath) -> num;
+    modifier () -> num on library = save_library;
+    modifier (string sPath) -> num on library = save_library_as;
+    modifier () -> num = save_own;
+    modifier (string sPath) -> num = save_own_as;
+}
+
+fn save_library(call: &mut Call<'_>, library: LibraryRef) -> Flow {
+    request(call, Request::Save { library: Some(library.0), path: None })
+}
+
+fn save_library_as(call: &mut Call<'_>, library: LibraryRef, path: Text) -> Flow {
+    request(call, Request::Save { library: Some(library.0), path: Some(path) })
+}
+
+fn save_own(call: &mut Call<'_>) -> Flow {
+    request(call, Request::Save { library: None, path: None })
+}
+
+fn save_own_as(call: &mut Call<'_>, path: Text) -> Flow {
+    request(call, Request::Save { library: None, path: Some(path) })
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives the state of a licence of the machine builder.
@@ -16,5 +18,9 @@ instruction! {
     ///   endIf
     /// ```
     "getLicence": Options "11.3.2";
-    function (string sOemLicenceName, string sOemPassword) -> string;
+    function (string sOemLicenceName, string sOemPassword) -> string = licence;
+}
+
+fn licence(call: &mut Call<'_>, name: Text, password: Text) -> Text {
+    call.ports.oem_licence(&name, &password)
 }

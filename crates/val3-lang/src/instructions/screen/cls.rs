@@ -1,4 +1,7 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
 
 instruction! {
     /// Clears a user page and puts its cursor into the upper left corner.
@@ -11,6 +14,16 @@ instruction! {
     ///   putln("ready")
     /// ```
     "cls": Screen "4.3";
-    modifier ();
-    modifier (screen scPage);
+    modifier () = cls;
+    modifier (screen scPage) = cls_on;
+}
+
+fn cls(call: &mut Call<'_>) {
+    call.ports.clear(DEFAULT_PAGE);
+}
+
+fn cls_on(call: &mut Call<'_>, screen: ScreenRef) -> Result<()> {
+    let page = screen.page(call)?;
+    call.ports.clear(page);
+    Ok(())
 }

@@ -1,4 +1,9 @@
+use crate::call::{Call, Flow, ScreenRef, Var, Wait};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::{Answer, Asked, DEFAULT_PAGE, Entry};
+use crate::values::Text;
+use crate::values::number_text::shown;
 
 instruction! {
     /// Waits for the operator: a text, a number or a key.
@@ -22,10 +27,70 @@ instruction! {
     ///   endIf
     /// ```
     "get": Screen "4.3", blocking;
-    modifier (string& sText) -> num;
-    modifier (screen scPage, string& sText) -> num;
-    modifier (num& nValue) -> num;
-    modifier (screen scPage, num& nValue) -> num;
-    modifier () -> num;
-    modifier (screen scPage) -> num;
+    modifier (string& sText) -> num = text;
+    modifier (screen scPage, string& sText) -> num = text_on;
+    modifier (num& nValue) -> num = number;
+    modifier (screen scPage, num& nValue) -> num = number_on;
+    modifier () -> num = key;
+    modifier (screen scPage) -> num = key_on;
+}
+
+fn text(call: &mut Call<'_>, text: Var<Text>) -> Result<Flow<f64>> {
+    read_text(call, DEFAULT_PAGE, &text)
+}
+
+fn text_on(call: &mut Call<'_>, screen: ScreenRef, text: Var<Text>) -> Result<Flow<f64>> {
+    let page = screen.page(call)?;
+    read_text(call, page, &text)
+}
+
+fn number(call: &mut Call<'_>, value: Var<f64>) -> Result<Flow<f64>> {
+    read_number(call, DEFAULT_PAGE, &value)
+}
+
+fn number_on(call: &mut Call<'_>, screen: ScreenRef, value: Var<f64>) -> Result<Flow<f64>> {
+    let page = screen.page(call)?;
+    read_number(call, page, &value)
+}
+
+fn key(call: &mut Call<'_>) -> Flow<f64> {
+    read_key(call, DEFAULT_PAGE)
+}
+
+fn key_on(call: &mut Call<'_>, screen: ScreenRef) -> Result<Flow<f64>> {
+    let page = screen.page(call)?;
+    Ok(read_key(call, page))
+}
+
+fn read_text(call: &mut Call<'_>, page: u32, text: &Var<Text>) -> Result<Flow<f64>> {
+    let shown = text.get(call)?.to_string();
+    let Some(Answer { key, entry }) = read(call, page, Asked::Text(shown)) else { return Ok(WAITS) };
+    if let Entry::Text(entered) = entry {
+        text.set(call, Text::from(entered.as_str()))?;
+    }
+    Ok(Flow::Done(key.into()))
+}
+
+fn read_number(call: &mut Call<'_>, page: u32, number: &Var<f64>) -> Result<Flow<f64>> {
+    let value = number.get(call)?;
+    let asked = Asked::Number { value, shown: shown(value).to_string() };
+    let Some(Answer { key, entry }) = read(call, page, asked) else { return Ok(WAITS) };
+    if let Entry::Number(entered) = entry {
+        number.set(call, entered)?;
+    }
+    Ok(Flow::Done(key.into()))
+}
+
+fn read_key(call: &mut Call<'_>, page: u32) -> Flow<f64> {
+    read(call, page, Asked::Key).map_or(WAITS, |answer| Flow::Done(answer.key.into()))
+}
+
+const WAITS: Flow<f64> = Flow::Wait(Wait::FOR_OTHERS);
+
+/// Asks when the task comes to the instruction; the answer once there is one.
+fn read(call: &mut Call<'_>, page: u32, asked: Asked) -> Option<Answer> {
+    if call.is_first() {
+        call.ports.begin_reading(page, asked);
+    }
+    call.ports.take_answer()
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives date and time of the controller as text.
@@ -14,5 +16,10 @@ instruction! {
     ///   putln(getDate("%Y-%m-%d %H:%M:%S"))
     /// ```
     "getDate": Screen "4.3";
-    function (string sFormat) -> string;
+    function (string sFormat) -> string = date;
+}
+
+fn date(call: &mut Call<'_>, format: Text) -> Text {
+    let now = call.now();
+    call.ports.date(now).format(&format)
 }

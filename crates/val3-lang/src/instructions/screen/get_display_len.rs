@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Counts the columns that a text takes on the pendant.
@@ -14,5 +16,9 @@ instruction! {
     ///   put(sName)
     /// ```
     "getDisplayLen": Screen "4.3";
-    function (string sText) -> num;
+    function (string sText) -> num = display_len;
+}
+
+fn display_len(call: &mut Call<'_>, text: Text) -> f64 {
+    call.ports.display_columns(&text) as f64
 }

@@ -1,4 +1,7 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
 
 instruction! {
     /// Reads the last key that was pressed, without waiting.
@@ -18,6 +21,19 @@ instruction! {
     ///   endWhile
     /// ```
     "getKey": Screen "4.3";
-    modifier () -> num;
-    modifier (screen scPage) -> num;
+    modifier () -> num = key;
+    modifier (screen scPage) -> num = key_on;
+}
+
+fn key(call: &mut Call<'_>) -> f64 {
+    last(call, DEFAULT_PAGE)
+}
+
+fn key_on(call: &mut Call<'_>, screen: ScreenRef) -> Result<f64> {
+    let page = screen.page(call)?;
+    Ok(last(call, page))
+}
+
+fn last(call: &mut Call<'_>, page: u32) -> f64 {
+    call.ports.take_key(page).map_or(-1.0, f64::from)
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives the language in which the controller speaks.
@@ -19,5 +21,9 @@ instruction! {
     ///   putln(sMessage)
     /// ```
     "getLanguage": Screen "4.3";
-    function () -> string;
+    function () -> string = language;
+}
+
+fn language(call: &mut Call<'_>) -> Text {
+    call.ports.language()
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Gives the name of the user profile that is active.
@@ -10,5 +12,9 @@ instruction! {
     ///   putln("profile: "+getProfile())
     /// ```
     "getProfile": Screen "4.3";
-    function () -> string;
+    function () -> string = profile;
+}
+
+fn profile(call: &mut Call<'_>) -> Text {
+    call.ports.profile()
 }

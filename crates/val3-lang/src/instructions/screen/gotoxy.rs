@@ -1,4 +1,7 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
 
 instruction! {
     /// Moves the cursor of a user page.
@@ -15,6 +18,16 @@ instruction! {
     ///   put(nDone)
     /// ```
     "gotoxy": Screen "4.3";
-    modifier (num nX, num nY);
-    modifier (screen scPage, num nX, num nY);
+    modifier (num nX, num nY) = gotoxy;
+    modifier (screen scPage, num nX, num nY) = gotoxy_on;
+}
+
+fn gotoxy(call: &mut Call<'_>, x: f64, y: f64) {
+    call.ports.go_to(DEFAULT_PAGE, x, y);
+}
+
+fn gotoxy_on(call: &mut Call<'_>, screen: ScreenRef, x: f64, y: f64) -> Result<()> {
+    let page = screen.page(call)?;
+    call.ports.go_to(page, x, y);
+    Ok(())
 }

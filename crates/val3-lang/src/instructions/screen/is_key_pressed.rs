@@ -1,4 +1,7 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
 
 instruction! {
     /// Tells whether a key is held down.
@@ -14,6 +17,15 @@ instruction! {
     ///   doValve=isKeyPressed(281)
     /// ```
     "isKeyPressed": Screen "4.3";
-    function (num nCode) -> bool;
-    function (screen scPage, num nCode) -> bool;
+    function (num nCode) -> bool = is_pressed;
+    function (screen scPage, num nCode) -> bool = is_pressed_on;
+}
+
+fn is_pressed(call: &mut Call<'_>, code: f64) -> bool {
+    call.ports.is_key_pressed(DEFAULT_PAGE, code)
+}
+
+fn is_pressed_on(call: &mut Call<'_>, screen: ScreenRef, code: f64) -> Result<bool> {
+    let page = screen.page(call)?;
+    Ok(call.ports.is_key_pressed(page, code))
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Writes a message to the event log of the controller.
@@ -15,6 +17,14 @@ instruction! {
     ///   endWhile
     /// ```
     "logMsg": Screen "4.3";
-    modifier (string sText) -> bool;
-    modifier (string sText, num nLevel) -> bool since 8;
+    modifier (string sText) -> bool = log;
+    modifier (string sText, num nLevel) -> bool since 8 = log_of;
+}
+
+fn log(call: &mut Call<'_>, text: Text) -> bool {
+    call.ports.log(&text, 1.0)
+}
+
+fn log_of(call: &mut Call<'_>, text: Text, level: f64) -> bool {
+    call.ports.log(&text, level)
 }

@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Shows a message in a window above whatever the pendant shows.
@@ -14,6 +16,14 @@ instruction! {
     ///   endIf
     /// ```
     "popUpMsg": Screen "4.3";
-    modifier (string sText);
-    modifier (string sText, num nLevel) since 8;
+    modifier (string sText) = pop_up;
+    modifier (string sText, num nLevel) since 8 = pop_up_of;
+}
+
+fn pop_up(call: &mut Call<'_>, text: Text) {
+    call.ports.pop_up(&text, 1.0);
+}
+
+fn pop_up_of(call: &mut Call<'_>, text: Text, level: f64) {
+    call.ports.pop_up(&text, level);
 }

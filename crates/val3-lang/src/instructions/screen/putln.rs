@@ -1,4 +1,9 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
+use crate::values::Text;
+use crate::values::number_text::shown;
 
 instruction! {
     /// Writes text or a number on a user page and goes to the next line.
@@ -16,8 +21,26 @@ instruction! {
     ///   putln(nDone)
     /// ```
     "putln": Screen "4.3";
-    modifier (string sText);
-    modifier (screen scPage, string sText);
-    modifier (num nValue);
-    modifier (screen scPage, num nValue);
+    modifier (string sText) = putln_text;
+    modifier (screen scPage, string sText) = putln_text_on;
+    modifier (num nValue) = putln_number;
+    modifier (screen scPage, num nValue) = putln_number_on;
+}
+
+fn putln_text(call: &mut Call<'_>, text: Text) {
+    call.ports.put(DEFAULT_PAGE, &text, true);
+}
+
+fn putln_text_on(call: &mut Call<'_>, screen: ScreenRef, text: Text) -> Result<()> {
+    let page = screen.page(call)?;
+    call.ports.put(page, &text, true);
+    Ok(())
+}
+
+fn putln_number(call: &mut Call<'_>, value: f64) {
+    putln_text(call, shown(value));
+}
+
+fn putln_number_on(call: &mut Call<'_>, screen: ScreenRef, value: f64) -> Result<()> {
+    putln_text_on(call, screen, shown(value))
 }

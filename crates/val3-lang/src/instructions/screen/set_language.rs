@@ -1,4 +1,6 @@
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Changes the language in which the controller speaks.
@@ -13,5 +15,9 @@ instruction! {
     ///   endIf
     /// ```
     "setLanguage": Screen "4.3";
-    modifier (string sLanguage) -> bool;
+    modifier (string sLanguage) -> bool = set_language;
+}
+
+fn set_language(call: &mut Call<'_>, language: Text) -> bool {
+    call.ports.set_language(&language)
 }

@@ -1,4 +1,6 @@
+use crate::call::{Call, Flow};
 use crate::declare::instruction;
+use crate::values::Text;
 
 instruction! {
     /// Makes another user profile active.
@@ -16,5 +18,13 @@ instruction! {
     ///   endIf
     /// ```
     "setProfile": Screen "4.3", blocking;
-    modifier (string sUserLogin, string sUserPassword) -> num;
+    modifier (string sUserLogin, string sUserPassword) -> num = set_profile;
+}
+
+/// The other tasks have their turn first: profiles are files of the controller (5.4).
+fn set_profile(call: &mut Call<'_>, login: Text, password: Text) -> Flow<f64> {
+    if call.is_first() {
+        return call.sleep(0);
+    }
+    Flow::Done(call.ports.set_profile(&login, &password).into())
 }

@@ -1,4 +1,7 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
 
 instruction! {
     /// Chooses how text that is written from now on looks.
@@ -14,6 +17,15 @@ instruction! {
     ///   setTextMode(0)
     /// ```
     "setTextMode": Screen "4.3", errors [70];
-    modifier (num nMode);
-    modifier (screen scPage, num nMode);
+    modifier (num nMode) = set_text_mode;
+    modifier (screen scPage, num nMode) = set_text_mode_on;
+}
+
+fn set_text_mode(call: &mut Call<'_>, mode: f64) -> Result<()> {
+    call.ports.set_text_mode(DEFAULT_PAGE, mode)
+}
+
+fn set_text_mode_on(call: &mut Call<'_>, screen: ScreenRef, mode: f64) -> Result<()> {
+    let page = screen.page(call)?;
+    call.ports.set_text_mode(page, mode)
 }

@@ -1,4 +1,8 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
+use crate::values::Text;
 
 instruction! {
     /// Sets the title of a user page.
@@ -11,6 +15,16 @@ instruction! {
     ///   title("Palletiser")
     /// ```
     "title": Screen "4.3";
-    modifier (string sText);
-    modifier (screen scPage, string sText);
+    modifier (string sText) = title;
+    modifier (screen scPage, string sText) = title_on;
+}
+
+fn title(call: &mut Call<'_>, text: Text) {
+    call.ports.set_title(DEFAULT_PAGE, &text);
+}
+
+fn title_on(call: &mut Call<'_>, screen: ScreenRef, text: Text) -> Result<()> {
+    let page = screen.page(call)?;
+    call.ports.set_title(page, &text);
+    Ok(())
 }

@@ -1,4 +1,8 @@
+use crate::call::{Call, ScreenRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::ports::DEFAULT_PAGE;
+use crate::values::Text;
 
 instruction! {
     /// Shows the user page on the pendant.
@@ -16,8 +20,26 @@ instruction! {
     ///   userPage(scMain)
     /// ```
     "userPage": Screen "4.3";
-    modifier ();
-    modifier (screen scPage);
-    modifier (bool bFixed);
-    modifier (string sPage) -> num since 8;
+    modifier () = show;
+    modifier (screen scPage) = show_screen;
+    modifier (bool bFixed) = fix;
+    modifier (string sPage) -> num since 8 = show_html;
+}
+
+fn show(call: &mut Call<'_>) {
+    call.ports.show_page(DEFAULT_PAGE);
+}
+
+fn show_screen(call: &mut Call<'_>, screen: ScreenRef) -> Result<()> {
+    let page = screen.page(call)?;
+    call.ports.show_page(page);
+    Ok(())
+}
+
+fn fix(call: &mut Call<'_>, fixed: bool) {
+    call.ports.fix_page(fixed);
+}
+
+fn show_html(call: &mut Call<'_>, page: Text) -> f64 {
+    call.ports.show_html(&page).into()
 }

@@ -2,7 +2,8 @@
 //! public use of them is there.
 
 use super::{Pendant, ReadingId, ScreenEvent};
-use crate::screen::reading::{Asked, Reading, Step};
+use crate::screen::reading::{Reading, Step};
+use val3_lang::ports::Asked;
 
 /// A question above the page.
 #[derive(Debug, Clone)]

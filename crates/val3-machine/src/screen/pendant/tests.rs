@@ -1,8 +1,10 @@
 use expect_test::{Expect, expect};
 use val3_lang::keys::{ESC, RETURN};
 
+use val3_lang::ports::Entry;
+
 use super::*;
-use crate::screen::{Entry, TAP};
+use crate::screen::TAP;
 
 const F1: u16 = 271;
 

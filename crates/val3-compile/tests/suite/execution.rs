@@ -1,0 +1,317 @@
+//! Compiled programs as they run: what `?` prints, and the error that stops them.
+
+use std::sync::Arc;
+
+use expect_test::{Expect, expect};
+use val3_bytecode::Image;
+use val3_lang::ports::Time;
+use val3_machine::controller::{Controller, Step};
+use val3_machine::devices::{Devices, Libraries};
+use val3_machine::event::What;
+use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+
+use crate::show::image;
+
+struct NoLibraries;
+
+impl Libraries for NoLibraries {
+    fn image(&mut self, _: &ControllerPath, _: LibraryFiles) -> Result<Arc<Image>, String> {
+        Err("none".to_owned())
+    }
+}
+
+/// What an application prints until it has ended, then the numbers of the errors of its tasks.
+#[track_caller]
+fn run(listing: &str) -> String {
+    const LINE_COST: Time = 2_000;
+    const LONGEST: Time = 10_000_000_000;
+    let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
+    let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE_COST);
+    assert!(controller.start("start"));
+    let mut text = String::new();
+    while controller.now() < LONGEST {
+        let step = controller.step();
+        for event in controller.devices.take_events() {
+            match event.what {
+                What::Print { text: line } => text += &(line + "\n"),
+                What::Error { code, line, .. } => text += &format!("error {code} in line {line:?}\n"),
+                _ => {}
+            }
+        }
+        match step {
+            Step::Finished | Step::Stuck => return text,
+            Step::Idle(Some(wake)) => controller.jump(wake),
+            Step::Idle(None) | Step::Busy => {}
+        }
+    }
+    text + "goes on\n"
+}
+
+fn check(listing: &str, expected: Expect) {
+    expected.assert_eq(&run(listing));
+}
+
+#[test]
+fn numbers_and_loops() {
+    check(
+        "
+        num nSum
+        program start()
+          num i
+          num j
+        begin
+          for i=1 to 10
+            for j=i to 1 step -1
+              nSum=nSum+j
+            endFor
+          endFor
+          ? nSum
+          ? i
+          while i>0 and nSum!=217
+            i=i-3
+            nSum=nSum-1
+          endWhile
+          ? i
+          do
+            i=i+1
+          until i>=2.5 or !(i<100)
+          ? i
+          ? 7%3-2*4/(1+1)
+          ? -i%2
+        end",
+        expect![[r#"
+            220
+            11
+            2
+            3
+            -3
+            -1
+        "#]],
+    );
+}
+
+#[test]
+fn calls_and_references() {
+    check(
+        "
+        num nA[4]
+        string sColl[\"k\"]
+        program fib(num x_n, num& x_r)
+          num l_a
+          num l_b
+        begin
+          if x_n<2
+            x_r=x_n
+            return
+          endIf
+          call fib(x_n-1,l_a)
+          call fib(x_n-2,l_b)
+          x_r=l_a+l_b
+        end
+        program fill(num& x_a[], string& x_c[\"\"])
+          num i
+        begin
+          for i=0 to size(x_a)-1
+            x_a[i]=i+1
+          endFor
+          x_c[\"k\"]=\"v\"
+        end
+        program twice(num& x_a[])
+        begin
+          x_a[0]=2*x_a
+        end
+        program start()
+          num n
+          num l_nB[2]
+        begin
+          call fib(15,n)
+          ? n
+          call fill(nA[1],sColl)
+          ? nA[3]+10*nA[1]
+          ? sColl[\"k\"]
+          call twice(n)
+          ? n
+          call fib(10,l_nB[1])
+          ? l_nB[1]
+        end",
+        expect![[r#"
+            610
+            13
+            v
+            1220
+            55
+        "#]],
+    );
+}
+
+#[test]
+fn structures_and_user_types() {
+    check(
+        "
+        type Slot \"Disk://Slot/Slot.pjx\"
+        Slot tSlot[3]
+        point pA[2]
+        trsf trA
+        joint jA
+        program change(Slot x_t)
+        begin
+          x_t.nCount=99
+        end
+        program start()
+          Slot l_t
+          num i
+        begin
+          trA={10,20,30,,,90}
+          ? trA*trA
+          ? trA*!trA==trA
+          pA[1].trsf=trA
+          pA[1].config={lefty}
+          pA[0]=pA[1]
+          ? pA[0]
+          ? pA[0]==pA[1]
+          i=2
+          tSlot[i].nCount=i*21
+          tSlot[i].sNames[1]=\"b\"
+          l_t=tSlot[0]=tSlot[i]
+          call change(l_t)
+          ? l_t.nCount
+          ? l_t
+          ? l_t==tSlot[2]
+          l_t.sNames[1]=\"c\"
+          ? l_t==tSlot[2]
+          jA={1,2,3,4,5,6}
+          ? jA+jA-{0,0,0,0,0,6}
+          ? jA=={1,2,3,4,5,6.00001}
+          ? jA<{2,3,4,5,6,6}
+        end
+        --- Slot
+        public num nCount
+        public string sNames[2]
+        public trsf trAt
+        ",
+        expect![[r#"
+            {-10,30,60,0,0,180}
+            false
+            {{10,20,30,0,0,90},{lefty,esame,wsame}}
+            true
+            42
+            {42,{"","b"},{0,0,0,0,0,0}}
+            true
+            false
+            {2,4,6,8,10,6}
+            true
+            false
+        "#]],
+    );
+}
+
+#[test]
+fn switches() {
+    check(
+        "
+        num n
+        string s
+        trsf tr
+        program day()
+        begin
+          switch n
+            case 1,2
+              ? \"low\"
+            break
+            case 3
+              ? \"three\"
+            break
+            default
+              ? \"other\"
+            break
+          endSwitch
+        end
+        n=2
+        call day()
+        n=3
+        call day()
+        n=4
+        call day()
+        s=\"b\"
+        switch s+\"c\"
+          case \"ac\"
+            ? 1
+          break
+          case \"bc\"
+            ? 2
+          break
+        endSwitch
+        tr={1,2,3,,,}
+        switch tr
+          case {1,2,3,,,}
+            ? 3
+          break
+        endSwitch
+        ",
+        expect![[r#"
+            low
+            three
+            other
+            2
+            3
+        "#]],
+    );
+}
+
+#[test]
+fn errors_stop_at_their_line() {
+    check(
+        "num n[2]\nnum i\ni=1\ni=i+1\nn[i]=3\n? i",
+        expect![[r#"
+        error 20 in line 7
+    "#]],
+    );
+    check(
+        "num i\n? 1\n? 1/i\n? 2",
+        expect![[r#"
+        1
+        error 10 in line 6
+    "#]],
+    );
+    check(
+        "string s[\"a\"]\ns[\"b\"]=\"x\"",
+        expect![[r#"
+        error 20 in line 5
+    "#]],
+    );
+    check(
+        "program start()\nbegin\ncall start()\nend",
+        expect![[r#"
+        error 41 in line 5
+    "#]],
+    );
+}
+
+#[test]
+fn tasks_and_waiting() {
+    check(
+        "
+        bool bGo
+        num n
+        program other(num x_n)
+        begin
+          wait(bGo and n>0)
+          ? \"other\"
+          n=x_n
+        end
+        program start()
+        begin
+          taskCreate \"o\",10,other(5)
+          delay(0)
+          ? watch(n==5,0.1)
+          n=1
+          bGo=true
+          ? watch(n==5,0.1)
+        end",
+        expect![[r#"
+            false
+            other
+            true
+        "#]],
+    );
+}

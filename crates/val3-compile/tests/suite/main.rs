@@ -1,0 +1,17 @@
+//! Compiled programs as text.
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
+
+mod show;
+
+mod assignments;
+mod calls;
+mod cell;
+mod control;
+mod data;
+mod execution;
+mod expressions;
+mod instructions;
+mod libraries;
+mod places;
+mod programs;
+mod saving;

@@ -1,0 +1,139 @@
+//! Links of values as files write them: inputs, outputs and lines by their path, fathers by name and index.
+
+use std::collections::BTreeMap;
+
+use rustc_hash::FxHashMap;
+use val3_bytecode::{FatherLink, LinkInit, LinkTarget};
+use val3_lang::memory::{KindBase, Link, Memory, Shape, StoreId};
+use val3_lang::types::BaseType;
+use val3_vm::{Instance, InstanceId, Space};
+
+use super::super::Devices;
+use crate::io::LinkId;
+
+/// The names of what values can be linked to, and the links that were loaded.
+pub(super) struct Links<'s> {
+    space: &'s Space,
+    id: InstanceId,
+    memory: &'s Memory,
+    devices: &'s Devices,
+    /// The frames and tools of global data, as a reference begins: `tSlot["a"].fIn`.
+    names: FxHashMap<StoreId, String>,
+    loaded: BTreeMap<Spot, &'s LinkTarget>,
+}
+
+/// A link among those of global data: the data, the way from it through fields, the value, and the link of the value.
+pub(super) type Spot = (u32, Vec<(u32, u32)>, u32, u32);
+
+impl<'s> Links<'s> {
+    pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), devices: &'s Devices) -> Self {
+        let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
+        let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
+        let mut links = Self { space, id, memory: &space.memory, devices, names: FxHashMap::default(), loaded };
+        links.names.insert(Memory::WORLD, "world".to_owned());
+        links.names.insert(Memory::FLANGE, "flange".to_owned());
+        links.name_all(instance, "");
+        for (library, id) in instance.image.libraries.iter().zip(&instance.libraries) {
+            if let Some(library_instance) = id.and_then(|id| space.instance(id)) {
+                links.name_all(library_instance, &format!("{}:", library.alias));
+            }
+        }
+        links
+    }
+
+    fn name_all(&mut self, instance: &Instance, prefix: &str) {
+        for (data, store) in instance.image.data.iter().zip(instance.data.iter()) {
+            self.name(*store, format!("{prefix}{}", data.name));
+        }
+    }
+
+    fn name(&mut self, id: StoreId, name: String) {
+        let Ok(store) = self.memory.store(id) else { return };
+        match &store.kind.base {
+            KindBase::Builtin(BaseType::Frame | BaseType::Tool, _) => {
+                self.names.entry(id).or_insert(name);
+            }
+            KindBase::Builtin(..) => {}
+            KindBase::User(_) => {
+                for (number, index) in indexes(&store.shape) {
+                    for (field, at) in store.kind.fields.iter().zip(0u32..) {
+                        if let Ok(part) = self.memory.part(store.place(id, number), at) {
+                            self.name(part, format!("{name}[{index}].{}", field.name));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    /// A link as a file writes it; `None` where there is none, or to what no file can name.
+    pub(super) fn text(&self, link: Link, base: BaseType) -> Option<String> {
+        match link {
+            Link::None => None,
+            Link::Port(number) if base == BaseType::Sio => self.devices.lines.link(number).map(str::to_owned),
+            Link::Port(number) => Some(self.devices.io.text(LinkId::from_number(number)).to_owned()),
+            Link::Data(place) => {
+                let store = self.memory.store(place.store).ok()?;
+                let number = place.num.checked_div(store.kind.size.num)?;
+                let (_, index) = indexes(&store.shape).find(|(at, _)| *at == number)?;
+                Some(format!("{}[{index}]", self.names.get(&place.store)?))
+            }
+        }
+    }
+
+    /// The link of a value as a file writes it. A father that was not there when it was loaded stays as it was written.
+    pub(super) fn text_at(&self, spot: Option<&Spot>, link: Link, base: BaseType) -> Option<String> {
+        self.text(link, base).or_else(|| self.missing(spot, link).map(reference))
+    }
+
+    /// The father that the file names and that is not there.
+    fn missing(&self, spot: Option<&Spot>, link: Link) -> Option<&FatherLink> {
+        match self.loaded.get(spot?)? {
+            LinkTarget::Father(father) if link == Link::None && self.space.father(self.id, father).is_none() => {
+                Some(father)
+            }
+            _ => None,
+        }
+    }
+
+    /// The value has the link that it was loaded with; `own` is that of the type.
+    pub(super) fn is_loaded(&self, spot: Option<&Spot>, link: Link, own: Link) -> bool {
+        match spot.and_then(|spot| self.loaded.get(spot)) {
+            Some(LinkTarget::Port(base, path)) => self.text(link, *base).as_ref() == Some(path),
+            Some(LinkTarget::Father(father)) => match self.space.father(self.id, father) {
+                Some(place) => link == Link::Data(place),
+                None => link == Link::None,
+            },
+            None => link == own,
+        }
+    }
+}
+
+/// The values of a container with their indexes as a reference writes them: `2`, `1,3`, `"home"`.
+fn indexes(shape: &Shape) -> Box<dyn Iterator<Item = (u32, String)> + '_> {
+    match shape {
+        Shape::Collection(keys) => Box::new(keys.iter().map(|(key, number)| (*number, format!("\"{key}\"")))),
+        Shape::Array { dims, sizes } => Box::new((0..shape.len()).map(|number| (number, index(*dims, *sizes, number)))),
+    }
+}
+
+/// The index of a value of an array: `2`, `1,3`.
+pub(super) fn index(dims: u8, [_, rows, columns]: [u32; 3], number: u32) -> String {
+    let (rows, columns) = (rows.max(1), columns.max(1));
+    let all = [number / columns / rows, number / columns % rows, number % columns];
+    let used = all.iter().take(usize::from(dims)).map(u32::to_string);
+    used.collect::<Vec<_>>().join(",")
+}
+
+/// A father as a file writes it.
+fn reference(father: &FatherLink) -> String {
+    let library = father.library.as_ref().map(|library| format!("{library}:")).unwrap_or_default();
+    let fields = father.fields.iter().map(|(name, at)| format!(".{name}[{}]", quoted(at)));
+    format!("{library}{}[{}]{}", father.name, quoted(&father.at), fields.collect::<String>())
+}
+
+/// Keys stand in quotation marks, indexes do not.
+fn quoted(at: &str) -> String {
+    let is_index = at.chars().all(|character| character.is_ascii_digit() || matches!(character, ',' | ' '));
+    if is_index { at.to_owned() } else { format!("\"{at}\"") }
+}

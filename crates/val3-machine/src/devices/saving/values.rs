@@ -1,0 +1,214 @@
+//! From global data to what files write: values with the attributes of their types.
+
+use val3_bytecode::DataDef;
+use val3_lang::enumerations;
+use val3_lang::fault::Result;
+use val3_lang::memory::{Element, Kind, KindBase, Lanes, Link, Memory, PartInit, Place, Shape, StoreId, path_offset};
+use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
+use val3_vm::Instance;
+
+use super::links::{Links, Spot, index};
+use crate::files::{self, Content, SavedData, SavedField, SavedValue, number_text};
+
+/// Reads the data of an application or library.
+pub(super) struct Saver<'s> {
+    pub(super) memory: &'s Memory,
+    pub(super) instance: &'s Instance,
+    pub(super) links: Links<'s>,
+}
+
+/// A value within global data, as it was loaded.
+#[derive(Clone)]
+struct Loaded<'l> {
+    /// The data and the way from it through fields; `None` for what was not there.
+    way: Option<(u32, Vec<(u32, u32)>)>,
+    /// The container.
+    init: Option<&'l PartInit>,
+}
+
+impl Saver<'_> {
+    /// All data. What is gone is left out, so that the file keeps what it has.
+    pub(super) fn all(&self) -> Vec<SavedData> {
+        let data = self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..);
+        data.filter_map(|((data, store), number)| self.data(data, *store, number).ok()).collect()
+    }
+
+    fn data(&self, data: &DataDef, store: StoreId, number: u32) -> Result<SavedData> {
+        let loaded = Loaded { way: Some((number, Vec::new())), init: Some(&data.init) };
+        self.container(&data.name, store, &loaded).map(|(saved, _)| saved)
+    }
+
+    /// A container, and whether it is as it was loaded.
+    fn container(&self, name: &str, id: StoreId, loaded: &Loaded<'_>) -> Result<(SavedData, bool)> {
+        let store = self.memory.store(id)?;
+        let mut unchanged = loaded.init.is_some_and(|init| is_like(&init.shape, &store.shape));
+        let mut values = Vec::new();
+        for (number, key) in keys(&store.shape) {
+            let place = store.place(id, number);
+            let (content, same) = match store.kind.base {
+                KindBase::Builtin(base, arm) => self.value(place, (base, arm), &store.kind, loaded, &key)?,
+                KindBase::User(_) => self.user_value(place, &store.kind, loaded, &key)?,
+            };
+            unchanged &= same;
+            let is_needed = content != Content::Attributes(Vec::new()) || matches!(store.shape, Shape::Collection(_));
+            if is_needed {
+                values.push(SavedValue { key, content });
+            }
+        }
+        let shape = saved_shape(&store.shape);
+        Ok((SavedData { name: name.into(), type_name: type_name(&store.kind).into(), shape, values }, unchanged))
+    }
+
+    fn value(
+        &self,
+        place: Place,
+        (base, arm): (BaseType, Option<Arm>),
+        kind: &Kind,
+        loaded: &Loaded<'_>,
+        key: &str,
+    ) -> Result<(Content, bool)> {
+        let (number, element) = loaded.value(kind, key);
+        let spot = loaded.way(number);
+        let mut written = Vec::new();
+        for attribute in attributes(base, arm) {
+            let Some(offset) = path_offset(base, arm, attribute.field) else { continue };
+            let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, offset.link));
+            if let Some(text) = self.attribute(place.behind(offset), base, attribute, spot.as_ref())? {
+                written.push((attribute.name.into(), text));
+            }
+        }
+        let same = self.is_same(place, kind.size, element)? && self.has_links(place, kind, spot, element)?;
+        Ok((Content::Attributes(written), same))
+    }
+
+    /// The text of an attribute; `None` where it has its default.
+    fn attribute(
+        &self,
+        at: Place,
+        base: BaseType,
+        attribute: &Attribute,
+        spot: Option<&Spot>,
+    ) -> Result<Option<String>> {
+        let text = match attribute.value {
+            AttributeValue::Text => self.memory.text(at)?.to_string(),
+            AttributeValue::Father(_) => return Ok(self.links.text_at(spot, self.memory.link(at, 0)?, base)),
+            AttributeValue::Link => {
+                let port = if base.is_linkable() { base } else { BaseType::Dio };
+                return Ok(self.links.text_at(spot, self.memory.link(at, 0)?, port));
+            }
+            AttributeValue::Truth => (self.memory.num(at, 0)? != 0.0).to_string(),
+            AttributeValue::Number => {
+                let number = self.memory.num(at, 0)?;
+                if attribute.default == DefaultValue::Number(number) {
+                    return Ok(None);
+                }
+                number_text(number)
+            }
+            AttributeValue::Choice(ty) => choice(ty, self.memory.num(at, 0)?).to_owned(),
+        };
+        let is_default = match attribute.default {
+            DefaultValue::Enumerator(name) => text == name,
+            DefaultValue::False => text == "false",
+            DefaultValue::EmptyText => text.is_empty(),
+            DefaultValue::Number(_) | DefaultValue::OfFields | DefaultValue::Unlinked => false,
+        };
+        Ok((!is_default).then_some(text))
+    }
+
+    fn user_value(&self, place: Place, kind: &Kind, loaded: &Loaded<'_>, key: &str) -> Result<(Content, bool)> {
+        let (number, element) = loaded.value(kind, key);
+        let (mut fields, mut unchanged) = (Vec::new(), true);
+        for (field, at) in kind.fields.iter().zip(0u32..) {
+            let init = element.parts.get(at as usize).unwrap_or(&field.init);
+            let way = loaded.way(number).map(|(data, mut way, number, _)| {
+                way.push((number, at));
+                (data, way)
+            });
+            let (data, initial) =
+                self.container(&field.name, self.memory.part(place, at)?, &Loaded { way, init: Some(init) })?;
+            unchanged &= initial;
+            fields.push(SavedField { initial, data });
+        }
+        Ok((Content::Fields(fields), unchanged))
+    }
+
+    fn is_same(&self, place: Place, size: Lanes, element: &Element) -> Result<bool> {
+        for (lane, number) in (0..size.num).zip(&element.nums) {
+            if self.memory.num(place, lane)? != *number {
+                return Ok(false);
+            }
+        }
+        for (lane, text) in (0..size.text).zip(&element.texts) {
+            if self.memory.text(place.behind(Lanes { text: lane, ..Lanes::default() }))? != text {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+
+    fn has_links(&self, place: Place, kind: &Kind, spot: Option<Spot>, element: &Element) -> Result<bool> {
+        for lane in 0..kind.size.link {
+            let own = element.links.get(lane as usize).copied().unwrap_or(Link::None);
+            let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, lane));
+            if !self.links.is_loaded(spot.as_ref(), self.memory.link(place, lane)?, own) {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
+
+impl<'l> Loaded<'l> {
+    /// The number that the value under a key was loaded with, and the value; one that was not there is that of `kind`.
+    fn value<'k>(&self, kind: &'k Kind, key: &str) -> (Option<u32>, &'k Element)
+    where
+        'l: 'k,
+    {
+        let number = self.init.and_then(|init| init.shape.number_of_text(key));
+        let found = self.init.zip(number).and_then(|(init, number)| init.values.get(number as usize));
+        (number, found.and_then(Option::as_ref).unwrap_or(&kind.default))
+    }
+
+    /// The first link of the value with this number.
+    fn way(&self, number: Option<u32>) -> Option<Spot> {
+        let (data, way) = self.way.clone()?;
+        Some((data, way, number?, 0))
+    }
+}
+
+/// The values of a container with their keys as an element writes them: `7`, `2,1`, `home`.
+fn keys(shape: &Shape) -> Vec<(u32, String)> {
+    match shape {
+        Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
+        Shape::Array { dims, sizes } => (0..shape.len()).map(|number| (number, index(*dims, *sizes, number))).collect(),
+    }
+}
+
+fn saved_shape(shape: &Shape) -> files::Shape {
+    match shape {
+        Shape::Collection(_) => files::Shape::Keys,
+        Shape::Array { dims, sizes } => files::Shape::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect()),
+    }
+}
+
+/// The same sizes, or the same keys.
+fn is_like(one: &Shape, other: &Shape) -> bool {
+    match (one, other) {
+        (Shape::Collection(one), Shape::Collection(other)) => one.keys().eq(other.keys()),
+        _ => one == other,
+    }
+}
+
+fn type_name(kind: &Kind) -> String {
+    match &kind.base {
+        KindBase::Builtin(base, Some(arm)) => base.file_name(*arm),
+        KindBase::Builtin(base, None) => base.name().to_owned(),
+        KindBase::User(name) => name.clone(),
+    }
+}
+
+/// An enumerator as files spell it.
+fn choice(ty: BaseType, number: f64) -> &'static str {
+    let mut values = enumerations::values(ty).zip(0u32..);
+    values.find(|(_, at)| f64::from(*at) == number).map_or("", |(value, _)| value.file_name)
+}

@@ -1,0 +1,111 @@
+//! Serial lines and sockets as instructions reach them (3.7).
+
+use val3_lang::fault::{Fault, Result};
+use val3_lang::ports::{LineValue, Outgoing, Reply, Serial, Time, nanoseconds};
+use val3_lang::runtime_errors::{NO_ANSWER, UNLINKED};
+use val3_lang::values::Text;
+
+use super::Devices;
+use crate::event::{What, seconds};
+use crate::sio::{Channel, LineKind, Sending, SettingValue, SioFault, Turn, byte_of};
+
+impl Serial for Devices {
+    fn receive_text(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<Text>> {
+        let reply = self.ask(port, |channel| channel.read_text(seconds(waited)))?;
+        let reply = done(reply)?;
+        if let Reply::Done(text) = &reply {
+            self.record_line(port, "in", text.as_bytes());
+        }
+        Ok(reply.map(|text| Text::from(text.as_str())))
+    }
+
+    fn receive_byte(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<u8>> {
+        let reply = done(self.ask(port, |channel| channel.read_byte(seconds(waited)))?)?;
+        if let Reply::Done(byte) = &reply {
+            self.record_line(port, "in", &[*byte]);
+        }
+        Ok(reply)
+    }
+
+    fn receive(&mut self, port: Option<u32>, most: usize, waited: Time) -> Result<Reply<Option<Vec<u8>>>> {
+        let reply = self.ask(port, |channel| channel.read_bytes(most, seconds(waited)))?;
+        if let Reply::Done(Some(bytes)) = &reply {
+            self.record_line(port, "in", bytes);
+        }
+        Ok(reply)
+    }
+
+    fn send(
+        &mut self,
+        port: Option<u32>,
+        what: Outgoing<'_>,
+        first: bool,
+        waited: Time,
+    ) -> Result<Reply<Option<usize>>> {
+        let task = self.origin.task;
+        let begun = self.lines.sending.remove(&task).filter(|_| !first);
+        let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
+        let mut sending = begun.unwrap_or_else(|| match what {
+            Outgoing::Text(text) => channel.text(text),
+            Outgoing::Numbers(numbers) => Sending::bytes(numbers.iter().copied().map(byte_of).collect()),
+        });
+        let reply = self.ask(port, |channel| channel.send(&mut sending, seconds(waited)))?;
+        let reply = reply.map(|sent| sent.ok());
+        match reply {
+            Reply::Wait(_) => {
+                self.lines.sending.insert(task, sending);
+            }
+            Reply::Done(_) => self.record_line(port, "out", sending.gone()),
+        }
+        Ok(reply)
+    }
+
+    fn clear_line(&mut self, port: Option<u32>) -> Result<Option<usize>> {
+        let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
+        let (cleared, is_socket) = (channel.clear(), channel.kind() != LineKind::Serial);
+        if is_socket {
+            self.lines.set_in_use(port, false);
+        }
+        Ok(cleared)
+    }
+
+    fn control_line(&mut self, port: Option<u32>, parameter: &str, value: LineValue) -> Result<i8> {
+        let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
+        Ok(match &value {
+            LineValue::Bool(value) => channel.control(parameter, SettingValue::Bool(*value)),
+            LineValue::Num(value) => channel.control(parameter, SettingValue::Num(*value)),
+            LineValue::Text(value) => channel.control(parameter, SettingValue::Text(value)),
+            LineValue::Other => channel.control(parameter, SettingValue::Other),
+        })
+    }
+}
+
+impl Devices {
+    /// Asks a channel, which is in use from then on.
+    fn ask<T>(&mut self, port: Option<u32>, question: impl FnOnce(&mut Channel) -> Turn<T>) -> Result<Reply<T>> {
+        let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
+        let turn = question(channel);
+        let timeout = channel.timeout();
+        self.lines.set_in_use(port, true);
+        Ok(match turn {
+            Turn::Done(value) => Reply::Done(value),
+            Turn::Wait => Reply::Wait((timeout > 0.0).then(|| nanoseconds(timeout))),
+        })
+    }
+
+    fn record_line(&mut self, port: Option<u32>, dir: &'static str, bytes: &[u8]) {
+        let link = port.and_then(|port| self.lines.link(port)).unwrap_or_default().to_owned();
+        if !bytes.is_empty() {
+            self.record(What::Sio { link, dir, bytes: bytes.to_vec() });
+        }
+    }
+}
+
+/// The timeout of `=` is a run-time error (3.7.2).
+fn done<T>(reply: Reply<std::result::Result<T, SioFault>>) -> Result<Reply<T>> {
+    match reply {
+        Reply::Done(Ok(value)) => Ok(Reply::Done(value)),
+        Reply::Done(Err(SioFault::TimedOut)) => Err(Fault(NO_ANSWER)),
+        Reply::Wait(time) => Ok(Reply::Wait(time)),
+    }
+}

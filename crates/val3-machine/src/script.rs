@@ -1,0 +1,117 @@
+//! What happens from outside during a run, written down beforehand: the script of `val3 run --script`.
+//!
+//! A script is a TOML file. Each `[[at]]` says with `t` when something happens, in seconds since the start, and what:
+//!
+//! ```toml
+//! [[at]]
+//! t = 1.5
+//! io = { "BasicIO-1\\%I0" = true, "Scale\\weight" = 3.2 }
+//! key = 270                # or a name: "Return", "F1"
+//! keys = "12.5"            # typed as the program asks for them
+//! set = { nCount = 4, "sNames[1]" = "bolt" }
+//! lock = "BasicIO-1\\%I1"  # or several, or with the values at which they are held
+//! unlock = ["BasicIO-1\\%I2"]
+//! fault = { link = "BasicIO-1\\%Q0", code = -3 }
+//! power = true
+//! estop = false
+//! mode = "remote"          # or 4
+//! monitor_speed = 50
+//! stop = true
+//! ```
+
+mod apply;
+mod keys;
+mod values;
+
+use std::collections::{BTreeMap, VecDeque};
+use std::fmt;
+
+use serde::Deserialize;
+use val3_lang::ports::Time;
+
+pub use keys::{key_codes, typed_keys};
+use values::{Fault, Key, Keys, Level, Links, Locks, Mode, Percent, Seconds, Value};
+
+/// What happens from outside, in the order of its times.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Script {
+    entries: VecDeque<Entry>,
+}
+
+/// A script as a file has it.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    #[serde(default)]
+    at: Vec<Entry>,
+}
+
+/// What happens at one time.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Entry {
+    t: Seconds,
+    /// Inputs and outputs that get a value from the hardware.
+    #[serde(default)]
+    io: BTreeMap<String, Level>,
+    /// Inputs and outputs that the operator holds.
+    #[serde(default)]
+    lock: Locks,
+    /// Inputs and outputs that the operator lets go.
+    #[serde(default)]
+    unlock: Links,
+    /// An input, output or device that fails, or works again.
+    fault: Option<Fault>,
+    /// Global data of the application and its libraries.
+    #[serde(default)]
+    set: BTreeMap<String, Value>,
+    power: Option<bool>,
+    estop: Option<bool>,
+    mode: Option<Mode>,
+    monitor_speed: Option<Percent>,
+    /// A key that is tapped at once.
+    key: Option<Key>,
+    /// Keys that are tapped as the program asks for them.
+    keys: Option<Keys>,
+    /// The operator stops the application.
+    #[serde(default)]
+    stop: bool,
+}
+
+/// Why a script cannot be used: the place in the file, what stands there, and what may.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScriptError(toml::de::Error);
+
+impl fmt::Display for ScriptError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0.to_string().trim_end())
+    }
+}
+
+impl std::error::Error for ScriptError {}
+
+impl Script {
+    /// Reads a script. Entries of one time happen in the order of the file.
+    ///
+    /// # Errors
+    /// The text is no TOML, or says what no script can say.
+    pub fn parse(text: &str) -> Result<Self, ScriptError> {
+        let mut entries = toml::from_str::<File>(text).map_err(ScriptError)?.at;
+        entries.sort_by_key(|entry| entry.t.time());
+        Ok(Self { entries: entries.into() })
+    }
+
+    /// When something happens next.
+    #[must_use]
+    pub fn next_due(&self) -> Option<Time> {
+        self.entries.front().map(|entry| entry.t.time())
+    }
+
+    /// The next entry whose time has come.
+    fn take_due(&mut self, now: Time) -> Option<Entry> {
+        self.entries.pop_front_if(|entry| entry.t.time() <= now)
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,158 @@
+//! Lets what a script says happen to a controller.
+
+use val3_lang::call::Stored;
+use val3_lang::memory::{Place, StoreId};
+use val3_lang::ports::Time;
+use val3_lang::types::BaseType;
+use val3_lang::values::Text;
+
+use super::values::{Fault as FaultEntry, Level, Locks, Value};
+use super::{Entry, Script};
+use crate::controller::Controller;
+use crate::controller_state::Severity;
+use crate::devices::{Devices, NoSignal};
+use crate::io::Fault;
+
+impl Controller {
+    /// What is to happen from outside; what was to happen before is forgotten.
+    pub fn follow(&mut self, script: Script) {
+        self.script = script;
+    }
+
+    /// Lets happen what is due. What a script says in vain stands in the event log as an error.
+    pub(crate) fn follow_script(&mut self, now: Time) {
+        while let Some(entry) = self.script.take_due(now) {
+            for problem in self.apply(&entry, now) {
+                let text = format!("script, t = {}: {problem}", entry.t.seconds());
+                self.devices.report(&text, Severity::Error, now);
+            }
+        }
+    }
+
+    /// Lets an entry happen; what cannot.
+    fn apply(&mut self, entry: &Entry, now: Time) -> Vec<String> {
+        let mut problems = entry.apply_io(&mut self.devices);
+        for (name, value) in &entry.set {
+            problems.extend(self.set(name, value).err());
+        }
+        entry.apply_robot(&mut self.devices, now);
+        if let Some(key) = &entry.key {
+            self.devices.pendant.tap(key.0, now);
+        }
+        if let Some(keys) = &entry.keys {
+            self.devices.pendant.type_when_asked(keys.0.iter().copied());
+        }
+        if entry.stop {
+            self.stop();
+        }
+        problems
+    }
+
+    /// Gives a global variable a value.
+    fn set(&mut self, name: &str, value: &Value) -> Result<(), String> {
+        let (place, base) = self.variable(name).ok_or_else(|| format!("there is no variable `{name}`"))?;
+        let memory = &mut self.vm.space.memory;
+        let set = match (value, base) {
+            (Value::Num(number), BaseType::Num) => number.write(memory, place),
+            (Value::Bool(truth), BaseType::Bool) => truth.write(memory, place),
+            (Value::Text(text), BaseType::String) => Text::from(text.as_str()).write(memory, place),
+            _ => return Err(format!("`{name}` is of type {} and does not take this value", base.name())),
+        };
+        set.map_err(|fault| format!("`{name}`: error {}", fault.0))
+    }
+
+    /// The place and the type of a global variable: `nCount`, `nCounts[2]`, `library:nCount`.
+    fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
+        let (name, at) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
+            Some((name, at)) => (name, at.trim_matches('"')),
+            None => (name, "0"),
+        };
+        let store = self.data(name)?;
+        let found = self.vm.space.memory.store(store).ok()?;
+        Some((found.place(store, found.number_of_text(at)?), found.kind.base_type()?))
+    }
+
+    fn data(&self, name: &str) -> Option<StoreId> {
+        let own = self.vm.space.instance(self.application())?;
+        let (instance, name) = match name.split_once(':') {
+            None => (own, name),
+            Some((alias, name)) => {
+                let library = own.image.libraries.iter().position(|library| library.alias == alias)?;
+                (self.vm.space.instance((*own.libraries.get(library)?)?)?, name)
+            }
+        };
+        instance.data.get(usize::from(instance.image.data(name)?)).copied()
+    }
+}
+
+impl Entry {
+    fn apply_io(&self, devices: &mut Devices) -> Vec<String> {
+        let mut problems = Vec::new();
+        let mut tried = |result: Result<(), NoSignal>| problems.extend(result.err().map(|error| error.to_string()));
+        for (link, level) in &self.io {
+            tried(devices.set_io(link, *level));
+        }
+        match &self.lock {
+            Locks::AsIs(links) => links.all().iter().for_each(|link| tried(devices.lock_io(link, None))),
+            Locks::At(links) => links.iter().for_each(|(link, level)| tried(devices.lock_io(link, Some(*level)))),
+        }
+        for link in self.unlock.all() {
+            tried(devices.unlock_io(link));
+        }
+        if let Some(fault) = &self.fault {
+            problems.extend(devices.fail(fault).err());
+        }
+        problems
+    }
+
+    fn apply_robot(&self, devices: &mut Devices, now: Time) {
+        match self.estop {
+            Some(true) => devices.robot.press_emergency_stop(),
+            Some(false) => devices.robot.release_emergency_stop(),
+            None => {}
+        }
+        if let Some(mode) = self.mode {
+            devices.robot.set_mode(mode.0, now);
+        }
+        if let Some(on) = self.power {
+            devices.robot.set_power(on);
+        }
+        if let Some(speed) = self.monitor_speed {
+            devices.robot.turn_speed(speed.0);
+        }
+    }
+}
+
+impl Devices {
+    fn set_io(&mut self, link: &str, level: Level) -> Result<(), NoSignal> {
+        let signal = self.signal(link, matches!(level, Level::Digital(_)))?;
+        self.io.set(signal, level.number());
+        Ok(())
+    }
+
+    fn lock_io(&mut self, link: &str, level: Option<Level>) -> Result<(), NoSignal> {
+        let signal = self.known_signal(link)?;
+        self.io.lock(signal, level.map(Level::number));
+        Ok(())
+    }
+
+    fn unlock_io(&mut self, link: &str) -> Result<(), NoSignal> {
+        let signal = self.known_signal(link)?;
+        self.io.unlock(signal);
+        Ok(())
+    }
+
+    /// A path of no signal is that of a device, whose faults have numbers of their own.
+    fn fail(&mut self, FaultEntry { link, code }: &FaultEntry) -> Result<(), String> {
+        let Some(signal) = self.io.find(link) else {
+            self.io.set_device_fault(link, Some(*code).filter(|code| *code != 0));
+            return Ok(());
+        };
+        let fault = i8::try_from(*code).ok().and_then(Fault::from_number);
+        if fault.is_none() && *code != 0 {
+            return Err(format!("`{link}` fails with -2 or -3 and works again with 0, not with {code}"));
+        }
+        self.io.set_fault(signal, fault);
+        Ok(())
+    }
+}

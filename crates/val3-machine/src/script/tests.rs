@@ -1,0 +1,46 @@
+use expect_test::{Expect, expect};
+
+use super::*;
+
+#[track_caller]
+fn check_error(text: &str, expected: Expect) {
+    expected.assert_eq(&Script::parse(text).unwrap_err().to_string());
+}
+
+#[test]
+fn the_form_of_the_page_is_read() {
+    let page = include_str!("../script.rs");
+    let lines = page.lines().filter_map(|line| line.strip_prefix("//! "));
+    let example: Vec<&str> =
+        lines.skip_while(|line| *line != "```toml").skip(1).take_while(|line| *line != "```").collect();
+    let script = Script::parse(&example.join("\n")).unwrap();
+    assert_eq!(script.next_due(), Some(1_500_000_000));
+    let entry = &script.entries[0];
+    assert_eq!(entry.io.len(), 2);
+    assert_eq!(entry.keys, Some(Keys(vec![49, 50, 46, 53])));
+    assert!(entry.stop && entry.power == Some(true) && entry.set.len() == 2);
+}
+
+#[test]
+fn entries_happen_in_the_order_of_their_times() {
+    let mut script =
+        Script::parse("[[at]]\nt = 2\nkey = 97\n[[at]]\nt = 1.5\nkey = 98\n[[at]]\nt = 2\nkey = 99").unwrap();
+    assert_eq!(script.take_due(1_499_999_999), None);
+    let keys = std::iter::from_fn(|| script.take_due(2_000_000_000)).map(|entry| entry.key.unwrap().0);
+    assert_eq!(keys.collect::<Vec<_>>(), [98, 97, 99]);
+    assert_eq!(Script::parse("").unwrap(), Script::default());
+}
+
+#[test]
+fn what_is_wrong_is_shown_where_it_stands() {
+    check_error("[[at]]\nt = 1\nky = 270", expect![[r#""#]]);
+    check_error("[[at]]\nkey = 270", expect![[r#""#]]);
+    check_error("[[at]]\nt = -1", expect![[r#""#]]);
+    check_error("[[at]]\nt = 1\nkey = \"Enter\"", expect![[r#""#]]);
+    check_error("[[at]]\nt = 1\nmode = 7", expect![[r#""#]]);
+    check_error("[[at]]\nt = 1\nmonitor_speed = 120", expect![[r#""#]]);
+    check_error("[[at]]\nt = 1\nio = { x = \"on\" }", expect![[r#""#]]);
+    check_error("[[at]]\nt = 1\nlock = 3", expect![[r#""#]]);
+    check_error("[[at]]\nt = 1\nfault = { link = \"x\" }", expect![[r#""#]]);
+    check_error("[[at]]\nt = ", expect![[r#""#]]);
+}

@@ -1,0 +1,186 @@
+//! What the entries of a script hold, each with what may be written instead of a wrong value.
+
+use std::collections::BTreeMap;
+
+use serde::Deserialize;
+use val3_lang::ports::{SECOND, Time};
+
+use super::keys::{key_codes, typed_keys};
+use crate::controller_state::WorkingMode;
+
+/// A time since the start.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "f64")]
+pub(super) struct Seconds(f64);
+
+impl TryFrom<f64> for Seconds {
+    type Error = String;
+
+    fn try_from(seconds: f64) -> Result<Self, String> {
+        let suits = (0.0..=1e9).contains(&seconds);
+        suits.then_some(Self(seconds)).ok_or_else(|| format!("{seconds} is no time: write seconds since the start"))
+    }
+}
+
+impl Seconds {
+    pub(super) fn seconds(self) -> f64 {
+        self.0
+    }
+
+    pub(super) fn time(self) -> Time {
+        #[allow(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            clippy::cast_precision_loss,
+            reason = "checked"
+        )]
+        let time = (self.0 * SECOND as f64).round() as Time;
+        time
+    }
+}
+
+/// The value of an input or output.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "an input or output is true, false or a number")]
+pub(super) enum Level {
+    Digital(bool),
+    Analog(f64),
+}
+
+impl Level {
+    pub(super) fn number(self) -> f64 {
+        match self {
+            Self::Digital(value) => f64::from(u8::from(value)),
+            Self::Analog(value) => value,
+        }
+    }
+}
+
+/// The value of a variable.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]
+pub(super) enum Value {
+    Bool(bool),
+    Num(f64),
+    Text(String),
+}
+
+/// Inputs and outputs by their paths.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "write the path of an input or output, or a list of such paths")]
+pub(super) enum Links {
+    One(String),
+    Several(Vec<String>),
+}
+
+impl Default for Links {
+    fn default() -> Self {
+        Self::Several(Vec::new())
+    }
+}
+
+impl Links {
+    pub(super) fn all(&self) -> &[String] {
+        match self {
+            Self::One(link) => std::slice::from_ref(link),
+            Self::Several(links) => links,
+        }
+    }
+}
+
+/// Inputs and outputs that are held at the value that they have, or at another one.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(
+    untagged,
+    expecting = "write the path of an input or output, a list of such paths, or a table of paths and values"
+)]
+pub(super) enum Locks {
+    AsIs(Links),
+    At(BTreeMap<String, Level>),
+}
+
+impl Default for Locks {
+    fn default() -> Self {
+        Self::At(BTreeMap::new())
+    }
+}
+
+/// An input, output or device that fails.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Fault {
+    pub(super) link: String,
+    pub(super) code: i32,
+}
+
+/// A percentage.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+#[serde(try_from = "f64")]
+pub(super) struct Percent(pub(super) f64);
+
+impl TryFrom<f64> for Percent {
+    type Error = String;
+
+    fn try_from(speed: f64) -> Result<Self, String> {
+        let suits = (0.0..=100.0).contains(&speed);
+        suits.then_some(Self(speed)).ok_or_else(|| format!("the monitor speed is 0 to 100 %, not {speed}"))
+    }
+}
+
+/// A number or a name.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "write a number or a name")]
+enum Spelled {
+    Number(u16),
+    Name(String),
+}
+
+/// A working mode.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "Spelled")]
+pub(super) struct Mode(pub(super) WorkingMode);
+
+impl TryFrom<Spelled> for Mode {
+    type Error = String;
+
+    fn try_from(spelled: Spelled) -> Result<Self, String> {
+        let mode = match &spelled {
+            Spelled::Number(number) => u8::try_from(*number).ok().and_then(WorkingMode::from_number),
+            Spelled::Name(name) => (0..=4).filter_map(WorkingMode::from_number).find(|mode| mode.name() == name),
+        };
+        mode.map(Self).ok_or_else(|| "no such mode: write manual (1), test (2), local (3) or remote (4)".to_owned())
+    }
+}
+
+/// A key.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "Spelled")]
+pub(super) struct Key(pub(super) u16);
+
+impl TryFrom<Spelled> for Key {
+    type Error = String;
+
+    fn try_from(spelled: Spelled) -> Result<Self, String> {
+        let text = match spelled {
+            Spelled::Number(code) => code.to_string(),
+            Spelled::Name(name) => name,
+        };
+        match key_codes(&text)?.as_slice() {
+            [code] => Ok(Self(*code)),
+            _ => Err("`key` is one key; `keys` types several".to_owned()),
+        }
+    }
+}
+
+/// Keys that are typed.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(try_from = "String")]
+pub(super) struct Keys(pub(super) Vec<u16>);
+
+impl TryFrom<String> for Keys {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<Self, String> {
+        typed_keys(&text).map(Self)
+    }
+}

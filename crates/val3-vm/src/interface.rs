@@ -1,0 +1,64 @@
+//! What an application expects of a library, and what a library has (6.3, 6.6).
+
+use val3_bytecode::{DataDef, Import, ImportKind, Param, Passing};
+use val3_lang::memory::{Kind, KindBase, Shape};
+use val3_lang::types::Container;
+
+use crate::instance::Imported;
+use crate::{Instance, InstanceId};
+
+impl Instance {
+    /// What `import` stands for in this library; `None` where it lacks the item or has another one of the name.
+    pub(crate) fn item(&self, id: InstanceId, import: &Import) -> Option<Imported> {
+        match &import.kind {
+            ImportKind::Data(kind, container) => {
+                let number = usize::from(self.image.data(&import.name)?);
+                self.image.data.get(number).filter(|data| is_data(data, kind, *container))?;
+            }
+            ImportKind::Program(params) => {
+                let number = usize::from(self.image.program(&import.name)?);
+                let own = &self.image.programs.get(number)?.params;
+                let suits = own.len() == params.len()
+                    && own
+                        .iter()
+                        .zip(params)
+                        .all(|(own, (kind, container, by_reference))| is_param(own, kind, *container, *by_reference));
+                if !suits {
+                    return None;
+                }
+            }
+        }
+        self.export(id, &import.name, matches!(import.kind, ImportKind::Program(_)))
+    }
+}
+
+fn is_data(data: &DataDef, kind: &Kind, container: Container) -> bool {
+    let fits = match (&data.init.shape, container) {
+        (Shape::Array { dims, .. }, Container::Array { dims: wanted }) => *dims == wanted,
+        (Shape::Array { dims, .. }, Container::Element) => *dims == 1,
+        (Shape::Collection(_), Container::Collection) => true,
+        _ => false,
+    };
+    fits && is_same(&data.init.kind, kind)
+}
+
+fn is_param(own: &Param, kind: &Kind, container: Container, by_reference: bool) -> bool {
+    let own_reference = matches!(own.passing, Passing::Reference(_) | Passing::View(_));
+    own.container == container && own_reference == by_reference && is_same(&own.kind, kind)
+}
+
+/// The types are the same: two user types are if they have the same fields, whatever they are called and whatever
+/// values their fields begin with.
+fn is_same(one: &Kind, other: &Kind) -> bool {
+    match (&one.base, &other.base) {
+        (KindBase::Builtin(one, arm), KindBase::Builtin(other, other_arm)) => {
+            one == other && (arm == other_arm || arm.is_none() || other_arm.is_none())
+        }
+        (KindBase::User(_), KindBase::User(_)) => {
+            let pairs = || one.fields.iter().zip(&other.fields);
+            one.fields.len() == other.fields.len()
+                && pairs().all(|(one, other)| one.name == other.name && is_same(&one.init.kind, &other.init.kind))
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,139 @@
+//! Listings as applications on a controller.
+
+use std::sync::Arc;
+
+use camino::Utf8PathBuf;
+use val3_analysis::load;
+use val3_analysis::system::Memory;
+use val3_bytecode::Image;
+use val3_lang::ports::{SECOND, Time};
+use val3_machine::controller::{Controller, Step};
+use val3_machine::devices::{Devices, Libraries};
+use val3_machine::event::{Event, What};
+use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+use val3_test::{Fixture, ROOT};
+
+/// Microseconds that a line takes here, in nanoseconds.
+const LINE: Time = 2000;
+
+/// The longest run: an hour.
+const LIMIT: Time = 3600 * SECOND;
+
+/// An application on a controller, and what has happened.
+pub struct Running {
+    /// The controller.
+    pub controller: Controller,
+    /// What has happened so far.
+    pub events: Vec<Event>,
+}
+
+/// No media: what is loaded while an application runs is not there.
+struct NoLibraries;
+
+impl Libraries for NoLibraries {
+    fn image(&mut self, path: &ControllerPath, _: LibraryFiles) -> Result<Arc<Image>, String> {
+        Err(format!("no library {path}"))
+    }
+}
+
+impl Running {
+    /// The application of a listing, about to begin.
+    ///
+    /// # Panics
+    /// If it has faults.
+    #[track_caller]
+    pub fn start(listing: &str) -> Self {
+        Self::on(Devices::new(Roots::default(), Box::new(NoLibraries)), listing)
+    }
+
+    /// The application of a listing on a controller with these signals of the device `Io`.
+    ///
+    /// # Panics
+    /// If it has faults.
+    #[track_caller]
+    pub fn on(devices: Devices, listing: &str) -> Self {
+        let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE);
+        assert!(controller.start("start"), "no program start");
+        Self { controller, events: Vec::new() }
+    }
+
+    /// Devices without media.
+    pub fn devices() -> Devices {
+        Devices::new(Roots::default(), Box::new(NoLibraries))
+    }
+
+    /// Runs until the application has ended, or nothing can happen any more.
+    ///
+    /// # Panics
+    /// If it does not end within an hour.
+    #[track_caller]
+    pub fn to_the_end(mut self) -> Self {
+        while self.step() {
+            assert!(self.controller.now() < LIMIT, "the application does not end");
+        }
+        self
+    }
+
+    /// Runs for a time, in seconds.
+    pub fn for_seconds(mut self, seconds: u32) -> Self {
+        let until = self.controller.now() + Time::from(seconds) * SECOND;
+        while self.controller.now() < until && self.step() {}
+        self
+    }
+
+    /// A cycle, and the time that nothing happens in. Whether something can still happen.
+    fn step(&mut self) -> bool {
+        let step = self.controller.step();
+        self.events.append(&mut self.controller.devices.take_events());
+        let wake = match step {
+            Step::Busy => return true,
+            Step::Finished => return false,
+            Step::Stuck => None,
+            Step::Idle(wake) => wake,
+        };
+        let next = wake.into_iter().chain(self.controller.next_due()).min();
+        next.into_iter().for_each(|next| self.controller.jump(next));
+        next.is_some()
+    }
+
+    /// What `?` has printed, a line each, and the numbers of run-time errors.
+    #[must_use]
+    pub fn printed(&self) -> String {
+        let line = |event: &Event| match &event.what {
+            What::Print { text } => Some(format!("{text}\n")),
+            What::Error { code, .. } => Some(format!("error {code}\n")),
+            _ => None,
+        };
+        self.events.iter().filter_map(line).collect()
+    }
+
+    /// The record without what tasks do and `?` prints, a line an event.
+    ///
+    /// # Panics
+    /// If an event cannot be written.
+    #[must_use]
+    pub fn record(&self) -> String {
+        let told = self.events.iter().filter(|event| !matches!(event.what, What::Task { .. } | What::Print { .. }));
+        let line = |event| serde_json::to_string(event).unwrap_or_else(|error| panic!("{error}"));
+        told.map(|event| line(event) + "\n").collect()
+    }
+
+    /// The lines of the page that the pendant shows, without those that are empty at its end.
+    #[must_use]
+    pub fn page(&self) -> String {
+        let pendant = &self.controller.devices.pendant;
+        let lines: Vec<String> = pendant.page(pendant.shown()).into_iter().flat_map(|page| page.lines()).collect();
+        lines.join("\n").trim_end().to_owned()
+    }
+}
+
+#[track_caller]
+fn image(listing: &str) -> Image {
+    let fixture = Fixture::parse(listing);
+    let path = |file: &str| Utf8PathBuf::from(format!("{ROOT}/{file}"));
+    let files = fixture.files.iter().map(|(file, text)| (path(file), text.clone().into_bytes()));
+    let workspace = load::load(&Memory::new(files), &[path("usrapp/main/main.pjx")]);
+    let workspace = workspace.unwrap_or_else(|error| panic!("{error:?}"));
+    let [project] = workspace.projects.as_slice() else { panic!("{} projects", workspace.projects.len()) };
+    val3_compile::compile(&workspace.db, *project).unwrap_or_else(|error| panic!("{error}"))
+}

@@ -1,0 +1,10 @@
+//! What instructions do, as programs see it: the examples and results of the manual, run on a controller.
+
+#[path = "instructions/controller.rs"]
+mod controller;
+#[path = "instructions/io.rs"]
+mod io;
+#[path = "instructions/screen.rs"]
+mod screen;
+#[path = "instructions/script.rs"]
+mod script;

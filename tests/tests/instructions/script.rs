@@ -1,0 +1,157 @@
+//! What scripts do from outside.
+
+use expect_test::{Expect, expect};
+use val3_machine::script::Script;
+use val3_tests::running::Running;
+
+#[track_caller]
+fn check(script: &str, listing: &str, expected: Expect) {
+    let mut running = Running::start(listing);
+    running.controller.follow(Script::parse(script).unwrap());
+    let running = running.to_the_end();
+    expected.assert_eq(&format!("{}{}", running.printed(), running.record()));
+}
+
+#[test]
+fn variables_are_set_at_their_time() {
+    check(
+        r#"
+            [[at]]
+            t = 2.5
+            set = { nCount = 4, "sNames[1]" = "bolt", 'bDone["x"]' = true }
+
+            [[at]]
+            t = 1
+            set = { nCount = 3 }
+        "#,
+        r#"
+        num nCount
+        string sNames[2]
+        bool bDone["x"]
+          wait(nCount==3)
+          ? clock()
+          wait(nCount==4)
+          ? clock()
+          ? sNames[1]
+          ? bDone["x"]
+        "#,
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn what_cannot_be_done_stands_in_the_log() {
+    check(
+        r#"
+            [[at]]
+            t = 0
+            set = { nNothing = 1, nCount = "four", "nCount[7]" = 1 }
+            lock = "Board\\%I7"
+        "#,
+        "num nCount\n  delay(1)\n  ? nCount",
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn keys_power_and_modes_come_from_outside() {
+    check(
+        r#"
+            [[at]]
+            t = 0.5
+            keys = "12{Return}"
+            power = true
+            monitor_speed = 40
+            [[at]]
+            t = 1
+            key = "F1"
+            estop = true
+            [[at]]
+            t = 2
+            estop = false
+            mode = "manual"
+        "#,
+        r#"
+        num nValue
+          ? get(nValue)
+          ? nValue
+          ? getMonitorSpeed()
+          ? get()
+          ? esStatus()
+          delay(2)
+          ? workingMode()
+          ? esStatus()
+        "#,
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn a_script_stops_the_application() {
+    check(
+        "[[at]]\nt = 3\nstop = true",
+        r#"
+        num n
+        program start()
+        begin
+          while true
+            delay(1)
+            n=n+1
+          endWhile
+        end
+        program stop()
+        begin
+          ? n
+          ? clock()
+        end
+        "#,
+        expect![[r#""#]],
+    );
+}
+
+#[test]
+fn inputs_outputs_and_faults() {
+    check(
+        r#"
+            [[at]]
+            t = 1
+            io = { "Board\\%I0" = true, "Board\\%IW2" = 3.6 }
+            [[at]]
+            t = 2
+            lock = { "Board\\%I0" = false }
+            [[at]]
+            t = 3
+            unlock = "Board\\%I0"
+            [[at]]
+            t = 4
+            fault = { link = "Board\\%I0", code = -3 }
+            [[at]]
+            t = 5
+            fault = { link = "Board\\%I0", code = 0 }
+            [[at]]
+            t = 6
+            fault = { link = "Board", code = 17 }
+        "#,
+        r#"
+        num n
+        string sFaults[1]
+          for n=1 to 6
+            delay(1)
+            ? toString("",n)+" "+toString("",ioStatus(diIn))
+            ioBusStatus(sFaults)
+            ? sFaults[0]
+          endFor
+        === main/main.dtx
+        <?xml version="1.0" encoding="utf-8"?>
+        <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+          <Datas>
+            <Data name="diIn" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Board\%I0" /></Data>
+            <Data name="aiIn" access="private" xsi:type="array" type="aio" size="1"><Value key="0" link="Board\%IW2" /></Data>
+            <Data name="n" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="sFaults" access="private" xsi:type="array" type="string" size="1" />
+          </Datas>
+        </Database>
+        "#,
+        expect![[r#""#]],
+    );
+}
