@@ -1,6 +1,7 @@
 //! How fast the release binary answers an editor, over real pipes: `cargo xtask metrics --lsp`.
 //!
-//! On two cores, p50/p95 in milliseconds until the whole answer has arrived, on a program of 2,600 lines and on a workspace of 100,000 code lines:
+//! On two cores, p50/p95 in milliseconds until the whole answer has arrived, on a program of 2,600 lines and on a
+//! workspace of 100,000 code lines:
 //!
 //! | | 2,600 lines | 100,000 lines |
 //! |---|---|---|
