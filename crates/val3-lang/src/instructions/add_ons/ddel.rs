@@ -7,6 +7,7 @@ instruction! {
     ///
     /// - `variable`: the array.
     /// - `nIndex`: which value.
+    /// - Errors: as for `delete`.
     ///
     /// It is older than `delete`, which needs no add-on.
     ///

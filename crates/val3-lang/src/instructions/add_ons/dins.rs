@@ -7,6 +7,7 @@ instruction! {
     ///
     /// - `variable`: the array.
     /// - `nIndex`: before which value.
+    /// - Errors: as for `insert`.
     ///
     /// It is older than `insert`, which needs no add-on.
     ///
