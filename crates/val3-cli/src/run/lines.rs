@@ -131,7 +131,9 @@ mod tests {
         let client = LineArg::from_str("Socket\\host=client:[::1]:2000").unwrap().config();
         assert_eq!((client.port(), client.target()), (Some(2000), "::1".parse().ok()));
         assert_eq!(LineArg::from_str(r"Serial\a=serial:/dev/ttyS0").unwrap().end, LineEnd::Device("/dev/ttyS0".into()));
-        for wrong in ["host", "=server:1", "a=server:x", "a=server", "a=client:2000", "a=client:host:1", "a=serial:", "a=x:1"] {
+        for wrong in
+            ["host", "=server:1", "a=server:x", "a=server", "a=client:2000", "a=client:host:1", "a=serial:", "a=x:1"]
+        {
             assert!(LineArg::from_str(wrong).is_err(), "{wrong}");
         }
     }
