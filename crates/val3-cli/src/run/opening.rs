@@ -10,6 +10,7 @@ use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
 
 use super::images::Images;
+use super::lines;
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::{self, Format};
@@ -37,7 +38,8 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let db = session.db();
     let image = val3_compile::compile(db, project).map_err(|error| UserError::new(error.to_string()))?;
     let (roots, path, disk) = roots(db, project, args)?;
-    let devices = Devices::new(roots, Box::new(Images::new(disk)));
+    let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
+    lines::connect(&mut devices.lines, &disk, args)?;
     let controller = Controller::new(devices, image.into(), path, args.line_cost);
     started(controller, args)
 }
