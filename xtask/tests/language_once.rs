@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-const CRATES: &[&str] = &["val3-syntax", "val3-analysis", "val3-check", "val3-ide", "val3-cli"];
+const CRATES: &[&str] = &["val3-syntax", "val3-analysis", "val3-check", "val3-ide", "val3-compile", "val3-cli"];
 
 /// Names of instructions that are also an attribute in the files or a type; and `libLoad`, by which the loader finds
 /// libraries before anything is analysed.

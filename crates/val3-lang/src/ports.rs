@@ -14,9 +14,7 @@ pub use media::Media;
 pub use robot::Robot;
 pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
 
-pub use screen::Screen;
 pub use serial::{LineValue, Outgoing, Reply, Serial};
-
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;

@@ -60,8 +60,15 @@ impl Controller {
         let application = vm.space.load(image, path.clone(), &mut devices);
         devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
-        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, stopped: false }
-        Self { vm, devices, schedule: Schedule::new(line_cost), application, phase: Phase::Running, script: Script::default() }
+        Self {
+            vm,
+            devices,
+            schedule: Schedule::new(line_cost),
+            application,
+            phase: Phase::Running,
+            stopped: false,
+            script: Script::default(),
+        }
     }
 
     /// The controller's clock, in nanoseconds.
@@ -111,6 +118,7 @@ impl Controller {
 
     fn end(&mut self) {
         self.kill_tasks();
+        self.devices.lines.shut_down();
         self.phase = Phase::Stopped;
     }
 
@@ -136,24 +144,15 @@ impl Controller {
             Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
             _ => Step::Busy,
         }
-        self.devices.lines.shut_down();
-        self.phase = Phase::Stopped;
     }
 
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
         let cycle = self.cycle();
-        let start = self.schedule.now;
-        let end = (start / CYCLE + 1) * CYCLE;
-        self.follow_script(start);
-        self.devices.begin_cycle(start);
-        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
-        self.devices.end_cycle(end);
         self.advance_phase();
         match (self.phase, cycle) {
             (Phase::Stopped, _) => Step::Finished,
             _ if self.is_stuck() => Step::Stuck,
-            (_, Cycle::Idle { .. }) if self.devices.lines.are_in_use() => Step::Idle(Some(self.schedule.now)),
             (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
             _ => Step::Busy,
         }
@@ -162,9 +161,10 @@ impl Controller {
     fn cycle(&mut self) -> Cycle {
         let start = self.schedule.now;
         let end = (start / CYCLE + 1) * CYCLE;
-        self.refresh_inputs(start);
+        self.follow_script(start);
+        self.devices.begin_cycle(start);
         let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
-        self.refresh_outputs(end);
+        self.devices.end_cycle(end);
         cycle
     }
 
@@ -188,7 +188,7 @@ impl Controller {
     /// Something outside may speak at any time.
     #[must_use]
     pub fn hears_outside(&self) -> bool {
-        false
+        self.devices.lines.are_in_use()
     }
 
     /// An error has stopped a task, and nothing has changed that.
@@ -209,28 +209,6 @@ impl Controller {
 
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
-    }
-
-    fn refresh_inputs(&mut self, now: Time) {
-        self.devices.lines.attend();
-        self.devices.pendant.advance(now);
-        self.devices.robot.advance(now, true);
-        for change in self.devices.io.refresh_inputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn refresh_outputs(&mut self, now: Time) {
-        for change in self.devices.io.refresh_outputs() {
-            self.record_io(now, change);
-        }
-    }
-
-    fn record_io(&mut self, now: Time, change: crate::io::IoChange) {
-        if let Some(signal) = self.devices.io.signal(change.signal) {
-            let link = signal.path.clone();
-            self.devices.record_outside(now, What::Io { link, value: change.value });
-        }
     }
 }
 

@@ -27,7 +27,6 @@ use crate::screen::{Pendant, ReadingId};
 pub use io::NoSignal;
 
 use instances::Held;
-use crate::screen::Pendant;
 pub use lines::Lines;
 
 /// Everything of the controller but its programs.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
+use val3_lang::memory::StoreId;
 use val3_lang::ports::Ports;
 
 use crate::{InstanceId, Space};

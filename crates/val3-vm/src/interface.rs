@@ -19,9 +19,10 @@ impl Instance {
                 let number = usize::from(self.image.program(&import.name)?);
                 let own = &self.image.programs.get(number)?.params;
                 let suits = own.len() == params.len()
-                    && own.iter().zip(params).all(|(own, (kind, container, by_reference))| {
-                        is_param(own, kind, *container, *by_reference)
-                    });
+                    && own
+                        .iter()
+                        .zip(params)
+                        .all(|(own, (kind, container, by_reference))| is_param(own, kind, *container, *by_reference));
                 if !suits {
                     return None;
                 }

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use val3_bytecode::{FatherLink, Image, Import, LinkInit, LinkTarget};
-use val3_lang::types::BaseType;
 use val3_lang::memory::{Link, Memory, Place, StoreId, View};
+use val3_lang::types::BaseType;
 
 use crate::{Host, Instance, InstanceId};
 
@@ -51,7 +51,7 @@ impl Space {
     /// Lets an image with the same data take the place of the one in memory; the data stay as they are.
     pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) {
         let Some(instance) = self.instances.get_mut(usize::from(id.0)) else { return };
-        host.loaded(id.0, &image);
+        host.loaded(id.0, &image, &instance.data);
         instance.imports = vec![None; image.imports.len()];
         instance.image = image;
         let libraries = instance.libraries.clone();

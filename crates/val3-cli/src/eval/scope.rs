@@ -106,8 +106,7 @@ impl Scope {
 
     /// Evaluates a text: an expression, or statements.
     pub(crate) fn evaluate(&mut self, text: &str) -> Vec<Answer> {
-        self.run(text)
-            .unwrap_or_else(|fault| vec![Answer::Fault(fault)])
+        self.run(text).unwrap_or_else(|fault| vec![Answer::Fault(fault)])
     }
 
     fn run(&mut self, text: &str) -> Result<Vec<Answer>, String> {

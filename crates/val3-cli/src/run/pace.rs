@@ -9,7 +9,7 @@ use val3_machine::controller::Controller;
 use crate::args::RunTime;
 
 /// How long the outside is given to do something while all tasks wait for it.
-const LISTENING: Duration = Duration::from_millis(2);
+const LISTENING: Duration = Duration::from_millis(4);
 
 /// The pace of a run.
 pub(crate) struct Pace {

@@ -64,12 +64,8 @@ fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
 
 /// The text of an attribute: of the value, or in the old dialect of an element in it.
 fn written<'g>(value: Xml<'g>, attribute: &Attribute) -> Option<Cow<'g, str>> {
-    let old_name = match attribute.name {
-        "ioOpen" => "open",
-        "ioClose" => "close",
-        name => name,
-    };
-    value.value(attribute.name).or_else(|| value.elements().find_map(|part| part.value(old_name)))
+    let in_parts = || value.elements().find_map(|part| part.value(attribute.old_name()));
+    value.value(attribute.name).or_else(in_parts)
 }
 
 fn read_number(attribute: &Attribute, text: &str) -> Option<f64> {

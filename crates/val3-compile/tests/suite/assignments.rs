@@ -11,7 +11,9 @@ fn check(code_lines: &str, expected: Expect) {
 
 #[test]
 fn chains() {
-    check("n=m=3\nnA[n]=nA[1]=m", expect![[r#"
+    check(
+        "n=m=3\nnA[n]=nA[1]=m",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
            1     0  Line
                  1  Move { to: 1, from: 17 }
@@ -20,12 +22,15 @@ fn chains() {
                  4  StoreElement { whole: Data(1), index: 18, from: 1 }
                  5  StoreElement { whole: Data(1), index: 0, from: 1 }
                  6  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn outputs_are_set_and_inputs_read() {
-    check("dOut=n==1\nb=dOut\nb=d", expect![[r#"
+    check(
+        "dOut=n==1\nb=dOut\nb=d",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
            1     0  Line
                  1  Equal { to: 18, a: 0, b: 17 }
@@ -37,24 +42,30 @@ fn outputs_are_set_and_inputs_read() {
            3     7  Line
                  8  Instruction =(dio l0) -> n2/t0/l0
                  9  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn constant_structures_lie_in_the_frame() {
-    check("t={1,2,3,,,-90}\nmd={10,20,30,,,off}", expect![[r#"
+    check(
+        "t={1,2,3,,,-90}\nmd={10,20,30,,,off}",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n22=-90, n23=10, n24=20, n25=30, n28=1
            1     0  Line
                  1  Copy n3 from n17
            2     2  Line
                  3  Copy n9 from n23
                  4  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn what_is_left_out_is_zero() {
-    check("t={n,t.x}", expect![[r#"
+    check(
+        "t={n,t.x}",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50
            1     0  Line
                  1  Move { to: 17, from: 0 }
@@ -65,12 +76,15 @@ fn what_is_left_out_is_zero() {
                  6  Move { to: 22, from: 23 }
                  7  Copy n3 from n17
                  8  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn points_and_tools_keep_their_links() {
-    check("pA[n]={{1,2,3,,,},{lefty}}\ntT={{,,n},dOut,1}", expect![[r#"
+    check(
+        "pA[n]={{1,2,3,,,},{lefty}}\ntT={{,,n},dOut,1}",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
            1     0  Line
                  1  Locate { to: 0, whole: Data(3), index: 0 }
@@ -95,5 +109,6 @@ fn points_and_tools_keep_their_links() {
                 20  StoreFirst { whole: Data(2), lane: 6, from: 32 }
                 21  StoreFirst { whole: Data(2), lane: 7, from: 33 }
                 22  Return
-    "#]]);
+    "#]],
+    );
 }

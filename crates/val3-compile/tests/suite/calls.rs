@@ -43,7 +43,9 @@ fn check(code_lines: &str, expected: Expect) {
 
 #[test]
 fn arguments() {
-    check("call pick(l_n+1,nA[l_n],nA[2],sColl,tS)\ncall part:tell(\"a\")", expect![[r#"
+    check(
+        "call pick(l_n+1,nA[l_n],nA[2],sColl,tS)\ncall part:tell(\"a\")",
+        expect![[r#"
         l_n n0/t0/l0, n1=1, n3=2
            1     0  Line
                  1  Add { to: 2, a: 0, b: 1 }
@@ -54,7 +56,8 @@ fn arguments() {
                  6  TextConstant { to: 0, constant: 0 }
                  7  Call import 0(string t0)
                  8  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -94,12 +97,15 @@ fn parameters() {
            6    22  Line
                 23  Call program 0(View(0) from n4)
                 24  Return
-    "#]].assert_eq(&shown);
+    "#]]
+    .assert_eq(&shown);
 }
 
 #[test]
 fn tasks() {
-    check("taskCreate \"t\"+\"1\", 10, forward(nA)\ntaskCreateSync \"s\", 0.004, bLate, part:tell(\"x\")", expect![[r#"
+    check(
+        "taskCreate \"t\"+\"1\", 10, forward(nA)\ntaskCreateSync \"s\", 0.004, bLate, part:tell(\"x\")",
+        expect![[r#"
         l_n n0/t0/l0, n1=10, n2=0.004
            1     0  Line
                  1  TextConstant { to: 0, constant: 0 }
@@ -112,5 +118,6 @@ fn tasks() {
                  8  TextConstant { to: 1, constant: 3 }
                  9  CreateTask t0, n2, p0, import 0(string t1)
                 10  Return
-    "#]]);
+    "#]],
+    );
 }

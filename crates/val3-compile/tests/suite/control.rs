@@ -11,7 +11,9 @@ fn check(code_lines: &str, expected: Expect) {
 
 #[test]
 fn conditions_jump_where_they_are_decided() {
-    check("if i>3 and nX!=4\ni=1\nelseIf i==2 or b\ni=2\nelse\ni=3\nendIf", expect![[r#"
+    check(
+        "if i>3 and nX!=4\ni=1\nelseIf i==2 or b\ni=2\nelse\ni=3\nendIf",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n4=4, n5=1, n6=2
            1     0  Line
                  1  UnlessLess { a: 2, b: 0, to: 7 }
@@ -29,12 +31,15 @@ fn conditions_jump_where_they_are_decided() {
            5    13  Line
                 14  Move { to: 0, from: 2 }
                 15  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn contraries_cost_nothing() {
-    check("if !(i<3)\ni=1\nendIf\nif b==false\ni=2\nendIf\nif !(b or i>=1)\ni=3\nendIf", expect![[r#"
+    check(
+        "if !(i<3)\ni=1\nendIf\nif b==false\ni=2\nendIf\nif !(b or i>=1)\ni=3\nendIf",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n4=1, n5=2
            1     0  Line
                  1  Less { to: 3, a: 0, b: 2 }
@@ -52,12 +57,15 @@ fn contraries_cost_nothing() {
            6    13  Line
                 14  Move { to: 0, from: 2 }
                 15  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn loops() {
-    check("while i<5\ni=i+1\nendWhile\ndo\ni=i-1\nuntil i<=0", expect![[r#"
+    check(
+        "while i<5\ni=i+1\nendWhile\ndo\ni=i-1\nuntil i<=0",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=5, n3=1
            1     0  Line
                  1  UnlessLess { a: 0, b: 2, to: 5 }
@@ -69,12 +77,15 @@ fn loops() {
            4     7  Line
                  8  UnlessLessEqual { a: 0, b: 4, to: 5 }
                  9  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn the_counter_of_a_loop_may_be_any_variable() {
-    check("for i=1 to nX step -2\nb=true\nendFor", expect![[r#"
+    check(
+        "for i=1 to nX step -2\nb=true\nendFor",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n4=1, n5=-2
            1     0  Line
                  1  LoadFirst { to: 2, whole: Data(0), lane: 0 }
@@ -85,8 +96,11 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                  6  Move { to: 1, from: 4 }
                  7  ForNext { counter: 0, limit: 2, body: 5 }
                  8  Return
-    "#]]);
-    check("for nX=1 to 10\nb=true\nendFor", expect![[r#"
+    "#]],
+    );
+    check(
+        "for nX=1 to 10\nb=true\nendFor",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n5=1, n6=10
            1     0  Line
                  1  Move { to: 2, from: 6 }
@@ -101,12 +115,15 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                 10  ForNext { counter: 4, limit: 2, body: 5 }
                 11  StoreFirst { whole: Data(0), lane: 0, from: 4 }
                 12  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn cases_are_compared_one_after_the_other() {
-    check("switch i+1\ncase 1,2\nreturn\nbreak\ncase -3\ni=0\nbreak\ndefault\nb=true\nbreak\nendSwitch", expect![[r#"
+    check(
+        "switch i+1\ncase 1,2\nreturn\nbreak\ncase -3\ni=0\nbreak\ndefault\nb=true\nbreak\nendSwitch",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=1, n4=2, n5=-3
            1     0  Line
                  1  Add { to: 3, a: 0, b: 2 }
@@ -124,8 +141,11 @@ fn cases_are_compared_one_after_the_other() {
                 13  Move { to: 1, from: 2 }
                 14  Jump { to: 15 }
                 15  Return
-    "#]]);
-    check("switch s\ncase \"a\"\ni=0\nbreak\nendSwitch", expect![[r#"
+    "#]],
+    );
+    check(
+        "switch s\ncase \"a\"\ni=0\nbreak\nendSwitch",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0
            1     0  Line
                  1  TextConstant { to: 1, constant: 0 }
@@ -136,12 +156,15 @@ fn cases_are_compared_one_after_the_other() {
                  6  Move { to: 0, from: 3 }
                  7  Jump { to: 8 }
                  8  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn waiting_computes_the_condition_anew() {
-    check("wait(i>3 or b)\nb=watch(nX==2,i+1)\nwatch(b,0)", expect![[r#"
+    check(
+        "wait(i>3 or b)\nb=watch(nX==2,i+1)\nwatch(b,0)",
+        expect![[r#"
         i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n3=3, n4=1, n7=2
            1     0  Line
                  1  Less { to: 2, a: 3, b: 0 }
@@ -158,5 +181,6 @@ fn waiting_computes_the_condition_anew() {
                 12  Move { to: 2, from: 9 }
                 13  Watch { to: 5, condition: 1, seconds: 2, retry: 13 }
                 14  Return
-    "#]]);
+    "#]],
+    );
 }

@@ -30,8 +30,7 @@ fn part(part: &PartInit) -> String {
         Shape::Array { dims, sizes } => format!("{:?}", &sizes[..usize::from(*dims)]),
         Shape::Collection(keys) => format!("{keys:?}"),
     };
-    let values: Vec<String> =
-        part.values.iter().map(|value| value.as_ref().map_or("-".to_owned(), element)).collect();
+    let values: Vec<String> = part.values.iter().map(|value| value.as_ref().map_or("-".to_owned(), element)).collect();
     format!("{shape} {}", values.join(" "))
 }
 
@@ -54,11 +53,14 @@ fn with_data(data: &str) -> String {
 
 #[test]
 fn simple_values() {
-    check("num nA = 3\npublic string sB[2,3] = \"x\"\nbool bC[\"k\",\"j\"] = true\nreturn", expect![[r#"
+    check(
+        "num nA = 3\npublic string sB[2,3] = \"x\"\nbool bC[\"k\",\"j\"] = true\nreturn",
+        expect![[r#"
         nA [1] (3)
         public sB [2, 3] ("x")
         bC {"j": 1, "k": 0} (1) (0)
-    "#]]);
+    "#]],
+    );
     check(
         &with_data(
             r#"<Data name="nG" access="private" xsi:type="array" type="num" size="2 3"><Value key="1,2" value="1e3" /></Data>"#,
@@ -125,12 +127,15 @@ fn user_types() {
         <?xml version="1.0"?>
         <Project><Parameters version="s7.11" stackSize="5000" millimeterUnit="true" /><Programs /><Database><Data file="Slot.dtx" /></Database></Project>
     "#;
-    check(listing, expect![[r#"
+    check(
+        listing,
+        expect![[r#"
         public tSlot [2] - ([3] - - (9),[1] (none),[1] (4,0,0,0,0,0,none))
         0 [(1, 1)][0].0 -> Port(Dio, "a\\b")
         0 [(1, 2)][0].0 -> Father(FatherLink { library: None, name: "tSlot", at: "0", fields: [("fF", "0")] })
         0 [(0, 1)][0].0 -> Port(Dio, "a\\b")
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -149,7 +154,9 @@ fn the_old_dialect() {
         <toolSection><tool name="tA" public="false"><tFather alias="" name="flange" fatherIndex="0" /><valueTool index="0"><ttValue x="0" y="0" z="9" rx="0" ry="0" rz="0" /><io alias="" name="" ioIndex="0" open="0.5" close="0.6" /></valueTool></tool></toolSection>
         <mdescSection><mdesc name="mA" public="false"><valueMdesc index="0"><mdescValue accel="10" vel="20" decel="30" tmax="40" rmax="50" blend="off" leave="1" reach="2" /></valueMdesc></mdesc></mdescSection></dataList>
     "#;
-    check(listing, expect![[r#"
+    check(
+        listing,
+        expect![[r#"
         nA [2] (3) (4)
         public dI [2] 
         fA [1] (1,2,0,0,0,0,built in)
@@ -157,5 +164,6 @@ fn the_old_dialect() {
         tA [1] (0,0,9,0,0,0,0.5,0.6,built in,none)
         mA [1] (10,20,30,40,50,1,1,2)
         3 [][0].0 -> Father(FatherLink { library: Some("part"), name: "fB", at: "2", fields: [] })
-    "#]]);
+    "#]],
+    );
 }

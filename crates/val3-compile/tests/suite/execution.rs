@@ -260,19 +260,31 @@ fn switches() {
 
 #[test]
 fn errors_stop_at_their_line() {
-    check("num n[2]\nnum i\ni=1\ni=i+1\nn[i]=3\n? i", expect![[r#"
+    check(
+        "num n[2]\nnum i\ni=1\ni=i+1\nn[i]=3\n? i",
+        expect![[r#"
         error 20 in line 7
-    "#]]);
-    check("num i\n? 1\n? 1/i\n? 2", expect![[r#"
+    "#]],
+    );
+    check(
+        "num i\n? 1\n? 1/i\n? 2",
+        expect![[r#"
         1
         error 10 in line 6
-    "#]]);
-    check("string s[\"a\"]\ns[\"b\"]=\"x\"", expect![[r#"
+    "#]],
+    );
+    check(
+        "string s[\"a\"]\ns[\"b\"]=\"x\"",
+        expect![[r#"
         error 20 in line 5
-    "#]]);
-    check("program start()\nbegin\ncall start()\nend", expect![[r#"
+    "#]],
+    );
+    check(
+        "program start()\nbegin\ncall start()\nend",
+        expect![[r#"
         error 41 in line 5
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

@@ -11,7 +11,9 @@ fn check(code_lines: &str, expected: Expect) {
 
 #[test]
 fn results_go_where_they_are_wanted() {
-    check("n=n+m*2\ns=s+\"a\"\nn=-(2+3)", expect![[r#"
+    check(
+        "n=n+m*2\ns=s+\"a\"\nn=-(2+3)",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, s n3/t0/l0, t n3/t1/l0, j n9/t1/l0, f n15/t1/l0, c n21/t1/l1, n24=2, n26=-5
            1     0  Line
                  1  Multiply { to: 25, a: 1, b: 24 }
@@ -22,12 +24,15 @@ fn results_go_where_they_are_wanted() {
            3     6  Line
                  7  Move { to: 0, from: 26 }
                  8  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn truth_values() {
-    check("b=n<m and m>=2\nb=b xor !b\nb=s!=\"x\"\nb=dIn and dIn==true", expect![[r#"
+    check(
+        "b=n<m and m>=2\nb=b xor !b\nb=s!=\"x\"\nb=dIn and dIn==true",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, s n3/t0/l0, t n3/t1/l0, j n9/t1/l0, f n15/t1/l0, c n21/t1/l1, n25=2, n27=1
            1     0  Line
                  1  Less { to: 24, a: 0, b: 1 }
@@ -50,12 +55,15 @@ fn truth_values() {
                 18  Equal { to: 24, a: 26, b: 27 }
                 19  Move { to: 2, from: 24 }
                 20  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn structures() {
-    check("t=t*!t\nj=j+j-j\nb=j<j\nb=f!=f\nb=t==t\nb=c!=c\nn=(t*t).x", expect![[r#"
+    check(
+        "t=t*!t\nj=j+j-j\nb=j<j\nb=f!=f\nb=t==t\nb=c!=c\nn=(t*t).x",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, s n3/t0/l0, t n3/t1/l0, j n9/t1/l0, f n15/t1/l0, c n21/t1/l1
            1     0  Line
                  1  Instruction !(trsf n3) -> n24/t0/l0
@@ -76,17 +84,21 @@ fn structures() {
                 16  Instruction *(trsf n3, trsf n3) -> n24/t0/l0
                 17  Move { to: 0, from: 24 }
                 18  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_left_side_is_read_before_the_right_one_changes_it() {
-    check("n=n+get(n)", expect![[r#"
+    check(
+        "n=n+get(n)",
+        expect![[r#"
         n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, s n3/t0/l0, t n3/t1/l0, j n9/t1/l0, f n15/t1/l0, c n21/t1/l1
            1     0  Line
                  1  Move { to: 24, from: 0 }
                  2  Instruction get(num n0) -> n25/t0/l0
                  3  Add { to: 0, a: 24, b: 25 }
                  4  Return
-    "#]]);
+    "#]],
+    );
 }

@@ -12,7 +12,9 @@ fn check(code_lines: &str, expected: Expect) {
 
 #[test]
 fn values_and_references() {
-    check("n=sin(n+1)\ns=toNum(s,n,b)\nputln(s+\"!\")\nmovej(pA,tT,mN)\nmovej({1,2,3,4,5,6},flange,mN)", expect![[r#"
+    check(
+        "n=sin(n+1)\ns=toNum(s,n,b)\nputln(s+\"!\")\nmovej(pA,tT,mN)\nmovej({1,2,3,4,5,6},flange,mN)",
+        expect![[r#"
         n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
            1     0  Line
                  1  Add { to: 4, a: 0, b: 3 }
@@ -33,12 +35,15 @@ fn values_and_references() {
                 16  LocateFirst { to: 1, whole: Data(5) }
                 17  Instruction movej(joint n5, tool p0, mdesc p1)
                 18  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn containers_and_slots() {
-    check("n=size(nA)\nn=size(nA[2])\ninsert(nA[n])\nb=isDefined(sColl[s])\nb=isDefined(part:nW)\ns=first(sColl)\nresize(nA,1,9)\nn=size(l_n)", expect![[r#"
+    check(
+        "n=size(nA)\nn=size(nA[2])\ninsert(nA[n])\nb=isDefined(sColl[s])\nb=isDefined(part:nW)\ns=first(sColl)\nresize(nA,1,9)\nn=size(l_n)",
+        expect![[r#"
         n n0/t0/l0, l_n Part(0), b n1/t0/l0, s n2/t0/l0, n2=2, n4=1, n5=9
            1     0  Line
                  1  Instruction size(Data(0)) -> n0/t0/l0
@@ -58,12 +63,15 @@ fn containers_and_slots() {
            8    15  Line
                 16  Instruction size(Part(0)) -> n0/t0/l0
                 17  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn what_is_no_container_is_passed_in_one() {
-    check("toBinary(pA.trsf.x,1,\"4.0l\",nA)", expect![[r#"
+    check(
+        "toBinary(pA.trsf.x,1,\"4.0l\",nA)",
+        expect![[r#"
         n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1
            1     0  Line
                  1  LoadFirst { to: 3, whole: Data(3), lane: 0 }
@@ -73,12 +81,15 @@ fn what_is_no_container_is_passed_in_one() {
                  5  LoadFirst { to: 5, whole: Part(0), lane: 0 }
                  6  StoreFirst { whole: Data(3), lane: 0, from: 5 }
                  7  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn libraries() {
-    check("n=part:libLoad(\"Disk://part\")\npart:libSave()", expect![[r#"
+    check(
+        "n=part:libLoad(\"Disk://part\")\npart:libSave()",
+        expect![[r#"
         n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
            1     0  Line
                  1  TextConstant { to: 1, constant: 0 }
@@ -86,24 +97,30 @@ fn libraries() {
            2     3  Line
                  4  Instruction libSave(library 0)
                  5  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn truth_values_are_read_from_inputs() {
-    check("n=sel(dOut,1,2)", expect![[r#"
+    check(
+        "n=sel(dOut,1,2)",
+        expect![[r#"
         n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1, n5=2
            1     0  Line
                  1  LocateFirst { to: 0, whole: Data(2) }
                  2  Instruction =(dio p0) -> n3/t0/l0
                  3  Instruction sel(bool n3, num n4, num n5) -> n0/t0/l0
                  4  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn printing() {
-    check("? n\n? s\n? pA\n? dOut", expect![[r#"
+    check(
+        "? n\n? s\n? pA\n? dOut",
+        expect![[r#"
         n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
            1     0  Line
                  1  Instruction ?(num n0)
@@ -116,7 +133,8 @@ fn printing() {
                  8  LocateFirst { to: 0, whole: Data(2) }
                  9  Instruction ?(dio p0)
                 10  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]

@@ -35,7 +35,9 @@ fn check(code_lines: &str, expected: Expect) {
 
 #[test]
 fn elements() {
-    check("nG[i,2]=nC[1,i,3]\nl_b[i]=l_b[2]\nsColl[\"a\"]=sColl[\"b\"]+\"c\"", expect![[r#"
+    check(
+        "nG[i,2]=nC[1,i,3]\nl_b[i]=l_b[2]\nsColl[\"a\"]=sColl[\"b\"]+\"c\"",
+        expect![[r#"
         i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=2, n6=1, n7=3
            1     0  Line
                  1  Move { to: 3, from: 6 }
@@ -57,22 +59,28 @@ fn elements() {
                 17  LocateKey { to: 1, whole: Data(3), key: 0 }
                 18  StoreText { place: 1, from: 4 }
                 19  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_single_local_used_with_an_index_is_an_array() {
-    check("l_a[0]=i", expect![[r#"
+    check(
+        "l_a[0]=i",
+        expect![[r#"
         i n0/t0/l0, l_a Part(0), l_b Part(1), l_t Part(2)
            1     0  Line
                  1  StoreElement { whole: Part(0), index: 1, from: 0 }
                  2  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn fields() {
-    check("pA[i].trsf.x=pA.trsf.y\npA.config.shoulder=lefty\nl_t.nCount=tSlot[i].pPick[1].trsf.rz", expect![[r#"
+    check(
+        "pA[i].trsf.x=pA.trsf.y\npA.config.shoulder=lefty\nl_t.nCount=tSlot[i].pPick[1].trsf.rz",
+        expect![[r#"
         i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n3=2, n4=1
            1     0  Line
                  1  Locate { to: 0, whole: Data(4), index: 0 }
@@ -89,12 +97,15 @@ fn fields() {
                 12  Load { to: 2, place: 2, lane: 5 }
                 13  StoreFirst { whole: View(0), lane: 0, from: 2 }
                 14  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn values_of_user_types() {
-    check("l_t=tSlot[1]=tSlot[i]", expect![[r#"
+    check(
+        "l_t=tSlot[1]=tSlot[i]",
+        expect![[r#"
         i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=1
            1     0  Line
                  1  Locate { to: 0, whole: Data(0), index: 0 }
@@ -104,12 +115,15 @@ fn values_of_user_types() {
                  5  LocateFirst { to: 3, whole: Part(1) }
                  6  Copy p3 from p2
                  7  Return
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn what_is_built_in_and_what_libraries_have() {
-    check("i=world.trsf.x+flange.trsf.z+part:nWeight\npart:nWeight=i+part:nWeight", expect![[r#"
+    check(
+        "i=world.trsf.x+flange.trsf.z+part:nWeight\npart:nWeight=i+part:nWeight",
+        expect![[r#"
         i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1)
            1     0  Line
                  1  LoadFirst { to: 2, whole: Builtin(0), lane: 0 }
@@ -122,7 +136,8 @@ fn what_is_built_in_and_what_libraries_have() {
                  8  Add { to: 3, a: 0, b: 2 }
                  9  StoreFirst { whole: Import(0), lane: 0, from: 3 }
                 10  Return
-    "#]]);
+    "#]],
+    );
     let image = image(&format!("{TYPES}i=part:nWeight+part:nWeight\nend\n{OTHERS}"));
     let imports: Vec<_> = image.imports.iter().map(|import| (import.library, import.name.as_str())).collect();
     assert_eq!(imports, [(0, "nWeight")]);

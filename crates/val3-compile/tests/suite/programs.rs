@@ -7,7 +7,8 @@ use crate::show::{image, program, project, workspace};
 
 #[test]
 fn lines_lead_to_the_source() {
-    let listing = "num n\nif n==1\n  n=2\nelseIf n==2\n  n=3\nendIf\nfor n=1 to 3\n  put(n)\nendFor\ndo\n  n=4\nuntil n==4";
+    let listing =
+        "num n\nif n==1\n  n=2\nelseIf n==2\n  n=3\nendIf\nfor n=1 to 3\n  put(n)\nendFor\ndo\n  n=4\nuntil n==4";
     let workspace = workspace(listing);
     let file = val3_analysis::items::project::program_files(&workspace.db, project(&workspace, "main"))[0];
     let text = file.text(&workspace.db);
@@ -27,7 +28,8 @@ fn lines_lead_to_the_source() {
         11 put(n)
         14 n=4
         15 n==4
-    "#]].assert_eq(&lines.concat());
+    "#]]
+    .assert_eq(&lines.concat());
     for line in &start.lines {
         let row = text.lines().nth(line.row as usize - 1).unwrap();
         assert!(row.contains(text[line.range.start as usize..].lines().next().unwrap()));
@@ -55,11 +57,12 @@ fn programs_of_the_old_dialect() {
     "#;
     let image = image(listing);
     let shown = format!(
-        "{}\n{}",
+        "start\n{}old\n{}",
         val3_bytecode::disassemble(program(&image, "start")),
         val3_bytecode::disassemble(program(&image, "old"))
     );
     expect![[r#"
+        start
            1     0  Line
                  1  Call program 0(Data(0) from n0, num n1)
            2     2  Line
@@ -67,19 +70,21 @@ fn programs_of_the_old_dialect() {
                  4  LoadFirst { to: 3, whole: Data(0), lane: 0 }
                  5  Call program 0(Part(0), num n3)
                  6  Return
-
+        old
            1     0  Line
                  1  LoadFirst { to: 2, whole: View(0), lane: 0 }
                  2  UnlessLess { a: 2, b: 3, to: 5 }
            2     3  Line
                  4  StoreElement { whole: View(0), index: 0, from: 1 }
                  5  Return
-    "#]].assert_eq(&shown);
+    "#]]
+    .assert_eq(&shown);
 }
 
 #[test]
 fn a_project_is_its_programs_libraries_and_settings() {
-    let image = image("version s8.3\nlibrary part \"Disk://part/part.pjx\" autoload=false\nreturn\n--- part\npublic num n");
+    let image =
+        image("version s8.3\nlibrary part \"Disk://part/part.pjx\" autoload=false\nreturn\n--- part\npublic num n");
     assert_eq!((image.name.as_str(), image.stack_size, image.version.major), ("main", 5000, 8));
     assert_eq!(image.libraries.len(), 1);
     assert!(!image.libraries[0].autoload);

@@ -198,7 +198,8 @@ fn everything_is_read_as_it_was_saved() {
         9
         1
         keyed
-    "#]].assert_eq(&cell.run());
+    "#]]
+    .assert_eq(&cell.run());
     expect![[r#"
         <?xml version="1.0" encoding="utf-8"?>
         <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
@@ -318,7 +319,9 @@ fn what_has_not_changed_leaves_every_byte() {
 
 #[test]
 fn the_second_save_of_the_same_values_changes_nothing() {
-    let cell = Cell::new(&EVERYTHING.replace("? all:libSave(\"changed\")", "? all:libSave(\"changed\")\n      ? all:libSave()"));
+    let cell = Cell::new(
+        &EVERYTHING.replace("? all:libSave(\"changed\")", "? all:libSave(\"changed\")\n      ? all:libSave()"),
+    );
     cell.run();
     assert_eq!(cell.read("usrapp/all/all.dtx"), cell.read("usrapp/changed/all.dtx"));
 }

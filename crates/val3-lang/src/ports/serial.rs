@@ -32,8 +32,13 @@ pub trait Serial {
     ///
     /// # Errors
     /// 123 without a link.
-    fn send(&mut self, port: Option<u32>, what: Outgoing<'_>, first: bool, waited: Time)
-    -> Result<Reply<Option<usize>>>;
+    fn send(
+        &mut self,
+        port: Option<u32>,
+        what: Outgoing<'_>,
+        first: bool,
+        waited: Time,
+    ) -> Result<Reply<Option<usize>>>;
 
     /// `clearBuffer`: how many bytes were thrown away; `None` for a socket that is closed.
     ///

@@ -37,6 +37,16 @@ pub enum AttributeValue {
 }
 
 impl Attribute {
+    /// How files of s5 and s6 call it.
+    #[must_use]
+    pub fn old_name(&self) -> &'static str {
+        match self.name {
+            "ioOpen" => "open",
+            "ioClose" => "close",
+            name => name,
+        }
+    }
+
     const fn number(name: &'static str, field: &'static str, default: f64) -> Self {
         Self { name, field, value: AttributeValue::Number, default: DefaultValue::Number(default) }
     }

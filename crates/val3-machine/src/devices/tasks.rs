@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{DataDef, Image};
-use val3_bytecode::{Image, Program};
+use val3_bytecode::Image;
 use val3_lang::fault::Fault;
+use val3_lang::memory::StoreId;
 use val3_lang::ports::{Origin, Ports, TaskChange, TaskNumber};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
@@ -56,14 +56,6 @@ impl Ports for Devices {
 impl Host for Devices {
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
         self.hold(instance, image, data);
-    fn loaded(&mut self, instance: u16, image: &Arc<Image>) {
-        let at = usize::from(instance);
-        if self.images.len() <= at {
-            self.images.resize(at + 1, Arc::clone(image));
-        }
-        if let Some(slot) = self.images.get_mut(at) {
-            *slot = Arc::clone(image);
-        }
         self.sources.remove(&instance);
         if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
             self.sources.insert(instance, files);

@@ -1,7 +1,6 @@
 use crate::call::Call;
 use crate::declare::instruction;
 
-
 instruction! {
     /// Closes a file.
     ///

@@ -1,5 +1,6 @@
-use crate::call::{AnyVar, Call};
+use crate::call::Call;
 use crate::declare::instruction;
+use crate::memory::View;
 
 instruction! {
     /// Publishes a variable on the OPC UA server of the controller.
@@ -20,4 +21,4 @@ instruction! {
 }
 
 /// The virtual controller has no clients: the variable is published and nobody reads it.
-fn export(_: &mut Call<'_>, _: AnyVar, _: bool) {}
+fn export(_: &mut Call<'_>, _: View, _: bool) {}

@@ -26,11 +26,7 @@ pub(super) struct Links<'s> {
 pub(super) type Spot = (u32, Vec<(u32, u32)>, u32, u32);
 
 impl<'s> Links<'s> {
-    pub(super) fn new(
-        space: &'s Space,
-        (id, instance): (InstanceId, &'s Instance),
-        devices: &'s Devices,
-    ) -> Self {
+    pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), devices: &'s Devices) -> Self {
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
         let mut links = Self { space, id, memory: &space.memory, devices, names: FxHashMap::default(), loaded };

@@ -180,18 +180,14 @@ impl<'l> Loaded<'l> {
 fn keys(shape: &Shape) -> Vec<(u32, String)> {
     match shape {
         Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, key.to_string())).collect(),
-        Shape::Array { dims, sizes } => {
-            (0..shape.len()).map(|number| (number, index(*dims, *sizes, number))).collect()
-        }
+        Shape::Array { dims, sizes } => (0..shape.len()).map(|number| (number, index(*dims, *sizes, number))).collect(),
     }
 }
 
 fn saved_shape(shape: &Shape) -> files::Shape {
     match shape {
         Shape::Collection(_) => files::Shape::Keys,
-        Shape::Array { dims, sizes } => {
-            files::Shape::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect())
-        }
+        Shape::Array { dims, sizes } => files::Shape::Sizes(sizes.iter().copied().take(usize::from(*dims)).collect()),
     }
 }
 
