@@ -3,8 +3,6 @@
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, InstructionSite, Op, Operand};
-use val3_lang::add_on::AddOnOverload;
-use val3_lang::instruction::Overload;
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
@@ -66,18 +64,23 @@ impl Coder<'_, '_> {
     }
 
     fn called(&self, id: ExprId) -> Result<Called> {
+        let formal =
+            |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
         if let Some(call) = self.types.call(id) {
             let form = call.form.ok_or(Limit::Unclear)?;
-            let formal =
-                |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
             let formals = form.params.iter().map(formal).collect();
             return Ok(Called { site: InstructionSite::new(call.instruction, form), formals, result: form.result });
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
-        let formal =
-            |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
+        // What the catalogue has too does what it does there; its forms say how arguments are passed.
+        if let Some((instruction, form)) = call.form.known(&call.name) {
+            let formals = form.params.iter().map(formal).collect();
+            return Ok(Called { site: InstructionSite::new(instruction, form), formals, result: call.form.result });
+        }
+        let formal = |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         let formals = call.form.params.iter().map(formal).collect();
-        Ok(Called { site: add_on_site(&call.name, &call.form), formals, result: call.form.result })
+        let site = InstructionSite::named(call.name.to_string(), None);
+        Ok(Called { site, formals, result: call.form.result })
     }
 
     /// The instruction that waits for a condition which `id` calls, by its name.
@@ -106,21 +109,4 @@ impl Coder<'_, '_> {
         self.emit(Op::Watch { to, condition, seconds, retry: retry.0 });
         Ok(Value::num(BaseType::Bool, to))
     }
-}
-
-/// An instruction of an add-on does what the catalogue's form with the same parameters does.
-fn add_on_site(name: &str, form: &AddOnOverload) -> InstructionSite {
-    let known = instructions::find(name);
-    let same = known.and_then(|known| known.overloads.iter().find(|other| is_same(other, form)));
-    match known.zip(same) {
-        Some((instruction, form)) => InstructionSite::new(instruction, form),
-        None => InstructionSite::named(name.to_owned(), None),
-    }
-}
-
-fn is_same(known: &Overload, form: &AddOnOverload) -> bool {
-    let params = || known.params.iter().zip(&form.params);
-    known.on_library == form.on_library
-        && known.params.len() == form.params.len()
-        && params().all(|(known, param)| known.ty == param.ty && known.shape == param.shape)
 }

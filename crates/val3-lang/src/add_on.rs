@@ -15,7 +15,8 @@ pub use providers::providers;
 pub use table::parse_table;
 
 use crate::{
-    instruction::{Class, Shape},
+    instruction::{Class, Instruction, Overload, Shape},
+    instructions,
     types::{Arm, BaseType},
 };
 
@@ -95,6 +96,24 @@ impl AddOnInstruction {
 }
 
 impl AddOnOverload {
+    /// The form of the catalogue that takes the same arguments: what `name` does at run time. One of the same shapes is
+    /// preferred to one that takes an array where the table has a single variable, or the other way round.
+    #[must_use]
+    pub fn known(&self, name: &str) -> Option<(&'static Instruction, &'static Overload)> {
+        let instruction = instructions::find(name)?;
+        let found = |same: fn(Shape, Shape) -> bool| {
+            instruction.overloads.iter().find(|form| {
+                let mut pairs = form.params.iter().zip(&self.params);
+                form.on_library == self.on_library
+                    && form.params.len() == self.params.len()
+                    && pairs.all(|(known, own)| known.ty == own.ty && same(known.shape, own.shape))
+            })
+        };
+        let form = found(|known, own| known == own)
+            .or_else(|| found(|known, own| known.is_by_reference() == own.is_by_reference()))?;
+        Some((instruction, form))
+    }
+
     /// The syntax line of this form; `name` is the instruction's name.
     #[must_use]
     pub fn signature(&self, name: &str) -> String {

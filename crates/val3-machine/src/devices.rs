@@ -91,6 +91,13 @@ impl Devices {
         self.events.push(Event { t: seconds(self.origin.time), task, what });
     }
 
+    /// Records what lines have answered.
+    pub(crate) fn record_lines(&mut self, now: Time) {
+        for (link, entry) in self.lines.take_told() {
+            self.record_outside(now, What::Line { link, entry });
+        }
+    }
+
     /// Records what has come from outside.
     pub fn record_outside(&mut self, now: Time, what: What) {
         self.events.push(Event { t: seconds(now), task: None, what });

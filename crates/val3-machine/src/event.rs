@@ -5,6 +5,8 @@
 use serde::Serialize;
 use val3_lang::ports::{SECOND, Time};
 
+use crate::sio::Entry;
+
 /// Something that has happened.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Event {
@@ -115,6 +117,14 @@ pub enum What {
         dir: &'static str,
         /// The bytes.
         bytes: Vec<u8>,
+    },
+    /// A serial line or socket has answered otherwise than usual: what a replay needs to know of it.
+    Line {
+        /// Its path.
+        link: String,
+        /// The answer.
+        #[serde(flatten)]
+        entry: Entry,
     },
     /// A library was loaded, saved or deleted.
     Lib {

@@ -22,7 +22,7 @@ pub use configuration::{ChannelConfig, channels};
 pub use line::{Connection, Line, LineKind, Received, Refused, Sent};
 pub use memory::{MemoryLine, Peer};
 pub use reach::Reach;
-pub use recording::{Answer, Entry, Recorder, Replay};
+pub use recording::{Answer, Entry, Recorder, Replay, replay};
 #[cfg(unix)]
 pub use serial::SerialLine;
 pub use setting::{Parity, Setting, SettingValue};

@@ -168,9 +168,8 @@ impl Infer<'_> {
         let forms = functions.flat_map(|function| &function.overloads).filter(|form| form.on_library == on_library);
         let forms: Vec<&AddOnOverload> = forms.collect();
         if forms.is_empty() {
-            self.arguments_alone(args);
             self.missing_add_on(callee, name);
-            return None;
+            return self.presumed(id, callee, name, on_library, args);
         }
         let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();
         let formals = forms.iter().map(|form| Formals::AddOn(&form.params)).collect();
@@ -183,6 +182,30 @@ impl Infer<'_> {
         }
         let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
+    }
+
+    /// An instruction of which no table is at hand, by the forms of the catalogue: the virtual controller runs it so.
+    /// The add-on that is really installed may have other forms, so nothing that does not fit is a fault.
+    fn presumed(
+        &mut self,
+        id: ExprId,
+        callee: ExprId,
+        name: &SmolStr,
+        on_library: bool,
+        args: &[ExprId],
+    ) -> Option<Called> {
+        let Some(instruction) = instructions::find(name) else {
+            self.arguments_alone(args);
+            return None;
+        };
+        let before = self.problems.len();
+        let called = self.known_instruction(id, callee, instruction, on_library, args);
+        if self.calls.last().is_some_and(|call| call.id == id && call.form.is_none()) {
+            self.problems.truncate(before);
+            self.calls.pop();
+            return None;
+        }
+        called.filter(|called| called.result.is_some()).map(|called| Called { class: Class::Modifier, ..called })
     }
 
     fn missing_add_on(&mut self, callee: ExprId, name: &SmolStr) {

@@ -12,6 +12,8 @@ mod execution;
 mod expressions;
 mod instructions;
 mod libraries;
+mod lines;
+mod media;
 mod places;
 mod programs;
 mod saving;

@@ -20,6 +20,7 @@ impl Devices {
 
     /// The cycle ends: the hardware gets new outputs.
     pub fn end_cycle(&mut self, now: Time) {
+        self.record_lines(now);
         let changes = self.io.refresh_outputs();
         self.record_io(now, changes);
     }

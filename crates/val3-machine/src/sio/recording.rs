@@ -4,7 +4,7 @@
 //! ends, bytes that came in, a send that did not take everything. So a line that is asked a million times and stays
 //! silent leaves nothing, and the program that asks in the same order hears the same.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use serde::{Deserialize, Serialize};
 
@@ -98,6 +98,31 @@ impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
         self.ended(applied.err().map(Answer::Refused));
         applied
     }
+}
+
+/// The answers of lines by their links, from the record of a run (one event a line).
+///
+/// # Errors
+/// The first line that is no event.
+pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> {
+    #[derive(Deserialize)]
+    #[serde(tag = "kind", rename_all = "lowercase")]
+    enum Told {
+        Line {
+            link: String,
+            #[serde(flatten)]
+            entry: Entry,
+        },
+        #[serde(other)]
+        Else,
+    }
+    let mut answers: BTreeMap<String, Vec<Entry>> = BTreeMap::new();
+    for line in record.lines().filter(|line| !line.trim().is_empty()) {
+        if let Told::Line { link, entry } = serde_json::from_str(line)? {
+            answers.entry(link).or_default().push(entry);
+        }
+    }
+    Ok(answers)
 }
 
 /// A line that answers as a recorded one did.

@@ -1,0 +1,165 @@
+//! Files of programs: the file instructions of add-ons.
+
+use expect_test::expect;
+
+use crate::cell::Cell;
+
+#[test]
+fn lines_are_written_and_read() {
+    let cell = Cell::new(
+        r#"
+        num nFile
+        string sLines[3]
+        program start()
+        begin
+          nFile=$fileOpen("./log.txt","w")
+          ? nFile
+          sLines[0]="one"
+          sLines[1]="two"
+          ? $fileSet(nFile,sLines,2)
+          ? $fileClose(nFile)
+          ? $fileClose(nFile)
+          nFile=$fileOpen("Disk://main/LOG.txt","r")
+          ? $fileGet(nFile,sLines,9)
+          ? sLines[1]
+          ? $fileGet(nFile,sLines,1)
+          $fileClose(nFile)
+          nFile=$fileOpen("./log.txt","a")
+          sLines[0]="three"
+          $fileSet(nFile,sLines,1)
+          $fileClose(nFile)
+          ? $fileOpen("none.txt","r")
+          ? $fileOpen("Nowhere://x","w")
+          ? $fileOpen("x","x")
+        end
+        "#,
+    );
+    expect![[r#"
+        0
+        2
+        0
+        -1
+        2
+        two
+        0
+        -1
+        -1
+        -1
+    "#]]
+    .assert_eq(&cell.run());
+    assert_eq!(cell.read("usrapp/main/log.txt"), "one\ntwo\nthree\n");
+}
+
+#[test]
+fn bytes_are_written_and_read() {
+    let cell = Cell::new(
+        r#"
+        num nFile
+        num nBytes[4]
+        program start()
+        begin
+          nBytes[0]=65
+          nBytes[1]=256+66
+          nBytes[2]=66.6
+          nFile=$fileOpen("USB0://raw.bin","w")
+          ? $fileSet(nFile,nBytes,3)
+          $fileClose(nFile)
+          nFile=$fileOpen("USB0://raw.bin","r")
+          ? $fileGet(nFile,nBytes[2],1)
+          ? nBytes[2]
+          ? $fileGet(nFile,nBytes,4)
+          ? nBytes[1]
+          $fileClose(nFile)
+          ? $fileGet(nFile,nBytes,4)
+          ? $fileSet(-1,nBytes,4)
+        end
+        "#,
+    );
+    assert_eq!(cell.run(), "3\n1\n65\n2\n67\n0\n0\n");
+    assert_eq!(cell.read("usb/raw.bin"), "ABC");
+}
+
+#[test]
+fn files_are_copied_moved_and_deleted() {
+    let cell = Cell::new(
+        r#"
+        program start()
+        begin
+          ? $fileExists("data/a.txt")
+          ? $copy("data/a.txt","USB0://a.txt")
+          ? $rename("data/a.txt","data/b.txt")
+          ? $fileExists("data/a.txt")
+          ? $delete("data/b.txt")
+          ? $delete("data/b.txt")
+          ? $copy("data/a.txt","data/c.txt")
+          ? $fileExists("Nowhere://a")
+          ? $delete("data")
+          ? $delete("Disk://")
+        end
+        "#,
+    );
+    cell.write("usrapp/data/a.txt", "a");
+    assert_eq!(cell.run(), "true\ntrue\ntrue\nfalse\ntrue\nfalse\nfalse\nfalse\ntrue\nfalse\n");
+    assert_eq!(cell.read("usb/a.txt"), "a");
+    assert!(!cell.path("usrapp/data").exists());
+}
+
+/// The table of the cell says `void` and a single variable where the catalogue has a number and an array.
+#[test]
+fn the_table_of_a_cell_may_have_other_forms() {
+    let cell = Cell::new(
+        r#"
+        num nFile
+        string sLine[2]
+        program start()
+        begin
+          nFile=$fileOpen("./log.txt","w")
+          sLine[1]="second"
+          ? $fileSet(nFile,sLine[1],1)
+          $fileClose(nFile)
+        end
+        === /app/val3.Expansion.anthro.cfx
+        <?xml version="1.0" encoding="utf-8"?>
+        <Language xmlns="http://www.staubli.com/robotics/VAL3/1">
+          <Version>s7.8</Version>
+          <Functions>
+            <Func><Name>$fileOpen</Name><Return>num</Return>
+              <Param index="0" type="string" dataRef="false" array="false" arrayDim="0" />
+              <Param index="1" type="string" dataRef="false" array="false" arrayDim="0" />
+              <Lib>false</Lib><Class>Function</Class></Func>
+            <Func><Name>$fileSet</Name><Return>num</Return>
+              <Param index="0" type="num" dataRef="false" array="false" arrayDim="0" />
+              <Param index="1" type="string" dataRef="true" array="false" arrayDim="0" />
+              <Param index="2" type="num" dataRef="false" array="false" arrayDim="0" />
+              <Lib>false</Lib><Class>Modifier</Class></Func>
+            <Func><Name>$fileClose</Name><Return>void</Return>
+              <Param index="0" type="num" dataRef="false" array="false" arrayDim="0" />
+              <Lib>false</Lib><Class>Modifier</Class></Func>
+          </Functions>
+        </Language>
+        "#,
+    );
+    assert_eq!(cell.run(), "1\n");
+    assert_eq!(cell.read("usrapp/main/log.txt"), "second\n");
+}
+
+#[test]
+fn the_old_forms_of_insert_and_delete() {
+    let cell = Cell::new(
+        r#"
+        num nRow[2]
+        program start()
+        begin
+          nRow[0]=1
+          nRow[1]=2
+          $dins(nRow,1)
+          ? size(nRow)
+          ? nRow[2]
+          $ddel(nRow,0)
+          ? nRow[1]
+          $ddel(nRow,9)
+        end
+        "#,
+    );
+    assert_eq!(cell.run(), "3\n2\n2\nerror 20 in start\n");
+}
