@@ -378,8 +378,7 @@ mod tests {
     use crate::keywords::is_task_creation;
 
     /// Families of the manual of which no, or not every, form has a handler yet.
-    const TO_COME: [Family; 6] =
-        [Family::Io, Family::Screen, Family::Libraries, Family::Controller, Family::Motion, Family::Options];
+    const TO_COME: [Family; 2] = [Family::Motion, Family::Options];
 
     /// Instructions of the other families that need the arm.
     const OF_THE_ARM: [&str; 10] =

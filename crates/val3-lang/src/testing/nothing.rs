@@ -3,7 +3,7 @@
 use super::outside::Nothing;
 use crate::fault::Result;
 use crate::memory::Place;
-use crate::ports::{Answer, Asked, Described, Io, Media, Robot, Screen, Time};
+use crate::ports::{Answer, Asked, Described, Io, LineValue, Media, Outgoing, Reply, Robot, Screen, Serial, Time};
 use crate::types::BaseType;
 use crate::values::Text;
 use crate::values::date::DateTime;
@@ -42,6 +42,32 @@ impl Io for Nothing {
     }
 
     fn failed_devices(&mut self) -> Vec<Text> {
+        unreachable!()
+    }
+}
+
+impl Serial for Nothing {
+    fn receive_text(&mut self, _: Option<u32>, _: Time) -> Result<Reply<Text>> {
+        unreachable!()
+    }
+
+    fn receive_byte(&mut self, _: Option<u32>, _: Time) -> Result<Reply<u8>> {
+        unreachable!()
+    }
+
+    fn receive(&mut self, _: Option<u32>, _: usize, _: Time) -> Result<Reply<Option<Vec<u8>>>> {
+        unreachable!()
+    }
+
+    fn send(&mut self, _: Option<u32>, _: Outgoing<'_>, _: bool, _: Time) -> Result<Reply<Option<usize>>> {
+        unreachable!()
+    }
+
+    fn clear_line(&mut self, _: Option<u32>) -> Result<Option<usize>> {
+        unreachable!()
+    }
+
+    fn control_line(&mut self, _: Option<u32>, _: &str, _: LineValue) -> Result<i8> {
         unreachable!()
     }
 }
@@ -214,4 +240,52 @@ impl Robot for Nothing {
     }
 }
 
-impl Media for Nothing {}
+impl Media for Nothing {
+    fn delete_library(&mut self, _: &str, _: &str) -> u16 {
+        unreachable!()
+    }
+
+    fn list(&mut self, _: &str, _: &str) -> Option<Vec<String>> {
+        unreachable!()
+    }
+
+    fn open_file(&mut self, _: &str, _: &str, _: &str) -> Option<u8> {
+        unreachable!()
+    }
+
+    fn read_lines(&mut self, _: f64, _: usize) -> Vec<String> {
+        unreachable!()
+    }
+
+    fn read_bytes(&mut self, _: f64, _: usize) -> Vec<u8> {
+        unreachable!()
+    }
+
+    fn write_lines(&mut self, _: f64, _: &[Text]) -> usize {
+        unreachable!()
+    }
+
+    fn write_bytes(&mut self, _: f64, _: &[f64]) -> usize {
+        unreachable!()
+    }
+
+    fn close_file(&mut self, _: f64) -> bool {
+        unreachable!()
+    }
+
+    fn file_exists(&mut self, _: &str, _: &str) -> bool {
+        unreachable!()
+    }
+
+    fn delete_file(&mut self, _: &str, _: &str) -> bool {
+        unreachable!()
+    }
+
+    fn copy_file(&mut self, _: &str, _: &str, _: &str) -> bool {
+        unreachable!()
+    }
+
+    fn rename_file(&mut self, _: &str, _: &str, _: &str) -> bool {
+        unreachable!()
+    }
+}
