@@ -1,6 +1,5 @@
 //! New containers, and copies of values.
 
-
 use super::{Element, Kind, Lanes, Memory, PartInit, Place, Shape, Store, StoreId};
 use crate::fault::{Fault, Result};
 

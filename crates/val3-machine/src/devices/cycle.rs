@@ -7,7 +7,7 @@ use crate::event::What;
 use crate::io::IoChange;
 
 impl Devices {
-    /// The cycle begins: lines listen, keys come up, power changes, programs see new inputs.
+    /// The cycle begins: lines hear their peers, keys come up, power changes, programs see new inputs.
     pub fn begin_cycle(&mut self, now: Time) {
         self.lines.attend();
         self.pendant.advance(now);
