@@ -11,6 +11,7 @@ pub use locks::{Lock, locks};
 pub use program::{Summary, Use, summary};
 pub use task_starts::TaskStart;
 
+use memchr::memchr_iter;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
@@ -129,13 +130,12 @@ fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
 #[salsa::tracked]
 fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let mut mentions = FxHashSet::default();
-    for (_, behind) in file.text(db).match_indices(':').filter_map(|(at, _)| file.text(db).split_at_checked(at + 1)) {
+    let text = file.text(db);
+    for behind in memchr_iter(b':', text.as_bytes()).filter_map(|at| text.get(at + 1..)) {
         let name = behind.trim_start_matches([' ', '\t']);
-        let is_name = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
-        let name = name.split(|letter| !is_name(letter)).next().unwrap_or("");
-        if !name.is_empty() {
-            mentions.insert(name.into());
-        }
+        let is_name = |letter: &u8| letter.is_ascii_alphanumeric() || *letter == b'_';
+        let len = name.bytes().position(|letter| !is_name(&letter)).unwrap_or(name.len());
+        mentions.extend(name.get(..len).filter(|name| !name.is_empty()).map(SmolStr::from));
     }
     mentions
 }

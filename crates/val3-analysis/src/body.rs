@@ -39,15 +39,17 @@ pub struct Stmt {
 impl Stmt {
     /// The blocks of the statement, in the order of the text.
     pub fn blocks(&self) -> impl Iterator<Item = &[Stmt]> {
-        let blocks: Vec<&[Stmt]> = match &self.kind {
-            StmtKind::If { arms, otherwise } => {
-                arms.iter().map(|(_, block)| block.as_slice()).chain(otherwise.as_deref()).collect()
+        let (arms, cases, last): (&[_], &[_], Option<&[_]>) = match &self.kind {
+            StmtKind::If { arms, otherwise } => (arms, &[], otherwise.as_deref()),
+            StmtKind::While { block, .. } | StmtKind::Do { block, .. } | StmtKind::For { block, .. } => {
+                (&[], &[], Some(block))
             }
-            StmtKind::While { block, .. } | StmtKind::Do { block, .. } | StmtKind::For { block, .. } => vec![block],
-            StmtKind::Switch { cases, .. } => cases.iter().map(|(_, block)| block.as_slice()).collect(),
-            _ => Vec::new(),
+            StmtKind::Switch { cases, .. } => (&[], cases, None),
+            _ => (&[], &[], None),
         };
-        blocks.into_iter()
+        let arms = arms.iter().map(|(_, block): &(Option<ExprId>, Vec<Stmt>)| block.as_slice());
+        let cases = cases.iter().map(|(_, block): &(Vec<ExprId>, Vec<Stmt>)| block.as_slice());
+        arms.chain(cases).chain(last)
     }
 
     /// The statement and those in its blocks, outer ones before inner ones, in the order of the text.

@@ -3,7 +3,7 @@
 //! Everything read from the disk is an input, set by the loader (`load`); queries never touch a file system.
 
 mod inputs;
-mod latest_trees;
+mod trees;
 
 use std::sync::Arc;
 
@@ -12,7 +12,7 @@ use val3_config::Config;
 use val3_lang::types::Arm;
 
 pub use inputs::{Cell, Configuration, File, FileStatus, Project, Sources};
-pub use latest_trees::LatestTrees;
+pub use trees::Trees;
 
 /// The key under which a path is found: files are looked up without regard to letter case.
 pub fn path_key(path: &str) -> String {
@@ -22,8 +22,8 @@ pub fn path_key(path: &str) -> String {
 /// What queries need of a database.
 #[salsa::db]
 pub trait Db: salsa::Database {
-    /// The trees that were made last.
-    fn latest_trees(&self) -> &LatestTrees;
+    /// The trees of files.
+    fn trees(&self) -> &Trees;
 }
 
 /// The database. Clones share all data; a clone is a snapshot for another thread.
@@ -31,7 +31,7 @@ pub trait Db: salsa::Database {
 #[derive(Clone, Default)]
 pub struct Database {
     storage: salsa::Storage<Self>,
-    latest_trees: Arc<LatestTrees>,
+    trees: Arc<Trees>,
 }
 
 #[salsa::db]
@@ -39,15 +39,15 @@ impl salsa::Database for Database {}
 
 #[salsa::db]
 impl Db for Database {
-    fn latest_trees(&self) -> &LatestTrees {
-        &self.latest_trees
+    fn trees(&self) -> &Trees {
+        &self.trees
     }
 }
 
 impl Database {
     /// A database that tells `observer` each query it runs; for tests of incrementality.
     pub fn observed(observer: impl Fn(salsa::Event) + Send + Sync + 'static) -> Self {
-        Self { storage: salsa::Storage::new(Some(Box::new(observer))), latest_trees: Arc::default() }
+        Self { storage: salsa::Storage::new(Some(Box::new(observer))), trees: Arc::default() }
     }
 }
 

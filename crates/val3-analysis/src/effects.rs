@@ -57,7 +57,8 @@ pub struct Access {
 fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {
     let effects = Effects::new(db, project, file);
     let mut accesses = PerPoint::EMPTY;
-    effects.flow.points().for_each(|(_, point)| accesses.push(walk::point(&effects, point)));
+    effects.flow.points().for_each(|(_, point)| accesses.push_with(|found| walk::point(&effects, point, found)));
+    accesses.shrink_to_fit();
     accesses
 }
 
@@ -190,7 +191,7 @@ fn handed_over(
     if instruction.name == LINK && position == 0 {
         return Some(AccessKind::Reference);
     }
-    let forms = form.map_or_else(|| instruction.overloads.iter().collect(), |form| vec![form]);
+    let forms = form.map_or(instruction.overloads, std::slice::from_ref);
     let mut kind = None;
     for form in forms {
         let Some(param) = form.params.get(position) else { continue };

@@ -19,10 +19,9 @@ use val3_syntax::Parse;
 
 use crate::db::{Db, File, FileStatus};
 
-/// The tree of a file. Only the most recent ones are kept; they are cheap to make again.
-#[salsa::tracked(lru = 256, no_eq)]
+/// The tree of a file. To ask for it is to look at the text.
 pub fn parse(db: &dyn Db, file: File) -> Parse {
-    db.latest_trees().parse(file, file.text(db))
+    db.trees().parse(file, file.text(db))
 }
 
 /// The file was read, and its XML is well formed.

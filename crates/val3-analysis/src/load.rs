@@ -14,8 +14,8 @@ use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
 use val3_config::ConfigError;
-use val3_syntax::view::View;
 
 pub use self::configuration::nearest_configuration;
 pub use self::discover::files;
@@ -23,7 +23,7 @@ pub use self::error::LoadError;
 pub use self::references::loads_alike;
 use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project, path_key};
-use crate::items::manifest::{self, Manifest};
+use crate::items::manifest::{Manifest, manifest};
 use crate::paths::{self, Roots, Target};
 use crate::system::{Kind, System};
 use known::Known;
@@ -77,8 +77,6 @@ struct Loader<'s> {
     is_stale: &'s dyn Fn(&Utf8Path) -> bool,
     files: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
-    /// What project files say, until their turn comes.
-    manifests: FxHashMap<File, Manifest>,
     /// Projects in the order they were found.
     order: Vec<(String, Project)>,
     cells: FxHashMap<CellKey, Option<Cell>>,
@@ -99,7 +97,6 @@ impl<'s> Loader<'s> {
             is_stale,
             files: FxHashMap::default(),
             projects: FxHashMap::default(),
-            manifests: FxHashMap::default(),
             order: Vec::new(),
             cells: FxHashMap::default(),
             configurations: FxHashMap::default(),
@@ -139,7 +136,7 @@ impl<'s> Loader<'s> {
         }
         let Some(file) = self.found_file(path) else { return };
         let path = file.path(&self.db).clone();
-        let manifest = self.manifest(file);
+        let manifest = manifest(&self.db, file).clone();
         let folder = path.parent().unwrap_or(Utf8Path::new("")).to_owned();
         let loaded = self.files_of(&folder, &manifest);
         let mut named = manifest.projects();
@@ -156,24 +153,17 @@ impl<'s> Loader<'s> {
         self.order.push((key, project));
     }
 
-    /// What a project file says.
-    fn manifest(&mut self, file: File) -> Manifest {
-        let read = || manifest::read(View::root(val3_syntax::parse(file.text(&self.db)).green()));
-        self.manifests.remove(&file).unwrap_or_else(read)
-    }
-
     /// Reads the files of many projects at once, which is faster than project by project.
     fn read_projects_ahead(&mut self, manifests: &[Utf8PathBuf]) {
-        self.read_ahead(manifests.to_vec());
+        self.read_ahead(manifests);
         let mut named = Vec::new();
         for path in manifests {
             let Some(file) = self.found_file(path) else { continue };
             let folder = path.parent().unwrap_or(Utf8Path::new(""));
-            let manifest = self.manifest(file);
+            let manifest = manifest(&self.db, file);
             named.extend(manifest.data.iter().chain(&manifest.programs).map(|name| paths::file_in(folder, name)));
-            self.manifests.insert(file, manifest);
         }
-        self.read_ahead(named);
+        self.read_ahead(&named);
     }
 
     fn enqueue(&mut self, folder: &Utf8Path, roots: &Roots, reference: &str) {
@@ -184,14 +174,15 @@ impl<'s> Loader<'s> {
 
     /// Reads the programs and data of a project; the libraries that the programs load.
     fn files_of(&mut self, folder: &Utf8Path, manifest: &Manifest) -> Vec<Loaded> {
-        let named = manifest.data.iter().chain(&manifest.programs);
-        self.read_ahead(named.map(|reference| paths::file_in(folder, reference)).collect());
-        for reference in &manifest.data {
-            self.found_file(&paths::file_in(folder, reference));
+        let paths = |references: &[SmolStr]| -> Vec<Utf8PathBuf> {
+            references.iter().map(|reference| paths::file_in(folder, reference)).collect()
+        };
+        let (data, programs) = (paths(&manifest.data), paths(&manifest.programs));
+        self.read_ahead(data.iter().chain(&programs));
+        for path in &data {
+            self.found_file(path);
         }
-        let programs = manifest.programs.iter();
-        let programs: Vec<File> =
-            programs.filter_map(|reference| self.found_file(&paths::file_in(folder, reference))).collect();
+        let programs: Vec<File> = programs.iter().filter_map(|path| self.found_file(path)).collect();
         programs.iter().flat_map(|program| references::loaded_libraries(program.text(&self.db))).collect()
     }
 

@@ -7,8 +7,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rayon::ThreadPool;
 use rayon::prelude::*;
 use salsa::Database as _;
-use val3_analysis::db::{Database, File, Project, Sources};
-use val3_analysis::items;
+use val3_analysis::db::{Database, Db as _, File, Project, Sources};
 use val3_analysis::load::Workspace;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
@@ -22,8 +21,11 @@ use crate::report::{Report, Statistics};
 use crate::translation::Translator;
 use crate::user_error::UserError;
 
-/// Pieces of work between which trees that are no longer needed are dropped.
-const BATCH: usize = 768;
+/// Pieces of work between which the code of programs is freed that nobody will ask for again.
+const BATCH: usize = 1536;
+
+/// Findings that are translated together: those of a file stand together, and share what is known of it.
+const CHUNK: usize = 32;
 
 /// Everything that was asked for, read and ready to be checked.
 pub(crate) struct Session<'r> {
@@ -50,7 +52,7 @@ impl<'r> Session<'r> {
     /// Checks everything.
     pub(crate) fn check(&mut self) -> Result<Outcomes, UserError> {
         let Self { request, opened: Opened { threads, current, paths, workspace, settings }, .. } = self;
-        let units = val3_check::units(&workspace.db, &workspace.projects);
+        let units = units(workspace, threads);
         let mut checked = check_units(workspace, &units, settings, threads);
         let named = request.baseline.as_ref().map(|path| current.join(path));
         let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
@@ -62,9 +64,10 @@ impl<'r> Session<'r> {
     pub(crate) fn report(&self, outcomes: Outcomes) -> Report {
         let Opened { threads, paths, workspace, .. } = &self.opened;
         let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
-        let mut translator = Translator::new(&workspace.db, paths);
-        let findings = outcomes.diagnostics.iter().map(|diagnostic| translator.finding(diagnostic)).collect();
+        let translator = Translator::new(workspace.db.clone(), paths);
         let applications = translator.applications(&workspace.projects);
+        let translated = outcomes.diagnostics.par_iter().with_min_len(CHUNK).map_with(translator, Translator::finding);
+        let findings = threads.install(|| translated.collect());
         Report {
             silenced: outcomes.silenced,
             baseline: outcomes.baseline,
@@ -109,6 +112,14 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
         .with_help("what lies in it was not checked")
 }
 
+/// The pieces of work, in the order of the projects.
+fn units(workspace: &Workspace, threads: &ThreadPool) -> Vec<Unit> {
+    let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
+    let found = workspace.projects.par_iter().map_with(workspace.db.clone(), units);
+    threads.install(|| found.flatten_iter().collect())
+}
+
+/// Checks the projects side by side, and the pieces of each. The trees of one that is done are of no more use.
 fn check_units(
     workspace: &mut Workspace,
     units: &[Unit],
@@ -121,41 +132,33 @@ fn check_units(
         progress.advance();
         found
     };
-    let mut checked = Vec::with_capacity(units.len());
-    let mut batches = batches(units).into_iter().peekable();
+    let check_project = |db: &mut Database, units: &[Unit]| -> Vec<Checked> {
+        let found = units.par_iter().map_with(db.clone(), check).collect();
+        db.trees().forget(units.iter().map(|unit| unit.file(db)));
+        found
+    };
+    let projects: Vec<&[Unit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
+    let mut checked: Vec<Vec<Checked>> = Vec::with_capacity(projects.len());
+    let mut batches = batches(&projects).peekable();
     while let Some(batch) = batches.next() {
-        let db = workspace.db.clone();
-        checked.extend(threads.install(|| batch.par_iter().map_with(db, check).collect::<Vec<_>>()));
+        let found = batch.par_iter().map_with(workspace.db.clone(), |db, units| check_project(db, units));
+        threads.install(|| checked.par_extend(found));
         if batches.peek().is_some() {
-            forget_trees(&mut workspace.db, batch, threads);
+            workspace.db.trigger_lru_eviction();
         }
     }
-    finish(&workspace.db, units, settings, checked.into_iter().sum())
+    finish(&workspace.db, units, settings, checked.into_iter().flatten().sum())
 }
 
-/// Pieces of about [`BATCH`] units. The units of a project stay together, since each asks about all of it.
-fn batches(units: &[Unit]) -> Vec<&[Unit]> {
-    let mut batches = Vec::new();
-    let mut rest = units;
-    while !rest.is_empty() {
-        let last = rest.get(BATCH.min(rest.len()) - 1).map(|unit| unit.project());
-        let len = rest
-            .iter()
-            .skip(BATCH)
-            .position(|unit| Some(unit.project()) != last)
-            .map_or(rest.len(), |more| BATCH + more);
-        let (batch, behind) = rest.split_at(len);
-        batches.push(batch);
-        rest = behind;
-    }
-    batches
-}
-
-/// Evicts the trees of `batch`. They are taken apart while the next batch is checked.
-fn forget_trees(db: &mut Database, batch: &[Unit], threads: &ThreadPool) {
-    let trees: Vec<_> = batch.iter().map(|unit| items::parse(db, unit.file(db)).green().clone()).collect();
-    db.trigger_lru_eviction();
-    threads.spawn(move || drop(trees));
+/// The units of each project, in lots of about [`BATCH`] units.
+fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u [Unit]]> {
+    let mut count = 0;
+    projects.chunk_by(move |project, _| {
+        count += project.len();
+        let fits = count < BATCH;
+        count *= usize::from(fits);
+        fits
+    })
 }
 
 fn statistics(workspace: &Workspace, threads: &ThreadPool, started: Instant) -> Statistics {

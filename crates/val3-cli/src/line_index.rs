@@ -92,9 +92,12 @@ impl LineIndex {
     }
 }
 
-/// Most lines have none, which is told fast.
+/// Most texts and lines have none, which is told fast.
 fn wide_characters(text: &str) -> Vec<WideCharacter> {
     let (mut wide, mut start, mut surplus) = (Vec::new(), 0, 0);
+    if text.is_ascii() {
+        return wide;
+    }
     for line in text.split_inclusive('\n') {
         if !line.is_ascii() {
             for (at, byte) in line.bytes().enumerate().filter(|(_, byte)| *byte >= 0xC0) {

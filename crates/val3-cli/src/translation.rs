@@ -14,9 +14,10 @@ use crate::code_lines::CodeLines;
 use crate::paths::Paths;
 use crate::report::{Edit, Finding, Fix, Place, Related, SourceFile};
 
-/// Turns diagnostics into findings; each file is indexed once.
+/// Turns diagnostics into findings; each file is indexed once. A clone is for another thread.
+#[derive(Clone)]
 pub(crate) struct Translator<'a> {
-    db: &'a Database,
+    db: Database,
     paths: &'a Paths,
     files: FxHashMap<File, Indexed>,
 }
@@ -29,7 +30,7 @@ struct Indexed {
 
 impl<'a> Translator<'a> {
     /// A translator that writes paths as `paths` has them.
-    pub(crate) fn new(db: &'a Database, paths: &'a Paths) -> Self {
+    pub(crate) fn new(db: Database, paths: &'a Paths) -> Self {
         Self { db, paths, files: FxHashMap::default() }
     }
 
@@ -41,13 +42,13 @@ impl<'a> Translator<'a> {
             code: diagnostic.rule.code,
             name: diagnostic.rule.name,
             severity: diagnostic.severity.into(),
-            fingerprint: Fingerprint::new(self.db, diagnostic, |file| self.paths.in_repository(file.path(self.db))),
+            fingerprint: Fingerprint::new(&self.db, diagnostic, |file| self.paths.in_repository(file.path(&self.db))),
             message: diagnostic.message.clone(),
             label: diagnostic.label.clone(),
             help: diagnostic.help.clone(),
             program: diagnostic.program.clone(),
             code_line: codes.line(place.range.start, &place.file.lines),
-            application: diagnostic.application.map(|file| self.paths.relative(file.path(self.db))),
+            application: diagnostic.application.map(|file| self.paths.relative(file.path(&self.db))),
             related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
             fix: diagnostic.fix.as_ref().map(|fix| self.fix(fix, diagnostic.application)),
             place,
@@ -62,7 +63,7 @@ impl<'a> Translator<'a> {
 
     /// The paths of the project files, sorted.
     pub(crate) fn applications(&self, projects: &[Project]) -> Vec<String> {
-        let paths = projects.iter().map(|project| self.paths.relative(project.manifest(self.db).path(self.db)));
+        let paths = projects.iter().map(|project| self.paths.relative(project.manifest(&self.db).path(&self.db)));
         let mut paths: Vec<_> = paths.collect();
         paths.sort_unstable();
         paths
@@ -86,18 +87,18 @@ impl<'a> Translator<'a> {
     }
 
     fn index(&self, file: File, application: Option<File>) -> Indexed {
-        let path = file.path(self.db);
+        let path = file.path(&self.db);
         let mut source =
-            SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(self.db)), self.encoding(file));
+            SourceFile::new(&self.paths.relative(path), Arc::clone(file.text(&self.db)), self.encoding(file));
         source.shown = self.paths.shown(path);
         source.in_repository = self.paths.in_repository(path);
         source.disk = application.and_then(|application| self.on_controller(path, application));
-        let codes = &text_faults(self.db, file).codes;
+        let codes = &text_faults(&self.db, file).codes;
         Indexed { source: Arc::new(source), codes: Arc::new(CodeLines::new(codes)) }
     }
 
     fn encoding(&self, file: File) -> Encoding {
-        match file.status(self.db) {
+        match file.status(&self.db) {
             FileStatus::Read { encoding, .. } => *encoding,
             FileStatus::Unreadable(_) => Encoding::Utf8,
         }
@@ -105,15 +106,15 @@ impl<'a> Translator<'a> {
 
     /// `Disk://app/prog.pgx`; where nothing tells what `Disk://` is, the folder around the application.
     fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
-        let manifest = application.path(self.db);
+        let manifest = application.path(&self.db);
         let project = self.project(manifest);
-        let disk = project.and_then(|project| project.disk(self.db));
+        let disk = project.and_then(|project| project.disk(&self.db));
         let disk = disk.or_else(|| manifest.parent()?.parent())?;
         let inside = path.strip_prefix(disk).ok()?;
         Some(format!("Disk://{}", inside.as_str().replace('\\', "/")))
     }
 
     fn project(&self, manifest: &Utf8Path) -> Option<Project> {
-        Sources::get(self.db).projects(self.db).get(&path_key(manifest.as_str())).copied()
+        Sources::get(&self.db).projects(&self.db).get(&path_key(manifest.as_str())).copied()
     }
 }

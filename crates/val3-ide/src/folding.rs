@@ -30,7 +30,8 @@ pub enum FoldKind {
 pub fn folds(db: &dyn Db, file: File) -> Vec<Fold> {
     let text: &str = file.text(db);
     let mut folds = Vec::new();
-    let root = View::root(parse(db, file).green());
+    let parse = parse(db, file);
+    let root = View::root(parse.green());
     if let Some(code) = find_code(root) {
         envelope(root, code, &mut folds);
     }

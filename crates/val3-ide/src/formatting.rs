@@ -63,12 +63,12 @@ fn editorconfig(system: &dyn System, path: &Utf8Path) -> Properties {
 
 /// The edits that give a file its layout.
 pub fn format_file(db: &dyn Db, file: File, style: &Style) -> Vec<FileEdit> {
-    of_file(file, val3_fmt::format(file.text(db), parse(db, file), style))
+    of_file(file, val3_fmt::format(file.text(db), &parse(db, file), style))
 }
 
 /// The edits that give the lines of a range their layout.
 pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &Style) -> Vec<FileEdit> {
-    of_file(file, val3_fmt::format_range(file.text(db), parse(db, file), style, range))
+    of_file(file, val3_fmt::format_range(file.text(db), &parse(db, file), style, range))
 }
 
 /// The edits that follow from typing a character, which now stands before the position.
@@ -77,7 +77,7 @@ pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style)
     if at.offset > TextSize::of(text) {
         return Vec::new();
     }
-    of_file(at.file, val3_fmt::on_type(text, parse(db, at.file), style, at.offset, typed))
+    of_file(at.file, val3_fmt::on_type(text, &parse(db, at.file), style, at.offset, typed))
 }
 
 fn of_file(file: File, edits: Vec<Edit>) -> Vec<FileEdit> {

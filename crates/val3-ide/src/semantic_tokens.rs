@@ -108,8 +108,9 @@ impl TokenModifier {
 pub fn semantic_tokens(db: &dyn Db, file: File, within: Option<TextRange>) -> Vec<SemanticToken> {
     let project = owner(db, file);
     let names = project.map_or(&[][..], |project| occurrences(db, project, file).as_slice());
+    let parse = parse(db, file);
     let mut collector = Collector { db, project, names, within, found: Vec::new() };
-    collector.walk(View::root(parse(db, file).green()), false);
+    collector.walk(View::root(parse.green()), false);
     collector.found
 }
 
@@ -156,7 +157,7 @@ impl Collector<'_> {
     }
 
     fn names_in(&mut self, range: TextRange) {
-        let passed = self.names.partition_point(|name| name.range.start() < range.start());
+        let passed = self.names.iter().take_while(|name| name.range.start() < range.start()).count();
         self.names = self.names.get(passed..).unwrap_or(&[]);
         let Some(project) = self.project else { return };
         let inside = self.names.iter().take_while(|name| range.contains_range(name.range));

@@ -119,9 +119,9 @@ pub fn missing_reference(ty: BaseType) -> Option<u16> {
 /// instruction for which the manual names such an error.
 #[must_use]
 pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
-    let error = param.ty.and_then(missing_reference);
-    let is_move = matches!(role(instruction), Some(MotionRole::Move(_)));
-    param.shape == Shape::Value && error.is_some_and(|error| is_move || instruction.errors.contains(&error))
+    let Some(error) = param.ty.and_then(missing_reference) else { return false };
+    let is_move = || matches!(role(instruction), Some(MotionRole::Move(_)));
+    param.shape == Shape::Value && (instruction.errors.contains(&error) || is_move())
 }
 
 #[cfg(test)]

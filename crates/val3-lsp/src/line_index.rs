@@ -17,8 +17,8 @@ pub(crate) enum Encoding {
     Utf32,
 }
 
-/// The lines of a file; kept while its text stays the same.
-#[salsa::tracked(lru = 128, no_eq)]
+/// The lines of a file; kept while its text stays the same, since it is small.
+#[salsa::tracked(no_eq)]
 pub(crate) fn line_index(db: &dyn Db, file: File) -> LineIndex {
     LineIndex::new(file.text(db))
 }
@@ -56,6 +56,18 @@ impl<'a> Lines<'a> {
     /// The places of both ends.
     pub(crate) fn range(&self, range: TextRange) -> Range {
         Range { start: self.position(range.start()), end: self.position(range.end()) }
+    }
+
+    /// The columns that a part of a line takes.
+    pub(crate) fn width(&self, range: TextRange) -> u32 {
+        let text = self.text.get(usize::from(range.start())..usize::from(range.end())).unwrap_or("");
+        let width = match self.encoding {
+            _ if text.is_ascii() => text.len(),
+            Encoding::Utf8 => text.len(),
+            Encoding::Utf16 => text.encode_utf16().count(),
+            Encoding::Utf32 => text.chars().count(),
+        };
+        u32::try_from(width).unwrap_or(u32::MAX)
     }
 
     /// The offset of a place; behind the end of a line it is that end, and within a character its start.
@@ -121,7 +133,15 @@ mod tests {
                 assert_eq!(lines.offset(*place), size(at));
             }
         }
+        let starts = TEXT.char_indices().map(|(at, letter)| (lines.position(size(at)), lines.width(range(at, letter))));
+        assert!(
+            starts.take(4).zip(&places[1..]).all(|((start, width), next)| start.character + width == next.character)
+        );
         places.iter().take(5).map(|place| place.character).collect()
+    }
+
+    fn range(at: usize, letter: char) -> TextRange {
+        TextRange::at(size(at), TextSize::of(letter))
     }
 
     fn size(at: usize) -> TextSize {

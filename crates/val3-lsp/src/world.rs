@@ -10,7 +10,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use salsa::{Cancelled, Database as _, Durability, Setter as _};
 use tower_lsp::jsonrpc::{Error, Result};
-use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
+use val3_analysis::db::{Database, Db as _, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::load::Workspace;
 use val3_config::ConfigError;
 use val3_ide::CheckSettings;
@@ -45,6 +45,9 @@ pub(crate) struct Job {
 
 /// The computation of an answer, which is JSON.
 pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>;
+
+/// Trees that are kept; they are cheap to make again.
+const TREES: usize = 64;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {
@@ -225,14 +228,16 @@ impl World {
             && **file.text(&self.workspace.db) != **text
         {
             self.workspace.db.trigger_cancellation();
+            self.workspace.db.trees().keep_latest(TREES);
             // What is edited once is edited again: from then on its changes are no changes of what is stored.
             file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
         }
     }
 
-    /// Frees trees that nobody needs at the moment.
+    /// Frees what nobody needs at the moment.
     pub(crate) fn forget_trees(&mut self) {
+        self.workspace.db.trees().keep_latest(TREES);
         self.workspace.db.trigger_lru_eviction();
     }
 }

@@ -70,7 +70,7 @@ impl<'g> View<'g> {
 
     /// The first token of `kind` directly below.
     pub fn token(self, kind: SyntaxKind) -> Option<TokenView<'g>> {
-        self.tokens().find(|token| token.kind() == kind)
+        self.children_with_tokens().filter_map(NodeOrToken::into_token).find(|token| token.kind() == kind)
     }
 }
 

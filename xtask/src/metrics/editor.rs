@@ -14,6 +14,8 @@ pub(super) struct Editor {
     to: ChildStdin,
     from: BufReader<ChildStdout>,
     next: i64,
+    /// When the last message was there as a whole. To read it is the work of the client.
+    arrived: Instant,
 }
 
 impl Editor {
@@ -28,7 +30,7 @@ impl Editor {
             .context("cannot start val3 lsp")?;
         let to = server.stdin.take().context("no input")?;
         let from = BufReader::new(server.stdout.take().context("no output")?);
-        let mut editor = Self { server, to, from, next: 1 };
+        let mut editor = Self { server, to, from, next: 1, arrived: Instant::now() };
         let folders = json!([{ "uri": uri(folder), "name": "measured" }]);
         let capabilities = json!({ "general": { "positionEncodings": ["utf-16"] } });
         editor.ask(
@@ -64,7 +66,12 @@ impl Editor {
         if answer.get("result").is_none_or(Value::is_null) {
             bail!("{method} has no result: {answer}");
         }
-        Ok(started.elapsed())
+        Ok(self.since(started))
+    }
+
+    /// From `started` until the last message was there as a whole.
+    pub(super) fn since(&self, started: Instant) -> Duration {
+        self.arrived.duration_since(started)
     }
 
     /// Waits for the findings of a version of a document.
@@ -123,6 +130,7 @@ impl Editor {
         }
         let mut body = vec![0; length];
         self.from.read_exact(&mut body)?;
+        self.arrived = Instant::now();
         Ok(serde_json::from_slice(&body)?)
     }
 }

@@ -123,7 +123,7 @@ impl<'e> Open<'e> {
             self.editor
                 .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;
             let found = self.editor.findings(&self.uri, self.version)?;
-            times.push(started.elapsed());
+            times.push(self.editor.since(started));
             if found.to_string().contains("nUnknown") != (round % 2 == 0) {
                 bail!("version {} has the findings of another: {found}", self.version);
             }

@@ -3,6 +3,7 @@
 mod expressions;
 
 use rowan::{NodeOrToken, TextRange};
+use smallvec::SmallVec;
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::view::{TokenView, View};
 
@@ -10,7 +11,7 @@ use super::{Body, Expr, ExprId, Stmt, StmtKind};
 use crate::items::program;
 
 /// Bytes of code for each expression, about, in real programs.
-const BYTES_AN_EXPRESSION: usize = 12;
+const BYTES_AN_EXPRESSION: usize = 10;
 
 /// Reads the code of the first program of a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {
@@ -19,6 +20,7 @@ pub(super) fn lower(file: View<'_>) -> Body {
     let exprs = Vec::with_capacity(usize::from(code.range().len()) / BYTES_AN_EXPRESSION);
     let mut lowering = Lowering { exprs, escaped };
     let block = lowering.block(code);
+    lowering.exprs.shrink_to_fit();
     Body { exprs: lowering.exprs, block }
 }
 
@@ -29,6 +31,9 @@ fn kind_of(child: &NodeOrToken<View<'_>, TokenView<'_>>) -> SyntaxKind {
     }
 }
 
+/// A list that is kept in just its length: collected here first, it is allocated once.
+type Few<T> = SmallVec<[T; 8]>;
+
 struct Lowering {
     exprs: Vec<(Expr, TextRange)>,
     /// The code is escaped text: strings hold entity references.
@@ -38,8 +43,9 @@ struct Lowering {
 impl Lowering {
     /// The statements of the `BLOCK` below `parent`.
     fn block(&mut self, parent: View<'_>) -> Vec<Stmt> {
-        let block = parent.child(BLOCK);
-        block.map(|block| block.children().filter_map(|child| self.stmt(child)).collect()).unwrap_or_default()
+        let Some(block) = parent.child(BLOCK) else { return Vec::new() };
+        let stmts: Few<Stmt> = block.children().filter_map(|child| self.stmt(child)).collect();
+        stmts.into_vec()
     }
 
     fn stmt(&mut self, view: View<'_>) -> Option<Stmt> {
@@ -102,7 +108,7 @@ impl Lowering {
         for clause in view.children() {
             match clause.kind() {
                 CASE_CLAUSE | DEFAULT_CLAUSE => {
-                    let values = self.exprs_of(clause);
+                    let values = self.exprs_of(clause).into_vec();
                     cases.push((values, self.block(clause)));
                 }
                 _ => {
@@ -117,7 +123,7 @@ impl Lowering {
 
     fn task_create(&mut self, view: View<'_>) -> StmtKind {
         let synchronous = view.token(TASK_CREATE_SYNC_KW).is_some();
-        StmtKind::TaskCreate { synchronous, arguments: self.exprs_of(view) }
+        StmtKind::TaskCreate { synchronous, arguments: self.exprs_of(view).into_vec() }
     }
 
     fn assign_stmt(&mut self, view: View<'_>) -> StmtKind {
@@ -129,7 +135,7 @@ impl Lowering {
         }
     }
 
-    fn exprs_of(&mut self, view: View<'_>) -> Vec<ExprId> {
+    fn exprs_of(&mut self, view: View<'_>) -> Few<ExprId> {
         view.children().filter_map(|child| self.expr(child)).collect()
     }
 

@@ -1,5 +1,7 @@
 //! Whether two expressions of a body say the same.
 
+use std::fmt::{Arguments, Write};
+
 use super::{Body, Constant, Expr, ExprId};
 
 impl Body {
@@ -18,9 +20,9 @@ impl Body {
 
     fn write_normal_form(&self, id: ExprId, text: &mut String) {
         match self.constant(id) {
-            Some(Constant::Number(number)) => return text.push_str(&number.to_string()),
-            Some(Constant::String(string)) => return text.push_str(&format!("{string:?}")),
-            Some(Constant::Bool(value)) => return text.push_str(&value.to_string()),
+            Some(Constant::Number(number)) => return add(text, format_args!("{number}")),
+            Some(Constant::String(string)) => return add(text, format_args!("{string:?}")),
+            Some(Constant::Bool(value)) => return add(text, format_args!("{value}")),
             None => {}
         }
         match self.expr(id) {
@@ -28,11 +30,14 @@ impl Body {
             Expr::Path { library, item } => [library, ":", item].into_iter().for_each(|part| text.push_str(part)),
             Expr::Paren(inner) => self.write_normal_form(*inner, text),
             Expr::Unary(op, operand) => {
-                text.push_str(&format!("({op:?} "));
+                add(text, format_args!("({op:?} "));
                 self.write_normal_form(*operand, text);
                 text.push(')');
             }
-            Expr::Binary(op, left, right) => self.write_list(&format!("({op:?} "), &[*left, *right], text),
+            Expr::Binary(op, left, right) => {
+                add(text, format_args!("({op:?} "));
+                self.write_list("", &[*left, *right], text);
+            }
             Expr::Assign(target, value) => self.write_list("(= ", &[*target, *value], text),
             Expr::Index(base, keys) => {
                 self.write_normal_form(*base, text);
@@ -56,7 +61,7 @@ impl Body {
                 text.push('}');
             }
             // What could not be read is like nothing else.
-            Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => text.push_str(&format!("?{}", id.0)),
+            Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => add(text, format_args!("?{}", id.0)),
         }
     }
 
@@ -68,4 +73,9 @@ impl Body {
         }
         text.push(')');
     }
+}
+
+fn add(text: &mut String, part: Arguments<'_>) {
+    // Writing to a string cannot fail.
+    let _ = text.write_fmt(part);
 }

@@ -9,11 +9,11 @@ use crate::items::project::Signature;
 
 struct Walk<'e, 'db> {
     effects: &'e Effects<'db>,
-    found: Vec<Access>,
+    found: &'e mut Vec<Access>,
 }
 
-pub(super) fn point(effects: &Effects<'_>, point: &Point) -> Vec<Access> {
-    let mut walk = Walk { effects, found: Vec::new() };
+pub(super) fn point(effects: &Effects<'_>, point: &Point, found: &mut Vec<Access>) {
+    let mut walk = Walk { effects, found };
     match &point.kind {
         PointKind::Test { condition, .. } => walk.values(condition.as_slice()),
         PointKind::ForStart { counter, start, stop, step } => {
@@ -39,7 +39,6 @@ pub(super) fn point(effects: &Effects<'_>, point: &Point) -> Vec<Access> {
         PointKind::Print(id) | PointKind::Expr(id) => walk.value(*id),
         PointKind::Start | PointKind::End | PointKind::Return | PointKind::Empty | PointKind::Unknown => {}
     }
-    walk.found
 }
 
 impl Walk<'_, '_> {
@@ -112,12 +111,12 @@ impl Walk<'_, '_> {
 
     /// An argument; `kind` says what becomes of a variable that is handed over.
     fn argument(&mut self, arg: ExprId, kind: Option<AccessKind>) {
-        match kind {
-            Some(kind) if self.effects.root(arg).is_some() => {
+        match kind.and_then(|kind| Some((kind, self.effects.root(arg)?))) {
+            Some((kind, root)) => {
                 self.indexes(arg);
-                self.add(arg, kind);
+                self.found.push(Access { id: arg, root, kind });
             }
-            _ => self.value(arg),
+            None => self.value(arg),
         }
     }
 

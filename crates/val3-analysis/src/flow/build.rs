@@ -26,6 +26,7 @@ pub(super) fn build(body: &Body) -> Flow {
     builder.loose = smallvec![Flow::START];
     builder.block(&body.block);
     builder.join(Flow::END);
+    builder.flow.points.shrink_to_fit();
     builder.flow
 }
 

@@ -7,7 +7,7 @@ use super::PointId;
 pub struct PerPoint<T> {
     all: Vec<T>,
     /// Where in `all` the values of each point end.
-    ends: Vec<usize>,
+    ends: Vec<u32>,
 }
 
 impl<T> PerPoint<T> {
@@ -16,15 +16,26 @@ impl<T> PerPoint<T> {
 
     /// Adds the values of the next point; every point must get its turn, in the order of the graph.
     pub fn push(&mut self, values: impl IntoIterator<Item = T>) {
-        self.all.extend(values);
-        self.ends.push(self.all.len());
+        self.push_with(|all| all.extend(values));
+    }
+
+    /// As [`push`](Self::push), with a function that adds the values to the end of the list.
+    pub fn push_with(&mut self, add: impl FnOnce(&mut Vec<T>)) {
+        add(&mut self.all);
+        self.ends.push(u32::try_from(self.all.len()).unwrap_or(u32::MAX));
+    }
+
+    /// Gives back what is not used; every point had its turn.
+    pub fn shrink_to_fit(&mut self) {
+        self.all.shrink_to_fit();
+        self.ends.shrink_to_fit();
     }
 
     /// The values of a point.
     pub fn at(&self, point: PointId) -> &[T] {
         let end = self.ends.get(point.index()).copied().unwrap_or(0);
         let start = point.index().checked_sub(1).and_then(|before| self.ends.get(before)).copied().unwrap_or(0);
-        self.all.get(start..end).unwrap_or(&[])
+        self.all.get(start as usize..end as usize).unwrap_or(&[])
     }
 
     /// The values of all points.

@@ -10,8 +10,12 @@ use crate::system::Content;
 
 impl Loader<'_> {
     /// Reads several files at once. What is not there under its exact name is left for `found_file`.
-    pub(super) fn read_ahead(&mut self, mut paths: Vec<Utf8PathBuf>) {
-        paths.retain(|path| !self.files.contains_key(&path_key(path.as_str())) && !self.is_at_hand(path));
+    pub(super) fn read_ahead<'p>(&mut self, paths: impl IntoIterator<Item = &'p Utf8PathBuf>) {
+        let is_new = |path: &&Utf8PathBuf| {
+            let key = path_key(path.as_str());
+            !self.files.contains_key(&key) && !self.is_at_hand(path, &key)
+        };
+        let paths: Vec<Utf8PathBuf> = paths.into_iter().filter(is_new).cloned().collect();
         let contents = self.system.read_all(&paths);
         for (path, content) in paths.iter().zip(contents) {
             self.add(path, content);
@@ -44,8 +48,8 @@ impl Loader<'_> {
     }
 
     /// The file need not be read: its text is known, or an editor has it.
-    fn is_at_hand(&self, path: &Utf8Path) -> bool {
-        let known = self.known.files.contains_key(&path_key(path.as_str()));
+    fn is_at_hand(&self, path: &Utf8Path, key: &str) -> bool {
+        let known = self.known.files.contains_key(key);
         known && !(self.is_stale)(path) || self.system.edited(path).is_some()
     }
 

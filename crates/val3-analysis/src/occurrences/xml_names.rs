@@ -24,7 +24,8 @@ struct Names<'db> {
 
 pub(super) fn names(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let mut names = Names { db, project, file, items: items(db, project), found: Vec::new() };
-    let view = View::root(parse(db, file).green());
+    let parse = parse(db, file);
+    let view = View::root(parse.green());
     names.program(view);
     names.data(view);
     names.manifest(view);

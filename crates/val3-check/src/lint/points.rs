@@ -22,10 +22,11 @@ impl<'db> Program<'db> {
 
     /// The calls of instructions in an expression, inner ones before outer ones.
     pub(super) fn calls_within(&self, id: ExprId) -> &[Call<'db>] {
-        let first = self.body.within(id).next().unwrap_or(id);
         let calls = self.calls();
-        let (from, to) = (calls.partition_point(|call| call.id < first), calls.partition_point(|call| call.id <= id));
-        calls.get(from..to).unwrap_or(&[])
+        let (calls, _) = calls.split_at(calls.partition_point(|call| call.id <= id));
+        let first = self.body.within(id).next().unwrap_or(id);
+        let inside = calls.iter().rev().take_while(|call| call.id >= first).count();
+        calls.split_at(calls.len() - inside).1
     }
 
     /// A loop that is left by `return` alone: `while true`, `until false`.

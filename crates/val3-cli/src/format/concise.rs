@@ -9,11 +9,7 @@ use crate::report::{Finding, Report};
 
 /// Writes `path:line:column: level[CODE] message` lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
-    let mut out = Printable::new(out);
-    for finding in &report.findings {
-        write_finding(finding, &mut out)?;
-    }
-    Ok(())
+    Printable::before(out, |out| report.findings.iter().try_for_each(|finding| write_finding(finding, out)))
 }
 
 fn write_finding(finding: &Finding, out: &mut Printable<'_>) -> io::Result<()> {

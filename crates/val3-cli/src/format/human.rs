@@ -17,11 +17,7 @@ use crate::report::{Finding, Place, Related, Report, Severity, SourceFile};
 /// Writes every finding with its source lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     let config = Config::default();
-    let mut out = Printable::new(out);
-    for finding in &report.findings {
-        write_finding(finding, &config, &mut out)?;
-    }
-    Ok(())
+    Printable::before(out, |out| report.findings.iter().try_for_each(|finding| write_finding(finding, &config, out)))
 }
 
 /// A run-time error, for [`write_fault`].

@@ -14,7 +14,8 @@ use crate::hover::shape;
 
 /// What a file declares, in the order of the text.
 pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
-    let view = View::root(parse(db, file).green());
+    let parse = parse(db, file);
+    let view = View::root(parse.green());
     let Some(root) = xml::root(view) else { return Vec::new() };
     match root.name() {
         "Project" | "project" => project(root),

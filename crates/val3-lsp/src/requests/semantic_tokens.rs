@@ -62,15 +62,15 @@ fn encoded(snapshot: &Snapshot, file: File, within: Option<TextRange>) -> Vec<Se
     let mut before = Position::default();
     let tokens = val3_ide::semantic_tokens(snapshot.db(), file, within);
     let relative = tokens.iter().map(|token| {
-        let range = lines.range(token.range);
-        let delta_line = range.start.line.saturating_sub(before.line);
+        let start = lines.position(token.range.start());
+        let delta_line = start.line.saturating_sub(before.line);
         let from = if delta_line == 0 { before.character } else { 0 };
-        let delta_start = range.start.character.saturating_sub(from);
-        before = range.start;
+        let delta_start = start.character.saturating_sub(from);
+        before = start;
         SemanticToken {
             delta_line,
             delta_start,
-            length: range.end.character.saturating_sub(range.start.character),
+            length: lines.width(token.range),
             token_type: token.kind as u32,
             token_modifiers_bitset: token.modifiers,
         }

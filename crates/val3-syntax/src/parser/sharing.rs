@@ -48,7 +48,7 @@ impl Sharing {
         if text.len() > LONGEST_TOKEN {
             return GreenToken::new(kind.into(), text);
         }
-        let slot = token_hash(kind, text) % TABLE;
+        let slot = token_slot(kind, text) % TABLE;
         let Some(entry) = self.tokens.get_mut(slot) else {
             return GreenToken::new(kind.into(), text);
         };
@@ -74,7 +74,11 @@ impl Sharing {
     }
 }
 
-fn token_hash(kind: SyntaxKind, text: &str) -> usize {
+/// A single character, as every second token is, is its own place.
+fn token_slot(kind: SyntaxKind, text: &str) -> usize {
+    if let [byte] = text.as_bytes() {
+        return usize::from(*byte);
+    }
     let mut hasher = FxHasher::default();
     hasher.write(text.as_bytes());
     hasher.write_u16(kind as u16);

@@ -16,6 +16,7 @@ fn fill(mut sink: Sink<'_>, mut events: Vec<Event>) -> GreenNode {
     let mut opening = Vec::new();
     for index in 0..events.len() {
         match events.get(index).copied() {
+            Some(Event::Start { kind, parent: 0 }) => sink.open(kind),
             Some(Event::Start { kind, parent }) => {
                 collect_parents(&mut events, index, kind, parent, &mut opening);
                 opening.drain(..).rev().for_each(|kind| sink.open(kind));

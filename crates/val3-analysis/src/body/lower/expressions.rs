@@ -1,13 +1,14 @@
 //! Expressions of the tree.
 
 use rowan::{NodeOrToken, TextRange};
+use smallvec::smallvec;
 use smol_str::SmolStr;
 use val3_lang::operators::{BinaryOp, UnaryOp};
 use val3_syntax::SyntaxKind::*;
 use val3_syntax::decode_entities;
 use val3_syntax::view::{TokenView, View};
 
-use super::Lowering;
+use super::{Few, Lowering};
 use crate::body::{Expr, ExprId};
 
 impl Lowering {
@@ -54,7 +55,8 @@ impl Lowering {
                 let mut parts = view.children();
                 let base = parts.find_map(|part| self.expr(part));
                 let base = base.unwrap_or_else(|| self.push(Expr::Missing, view.range()));
-                Expr::Index(base, parts.filter_map(|part| self.expr(part)).collect())
+                let keys: Few<ExprId> = parts.filter_map(|part| self.expr(part)).collect();
+                Expr::Index(base, Box::from(&*keys))
             }
             FIELD_EXPR => self.field(view),
             CALL_EXPR => self.call(view),
@@ -93,12 +95,12 @@ impl Lowering {
     fn call(&mut self, view: View<'_>) -> Expr {
         let callee = self.only(view);
         let args = view.child(ARG_LIST).map(|list| self.exprs_of(list)).unwrap_or_default();
-        Expr::Call(callee, args.into_boxed_slice())
+        Expr::Call(callee, Box::from(&*args))
     }
 
     /// Values between commas; `{}` has none.
     fn structure(&mut self, view: View<'_>) -> Expr {
-        let mut values = vec![None];
+        let mut values: Few<Option<ExprId>> = smallvec![None];
         for child in view.children_with_tokens() {
             match child {
                 NodeOrToken::Token(token) if token.kind() == COMMA => values.push(None),
@@ -111,10 +113,10 @@ impl Lowering {
                 }
             }
         }
-        if values == [None] {
+        if values.as_slice() == [None] {
             values.clear();
         }
-        Expr::Struct(values.into_boxed_slice())
+        Expr::Struct(Box::from(&*values))
     }
 }
 

@@ -1,0 +1,104 @@
+//! The trees of files. They say nothing that the texts do not say: a tree that is made of another one, or anew after
+//! it was forgotten, is equal to the one that was kept. So no query depends on them, and they can be forgotten at any
+//! time.
+
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+use rustc_hash::FxHashMap;
+use val3_syntax::Parse;
+
+use super::File;
+
+/// The trees that are kept.
+#[derive(Debug, Default)]
+pub struct Trees(Mutex<Kept>);
+
+#[derive(Debug, Default)]
+struct Kept {
+    trees: FxHashMap<File, Tree>,
+    /// Counts the uses.
+    clock: u64,
+}
+
+#[derive(Debug)]
+struct Tree {
+    text: Arc<str>,
+    /// Made by the first who asks; the others wait for it.
+    parse: Arc<OnceLock<Parse>>,
+    /// When it was used last.
+    used: u64,
+}
+
+impl Trees {
+    /// The tree of `text`, which is what `file` holds now.
+    pub(crate) fn parse(&self, file: File, text: &Arc<str>) -> Parse {
+        let (parse, before) = self.tree(file, text);
+        let make = || {
+            let known = before.as_ref().and_then(|before| Some((before.parse.get()?, &before.text)));
+            known.map_or_else(|| val3_syntax::parse(text), |(parse, old)| parse.reparse_as(old, text))
+        };
+        parse.get_or_init(make).clone()
+    }
+
+    /// The place of the tree of `text`, and what stood there before, if that was the tree of another text.
+    fn tree(&self, file: File, text: &Arc<str>) -> (Arc<OnceLock<Parse>>, Option<Tree>) {
+        let mut kept = self.kept();
+        kept.clock += 1;
+        let used = kept.clock;
+        if let Some(tree) = kept.trees.get_mut(&file).filter(|tree| Arc::ptr_eq(&tree.text, text)) {
+            tree.used = used;
+            return (Arc::clone(&tree.parse), None);
+        }
+        let parse = Arc::default();
+        let before = kept.trees.insert(file, Tree { text: Arc::clone(text), parse: Arc::clone(&parse), used });
+        (parse, before)
+    }
+
+    /// Forgets the trees of `files`.
+    pub fn forget(&self, files: impl IntoIterator<Item = File>) {
+        let mut kept = self.kept();
+        let forgotten: Vec<Tree> = files.into_iter().filter_map(|file| kept.trees.remove(&file)).collect();
+        // A large tree takes a while to be taken apart.
+        drop(kept);
+        drop(forgotten);
+    }
+
+    /// Forgets all trees but the `count` that were used last.
+    pub fn keep_latest(&self, count: usize) {
+        let kept = self.kept();
+        let Some(surplus) = kept.trees.len().checked_sub(count).filter(|surplus| *surplus > 0) else { return };
+        let mut uses: Vec<(u64, File)> = kept.trees.iter().map(|(file, tree)| (tree.used, *file)).collect();
+        drop(kept);
+        uses.sort_unstable_by_key(|(used, _)| *used);
+        self.forget(uses.into_iter().take(surplus).map(|(_, file)| file));
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Kept> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::db::Database;
+    use crate::items::parse;
+    use crate::load::load_into;
+    use crate::system::Memory;
+
+    #[test]
+    fn what_was_used_last_is_kept() {
+        // Small nodes are shared; this one is too long for that.
+        let text = format!("<Project>{}</Project>", " ".repeat(80));
+        let files = ["a", "b", "c"].map(|name| (format!("/d/{name}/{name}.pjx"), text.clone()));
+        let workspace = load_into(Database::default(), &Memory::new(files), &["/d".into()]).unwrap();
+        let db = &workspace.db;
+        let files = [0, 2, 1].map(|at: usize| workspace.projects[at].manifest(db));
+        let trees = files.map(|file| parse(db, file));
+        db.trees.keep_latest(2);
+        let same = |at: usize| std::ptr::eq(&**parse(db, files[at]).green(), &**trees[at].green());
+        assert_eq!([same(1), same(2), same(0)], [true, true, false]);
+        assert_eq!(parse(db, files[0]), trees[0]);
+        db.trees.forget([files[1]]);
+        assert!(!same(1) && same(2));
+    }
+}
