@@ -15,8 +15,8 @@ impl Devices {
         let library = LibraryPath::new(&self.roots.spelled(&controller_path(from, path)?)?)?;
         let files = library.read(&self.roots, password)?;
         let image = self.libraries.image(library.folder(), files.clone()).map_err(|reason| {
-            let now = self.origin.time;
-            self.log.report(&reason, Severity::Error, now);
+            self.log.report(&reason, Severity::Error, self.origin.time);
+            self.record_log();
             FileFault::CannotLoad
         })?;
         self.read = Some((Arc::clone(&image), files));
