@@ -8,6 +8,7 @@ use val3_analysis::items::project::folder;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
+use val3_machine::script::Script;
 
 use super::images::Images;
 use super::lines;
@@ -40,8 +41,31 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let (roots, path, disk) = roots(db, project, args)?;
     let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
     lines::connect(&mut devices.lines, &disk, args)?;
-    let controller = Controller::new(devices, image.into(), path, args.line_cost);
+    declare_io(db, project, &mut devices);
+    devices.pendant.type_when_asked(args.keys.iter().copied());
+    if let Some(speed) = args.monitor_speed {
+        devices.robot.turn_speed(f64::from(speed));
+    }
+    let mut controller = Controller::new(devices, image.into(), path, args.line_cost);
+    if let Some(path) = &args.script {
+        controller.follow(script(path)?);
+    }
     started(controller, args)
+}
+
+/// Inputs and outputs as the cell has them.
+fn declare_io(db: &Database, project: Project, devices: &mut Devices) {
+    let Some(cell) = project.cell(db) else { return };
+    for (device, signals) in &cell.config(db).io {
+        devices.declare_io(device, signals.iter().map(|(name, base)| (name.as_str(), *base)));
+    }
+}
+
+fn script(path: &Utf8Path) -> Result<Script, UserError> {
+    let text = std::fs::read_to_string(path).map_err(|error| {
+        UserError::new(format!("cannot read the script `{path}`: {error}")).with_help("name a TOML file")
+    })?;
+    Script::parse(&text).map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
 }
 
 fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
