@@ -3,6 +3,7 @@
 mod console;
 mod images;
 mod opening;
+mod outside;
 mod pace;
 mod record;
 
