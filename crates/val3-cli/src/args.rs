@@ -10,6 +10,7 @@ use crate::baseline::Mode;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
+use crate::run::LineArg;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -196,6 +197,16 @@ pub(crate) struct RunArgs {
     /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
     #[arg(long, value_name = "NAME=DIR")]
     pub(crate) root: Vec<Root>,
+    /// Connect a serial line or socket, instead of what the cell configures: Socket\host=server:2000,
+    /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
+    #[arg(long, value_name = "LINK=END")]
+    pub(crate) line: Vec<LineArg>,
+    /// Let sockets reach other machines, and be reached by them; else every address means this machine
+    #[arg(long)]
+    pub(crate) network: bool,
+    /// Let serial lines and sockets answer as they did in a run whose --events this file holds
+    #[arg(long, value_name = "FILE")]
+    pub(crate) replay: Option<Utf8PathBuf>,
     /// The arm, where the cell does not say it
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: Option<String>,

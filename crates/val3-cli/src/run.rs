@@ -2,6 +2,7 @@
 
 mod console;
 mod images;
+mod lines;
 mod opening;
 mod outside;
 mod pace;
@@ -20,6 +21,7 @@ use pace::Pace;
 use record::Record;
 
 pub(crate) use images::{Images, Laid};
+pub(crate) use lines::LineArg;
 pub(crate) use opening::only_application;
 
 /// Exit code of a run that `--until` has ended.

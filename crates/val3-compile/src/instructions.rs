@@ -77,7 +77,8 @@ impl Coder<'_, '_> {
             let formals = form.params.iter().map(formal).collect();
             return Ok(Called { site: InstructionSite::new(instruction, form), formals, result: call.form.result });
         }
-        let formal = |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
+        let formal =
+            |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         let formals = call.form.params.iter().map(formal).collect();
         let site = InstructionSite::named(call.name.to_string(), None);
         Ok(Called { site, formals, result: call.form.result })

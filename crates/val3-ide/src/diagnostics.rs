@@ -23,12 +23,6 @@ pub fn project_diagnostics(db: &dyn Db, settings: CheckSettings, project: Projec
     finish(db, &units, settings.settings(db), checked).findings
 }
 
-/// Checks the parts of a project from the last to the first: beside [`project_diagnostics`], on another thread, until
-/// both meet.
-pub fn check_backwards(db: &dyn Db, settings: CheckSettings, project: Project) {
-    units(db, &[project]).iter().rev().for_each(|unit| _ = checked(db, settings, *unit));
-}
-
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
     check_unit(db, unit, settings.settings(db))

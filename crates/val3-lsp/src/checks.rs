@@ -93,7 +93,6 @@ impl World {
         if first.is_empty() {
             self.check_next();
         } else {
-            self.help(first.clone());
             self.start_batch(first, Lane::Latency);
         }
     }
@@ -146,18 +145,6 @@ impl World {
                 });
             });
         }
-    }
-
-    /// Lends the check of projects that somebody waits for a second thread. What it does not get to, the first one does.
-    fn help(&self, projects: Vec<Project>) {
-        let snapshot = self.snapshot();
-        let Some(settings) = snapshot.settings else { return };
-        self.pool.spawn(Lane::Latency, move || {
-            let check = |project: Project| val3_ide::check_backwards(snapshot.db(), settings, project);
-            let work = || projects.into_iter().for_each(check);
-            // Who waits for the findings hears of it when this fails.
-            let _ = crate::panics::contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(work)));
-        });
     }
 
     /// A write stopped a check. If it changed nothing that is checked, the check goes on.

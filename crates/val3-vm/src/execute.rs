@@ -73,6 +73,7 @@ impl Machine<'_> {
 
     /// Executes the innermost program until it is left.
     #[allow(clippy::too_many_lines, reason = "one arm an operation, each of them short")]
+    #[allow(clippy::neg_cmp_op_on_partial_ord, reason = "a comparison with what is no number does not hold")]
     fn program(
         &mut self,
         thread: &mut Thread,

@@ -52,10 +52,10 @@ pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Re
     if !fault.help.is_empty() {
         diagnostic = diagnostic.with_note(format!("help: {}", fault.help));
     }
-    match emit_to_write_style(&mut Printable::new(out), &Config::default(), &excerpt, &diagnostic) {
+    Printable::before(out, |out| match emit_to_write_style(out, &Config::default(), &excerpt, &diagnostic) {
         Err(Error::Io(error)) => Err(error),
         _ => Ok(()),
-    }
+    })
 }
 
 fn write_finding(finding: &Finding, config: &Config, out: &mut Printable<'_>) -> io::Result<()> {

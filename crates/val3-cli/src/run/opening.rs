@@ -10,7 +10,7 @@ use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
 
 use super::images::Images;
-use super::outside;
+use super::{lines, outside};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::{self, Format};
@@ -38,8 +38,9 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let db = session.db();
     let image = val3_compile::compile(db, project).map_err(|error| UserError::new(error.to_string()))?;
     let (roots, path, disk) = roots(db, project, args)?;
-    let mut devices = Devices::new(roots, Box::new(Images::new(disk)));
+    let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
     outside::declare_io(&mut devices, db, project);
+    lines::connect(&mut devices.lines, &disk, args)?;
     let mut controller = Controller::new(devices, image.into(), path, args.line_cost);
     outside::arrange(&mut controller, args)?;
     started(controller, args)

@@ -42,7 +42,7 @@ impl Pace {
         let next = [wake, controller.next_due()].into_iter().flatten().min();
         if controller.hears_outside() {
             // What comes from outside comes at its own time: the clock on the wall decides, cycle by cycle.
-            if self.started.is_none() {
+            if self.started.is_none() && controller.devices.lines.reach_outside() {
                 sleep(LISTENING);
             }
             self.follow(controller.now());

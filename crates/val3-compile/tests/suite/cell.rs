@@ -124,8 +124,8 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
         events.extend(controller.devices.take_events());
         match step {
             Step::Finished | Step::Stuck => return events,
-            Step::Idle(Some(wake)) => controller.jump(wake),
-            Step::Idle(None) | Step::Busy => {}
+            Step::Idle(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
+            Step::Idle(_) | Step::Busy => {}
         }
     }
     panic!("goes on: {}", shown(&events));

@@ -98,12 +98,16 @@ fn bytes_fill_an_array_from_an_index_on() {
 
 #[test]
 fn a_timeout_is_an_error_of_assignments_alone() {
-    check("? sioGet(siHost,nData)\n? clock()\nsText=siHost", b"", expect![[r#"
+    check(
+        "? sioGet(siHost,nData)\n? clock()\nsText=siHost",
+        b"",
+        expect![[r#"
         -1
         0.5
         error 125 in start
         ""
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
@@ -112,7 +116,11 @@ fn a_variable_needs_a_link_that_the_controller_knows() {
         check(line, b"", expect![["error 123 in start\n\"\"\n"]]);
     }
     check("? sioCtrl(siNone,\"port\",1)", b"", expect![["error 123 in start\n\"\"\n"]]);
-    check("sioLink(siNone,siHost)\nsiNone=65\nsioLink(siNone,siOther)\nsiNone=66", b"", expect![["error 123 in start\n\"A\"\n"]]);
+    check(
+        "sioLink(siNone,siHost)\nsiNone=65\nsioLink(siNone,siOther)\nsiNone=66",
+        b"",
+        expect![["error 123 in start\n\"A\"\n"]],
+    );
 }
 
 #[test]

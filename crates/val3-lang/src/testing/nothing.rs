@@ -46,32 +46,6 @@ impl Io for Nothing {
     }
 }
 
-impl Serial for Nothing {
-    fn receive_text(&mut self, _: Option<u32>, _: Time) -> Result<Reply<Text>> {
-        unreachable!()
-    }
-
-    fn receive_byte(&mut self, _: Option<u32>, _: Time) -> Result<Reply<u8>> {
-        unreachable!()
-    }
-
-    fn receive(&mut self, _: Option<u32>, _: usize, _: Time) -> Result<Reply<Option<Vec<u8>>>> {
-        unreachable!()
-    }
-
-    fn send(&mut self, _: Option<u32>, _: Outgoing<'_>, _: bool, _: Time) -> Result<Reply<Option<usize>>> {
-        unreachable!()
-    }
-
-    fn clear_line(&mut self, _: Option<u32>) -> Result<Option<usize>> {
-        unreachable!()
-    }
-
-    fn control_line(&mut self, _: Option<u32>, _: &str, _: LineValue) -> Result<i8> {
-        unreachable!()
-    }
-}
-
 impl Screen for Nothing {
     fn print(&mut self, _: &str) {
         unreachable!()
@@ -286,6 +260,32 @@ impl Media for Nothing {
     }
 
     fn rename_file(&mut self, _: &str, _: &str, _: &str) -> bool {
+        unreachable!()
+    }
+}
+
+impl Serial for Nothing {
+    fn receive_text(&mut self, _: Option<u32>, _: Time) -> Result<Reply<Text>> {
+        unreachable!()
+    }
+
+    fn receive_byte(&mut self, _: Option<u32>, _: Time) -> Result<Reply<u8>> {
+        unreachable!()
+    }
+
+    fn receive(&mut self, _: Option<u32>, _: usize, _: Time) -> Result<Reply<Option<Vec<u8>>>> {
+        unreachable!()
+    }
+
+    fn send(&mut self, _: Option<u32>, _: Outgoing<'_>, _: bool, _: Time) -> Result<Reply<Option<usize>>> {
+        unreachable!()
+    }
+
+    fn clear_line(&mut self, _: Option<u32>) -> Result<Option<usize>> {
+        unreachable!()
+    }
+
+    fn control_line(&mut self, _: Option<u32>, _: &str, _: LineValue) -> Result<i8> {
         unreachable!()
     }
 }

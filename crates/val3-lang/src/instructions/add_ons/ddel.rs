@@ -7,7 +7,7 @@ instruction! {
     ///
     /// - `variable`: the array.
     /// - `nIndex`: which value.
-    /// - Errors: 20 and 21 for a bad index, 70 for the last value and for an array that cannot shrink.
+    /// - Errors: as for `delete`.
     ///
     /// It is older than `delete`, which needs no add-on.
     ///

@@ -7,7 +7,7 @@ instruction! {
     ///
     /// - `variable`: the array.
     /// - `nIndex`: before which value.
-    /// - Errors: 20 and 21 for a bad index, 40 if there is no room, 70 for an array that cannot grow.
+    /// - Errors: as for `insert`.
     ///
     /// It is older than `insert`, which needs no add-on.
     ///

@@ -1,0 +1,140 @@
+//! The serial lines and sockets of a run: as the cell configures them, and as the arguments say.
+
+use std::fs;
+use std::net::IpAddr;
+use std::str::FromStr;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_machine::devices::Lines;
+use val3_machine::sio::{ChannelConfig, Line, LineKind, Reach, Setting, channels, replay};
+use val3_syntax::encoding::decode;
+
+use crate::args::RunArgs;
+use crate::user_error::UserError;
+
+/// A line that an argument connects: `Socket\host=server:2000`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct LineArg {
+    link: String,
+    end: LineEnd,
+}
+
+/// What a line is connected to.
+#[derive(Debug, Clone, PartialEq)]
+enum LineEnd {
+    /// A socket of this kind.
+    Socket(LineKind, Vec<Setting>),
+    /// A serial device of this machine.
+    Device(Utf8PathBuf),
+}
+
+impl FromStr for LineArg {
+    type Err = &'static str;
+
+    fn from_str(text: &str) -> Result<Self, Self::Err> {
+        const FORM: &str = r"write LINK=server:PORT, LINK=client:ADDRESS:PORT, LINK=udp:PORT or LINK=serial:DEVICE, for example Socket\host=server:2000";
+        let (link, end) = text.split_once('=').filter(|(link, _)| !link.is_empty()).ok_or(FORM)?;
+        let (kind, place) = end.split_once(':').ok_or(FORM)?;
+        let port = |text: &str| text.parse().map(Setting::Port).map_err(|_| FORM);
+        let end = match kind {
+            "server" => LineEnd::Socket(LineKind::Server, vec![port(place)?]),
+            "udp" => LineEnd::Socket(LineKind::Udp, vec![port(place)?]),
+            "client" => {
+                let (address, number) = place.rsplit_once(':').ok_or(FORM)?;
+                let address: IpAddr = address.trim_matches(['[', ']']).parse().map_err(|_| FORM)?;
+                LineEnd::Socket(LineKind::Client, vec![Setting::Target(address), port(number)?])
+            }
+            "serial" if !place.is_empty() => LineEnd::Device(place.into()),
+            _ => return Err(FORM),
+        };
+        Ok(Self { link: link.to_owned(), end })
+    }
+}
+
+/// Connects the lines of the cell around `disk`, and those that the arguments name.
+pub(crate) fn connect(lines: &mut Lines, disk: &Utf8Path, args: &RunArgs) -> Result<(), UserError> {
+    if args.events.is_some() {
+        lines.record();
+    }
+    if let Some(file) = &args.replay {
+        lines.replay(recorded(file)?);
+    }
+    let mut configs = of_cell(disk);
+    configs.extend(args.line.iter().map(LineArg::config));
+    let reach = if args.network { Reach::Network } else { Reach::Loopback };
+    lines.configure(&configs, reach).map_err(|link| {
+        UserError::new(format!("the line `{link}` cannot be configured so"))
+            .with_help("look at its parameters in sio.cfx, and at --line")
+    })?;
+    if args.replay.is_none() {
+        args.line.iter().try_for_each(|arg| arg.open(lines))?;
+    }
+    Ok(())
+}
+
+/// What lines have answered in another run.
+fn recorded(file: &Utf8Path) -> Result<std::collections::BTreeMap<String, Vec<val3_machine::sio::Entry>>, UserError> {
+    let refused = |reason: String| {
+        UserError::new(format!("cannot replay `{file}`: {reason}"))
+            .with_help("name a file that `val3 run --events` has written")
+    };
+    let text = fs::read_to_string(file).map_err(|error| refused(error.to_string()))?;
+    replay(&text).map_err(|error| refused(error.to_string()))
+}
+
+/// The lines that `usr/configs/sio.cfx` names.
+fn of_cell(disk: &Utf8Path) -> Vec<ChannelConfig> {
+    let file = disk.parent().map(|usr| usr.join("configs/sio.cfx"));
+    let bytes = file.and_then(|file| fs::read(file).ok());
+    bytes.map(|bytes| channels(&decode(bytes).text)).unwrap_or_default()
+}
+
+impl LineArg {
+    fn config(&self) -> ChannelConfig {
+        let (kind, settings) = match &self.end {
+            LineEnd::Socket(kind, settings) => (*kind, settings.clone()),
+            LineEnd::Device(_) => (LineKind::Serial, Vec::new()),
+        };
+        ChannelConfig { link: self.link.clone(), kind, settings }
+    }
+
+    /// Connects a serial device; sockets open when a program uses them.
+    fn open(&self, lines: &mut Lines) -> Result<(), UserError> {
+        let LineEnd::Device(device) = &self.end else { return Ok(()) };
+        let refused = |reason: String| {
+            UserError::new(format!("cannot open the device `{device}` for `{}`: {reason}", self.link))
+                .with_help("name a serial device that you may read and write")
+        };
+        let line = serial(device).map_err(|error| refused(error.to_string()))?;
+        lines.attach(&self.config(), line, true).map_err(|_| refused("it does not take the parameters".to_owned()))
+    }
+}
+
+#[cfg(unix)]
+fn serial(device: &Utf8Path) -> std::io::Result<Box<dyn Line>> {
+    Ok(Box::new(val3_machine::sio::SerialLine::open(device)?))
+}
+
+#[cfg(not(unix))]
+fn serial(_: &Utf8Path) -> std::io::Result<Box<dyn Line>> {
+    Err(std::io::ErrorKind::Unsupported.into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_are_named_with_their_other_end() {
+        let server = LineArg::from_str(r"Socket\host=server:2000").unwrap();
+        assert_eq!(server.end, LineEnd::Socket(LineKind::Server, vec![Setting::Port(2000)]));
+        let client = LineArg::from_str("Socket\\host=client:[::1]:2000").unwrap().config();
+        assert_eq!((client.port(), client.target()), (Some(2000), "::1".parse().ok()));
+        assert_eq!(LineArg::from_str(r"Serial\a=serial:/dev/ttyS0").unwrap().end, LineEnd::Device("/dev/ttyS0".into()));
+        for wrong in
+            ["host", "=server:1", "a=server:x", "a=server", "a=client:2000", "a=client:host:1", "a=serial:", "a=x:1"]
+        {
+            assert!(LineArg::from_str(wrong).is_err(), "{wrong}");
+        }
+    }
+}
