@@ -4,6 +4,7 @@ mod console;
 mod images;
 mod lines;
 mod opening;
+mod outside;
 mod pace;
 mod record;
 

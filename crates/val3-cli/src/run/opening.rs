@@ -8,10 +8,9 @@ use val3_analysis::items::project::folder;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
-use val3_machine::script::Script;
 
 use super::images::Images;
-use super::lines;
+use super::{lines, outside};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::{self, Format};
@@ -40,32 +39,11 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let image = val3_compile::compile(db, project).map_err(|error| UserError::new(error.to_string()))?;
     let (roots, path, disk) = roots(db, project, args)?;
     let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
+    outside::declare_io(&mut devices, db, project);
     lines::connect(&mut devices.lines, &disk, args)?;
-    declare_io(db, project, &mut devices);
-    devices.pendant.type_when_asked(args.keys.iter().copied());
-    if let Some(speed) = args.monitor_speed {
-        devices.robot.turn_speed(f64::from(speed));
-    }
     let mut controller = Controller::new(devices, image.into(), path, args.line_cost);
-    if let Some(path) = &args.script {
-        controller.follow(script(path)?);
-    }
+    outside::arrange(&mut controller, args)?;
     started(controller, args)
-}
-
-/// Inputs and outputs as the cell has them.
-fn declare_io(db: &Database, project: Project, devices: &mut Devices) {
-    let Some(cell) = project.cell(db) else { return };
-    for (device, signals) in &cell.config(db).io {
-        devices.declare_io(device, signals.iter().map(|(name, base)| (name.as_str(), *base)));
-    }
-}
-
-fn script(path: &Utf8Path) -> Result<Script, UserError> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        UserError::new(format!("cannot read the script `{path}`: {error}")).with_help("name a TOML file")
-    })?;
-    Script::parse(&text).map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
 }
 
 fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
