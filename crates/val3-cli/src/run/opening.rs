@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
-use val3_analysis::items::project::folder;
+use val3_analysis::items::project::{folder, items};
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
@@ -31,7 +31,7 @@ pub(crate) enum Opened {
 pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let request = Request { asked: vec![args.application.clone()], ..Request::default() };
     let mut session = Session::open(&request)?;
-    let project = only_application(&session, &args.application)?;
+    let project = only_application(&session, &args.application, Some(&args.program))?;
     if let Some(name) = &args.arm {
         arm::set(session.db_mut(), project, name)?;
     }
@@ -57,15 +57,22 @@ fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserErr
     Ok(Opened::Ready(Box::new(controller)))
 }
 
-pub(crate) fn only_application(session: &Session<'_>, asked: &Utf8Path) -> Result<Project, UserError> {
-    let projects = session.projects();
-    let db = session.db();
-    match projects {
-        [project] => Ok(*project),
-        _ => {
-            let names: Vec<&str> = projects.iter().filter_map(|project| folder(db, *project).file_name()).collect();
+/// The application that is meant: the only one there, or the only one with a program of this name.
+pub(crate) fn only_application(
+    session: &Session<'_>,
+    asked: &Utf8Path,
+    program: Option<&str>,
+) -> Result<Project, UserError> {
+    let (projects, db) = (session.projects(), session.db());
+    let has_program = |project: &&Project| program.is_some_and(|name| items(db, **project).programs.contains_key(name));
+    let starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
+    match (projects, starting.as_slice()) {
+        ([project], _) | (_, [project]) => Ok(*project),
+        (_, several) => {
+            let shown = if several.is_empty() { projects } else { several };
+            let names: Vec<&str> = shown.iter().filter_map(|project| folder(db, *project).file_name()).collect();
             let help = format!("name the folder of one of them: {}", names.join(", "));
-            Err(UserError::new(format!("`{asked}` holds {} applications", projects.len())).with_help(help))
+            Err(UserError::new(format!("`{asked}` holds {} applications", shown.len())).with_help(help))
         }
     }
 }
