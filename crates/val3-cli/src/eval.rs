@@ -16,7 +16,9 @@ use scope::{Answer, Scope};
 /// Runs the command; the exit code says whether every text could be evaluated.
 pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> {
     if let Some(option) = args.texts.iter().find(|text| is_option(text)) {
-        return Err(UserError::new(format!("`{option}` stands behind a text")).with_help("write options before the texts"));
+        return Err(
+            UserError::new(format!("`{option}` stands behind a text")).with_help("write options before the texts")
+        );
     }
     let mut scope = Scope::open(args)?;
     if args.texts.is_empty() && io::stdin().is_terminal() {

@@ -29,9 +29,10 @@ pub(crate) enum Opened {
 
 /// Reads, checks and compiles the application.
 pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
-    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let manifest = manifest(args)?;
+    let request = Request { asked: vec![manifest.clone()], ..Request::default() };
     let mut session = Session::open(&request)?;
-    let project = only_application(&session, &args.application, Some(&args.program))?;
+    let project = only_application(&session, &manifest, None)?;
     if let Some(name) = &args.arm {
         arm::set(session.db_mut(), project, name)?;
     }
@@ -47,6 +48,14 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let mut controller = Controller::new(devices, image.into(), path, args.line_cost);
     outside::arrange(&mut controller, args)?;
     started(controller, args)
+}
+
+/// The project file of the application, so that faults of others beside it do not count.
+fn manifest(args: &RunArgs) -> Result<Utf8PathBuf, UserError> {
+    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let session = Session::open(&request)?;
+    let project = only_application(&session, &args.application, Some(&args.program))?;
+    Ok(project.manifest(session.db()).path(session.db()).clone())
 }
 
 fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
