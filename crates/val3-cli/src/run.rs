@@ -1,5 +1,6 @@
 //! `val3 run`: an application on the embedded controller.
 
+mod arm;
 mod console;
 mod images;
 mod lines;

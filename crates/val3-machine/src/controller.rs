@@ -84,7 +84,7 @@ impl Controller {
         let Some(instance) = self.vm.space.instance(self.application) else { return false };
         let (name, number) = (task_name(&instance.image), instance.image.program(program));
         let Some(number) = number else { return false };
-        self.devices.origin(self.outside(self.application, number, 0));
+        self.devices.origin(self.outside_origin(self.application, number, 0));
         let started = self.vm.start(&name, (self.application, number), PRIORITY, &mut self.devices);
         started.is_ok()
     }
@@ -113,13 +113,13 @@ impl Controller {
     fn kill(&mut self, id: TaskNumber) {
         let thread = self.vm.tasks().iter().find(|task| task.id == id).map(|task| &task.thread);
         if let Some((frame, line)) = thread.and_then(|thread| Some((thread.frames.last()?, thread.line))) {
-            self.devices.origin(self.outside(frame.instance, frame.program, line));
+            self.devices.origin(self.outside_origin(frame.instance, frame.program, line));
         }
         self.vm.kill(id, &mut self.devices);
     }
 
     /// Where something happens now that no task does.
-    fn outside(&self, instance: InstanceId, program: u16, line: u32) -> Origin {
+    fn outside_origin(&self, instance: InstanceId, program: u16, line: u32) -> Origin {
         Origin { time: self.schedule.now, task: TaskNumber::default(), instance: instance.0, program, line }
     }
 

@@ -10,7 +10,7 @@ use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
 
 use super::images::Images;
-use super::{lines, outside};
+use super::{arm, lines, outside};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::{self, Format};
@@ -32,6 +32,9 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let request = Request { asked: vec![args.application.clone()], ..Request::default() };
     let mut session = Session::open(&request)?;
     let project = only_application(&session, &args.application)?;
+    if let Some(name) = &args.arm {
+        arm::set(session.db_mut(), project, name)?;
+    }
     if show_errors(&mut session, color)? {
         return Ok(Opened::Faulty(ExitCode::FAILURE));
     }
