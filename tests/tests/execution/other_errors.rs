@@ -1,0 +1,64 @@
+//! Run-time errors of inputs and outputs and of references: 122 to 125, 160 to 165 (3.5 to 3.7, 9.3 to 9.6).
+
+use expect_test::expect;
+
+use crate::errors;
+
+#[test]
+fn inputs_and_outputs_without_link() {
+    errors(
+        "dio diFree\naio aiFree\nsio siFree\nnum nBytes[2]",
+        &[
+            "l_bFlag=diFree",
+            "diFree=true",
+            "l_nValue=aioGet(aiFree)",
+            "l_nValue=aioSet(aiFree,1)",
+            "l_nValue=sioGet(siFree,nBytes)",
+            "siFree=1",
+            "l_nValue=ioStatus(diFree)",
+        ],
+        expect![[r#"
+            123 l_bFlag=diFree
+            123 diFree=true
+            123 l_nValue=aioGet(aiFree)
+            123 l_nValue=aioSet(aiFree,1)
+            123 l_nValue=sioGet(siFree,nBytes)
+            123 siFree=1
+            -1 l_nValue=ioStatus(diFree)
+        "#]],
+    );
+}
+
+#[test]
+fn flange_and_world_are_fixed() {
+    errors(
+        "tool tGrip\nframe fTable",
+        &[
+            "l_trPart=tGrip.trsf",
+            "flange.trsf.z=10\n  l_trPart=position(here(flange,world),world)",
+            "flange.trsf.z=0",
+            "world.trsf.x=10\n  l_trPart=position(l_pPart,world)",
+        ],
+        expect![[""]],
+    );
+}
+
+#[test]
+fn references() {
+    errors(
+        "point pFree\nframe fTable\ntool tGrip",
+        &[
+            "l_trPart=position(pFree,world)",
+            "l_trPart=position(l_pPart,world)",
+            "l_trPart=position(fTable,world)",
+            "l_trPart=position(l_fPart,world)",
+            "l_trPart=position(tGrip,flange)",
+            "l_trPart=position(l_tPart,flange)",
+            "link(l_fPart,world)\n  l_trPart=position(l_fPart,world)",
+            "link(fTable,l_fPart)",
+            "link(tGrip,l_tPart)",
+            "link(pFree,l_fPart)",
+        ],
+        expect![[""]],
+    );
+}
