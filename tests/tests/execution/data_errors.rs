@@ -75,7 +75,6 @@ fn indices() {
             "l_nValue=nColl[\"a\"]",
             "l_nValue=nColl[\"b\"]",
             "nColl[\"b\"]=1",
-            "l_sText=next(nColl[\"b\"])",
             "l_nValue=size(nArray[nTwo])",
             "l_nValue=size(nArray[nMinus])",
         ],
@@ -95,7 +94,6 @@ fn indices() {
             -1 l_nValue=nColl['a']
             20 l_nValue=nColl['b']
             20 nColl['b']=1
-            -1 l_sText=next(nColl['b'])
             20 l_nValue=size(nArray[nTwo])
             21 l_nValue=size(nArray[nMinus])
         "#]],

@@ -84,7 +84,7 @@ begin
   ? nDepth
   taskKill("deep")
 end
-=== usrapp/main/main.pjx
+=== main/main.pjx
 <?xml version="1.0" encoding="utf-8" ?>
 <Project xmlns="http://www.staubli.com/robotics/VAL3/Project/3">
   <Parameters version="s7.11" stackSize="{bytes}" millimeterUnit="true" />

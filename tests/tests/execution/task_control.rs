@@ -141,6 +141,19 @@ fn a_task_goes_on_further_up() {
 
 #[test]
 fn a_task_cannot_go_on_outside_of_its_program() {
+    resumed("-3", expect![[r#"
+        error 10
+        error 90
+        90
+        10
+        12
+    "#]]);
+    resumed("3", expect![[r#"
+        error 10
+        -1
+        -1
+        12
+    "#]]);
     resumed("-4", expect![[r#"
         error 10
         error 90
