@@ -50,7 +50,8 @@ fn stop_runs_when_the_last_task_has_ended() {
         1
         ~main ended
         work killed
-    "#]].assert_eq(&story(&running.to_the_end()));
+    "#]]
+    .assert_eq(&story(&running.to_the_end()));
 }
 
 #[test]
@@ -124,7 +125,8 @@ fn stopped_from_outside_it_kills_tasks_in_the_reverse_order() {
         m killed
         a killed
         z killed
-    "#]].assert_eq(&story(&running.to_the_end()));
+    "#]]
+    .assert_eq(&story(&running.to_the_end()));
 }
 
 #[test]

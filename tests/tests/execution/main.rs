@@ -11,8 +11,8 @@ mod other_errors;
 mod parameters;
 mod stack;
 mod statements;
-mod synchronous;
 mod synchronization;
+mod synchronous;
 mod task_control;
 mod task_errors;
 mod turns;
@@ -24,18 +24,18 @@ fn check(listing: &str, expected: Expect) {
     expected.assert_eq(&Running::start(listing).to_the_end().printed());
 }
 
+/// What each line can use.
 const LOCALS: &str = "  num l_nValue\n  bool l_bFlag\n  string l_sText\n  point l_pPart\n  frame l_fPart\n  tool l_tPart\n  trsf l_trPart\n";
 
 /// What `taskStatus` tells of lines, each executed by a task of its own: -1 for one without error.
 ///
-/// A line has the locals `l_nValue`, `l_bFlag`, `l_sText`, `l_pPart`, `l_fPart` and `l_tPart`.
+/// A line can use `LOCALS` and the programs `work`, `take` and `takeAll`.
 #[track_caller]
 fn errors(data: &str, lines: &[&str], expected: Expect) {
-    let programs = lines.iter().enumerate().map(|(at, line)| {
-        format!("program line{at}()\n{LOCALS}begin\n  {line}\nend\n")
-    });
+    let programs =
+        lines.iter().enumerate().map(|(at, line)| format!("program line{at}()\n{LOCALS}begin\n  {line}\nend\n"));
     let tries = lines.iter().enumerate().map(|(at, line)| {
-        let name = line.replace('"', "'");
+        let name = line.replace('"', "'").replace("\n ", ";");
         format!(
             "  taskCreate \"line\",100,line{at}()\n  wait(taskStatus(\"line\")!=1)\n  \
              ? toString(\"\",taskStatus(\"line\"))+\" {name}\"\n  taskKill(\"line\")\n"

@@ -35,11 +35,16 @@ fn flange_and_world_are_fixed() {
         "tool tGrip\nframe fTable",
         &[
             "l_trPart=tGrip.trsf",
-            "flange.trsf.z=10\n  l_trPart=position(here(flange,world),world)",
-            "flange.trsf.z=0",
-            "world.trsf.x=10\n  l_trPart=position(l_pPart,world)",
+            "flange.trsf.z=10\n  l_trPart=position(tGrip,flange)",
+            "flange.trsf.z=0\n  l_trPart=position(tGrip,flange)",
+            "world.trsf.x=10\n  l_trPart=position(fTable,world)",
         ],
-        expect![[""]],
+        expect![[r#"
+            -1 l_trPart=tGrip.trsf
+            160 flange.trsf.z=10; l_trPart=position(tGrip,flange)
+            -1 flange.trsf.z=0; l_trPart=position(tGrip,flange)
+            161 world.trsf.x=10; l_trPart=position(fTable,world)
+        "#]],
     );
 }
 
@@ -59,6 +64,17 @@ fn references() {
             "link(tGrip,l_tPart)",
             "link(pFree,l_fPart)",
         ],
-        expect![[""]],
+        expect![[r#"
+            -1 l_trPart=position(pFree,world)
+            162 l_trPart=position(l_pPart,world)
+            -1 l_trPart=position(fTable,world)
+            163 l_trPart=position(l_fPart,world)
+            -1 l_trPart=position(tGrip,flange)
+            164 l_trPart=position(l_tPart,flange)
+            -1 link(l_fPart,world); l_trPart=position(l_fPart,world)
+            165 link(fTable,l_fPart)
+            165 link(tGrip,l_tPart)
+            165 link(pFree,l_fPart)
+        "#]],
     );
 }

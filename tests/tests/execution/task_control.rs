@@ -99,82 +99,112 @@ end
 
 #[test]
 fn a_task_goes_on_at_its_line() {
-    resumed("0", expect![[r#"
+    resumed(
+        "0",
+        expect![[r#"
         error 10
         -1
         -1
         12-245
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_task_goes_on_further_down() {
-    resumed("1", expect![[r#"
+    resumed(
+        "1",
+        expect![[r#"
         error 10
         -1
         -1
         1245
-    "#]]);
-    resumed("2", expect![[r#"
+    "#]],
+    );
+    resumed(
+        "2",
+        expect![[r#"
         error 10
         -1
         -1
         125
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_task_goes_on_further_up() {
-    resumed("-1", expect![[r#"
+    resumed(
+        "-1",
+        expect![[r#"
         error 10
         -1
         -1
         122-245
-    "#]]);
-    resumed("-2", expect![[r#"
+    "#]],
+    );
+    resumed(
+        "-2",
+        expect![[r#"
         error 10
         -1
         -1
         1212-245
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
 fn a_task_cannot_go_on_outside_of_its_program() {
-    resumed("-3", expect![[r#"
+    resumed(
+        "-3",
+        expect![[r#"
         error 10
         error 90
         90
         10
         12
-    "#]]);
-    resumed("3", expect![[r#"
+    "#]],
+    );
+    resumed(
+        "3",
+        expect![[r#"
         error 10
         -1
         -1
         12
-    "#]]);
-    resumed("-4", expect![[r#"
+    "#]],
+    );
+    resumed(
+        "-4",
+        expect![[r#"
         error 10
         error 90
         90
         10
         12
-    "#]]);
-    resumed("4", expect![[r#"
+    "#]],
+    );
+    resumed(
+        "4",
+        expect![[r#"
         error 10
         error 90
         90
         10
         12
-    "#]]);
-    resumed("-1000", expect![[r#"
+    "#]],
+    );
+    resumed(
+        "-1000",
+        expect![[r#"
         error 10
         error 90
         90
         10
         12
-    "#]]);
+    "#]],
+    );
 }
 
 #[test]
