@@ -46,7 +46,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
         Opened::Faulty(code) => return Ok(code),
     };
     let mut record = Record::open(args.events.as_deref())?;
-    let mut console = Console::new(color, !record.takes_stdout());
+    let mut console = Console::new(color, !record.takes_stdout())?;
     let end = until_the_end(args, &mut controller, &mut |what| {
         record.write(what)?;
         console.show(what)

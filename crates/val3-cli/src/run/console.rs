@@ -9,7 +9,9 @@ use val3_machine::screen::{COLUMNS, Pendant, display_columns};
 
 use crate::args::Color;
 use crate::format::human;
+use crate::opening::current_folder;
 use crate::output::{to_stderr_in_color, to_stdout};
+use crate::paths::Paths;
 use crate::user_error::UserError;
 
 /// The standard output and error output.
@@ -17,13 +19,15 @@ pub(crate) struct Console {
     color: Color,
     /// The standard output is free for what the application says.
     speaks: bool,
+    paths: Paths,
     /// Tasks that an error has stopped and that were not seen to go on or end by the doing of others.
     failed: Vec<String>,
 }
 
 impl Console {
-    pub(crate) fn new(color: Color, speaks: bool) -> Self {
-        Self { color, speaks, failed: Vec::new() }
+    pub(crate) fn new(color: Color, speaks: bool) -> Result<Self, UserError> {
+        let paths = Paths::new(&[], &current_folder()?);
+        Ok(Self { color, speaks, paths, failed: Vec::new() })
     }
 
     /// A task has ended in an error that no other task has cared for.
@@ -70,7 +74,8 @@ impl Console {
         let error = runtime_errors::find(code);
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
         let help = error.map_or("", |error| error.long);
-        let fault = human::Fault { code, message, help, path: file, line };
+        let path = self.paths.shown(file.into());
+        let fault = human::Fault { code, message, help, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 

@@ -6,12 +6,14 @@
 mod baseline;
 mod check;
 mod configuration;
+mod eval;
 mod explain;
 mod faulty_cell;
 mod fixes;
 mod fmt;
 mod formats;
 mod lsp;
+mod run;
 mod statistics;
 mod support;
 mod usage;

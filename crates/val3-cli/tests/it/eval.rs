@@ -1,0 +1,59 @@
+//! `val3 eval`.
+
+use std::io::Write as _;
+use std::process::Stdio;
+
+use crate::support::{CLEAN, Folder};
+
+/// What comes of texts, with the exit code last.
+fn answers(arguments: &[&str]) -> String {
+    let run = Folder::empty().val3(&[&["eval"], arguments].concat());
+    format!("{}{}{}", run.stdout, run.stderr, run.code)
+}
+
+#[test]
+fn values_are_shown() {
+    assert_eq!(answers(&["1+2*3", "\"a\"+\"b\"", "1<2"]), "7\n\"ab\"\ntrue\n0");
+}
+
+#[test]
+fn texts_share_their_variables() {
+    assert_eq!(answers(&["--local", "num nVal", "nVal=4", "nVal=nVal*2", "nVal"]), "8\n0");
+}
+
+#[test]
+fn what_is_wrong_is_said_and_the_rest_goes_on() {
+    insta::assert_snapshot!(answers(&["1/0", "sqrt(-1)", "2+", "\"a\"+1", "nNothing", "5"]));
+}
+
+#[test]
+fn an_application_lends_its_data() {
+    let folder = Folder::with(CLEAN);
+    let run = folder.val3(&["eval", "--app", "usrapp/main", "nCount", "nCount=nCount+2", "nCount"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, "0\n2\n"), "{run:?}");
+}
+
+#[test]
+fn lines_of_the_standard_input_are_texts() {
+    let folder = Folder::empty();
+    let mut command = folder.command(&["eval"]);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(b"1+1\n\n2+2\n1/0\n").unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(1));
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), "2\n4\nerror 10: division by zero\n");
+}
+
+#[test]
+fn wrong_usage() {
+    for (arguments, word) in [
+        (&["eval", "--app", "no/such", "1"][..], "no/such"),
+        (&["eval", "--local", "number n", "1"], "number"),
+        (&["eval", "--arm", "none", "1"], "none"),
+    ] {
+        let run = Folder::empty().val3(arguments);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{arguments:?} {run:?}");
+        assert!(run.stderr.contains(word), "{arguments:?} {run:?}");
+    }
+}

@@ -1,0 +1,140 @@
+//! How an application begins and ends (2.1.3, 5.2).
+
+use expect_test::expect;
+use val3_machine::event::What;
+use val3_tests::running::Running;
+
+use crate::check;
+
+/// What tasks do and `?` prints, a line each.
+fn story(running: &Running) -> String {
+    let line = |what: &What| match what {
+        What::Task { state, name, .. } => Some(format!("{name} {state}\n")),
+        What::Print { text } => Some(format!("{text}\n")),
+        _ => None,
+    };
+    running.events.iter().filter_map(|event| line(&event.what)).collect()
+}
+
+#[test]
+fn stop_runs_when_the_last_task_has_ended() {
+    let running = Running::start(
+        r#"
+        program work()
+        begin
+          delay(2)
+          ? clock()
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          ? taskStatus("~main")
+        end
+        program stop()
+        begin
+          ? taskStatus("~main")
+          call start()
+        end
+        "#,
+    );
+    expect![[r#"
+        ~main created
+        work created
+        1
+        ~main ended
+        2
+        work ended
+        ~main created
+        1
+        work created
+        1
+        ~main ended
+        work killed
+    "#]]
+    .assert_eq(&story(&running.to_the_end()));
+}
+
+#[test]
+fn start_and_stop_can_be_called() {
+    check(
+        r#"
+        bool bAgain
+        program start()
+        begin
+          ? "start"
+          if !bAgain
+            bAgain=true
+            call start()
+            call stop()
+            ? "the application goes on"
+          endIf
+        end
+        program stop()
+        begin
+          ? "stop"
+        end
+        "#,
+        expect![[r#"
+            start
+            start
+            stop
+            the application goes on
+            stop
+        "#]],
+    );
+}
+
+const STOPPED: &str = r#"
+    program work()
+    begin
+      while true
+        delay(1)
+      endWhile
+    end
+    program start()
+    begin
+      taskCreate "z",10,work()
+      taskCreate "a",10,work()
+      delay(100)
+    end
+    program stop()
+    begin
+      ? clock()
+      ? taskStatus("z")
+      taskCreate "m",10,work()
+      delay(3)
+      ? clock()
+    end
+    "#;
+
+#[test]
+fn stopped_from_outside_it_kills_tasks_in_the_reverse_order() {
+    let mut running = Running::start(STOPPED).for_seconds(5);
+    running.controller.stop();
+    expect![[r#"
+        ~main created
+        z created
+        a created
+        ~main killed
+        ~main created
+        5
+        1
+        m created
+        8
+        ~main ended
+        m killed
+        a killed
+        z killed
+    "#]]
+    .assert_eq(&story(&running.to_the_end()));
+}
+
+#[test]
+fn equal_applications_have_equal_records() {
+    let bytes = || {
+        let running = Running::start(STOPPED).for_seconds(5);
+        running.events.iter().map(|event| serde_json::to_string(event).unwrap() + "\n").collect::<String>()
+    };
+    assert!(bytes().len() > 100);
+    assert_eq!(bytes(), bytes());
+}

@@ -1,0 +1,53 @@
+//! Programs as they run: statements, data and parameters (chapter 2), tasks (chapter 5), and the run-time errors that
+//! need no arm.
+
+use expect_test::Expect;
+use val3_tests::running::Running;
+
+mod data;
+mod data_errors;
+mod life_cycle;
+mod other_errors;
+mod parameters;
+mod stack;
+mod statements;
+mod synchronization;
+mod synchronous;
+mod task_control;
+mod task_errors;
+mod turns;
+mod waiting;
+
+/// What an application prints until it has ended, and the numbers of the errors of its tasks.
+#[track_caller]
+fn check(listing: &str, expected: Expect) {
+    expected.assert_eq(&Running::start(listing).to_the_end().printed());
+}
+
+/// What each line can use.
+const LOCALS: &str = "  num l_nValue\n  bool l_bFlag\n  string l_sText\n  point l_pPart\n  frame l_fPart\n  tool l_tPart\n  trsf l_trPart\n";
+
+/// What `taskStatus` tells of lines, each executed by a task of its own: -1 for one without error.
+///
+/// A line can use `LOCALS` and the programs `work`, `take` and `takeAll`.
+#[track_caller]
+fn errors(data: &str, lines: &[&str], expected: Expect) {
+    let programs =
+        lines.iter().enumerate().map(|(at, line)| format!("program line{at}()\n{LOCALS}begin\n  {line}\nend\n"));
+    let tries = lines.iter().enumerate().map(|(at, line)| {
+        let name = line.replace('"', "'").replace("\n ", ";");
+        format!(
+            "  taskCreate \"line\",100,line{at}()\n  wait(taskStatus(\"line\")!=1)\n  \
+             ? toString(\"\",taskStatus(\"line\"))+\" {name}\"\n  taskKill(\"line\")\n"
+        )
+    });
+    let listing = format!(
+        "{data}\nprogram work()\nbegin\n  delay(1)\nend\nprogram take(num& x_nValue)\nbegin\nend\n\
+         program takeAll(num& x_nValue[])\nbegin\nend\n{}program start()\nbegin\n{}end\n",
+        programs.collect::<String>(),
+        tries.collect::<String>()
+    );
+    let printed = Running::start(&listing).to_the_end().printed();
+    let printed: Vec<&str> = printed.lines().filter(|line| !line.starts_with("error ")).collect();
+    expected.assert_eq(&(printed.join("\n") + "\n"));
+}

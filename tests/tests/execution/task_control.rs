@@ -1,0 +1,349 @@
+//! Tasks that others halt, resume and kill (5.2, 5.10).
+
+use expect_test::{Expect, expect};
+
+use crate::check;
+
+#[test]
+fn the_states_of_a_task() {
+    check(
+        r#"
+        num nZero
+        program work()
+        begin
+          delay(1)
+          nZero=1/nZero
+        end
+        program start()
+        begin
+          ? taskStatus("work")
+          taskCreate "work",10,work()
+          ? taskStatus("work")
+          delay(0.5)
+          ? taskStatus("work")
+          taskSuspend("work")
+          ? taskStatus("work")
+          taskSuspend("work")
+          taskResume("work",0)
+          ? taskStatus("work")
+          delay(1)
+          ? taskStatus("work")
+          ? help(taskStatus("work"))!=""
+          taskSuspend("work")
+          ? taskStatus("work")
+          nZero=1
+          taskResume("work",0)
+          delay(0)
+          ? taskStatus("work")
+          taskKill("work")
+          ? taskStatus("~main")
+        end
+        "#,
+        expect![[r#"
+            -1
+            1
+            1
+            0
+            1
+            error 10
+            10
+            true
+            10
+            -1
+            1
+        "#]],
+    );
+}
+
+/// A task stops in the third of five lines and goes on so many lines behind it.
+#[track_caller]
+fn resumed(skip: &str, expected: Expect) {
+    let listing = format!(
+        r#"
+string sTrace
+num nZero
+num nResume
+program work()
+begin
+  sTrace=sTrace+"1"
+  // no line
+
+  sTrace=sTrace+"2"
+  sTrace=sTrace+toString("",1/nZero)
+  sTrace=sTrace+"4"
+
+  sTrace=sTrace+"5"
+end
+program ask()
+begin
+  taskResume("work",{skip})
+end
+program start()
+begin
+  taskCreate "work",10,work()
+  wait(taskStatus("work")==10)
+  nZero=-0.5
+  taskCreate "ask",10,ask()
+  wait(taskStatus("ask")!=1)
+  ? taskStatus("ask")
+  wait(taskStatus("work")!=1)
+  ? taskStatus("work")
+  ? sTrace
+  taskKill("work")
+  taskKill("ask")
+end
+"#
+    );
+    check(&listing, expected);
+}
+
+#[test]
+fn a_task_goes_on_at_its_line() {
+    resumed(
+        "0",
+        expect![[r#"
+        error 10
+        -1
+        -1
+        12-245
+    "#]],
+    );
+}
+
+#[test]
+fn a_task_goes_on_further_down() {
+    resumed(
+        "1",
+        expect![[r#"
+        error 10
+        -1
+        -1
+        1245
+    "#]],
+    );
+    resumed(
+        "2",
+        expect![[r#"
+        error 10
+        -1
+        -1
+        125
+    "#]],
+    );
+}
+
+#[test]
+fn a_task_goes_on_further_up() {
+    resumed(
+        "-1",
+        expect![[r#"
+        error 10
+        -1
+        -1
+        122-245
+    "#]],
+    );
+    resumed(
+        "-2",
+        expect![[r#"
+        error 10
+        -1
+        -1
+        1212-245
+    "#]],
+    );
+}
+
+#[test]
+fn a_task_cannot_go_on_outside_of_its_program() {
+    resumed(
+        "-3",
+        expect![[r#"
+        error 10
+        error 90
+        90
+        10
+        12
+    "#]],
+    );
+    resumed(
+        "3",
+        expect![[r#"
+        error 10
+        -1
+        -1
+        12
+    "#]],
+    );
+    resumed(
+        "-4",
+        expect![[r#"
+        error 10
+        error 90
+        90
+        10
+        12
+    "#]],
+    );
+    resumed(
+        "4",
+        expect![[r#"
+        error 10
+        error 90
+        90
+        10
+        12
+    "#]],
+    );
+    resumed(
+        "-1000",
+        expect![[r#"
+        error 10
+        error 90
+        90
+        10
+        12
+    "#]],
+    );
+}
+
+#[test]
+fn a_task_that_runs_is_not_resumed() {
+    check(
+        r#"
+        string sTrace
+        program work()
+        begin
+          sTrace=sTrace+"1"
+          delay(1)
+          sTrace=sTrace+"2"
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          delay(0.5)
+          taskResume("work",-1)
+          wait(taskStatus("work")==-1)
+          ? sTrace
+        end
+        "#,
+        expect![[r#"
+            12
+        "#]],
+    );
+}
+
+#[test]
+fn a_halted_task_waits_on() {
+    check(
+        r#"
+        program work()
+        begin
+          delay(1)
+          ? clock()
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          delay(0.5)
+          taskSuspend("work")
+          delay(0.2)
+          taskResume("work",0)
+          wait(taskStatus("work")==-1)
+          ? clock()
+        end
+        "#,
+        expect![[r#"
+            1
+            1
+        "#]],
+    );
+}
+
+#[test]
+fn a_killed_task_is_gone_and_its_name_free() {
+    check(
+        r#"
+        program work(num x_nValue)
+        begin
+          delay(1)
+          ? x_nValue
+        end
+        program start()
+        begin
+          taskCreate "work",10,work(1)
+          taskKill("work")
+          ? taskStatus("work")
+          taskCreate "work",10,work(2)
+          taskKill("nothing")
+          wait(taskStatus("work")==-1)
+        end
+        "#,
+        expect![[r#"
+            -1
+            2
+        "#]],
+    );
+}
+
+#[test]
+fn a_task_halts_and_kills_itself() {
+    check(
+        r#"
+        program work()
+        begin
+          taskSuspend("work")
+          ? "resumed"
+          taskKill("work")
+          ? "never"
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          delay(1)
+          ? taskStatus("work")
+          taskResume("work",1)
+          delay(1)
+          ? taskStatus("work")
+        end
+        "#,
+        expect![[r#"
+            0
+            resumed
+            -1
+        "#]],
+    );
+}
+
+#[test]
+fn a_task_keeps_the_values_it_was_given() {
+    check(
+        r#"
+        string sMessage
+        program read(string& x_sMessage)
+        begin
+          delay(0.1)
+          x_sMessage="read"
+        end
+        program late(num x_nValue)
+        begin
+          delay(1)
+          ? x_nValue
+        end
+        program start()
+          num l_nValue
+        begin
+          taskCreate "t1",10,read(sMessage)
+          wait(taskStatus("t1")==-1)
+          ? sMessage
+          l_nValue=3
+          taskCreate "t2",10,late(l_nValue+1)
+          l_nValue=100
+        end
+        "#,
+        expect![[r#"
+            read
+            4
+        "#]],
+    );
+}
