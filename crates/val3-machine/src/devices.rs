@@ -6,6 +6,7 @@ mod io;
 mod libraries;
 mod lines;
 mod media;
+mod motion;
 mod robot;
 mod saving;
 mod screen;
@@ -28,6 +29,7 @@ pub use io::NoSignal;
 
 use instances::Held;
 pub use lines::Lines;
+pub use motion::StandingArm;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
@@ -39,6 +41,8 @@ pub struct Devices {
     pub pendant: Pendant,
     /// Power, modes and speed.
     pub robot: Robot,
+    /// The arm.
+    pub arm: StandingArm,
     /// The event log.
     pub log: EventLog,
     /// Users.
@@ -124,6 +128,7 @@ impl Devices {
             lines: Lines::default(),
             pendant: Pendant::default(),
             robot: Robot::default(),
+            arm: StandingArm::default(),
             log: EventLog::default(),
             profiles: Profiles::default(),
             languages: Languages::default(),
