@@ -63,6 +63,8 @@ pub struct Devices {
     pub libraries: Box<dyn Libraries>,
     /// What has happened and was not taken yet.
     events: Vec<Event>,
+    /// A task was at an instruction that is not there.
+    pub(crate) lacks: bool,
     /// Where the calls of ports come from.
     origin: Origin,
     /// The names of tasks.
@@ -139,6 +141,7 @@ impl Devices {
             files: OpenFiles::default(),
             libraries,
             events: Vec::new(),
+            lacks: false,
             origin: Origin::default(),
             names: BTreeMap::new(),
             readings: BTreeMap::new(),

@@ -39,3 +39,8 @@ fn it_is_held_until_a_program_lets_it_go() {
     assert!(!is_held("  stopMove()\n  restartMove()"));
     assert!(!is_held("  stopMove()\n  resetMotion()"));
 }
+
+#[test]
+fn a_move_ends_the_run_at_its_line() {
+    check("tool tHand\njoint jPark\nmdesc mFast\n  ? 1\n  movej(jPark,tHand,mFast)\n  ? 2", "1\nline 6: no movej\n");
+}
