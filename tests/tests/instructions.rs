@@ -1,5 +1,7 @@
 //! What instructions do, as programs see it: the examples and results of the manual, run on a controller.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+
 #[path = "instructions/controller.rs"]
 mod controller;
 #[path = "instructions/io.rs"]

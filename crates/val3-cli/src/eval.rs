@@ -15,6 +15,11 @@ use scope::{Answer, Scope};
 
 /// Runs the command; the exit code says whether every text could be evaluated.
 pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> {
+    if let Some(option) = args.texts.iter().find(|text| is_option(text)) {
+        return Err(
+            UserError::new(format!("`{option}` stands behind a text")).with_help("write options before the texts")
+        );
+    }
     let mut scope = Scope::open(args)?;
     if args.texts.is_empty() && io::stdin().is_terminal() {
         return prompt::run(&mut scope, color);
@@ -25,6 +30,11 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
         sound &= evaluate(&mut scope, text, color)?;
     }
     Ok(if sound { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Texts may begin with a hyphen (`-nA`), so that an option behind one would be taken for a text.
+fn is_option(text: &str) -> bool {
+    ["--local", "--app", "--arm"].contains(&text.split('=').next().unwrap_or_default())
 }
 
 fn lines_of_stdin() -> Result<Vec<String>, UserError> {

@@ -1,9 +1,11 @@
 //! `val3 run`: an application on the embedded controller.
 
+mod arm;
 mod console;
 mod images;
 mod lines;
 mod opening;
+mod outside;
 mod pace;
 mod record;
 

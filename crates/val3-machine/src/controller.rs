@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
-use val3_lang::ports::Time;
+use val3_lang::ports::{Origin, Ports, TaskNumber, Time};
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
@@ -86,6 +86,7 @@ impl Controller {
         let Some(instance) = self.vm.space.instance(self.application) else { return false };
         let (name, number) = (task_name(&instance.image), instance.image.program(program));
         let Some(number) = number else { return false };
+        self.devices.origin(self.outside_origin(self.application, number, 0));
         let started = self.vm.start(&name, (self.application, number), PRIORITY, &mut self.devices);
         started.is_ok()
     }
@@ -98,7 +99,7 @@ impl Controller {
             let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
             let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
             if let Some(start) = start {
-                self.vm.kill(start, &mut self.devices);
+                self.kill(start);
             }
             self.begin_stop();
         }
@@ -108,6 +109,20 @@ impl Controller {
     #[must_use]
     pub fn was_stopped(&self) -> bool {
         self.stopped
+    }
+
+    /// Kills a task from outside, where it is.
+    fn kill(&mut self, id: TaskNumber) {
+        let thread = self.vm.tasks().iter().find(|task| task.id == id).map(|task| &task.thread);
+        if let Some((frame, line)) = thread.and_then(|thread| Some((thread.frames.last()?, thread.line))) {
+            self.devices.origin(self.outside_origin(frame.instance, frame.program, line));
+        }
+        self.vm.kill(id, &mut self.devices);
+    }
+
+    /// Where something happens now that no task does.
+    fn outside_origin(&self, instance: InstanceId, program: u16, line: u32) -> Origin {
+        Origin { time: self.schedule.now, task: TaskNumber::default(), instance: instance.0, program, line }
     }
 
     /// Lets `stop` run.
@@ -133,7 +148,7 @@ impl Controller {
     /// Kills all tasks, the newest first.
     pub fn kill_tasks(&mut self) {
         while let Some(task) = self.vm.tasks().last().map(|task| task.id) {
-            self.vm.kill(task, &mut self.devices);
+            self.kill(task);
         }
     }
 

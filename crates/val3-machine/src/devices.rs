@@ -73,8 +73,6 @@ pub struct Devices {
     readings: BTreeMap<TaskNumber, ReadingId>,
     /// What is in memory, by the number of the instance.
     instances: Vec<Option<Held>>,
-    /// The images in memory, by the number of their instance.
-    images: Vec<Arc<Image>>,
     /// Their files as they were loaded, by the number of their instance.
     sources: BTreeMap<u16, LibraryFiles>,
     /// The library that was read last, until it comes into memory.
@@ -146,7 +144,6 @@ impl Devices {
             names: BTreeMap::new(),
             readings: BTreeMap::new(),
             instances: Vec::new(),
-            images: Vec::new(),
             sources: BTreeMap::new(),
             read: None,
         }

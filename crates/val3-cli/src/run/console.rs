@@ -5,7 +5,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::{instructions, motion, runtime_errors};
 use val3_machine::event::{Event, What};
-use val3_machine::screen::Pendant;
+use val3_machine::screen::{COLUMNS, Pendant, display_columns};
 
 use crate::args::Color;
 use crate::format::human;
@@ -89,10 +89,11 @@ impl Console {
     /// The user page that the pendant shows.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
-        let width = 40;
+        let width = COLUMNS;
+        let padded = |line: String| format!("{line}{:1$}", "", width.saturating_sub(display_columns(&line)));
         to_stdout(self.color, |out: &mut dyn WriteColor| -> io::Result<()> {
             writeln!(out, "+{:-<width$}+", "")?;
-            page.lines().try_for_each(|line| writeln!(out, "|{line}|"))?;
+            page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
             writeln!(out, "+{:-<width$}+", "")
         })
     }

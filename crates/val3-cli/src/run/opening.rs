@@ -4,14 +4,13 @@ use std::process::ExitCode;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
-use val3_analysis::items::project::folder;
+use val3_analysis::items::project::{folder, items};
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 use val3_machine::files::Roots;
-use val3_machine::script::Script;
 
 use super::images::Images;
-use super::lines;
+use super::{arm, lines, outside};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::{self, Format};
@@ -30,9 +29,13 @@ pub(crate) enum Opened {
 
 /// Reads, checks and compiles the application.
 pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
-    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let manifest = manifest(args)?;
+    let request = Request { asked: vec![manifest.clone()], ..Request::default() };
     let mut session = Session::open(&request)?;
-    let project = only_application(&session, &args.application)?;
+    let project = only_application(&session, &manifest, None)?;
+    if let Some(name) = &args.arm {
+        arm::set(session.db_mut(), project, name)?;
+    }
     if show_errors(&mut session, color)? {
         return Ok(Opened::Faulty(ExitCode::FAILURE));
     }
@@ -40,32 +43,19 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let image = val3_compile::compile(db, project).map_err(|error| UserError::new(error.to_string()))?;
     let (roots, path, disk) = roots(db, project, args)?;
     let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
+    outside::declare_io(&mut devices, db, project);
     lines::connect(&mut devices.lines, &disk, args)?;
-    declare_io(db, project, &mut devices);
-    devices.pendant.type_when_asked(args.keys.iter().copied());
-    if let Some(speed) = args.monitor_speed {
-        devices.robot.turn_speed(f64::from(speed));
-    }
     let mut controller = Controller::new(devices, image.into(), path, args.line_cost);
-    if let Some(path) = &args.script {
-        controller.follow(script(path)?);
-    }
+    outside::arrange(&mut controller, args)?;
     started(controller, args)
 }
 
-/// Inputs and outputs as the cell has them.
-fn declare_io(db: &Database, project: Project, devices: &mut Devices) {
-    let Some(cell) = project.cell(db) else { return };
-    for (device, signals) in &cell.config(db).io {
-        devices.declare_io(device, signals.iter().map(|(name, base)| (name.as_str(), *base)));
-    }
-}
-
-fn script(path: &Utf8Path) -> Result<Script, UserError> {
-    let text = std::fs::read_to_string(path).map_err(|error| {
-        UserError::new(format!("cannot read the script `{path}`: {error}")).with_help("name a TOML file")
-    })?;
-    Script::parse(&text).map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
+/// The project file of the application, so that faults of others beside it do not count.
+fn manifest(args: &RunArgs) -> Result<Utf8PathBuf, UserError> {
+    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let session = Session::open(&request)?;
+    let project = only_application(&session, &args.application, Some(&args.program))?;
+    Ok(project.manifest(session.db()).path(session.db()).clone())
 }
 
 fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
@@ -76,15 +66,22 @@ fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserErr
     Ok(Opened::Ready(Box::new(controller)))
 }
 
-pub(crate) fn only_application(session: &Session<'_>, asked: &Utf8Path) -> Result<Project, UserError> {
-    let projects = session.projects();
-    let db = session.db();
-    match projects {
-        [project] => Ok(*project),
-        _ => {
-            let names: Vec<&str> = projects.iter().filter_map(|project| folder(db, *project).file_name()).collect();
+/// The application that is meant: the only one there, or the only one with a program of this name.
+pub(crate) fn only_application(
+    session: &Session<'_>,
+    asked: &Utf8Path,
+    program: Option<&str>,
+) -> Result<Project, UserError> {
+    let (projects, db) = (session.projects(), session.db());
+    let has_program = |project: &&Project| program.is_some_and(|name| items(db, **project).programs.contains_key(name));
+    let starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
+    match (projects, starting.as_slice()) {
+        ([project], _) | (_, [project]) => Ok(*project),
+        (_, several) => {
+            let shown = if several.is_empty() { projects } else { several };
+            let names: Vec<&str> = shown.iter().filter_map(|project| folder(db, *project).file_name()).collect();
             let help = format!("name the folder of one of them: {}", names.join(", "));
-            Err(UserError::new(format!("`{asked}` holds {} applications", projects.len())).with_help(help))
+            Err(UserError::new(format!("`{asked}` holds {} applications", shown.len())).with_help(help))
         }
     }
 }

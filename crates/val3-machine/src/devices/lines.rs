@@ -15,10 +15,13 @@ pub struct Lines {
     /// What tasks are sending.
     pub(super) sending: BTreeMap<TaskNumber, Sending>,
     /// What lines have answered since it was taken, if they are recorded.
-    told: Option<Rc<RefCell<Vec<(String, Entry)>>>>,
+    told: Option<Told>,
     /// What lines answer instead of those outside.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
 }
+
+/// Answers with the links of the lines that gave them; each recorder holds it too.
+type Told = Rc<RefCell<Vec<(String, Entry)>>>;
 
 /// A line by the text of its link.
 struct Known {

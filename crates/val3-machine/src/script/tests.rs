@@ -34,6 +34,15 @@ fn entries_happen_in_the_order_of_their_times() {
 #[test]
 fn what_is_wrong_is_shown_where_it_stands() {
     check_error(
+        "[[at]]\nt = \"1.5\"",
+        expect![[r#"
+        TOML parse error at line 2, column 5
+          |
+        2 | t = "1.5"
+          |     ^^^^^
+        write a number"#]],
+    );
+    check_error(
         "[[at]]\nt = 1\nky = 270",
         expect![[r#"
         TOML parse error at line 3, column 1

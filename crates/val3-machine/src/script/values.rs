@@ -8,15 +8,22 @@ use val3_lang::ports::{SECOND, Time};
 use super::keys::{key_codes, typed_keys};
 use crate::controller_state::WorkingMode;
 
+/// A number, with a message of its own for anything else.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "write a number")]
+enum Amount {
+    Number(f64),
+}
+
 /// A time since the start.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(try_from = "f64")]
+#[serde(try_from = "Amount")]
 pub(super) struct Seconds(f64);
 
-impl TryFrom<f64> for Seconds {
+impl TryFrom<Amount> for Seconds {
     type Error = String;
 
-    fn try_from(seconds: f64) -> Result<Self, String> {
+    fn try_from(Amount::Number(seconds): Amount) -> Result<Self, String> {
         let suits = (0.0..=1e9).contains(&seconds);
         suits.then_some(Self(seconds)).ok_or_else(|| format!("{seconds} is no time: write seconds since the start"))
     }
@@ -115,13 +122,13 @@ pub(super) struct Fault {
 
 /// A percentage.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-#[serde(try_from = "f64")]
+#[serde(try_from = "Amount")]
 pub(super) struct Percent(pub(super) f64);
 
-impl TryFrom<f64> for Percent {
+impl TryFrom<Amount> for Percent {
     type Error = String;
 
-    fn try_from(speed: f64) -> Result<Self, String> {
+    fn try_from(Amount::Number(speed): Amount) -> Result<Self, String> {
         let suits = (0.0..=100.0).contains(&speed);
         suits.then_some(Self(speed)).ok_or_else(|| format!("the monitor speed is 0 to 100 %, not {speed}"))
     }
