@@ -87,7 +87,7 @@ impl Running {
         self.events.append(&mut self.controller.devices.take_events());
         let wake = match step {
             Step::Busy => return true,
-            Step::Finished => return false,
+            Step::Finished | Step::Lacking => return false,
             Step::Stuck => None,
             Step::Idle(wake) => wake,
         };
@@ -102,6 +102,7 @@ impl Running {
         let line = |event: &Event| match &event.what {
             What::Print { text } => Some(format!("{text}\n")),
             What::Error { code, .. } => Some(format!("error {code}\n")),
+            What::Lacking { instruction, line, .. } => Some(format!("line {line}: no {instruction}\n")),
             _ => None,
         };
         self.events.iter().filter_map(line).collect()

@@ -6,6 +6,8 @@
 mod controller;
 #[path = "instructions/io.rs"]
 mod io;
+#[path = "instructions/motion.rs"]
+mod motion;
 #[path = "instructions/screen.rs"]
 mod screen;
 #[path = "instructions/script.rs"]

@@ -21,6 +21,7 @@ use opening::Opened;
 use pace::Pace;
 use record::Record;
 
+pub(crate) use console::lacking;
 pub(crate) use images::{Images, Laid};
 pub(crate) use lines::LineArg;
 pub(crate) use opening::only_application;
@@ -35,6 +36,8 @@ enum End {
     Finished,
     /// No task can go on.
     Stuck,
+    /// An instruction is not there.
+    Lacking,
     /// `--until`
     Limit,
 }
@@ -62,7 +65,7 @@ fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
     match end {
         End::Finished if console.has_unhandled_errors() => ExitCode::FAILURE,
         End::Finished => ExitCode::SUCCESS,
-        End::Stuck => ExitCode::FAILURE,
+        End::Stuck | End::Lacking => ExitCode::FAILURE,
         End::Limit if controller.has_failed_tasks() => ExitCode::FAILURE,
         End::Limit => ExitCode::from(EXIT_LIMIT),
     }
@@ -80,6 +83,7 @@ fn until_the_end(
         controller.devices.take_events().iter().try_for_each(&mut *tell)?;
         match step {
             Step::Finished => break End::Finished,
+            Step::Lacking => break End::Lacking,
             _ if pace.is_over(controller.now()) => break End::Limit,
             Step::Busy => pace.follow(controller.now()),
             Step::Idle(wake) if !pace.wait(controller, wake) => break End::Stuck,
@@ -90,7 +94,7 @@ fn until_the_end(
     let reason = match end {
         End::Finished if controller.was_stopped() => EndReason::Stopped,
         End::Finished => EndReason::Finished,
-        End::Stuck => EndReason::Error,
+        End::Stuck | End::Lacking => EndReason::Error,
         End::Limit => EndReason::Limit,
     };
     controller.devices.record_outside(controller.now(), What::End { reason });

@@ -3,7 +3,7 @@
 //! The program runs ahead of the arm: a move is recorded, and the arm makes it later (10.2).
 
 use crate::enumerations::Enumerator;
-use crate::instruction::{Instruction, Overload, Param, Shape};
+use crate::instruction::{Family, Instruction, Overload, Param, Shape};
 use crate::types::BaseType;
 
 /// What an instruction does to the recorded moves.
@@ -69,6 +69,12 @@ static ROLES: [(&str, MotionRole); 21] = [
 pub fn role(instruction: &Instruction) -> Option<MotionRole> {
     let at = ROLES.binary_search_by(|(name, _)| (*name).cmp(instruction.name)).ok()?;
     ROLES.get(at).map(|(_, role)| *role)
+}
+
+/// The instruction moves the arm or asks how it is built or where it is.
+#[must_use]
+pub fn needs_arm(instruction: &Instruction) -> bool {
+    matches!(instruction.family, Family::Motion | Family::Geometry | Family::Options)
 }
 
 /// The position of the target among the arguments of a move: its last point or joint.

@@ -5,12 +5,14 @@
 
 mod io;
 mod media;
+mod motion;
 mod robot;
 mod screen;
 mod serial;
 
 pub use io::{Described, Io};
 pub use media::Media;
+pub use motion::Motion;
 pub use robot::Robot;
 pub use screen::{Answer, Asked, DEFAULT_PAGE, Entry, Screen};
 
@@ -35,7 +37,7 @@ pub fn nanoseconds(seconds: f64) -> Time {
 }
 
 /// Everything outside programs and their data.
-pub trait Ports: Io + Serial + Screen + Robot + Media {
+pub trait Ports: Io + Serial + Screen + Robot + Motion + Media {
     /// Where the next calls come from. The run time tells it before each instruction.
     fn origin(&mut self, origin: Origin);
 

@@ -49,6 +49,8 @@ pub enum Step {
     Finished,
     /// No task can go on: each is halted or in error.
     Stuck,
+    /// A task is at an instruction that this controller does not have: what would happen from here on is not known.
+    Lacking,
 }
 
 impl Controller {
@@ -153,7 +155,9 @@ impl Controller {
     /// As [`step`](Self::step); the application does not stop when its tasks have ended.
     pub fn step_tasks(&mut self) -> Step {
         let cycle = self.cycle();
+        let lacks = std::mem::take(&mut self.devices.lacks);
         match cycle {
+            _ if lacks => Step::Lacking,
             _ if self.vm.tasks().is_empty() => Step::Finished,
             _ if self.is_stuck() => Step::Stuck,
             Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
@@ -164,8 +168,10 @@ impl Controller {
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
     pub fn step(&mut self) -> Step {
         let cycle = self.cycle();
+        let lacks = std::mem::take(&mut self.devices.lacks);
         self.advance_phase();
         match (self.phase, cycle) {
+            _ if lacks => Step::Lacking,
             (Phase::Stopped, _) => Step::Finished,
             _ if self.is_stuck() => Step::Stuck,
             (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),

@@ -6,6 +6,7 @@ mod io;
 mod libraries;
 mod lines;
 mod media;
+mod motion;
 mod robot;
 mod saving;
 mod screen;
@@ -28,6 +29,7 @@ pub use io::NoSignal;
 
 use instances::Held;
 pub use lines::Lines;
+pub use motion::StandingArm;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
@@ -39,6 +41,8 @@ pub struct Devices {
     pub pendant: Pendant,
     /// Power, modes and speed.
     pub robot: Robot,
+    /// The arm.
+    pub arm: StandingArm,
     /// The event log.
     pub log: EventLog,
     /// Users.
@@ -59,6 +63,8 @@ pub struct Devices {
     pub libraries: Box<dyn Libraries>,
     /// What has happened and was not taken yet.
     events: Vec<Event>,
+    /// A task was at an instruction that is not there.
+    pub(crate) lacks: bool,
     /// Where the calls of ports come from.
     origin: Origin,
     /// The names of tasks.
@@ -122,6 +128,7 @@ impl Devices {
             lines: Lines::default(),
             pendant: Pendant::default(),
             robot: Robot::default(),
+            arm: StandingArm::default(),
             log: EventLog::default(),
             profiles: Profiles::default(),
             languages: Languages::default(),
@@ -132,6 +139,7 @@ impl Devices {
             files: OpenFiles::default(),
             libraries,
             events: Vec::new(),
+            lacks: false,
             origin: Origin::default(),
             names: BTreeMap::new(),
             readings: BTreeMap::new(),

@@ -102,6 +102,17 @@ pub enum What {
         /// The file.
         file: String,
     },
+    /// A task is at an instruction that this controller does not have.
+    Lacking {
+        /// The instruction.
+        instruction: String,
+        /// The program.
+        program: String,
+        /// The line of the file, from 1.
+        line: u32,
+        /// The file.
+        file: String,
+    },
     /// An input or output has another value.
     Io {
         /// Its path.

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
+use val3_bytecode::{Handler, Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
 use val3_lang::call::{Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
@@ -386,12 +386,15 @@ impl Machine<'_> {
         frame: Frame,
         site: &InstructionSite,
     ) -> Result<Option<Stop>> {
-        let run = site.run.ok_or(Fault::INTERPRETER)?.0;
+        let now = self.now();
+        self.ports.origin(self.origin(now, frame, thread.line));
+        let Some(Handler(run)) = site.run else {
+            self.ports.lacking(&site.name);
+            return Ok(Some(Stop::Lacking));
+        };
         let scope = self.scope(frame)?;
         let arguments = scope.arguments(&site.arguments)?;
         let result = site.result.map(|operand| scope.place(operand)).transpose()?;
-        let now = self.now();
-        self.ports.origin(self.origin(now, frame, thread.line));
         let mut services = Services {
             roster: self.roster,
             instances: &mut self.space.instances,

@@ -10,6 +10,9 @@ use crate::{InstanceId, Space};
 
 /// The controller around the run time.
 pub trait Host: Ports {
+    /// The task that runs is at an instruction that this controller does not have.
+    fn lacking(&mut self, instruction: &str);
+
     /// An application or library has come into memory under a number, with its global data; events refer to it.
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
 

@@ -28,6 +28,8 @@ pub enum Stop {
     Halted,
     /// An error has stopped it.
     Failed(Fault),
+    /// It is at an instruction that the controller lacks: it cannot go on.
+    Lacking,
 }
 
 /// What a turn came to.

@@ -110,6 +110,7 @@ impl Vm {
                 task.state = TaskState::Killed;
                 host.task(id, &task.name, TaskChange::Ended);
             }
+            Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
             Stop::Budget | Stop::Waits | Stop::Halted => {}
         }
         task.thread = thread;

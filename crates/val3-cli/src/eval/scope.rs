@@ -24,7 +24,7 @@ use super::locals::Local;
 use super::sources::{self, Files, NAME};
 use crate::args::EvalArgs;
 use crate::opening::current_folder;
-use crate::run::{Images, Laid};
+use crate::run::{Images, Laid, lacking};
 use crate::user_error::UserError;
 
 /// The first code of the rules on what a text means. What they find shows when it runs; so does a constant index
@@ -167,12 +167,13 @@ impl Scope {
                     What::Print { text } if is_string => answers.push(Answer::Line(printed::string(&text))),
                     What::Print { text } => answers.push(Answer::Line(text)),
                     What::Error { code, .. } => answers.push(Answer::RunTime(worded(code))),
+                    What::Lacking { instruction, .. } => answers.push(Answer::Fault(lacking(&instruction))),
                     _ => {}
                 }
             }
             match step {
                 Step::Finished => break,
-                Step::Stuck => break self.controller.kill_tasks(),
+                Step::Stuck | Step::Lacking => break self.controller.kill_tasks(),
                 Step::Idle(Some(wake)) => self.controller.jump(wake),
                 Step::Idle(None) => {
                     answers.push(Answer::Fault("it waits for what cannot happen here".to_owned()));

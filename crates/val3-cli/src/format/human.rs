@@ -23,8 +23,8 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 /// A run-time error, for [`write_fault`].
 #[derive(Debug)]
 pub(crate) struct Fault<'a> {
-    /// Its number.
-    pub(crate) code: u16,
+    /// Its number; `None` for what no run-time error is.
+    pub(crate) code: Option<u16>,
     /// What has happened.
     pub(crate) message: String,
     /// What to do about it.
@@ -45,7 +45,8 @@ pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Re
     let start = range.start + shown.len() - shown.trim_start().len();
     let place = Place { range: start..start + shown.trim().len(), file: Arc::clone(&file) };
     let mut excerpt = Excerpt::default();
-    let mut diagnostic = Diagnostic::error().with_code(fault.code.to_string()).with_message(&fault.message);
+    let mut diagnostic = Diagnostic::error().with_message(&fault.message);
+    diagnostic.code = fault.code.map(|code| code.to_string());
     if let Some(label) = label(&mut excerpt, LabelStyle::Primary, &place, "the task stopped here") {
         diagnostic = diagnostic.with_label(label);
     }

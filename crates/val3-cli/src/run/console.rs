@@ -3,7 +3,7 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
-use val3_lang::runtime_errors;
+use val3_lang::{instructions, motion, runtime_errors};
 use val3_machine::event::{Event, What};
 use val3_machine::screen::{COLUMNS, Pendant, display_columns};
 
@@ -45,6 +45,10 @@ impl Console {
                 self.fault(event.task.as_deref().unwrap_or_default(), *code, file, *line);
                 Ok(())
             }
+            What::Lacking { instruction, line, file, .. } => {
+                self.lacking(event.task.as_deref().unwrap_or_default(), instruction, file, *line);
+                Ok(())
+            }
             What::Task { state, name, .. } => {
                 self.follow(state, name);
                 Ok(())
@@ -75,7 +79,16 @@ impl Console {
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
         let help = error.map_or("", |error| error.long);
         let path = self.paths.shown(file.into());
-        let fault = human::Fault { code, message, help, path: &path, line };
+        let fault = human::Fault { code: Some(code), message, help, path: &path, line };
+        to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
+    }
+
+    /// An instruction that is not there, with its line.
+    fn lacking(&self, task: &str, instruction: &str, file: &str, line: u32) {
+        let message = format!("{} (task `{task}`)", lacking(instruction));
+        let help = "the run has ended: what the program does from here on depends on it";
+        let path = self.paths.shown(file.into());
+        let fault = human::Fault { code: None, message, help, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
@@ -89,5 +102,14 @@ impl Console {
             page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
             writeln!(out, "+{:-<width$}+", "")
         })
+    }
+}
+
+/// What is missing for an instruction.
+pub(crate) fn lacking(instruction: &str) -> String {
+    if instructions::find(instruction).is_some_and(motion::needs_arm) {
+        format!("motion is not there yet: `{instruction}` cannot be executed")
+    } else {
+        format!("this controller does not have `{instruction}`")
     }
 }

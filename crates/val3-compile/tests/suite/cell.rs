@@ -123,7 +123,7 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
         let step = controller.step();
         events.extend(controller.devices.take_events());
         match step {
-            Step::Finished | Step::Stuck => return events,
+            Step::Finished | Step::Stuck | Step::Lacking => return events,
             Step::Idle(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
             Step::Idle(_) | Step::Busy => {}
         }

@@ -39,7 +39,7 @@ fn run(listing: &str) -> String {
             }
         }
         match step {
-            Step::Finished | Step::Stuck => return text,
+            Step::Finished | Step::Stuck | Step::Lacking => return text,
             Step::Idle(Some(wake)) => controller.jump(wake),
             Step::Idle(None) | Step::Busy => {}
         }

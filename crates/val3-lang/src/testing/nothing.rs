@@ -1,9 +1,13 @@
 //! The ports of no controller.
 
+use val3_geometry::Trsf;
+
 use super::outside::Nothing;
 use crate::fault::Result;
 use crate::memory::Place;
-use crate::ports::{Answer, Asked, Described, Io, LineValue, Media, Outgoing, Reply, Robot, Screen, Serial, Time};
+use crate::ports::{
+    Answer, Asked, Described, Io, LineValue, Media, Motion, Outgoing, Reply, Robot, Screen, Serial, Time,
+};
 use crate::types::BaseType;
 use crate::values::Text;
 use crate::values::date::DateTime;
@@ -210,6 +214,64 @@ impl Robot for Nothing {
     }
 
     fn reference_position(&mut self, _: &str) -> [f64; 6] {
+        unreachable!()
+    }
+}
+
+impl Motion for Nothing {
+    fn commanded_joint(&mut self) -> [f64; 6] {
+        unreachable!()
+    }
+
+    fn measured_joint(&mut self) -> [f64; 6] {
+        unreachable!()
+    }
+
+    fn speed(&mut self, _: &[Trsf]) -> f64 {
+        unreachable!()
+    }
+
+    fn is_empty(&mut self) -> bool {
+        unreachable!()
+    }
+
+    fn is_settled(&mut self) -> bool {
+        unreachable!()
+    }
+
+    fn is_compliant(&mut self) -> bool {
+        unreachable!()
+    }
+
+    fn arrive(&mut self) -> bool {
+        unreachable!()
+    }
+
+    fn stop_move(&mut self) {
+        unreachable!()
+    }
+
+    fn restart_move(&mut self) {
+        unreachable!()
+    }
+
+    fn reset_motion(&mut self, _: Option<[f64; 6]>) {
+        unreachable!()
+    }
+
+    fn move_id(&mut self) -> f64 {
+        unreachable!()
+    }
+
+    fn set_move_id(&mut self, _: f64) {
+        unreachable!()
+    }
+
+    fn connects_by_itself(&mut self) -> bool {
+        unreachable!()
+    }
+
+    fn connect_by_itself(&mut self, _: bool) {
         unreachable!()
     }
 }

@@ -54,6 +54,12 @@ impl Ports for Devices {
 }
 
 impl Host for Devices {
+    fn lacking(&mut self, instruction: &str) {
+        let (program, line, file) = self.place();
+        self.record(What::Lacking { instruction: instruction.to_owned(), program, line, file });
+        self.lacks = true;
+    }
+
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
         self.hold(instance, image, data);
         self.sources.remove(&instance);

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -12,5 +13,9 @@ instruction! {
     ///   putln(jNow.j1)
     /// ```
     "$getJntFbk": AddOns, with_add_on "Expansion";
-    function () -> joint;
+    function () -> joint = position;
+}
+
+fn position(call: &mut Call<'_>) -> [f64; 6] {
+    call.ports.measured_joint()
 }

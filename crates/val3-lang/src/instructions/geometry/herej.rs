@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,5 +16,9 @@ instruction! {
     ///   putln(jNow.j1)
     /// ```
     "herej": Geometry "9.2.3";
-    function () -> joint;
+    function () -> joint = position;
+}
+
+fn position(call: &mut Call<'_>) -> [f64; 6] {
+    call.ports.commanded_joint()
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -15,6 +16,14 @@ instruction! {
     ///   endIf
     /// ```
     "autoConnectMove": Motion "10.6";
-    modifier (bool bActive);
-    function () -> bool;
+    modifier (bool bActive) = choose;
+    function () -> bool = choice;
+}
+
+fn choose(call: &mut Call<'_>, active: bool) {
+    call.ports.connect_by_itself(active);
+}
+
+fn choice(call: &mut Call<'_>) -> bool {
+    call.ports.connects_by_itself()
 }

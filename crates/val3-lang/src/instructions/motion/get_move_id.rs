@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -21,5 +22,9 @@ instruction! {
     ///   doGlue=true
     /// ```
     "getMoveId": Motion "10.6";
-    function () -> num;
+    function () -> num = move_id;
+}
+
+fn move_id(call: &mut Call<'_>) -> f64 {
+    call.ports.move_id()
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -14,5 +15,12 @@ instruction! {
     ///   endIf
     /// ```
     "getPositionErr": Motion "10.6";
-    function () -> joint;
+    function () -> joint = error;
+}
+
+fn error(call: &mut Call<'_>) -> [f64; 6] {
+    let (commanded, measured) = (call.ports.commanded_joint(), call.ports.measured_joint());
+    let mut error = commanded;
+    error.iter_mut().zip(measured).for_each(|(axis, measured)| *axis -= measured);
+    error
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -11,5 +12,9 @@ instruction! {
     ///   doIdle=isEmpty()
     /// ```
     "isEmpty": Motion "10.6";
-    function () -> bool;
+    function () -> bool = is_empty;
+}
+
+fn is_empty(call: &mut Call<'_>) -> bool {
+    call.ports.is_empty()
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -16,5 +17,9 @@ instruction! {
     ///   close(tGripper)
     /// ```
     "isSettled": Motion "10.6";
-    function () -> bool;
+    function () -> bool = is_settled;
+}
+
+fn is_settled(call: &mut Call<'_>) -> bool {
+    call.ports.is_settled()
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -16,6 +17,14 @@ instruction! {
     ///   endIf
     /// ```
     "resetMotion": Motion "10.6";
-    modifier ();
-    modifier (joint jStartingPoint);
+    modifier () = reset;
+    modifier (joint jStartingPoint) = reset_to;
+}
+
+fn reset(call: &mut Call<'_>) {
+    call.ports.reset_motion(None);
+}
+
+fn reset_to(call: &mut Call<'_>, start: [f64; 6]) {
+    call.ports.reset_motion(Some(start));
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -13,5 +14,9 @@ instruction! {
     ///   restartMove()
     /// ```
     "restartMove": Motion "10.6";
-    modifier ();
+    modifier () = restart;
+}
+
+fn restart(call: &mut Call<'_>) {
+    call.ports.restart_move();
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -18,5 +19,11 @@ instruction! {
     ///   movel(pFirst,tGripper,mFast)
     /// ```
     "setMoveId": Motion "10.6";
-    modifier (num nMoveId) -> num;
+    modifier (num nMoveId) -> num = set_id;
+}
+
+/// Yields the id: the manual names no meaning of the result.
+fn set_id(call: &mut Call<'_>, id: f64) -> f64 {
+    call.ports.set_move_id(id);
+    id
 }

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -16,5 +17,9 @@ instruction! {
     ///   restartMove()
     /// ```
     "stopMove": Motion "10.6";
-    modifier ();
+    modifier () = stop;
+}
+
+fn stop(call: &mut Call<'_>) {
+    call.ports.stop_move();
 }

@@ -1,3 +1,4 @@
+use crate::call::{Call, Flow, Wait};
 use crate::declare::instruction;
 
 instruction! {
@@ -19,5 +20,9 @@ instruction! {
     ///   doLamp=true
     /// ```
     "waitEndMove": Motion "10.6", blocking, errors [150];
-    modifier ();
+    modifier () = wait;
+}
+
+fn wait(call: &mut Call<'_>) -> Flow<()> {
+    if call.ports.arrive() { Flow::Done(()) } else { Flow::Wait(Wait::FOR_OTHERS) }
 }

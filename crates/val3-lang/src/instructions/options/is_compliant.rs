@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -18,5 +19,9 @@ instruction! {
     ///   doEject=true
     /// ```
     "isCompliant": Options "11.1.5";
-    function () -> bool;
+    function () -> bool = is_compliant;
+}
+
+fn is_compliant(call: &mut Call<'_>) -> bool {
+    call.ports.is_compliant()
 }
