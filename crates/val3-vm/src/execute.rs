@@ -2,20 +2,20 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
-use val3_lang::call::{Call, Flow, Wait};
+use val3_bytecode::{CallSite, Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
+use val3_lang::call::{Argument, Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
 use val3_lang::ports::{Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
-use crate::arguments::{Arguments, Scope};
-use crate::enter::{behind, enter, leave};
+use crate::arguments::Scope;
+use crate::enter::{behind, enter, leave, pass};
 use crate::instance::Imported;
 use crate::roster::Roster;
 use crate::services::{Changes, Services};
 use crate::task::{Base, Thread};
-use crate::{Frame, Host, Instance, InstanceId, Space, Stop, TaskState};
+use crate::{Frame, Grant, Host, Instance, InstanceId, Space, Stop, TaskState};
 
 /// What the interpreter works on during one turn.
 pub(crate) struct Machine<'v> {
@@ -25,6 +25,10 @@ pub(crate) struct Machine<'v> {
     /// The task that runs.
     pub(crate) task: TaskNumber,
     pub(crate) stack_size: u32,
+    /// What it may execute.
+    pub(crate) grant: Grant,
+    /// How many lines that is.
+    pub(crate) granted: u32,
     /// Lines that may still be executed.
     pub(crate) budget: u32,
     /// The time at which the budget is used up, and what a line takes: the time now follows from both.
@@ -32,6 +36,8 @@ pub(crate) struct Machine<'v> {
     pub(crate) line_cost: Time,
     /// Something asked for the time.
     pub(crate) reads_clock: bool,
+    /// The arguments of the last instruction; their room serves the next one.
+    pub(crate) arguments: Vec<Argument>,
 }
 
 /// How the interpreter leaves a program.
@@ -300,8 +306,7 @@ impl Machine<'_> {
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     thread.next = u32::try_from(next).unwrap_or(u32::MAX);
-                    let arguments = self.scope(frame)?.arguments(&site.arguments)?;
-                    return self.call(thread, image, program, frame, (site.program, &arguments));
+                    return self.call(thread, image, program, frame, site);
                 }
                 Op::Return => return Ok(self.end_program(thread, frame)),
                 Op::CreateTask { site } => {
@@ -387,8 +392,12 @@ impl Machine<'_> {
         site: &InstructionSite,
     ) -> Result<Option<Stop>> {
         let run = site.run.ok_or(Fault::INTERPRETER)?.0;
+        let mut arguments = std::mem::take(&mut self.arguments);
         let scope = self.scope(frame)?;
-        let arguments = scope.arguments(&site.arguments)?;
+        arguments.clear();
+        for argument in &site.arguments {
+            arguments.push(scope.argument(argument)?);
+        }
         let result = site.result.map(|operand| scope.place(operand)).transpose()?;
         let now = self.now();
         self.ports.origin(self.origin(now, frame, thread.line));
@@ -403,8 +412,12 @@ impl Machine<'_> {
         let mut call = Call::new(reach, (now, thread.since), image.version, &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
+        self.arguments = arguments;
         let Services { changes, request, .. } = services;
         changes.iter().for_each(|(task, name, change)| self.ports.task(*task, name, *change));
+        if !changes.is_empty() {
+            self.end_with_turn();
+        }
         if let Some(request) = request {
             let code = self.fulfil(frame.instance, request);
             result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
@@ -456,14 +469,19 @@ impl Machine<'_> {
         image: &Arc<Image>,
         caller: &Program,
         frame: Frame,
-        (program, arguments): (ProgramRef, &Arguments),
+        site: &CallSite,
     ) -> Result<Leave> {
         let base = behind(frame.base, caller);
-        let (instance, number) = self.resolve(frame.instance, program)?;
+        let (instance, number) = self.resolve(frame.instance, site.program)?;
         let other = (instance != frame.instance).then(|| self.instance(instance)).transpose()?;
-        let image = other.map_or_else(|| Arc::clone(image), |other| Arc::clone(&other.image));
-        let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
-        enter(&mut self.space.memory, callee, base, arguments, self.stack_size)?;
+        let other = other.map(|other| Arc::clone(&other.image));
+        let callee = other.as_ref().unwrap_or(image).programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+        enter(&mut self.space.memory, callee, base, self.stack_size)?;
+        for (param, argument) in callee.params.iter().zip(&site.arguments) {
+            let passed = self.scope(frame)?.given(argument);
+            let passed = passed.and_then(|given| pass(&mut self.space.memory, base, param, given));
+            passed.inspect_err(|_| leave(&mut self.space.memory, base))?;
+        }
         thread.frames.push(Frame { instance, program: number, back: thread.next, back_line: thread.line, base });
         thread.next = 0;
         Ok(if instance == frame.instance { Leave::Program } else { Leave::Instance })
