@@ -90,11 +90,22 @@ impl Machine<'_> {
     ) -> Result<Leave> {
         let code = program.code.as_slice();
         let base = frame.base.num as usize;
+        let end = base + program.frame.lanes.num as usize;
         let mut next = thread.next as usize;
 
+        // The numbers of the frame. Whatever else reaches into the memory comes before they are looked up anew.
+        macro_rules! frame {
+            () => {
+                match self.space.memory.stack.nums.get_mut(base..end) {
+                    Some(frame) => frame,
+                    None => return Err(Fault::INTERPRETER),
+                }
+            };
+        }
+        let mut nums = frame!();
         macro_rules! get {
             ($register:expr) => {
-                match self.space.memory.stack.nums.get(base + usize::from($register)) {
+                match nums.get(usize::from($register)) {
                     Some(number) => *number,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -103,7 +114,7 @@ impl Machine<'_> {
         macro_rules! set {
             ($register:expr, $value:expr) => {{
                 let value: f64 = $value;
-                match self.space.memory.stack.nums.get_mut(base + usize::from($register)) {
+                match nums.get_mut(usize::from($register)) {
                     Some(number) => *number = value,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -127,7 +138,11 @@ impl Machine<'_> {
                         Some(store) => View::whole(*store),
                         None => return Err(Fault::INTERPRETER),
                     },
-                    _ => self.scope(frame)?.view($whole)?,
+                    _ => {
+                        let view = self.scope(frame)?.view($whole)?;
+                        nums = frame!();
+                        view
+                    }
                 }
             };
         }
@@ -196,105 +211,125 @@ impl Machine<'_> {
                 Op::TextConstant { to, constant } => {
                     let text = *program.texts.get(usize::from(constant)).ok_or(Fault::INTERPRETER)?;
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::TextMove { to, from } => {
                     let text = *self.text(frame.base, from)?;
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::Concatenate { to, a, b } => {
                     let text = *self.text(frame.base, a)? + self.text(frame.base, b)?.as_str();
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::TextEqual { to, a, b } => {
-                    set!(to, truth!(self.text(frame.base, a)? == self.text(frame.base, b)?));
+                    let equal = self.text(frame.base, a)? == self.text(frame.base, b)?;
+                    nums = frame!();
+                    set!(to, truth!(equal));
                 }
 
                 Op::LoadFirst { to, whole, lane } => {
                     let view = view!(whole);
-                    set!(to, self.space.memory.first_num(view, u32::from(lane))?);
+                    set!(to, self.space.memory.stores.first_num(view, u32::from(lane))?);
                 }
                 Op::StoreFirst { whole, lane, from } => {
                     let (view, value) = (view!(whole), get!(from));
-                    self.space.memory.set_first_num(view, u32::from(lane), value)?;
+                    self.space.memory.stores.set_first_num(view, u32::from(lane), value)?;
                 }
                 Op::LoadElement { to, whole, index } => {
                     let (view, index) = (view!(whole), get!(index));
-                    set!(to, self.space.memory.element_num(view, index)?);
+                    set!(to, self.space.memory.stores.element_num(view, index)?);
                 }
                 Op::StoreElement { whole, index, from } => {
                     let (view, index, value) = (view!(whole), get!(index), get!(from));
-                    self.space.memory.set_element_num(view, index, value)?;
+                    self.space.memory.stores.set_element_num(view, index, value)?;
                 }
                 Op::LoadElement2 { to, whole, i, j } => {
                     let (view, at) = (view!(whole), [get!(i), get!(j)]);
-                    set!(to, self.space.memory.element2_num(view.store, at)?);
+                    set!(to, self.space.memory.stores.element2_num(view.store, at)?);
                 }
                 Op::StoreElement2 { whole, i, j, from } => {
                     let (view, at, value) = (view!(whole), [get!(i), get!(j)], get!(from));
-                    self.space.memory.set_element2_num(view.store, at, value)?;
+                    self.space.memory.stores.set_element2_num(view.store, at, value)?;
                 }
 
                 Op::LocateFirst { to, whole } => {
-                    let view = view!(whole);
+                    let view = self.scope(frame)?.view(whole)?;
                     let place = self.space.memory.element(view, 0)?;
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Locate { to, whole, index } => {
                     let (view, index) = (view!(whole), get!(index));
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number1(view, index)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Locate2 { to, whole, i, j } => {
                     let (view, at) = (view!(whole), [get!(i), get!(j)]);
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number2(at)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Locate3 { to, whole, i } => {
                     let (view, at) = (view!(whole), [get!(i), get!(i + 1), get!(i + 2)]);
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number3(at)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::LocateKey { to, whole, key } => {
-                    let (view, key) = (view!(whole), *self.text(frame.base, key)?);
+                    let (view, key) = (self.scope(frame)?.view(whole)?, *self.text(frame.base, key)?);
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number_of(&key)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Field { to, place, field } => {
                     let place = self.scope(frame)?.located(place)?;
                     let view = View::whole(self.space.memory.part(place, u32::from(field))?);
                     let at = frame.base.view as usize + usize::from(to);
                     *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = view;
+                    nums = frame!();
                 }
                 Op::Load { to, place, lane } => {
                     let place = self.located(frame.base, place)?;
-                    set!(to, self.space.memory.num(place, u32::from(lane))?);
+                    let value = self.space.memory.num(place, u32::from(lane))?;
+                    nums = frame!();
+                    set!(to, value);
                 }
                 Op::Store { place, lane, from } => {
-                    let (place, value) = (self.located(frame.base, place)?, get!(from));
+                    let value = get!(from);
+                    let place = self.located(frame.base, place)?;
                     self.space.memory.set_num(place, u32::from(lane), value)?;
+                    nums = frame!();
                 }
                 Op::LoadText { to, place } => {
                     let text = *self.space.memory.text(self.located(frame.base, place)?)?;
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::StoreText { place, from } => {
                     let (place, text) = (self.located(frame.base, place)?, *self.text(frame.base, from)?);
                     self.space.memory.set_text(place, text)?;
+                    nums = frame!();
                 }
 
                 Op::Copy { site } => {
                     let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let (from, to) = self.places(frame, site.from, site.to)?;
                     self.space.memory.copy(&site.kind, from, to)?;
+                    nums = frame!();
                 }
                 Op::Compare { to, site } => {
                     let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let (a, b) = self.places(frame, site.from, site.to)?;
-                    set!(to, truth!(self.space.memory.equal(&site.kind, a, b)?));
+                    let equal = self.space.memory.equal(&site.kind, a, b)?;
+                    nums = frame!();
+                    set!(to, truth!(equal));
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
@@ -302,6 +337,7 @@ impl Machine<'_> {
                         let again = matches!(stop, Stop::Waits);
                         leave!(next - usize::from(again), Leave::Turn(stop));
                     }
+                    nums = frame!();
                 }
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
@@ -313,6 +349,7 @@ impl Machine<'_> {
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     self.ports.origin(self.origin(self.now(), frame, thread.line));
                     self.create_task(image, frame, site)?;
+                    nums = frame!();
                 }
 
                 Op::WaitUntil { condition, retry } => {
@@ -323,7 +360,9 @@ impl Machine<'_> {
                 }
                 Op::Watch { to, condition, seconds, retry } => {
                     let (holds, seconds) = (get!(condition) != 0.0, get!(seconds));
-                    match self.watch(thread, holds, seconds) {
+                    let answer = self.watch(thread, holds, seconds);
+                    nums = frame!();
+                    match answer {
                         Some(answer) => set!(to, truth!(answer)),
                         None => leave!(retry, Leave::Turn(Stop::Waits)),
                     }
