@@ -58,6 +58,7 @@ pub(crate) fn leave(memory: &mut Memory, base: Base) {
 }
 
 /// Gives a parameter of the frame at `base` its argument.
+#[inline]
 pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Given) -> Result<()> {
     let from = match argument {
         Given::Value(place) => place,
@@ -67,6 +68,10 @@ pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Giv
         },
     };
     match param.passing {
+        Passing::Value(_, lanes) if param.kind.size == Lanes::nums(1) => {
+            let value = memory.num(from, 0)?;
+            write(&mut memory.stack.nums, base.num + lanes.num, value)
+        }
         Passing::Value(_, lanes) => {
             let Base { num, text, link, part, .. } = base;
             let to = Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes);

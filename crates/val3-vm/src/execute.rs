@@ -57,14 +57,8 @@ impl Machine<'_> {
             let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
             let instance = self.instance(frame.instance)?;
             let (image, data) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
-            loop {
-                let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
-                let program = image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
-                match self.program(thread, &image, program, &data, frame)? {
-                    Leave::Program => {}
-                    Leave::Instance => break,
-                    Leave::Turn(stop) => return Ok(stop),
-                }
+            if let Leave::Turn(stop) = self.programs(thread, &image, &data)? {
+                return Ok(stop);
             }
         }
     }
@@ -77,26 +71,17 @@ impl Machine<'_> {
         self.end - Time::from(self.budget) * self.line_cost
     }
 
-    /// Executes the innermost program until it is left.
+    /// Executes programs of one application until it is left.
     #[allow(clippy::too_many_lines, reason = "one arm an operation, each of them short")]
     #[allow(clippy::neg_cmp_op_on_partial_ord, reason = "a comparison with what is no number does not hold")]
-    fn program(
-        &mut self,
-        thread: &mut Thread,
-        image: &Arc<Image>,
-        program: &Program,
-        data: &[StoreId],
-        frame: Frame,
-    ) -> Result<Leave> {
-        let code = program.code.as_slice();
-        let base = frame.base.num as usize;
-        let end = base + program.frame.lanes.num as usize;
+    fn programs(&mut self, thread: &mut Thread, image: &Arc<Image>, data: &[StoreId]) -> Result<Leave> {
+        let (mut frame, mut program) = innermost(thread, image)?;
         let mut next = thread.next as usize;
 
         // The numbers of the frame. Whatever else reaches into the memory comes before they are looked up anew.
         macro_rules! frame {
             () => {
-                match self.space.memory.stack.nums.get_mut(base..end) {
+                match self.space.memory.stack.nums.get_mut(numbers(frame, program)) {
                     Some(frame) => frame,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -147,7 +132,19 @@ impl Machine<'_> {
             };
         }
 
-        while let Some(op) = code.get(next) {
+        macro_rules! change {
+            ($leave:expr) => {{
+                let leave = $leave;
+                if !matches!(leave, Leave::Program) {
+                    return Ok(leave);
+                }
+                (frame, program) = innermost(thread, image)?;
+                next = thread.next as usize;
+                nums = frame!();
+            }};
+        }
+
+        while let Some(op) = program.code.get(next) {
             next += 1;
             match *op {
                 Op::Line => {
@@ -158,6 +155,14 @@ impl Machine<'_> {
                     thread.line = u32::try_from(next - 1).unwrap_or(u32::MAX);
                 }
                 Op::Jump { to } => next = to as usize,
+                Op::JumpToLine { to } => {
+                    if self.budget == 0 {
+                        leave!(to, Leave::Turn(Stop::Budget));
+                    }
+                    self.budget -= 1;
+                    thread.line = to;
+                    next = to as usize + 1;
+                }
                 Op::JumpUnless { condition, to } => {
                     if get!(condition) == 0.0 {
                         next = to as usize;
@@ -342,9 +347,9 @@ impl Machine<'_> {
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     thread.next = u32::try_from(next).unwrap_or(u32::MAX);
-                    return self.call(thread, image, program, frame, site);
+                    change!(self.call(thread, image, program, frame, site)?);
                 }
-                Op::Return => return Ok(self.end_program(thread, frame)),
+                Op::Return => change!(self.end_program(thread, frame)),
                 Op::CreateTask { site } => {
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     self.ports.origin(self.origin(self.now(), frame, thread.line));
@@ -546,6 +551,19 @@ impl Machine<'_> {
             Some(_) => Leave::Instance,
         }
     }
+}
+
+/// The program that the task is in.
+fn innermost<'i>(thread: &Thread, image: &'i Image) -> Result<(Frame, &'i Program)> {
+    let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
+    let program = image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
+    Ok((frame, program))
+}
+
+/// Where the numbers of a frame are among those of the stack.
+fn numbers(frame: Frame, program: &Program) -> std::ops::Range<usize> {
+    let start = frame.base.num as usize;
+    start..start + program.frame.lanes.num as usize
 }
 
 /// The remainder has the sign of the left side (3.2.2).

@@ -113,6 +113,7 @@ impl Vm {
             Stop::Ended => {
                 task.state = TaskState::Killed;
                 host.task(id, &task.name, TaskChange::Ended);
+                self.roster.any_over = true;
             }
             Stop::Budget | Stop::Waits | Stop::Halted => {}
         }
@@ -122,10 +123,10 @@ impl Vm {
 
     /// Removes the tasks that have ended or were killed, with the data of their frames.
     fn sweep(&mut self) {
-        let is_over = |task: &Task| task.state == TaskState::Killed;
-        if !self.roster.tasks.iter().any(is_over) {
+        if !std::mem::take(&mut self.roster.any_over) {
             return;
         }
+        let is_over = |task: &Task| task.state == TaskState::Killed;
         let (over, left) = std::mem::take(&mut self.roster.tasks).into_iter().partition(is_over);
         self.roster.tasks = left;
         for mut task in over {
@@ -153,6 +154,7 @@ impl Vm {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.state = TaskState::Killed;
             host.task(id, &task.name, TaskChange::Killed);
+            self.roster.any_over = true;
         }
         self.sweep();
     }

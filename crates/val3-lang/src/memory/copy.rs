@@ -46,9 +46,6 @@ impl Memory {
     /// 20 if one of the values is gone, 61 if its container is, 165 if a global would refer to a local.
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
-        if kind.size == Lanes::nums(1) {
-            return self.num(from, 0).and_then(|value| self.set_num(to, 0, value));
-        }
         if num == 6 {
             // Transformations and joints, by far the most frequent.
             let nums: [f64; 6] = self.nums(from, 0)?;
