@@ -1,8 +1,9 @@
-//! `metrics`: how large the project is, and how fast `val3 check` judges a large workspace.
+//! `metrics`: how large the project is, how fast `val3 check` judges a large workspace, and how fast applications run.
 
 mod editor;
 mod latency;
 mod long_application;
+pub mod running;
 mod speed;
 
 use std::collections::BTreeMap;
@@ -22,6 +23,9 @@ pub struct Arguments {
     /// Only measure how fast the language server answers
     #[arg(long)]
     lsp: bool,
+    /// Only measure how fast applications run, against Lua and Python
+    #[arg(long)]
+    run: bool,
     /// Measure the release binary as it is
     #[arg(long)]
     no_build: bool,
@@ -37,6 +41,9 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     }
     if arguments.lsp {
         return latency::measure(arguments.lines);
+    }
+    if arguments.run {
+        return running::measure();
     }
     print_sizes(&files::all(&project::root())?);
     if arguments.no_speed {

@@ -68,6 +68,8 @@ pub enum Op {
     Line,
     /// Goes on elsewhere.
     Jump { to: u32 },
+    /// Goes on elsewhere, where an instruction line begins: both in one.
+    JumpToLine { to: u32 },
     /// Goes on elsewhere if `condition` is false.
     JumpUnless { condition: Register, to: u32 },
     /// Goes on elsewhere if `condition` is true.
@@ -180,6 +182,7 @@ impl Op {
     pub fn target_mut(&mut self) -> Option<&mut u32> {
         match self {
             Self::Jump { to }
+            | Self::JumpToLine { to }
             | Self::JumpUnless { to, .. }
             | Self::JumpIf { to, .. }
             | Self::UnlessLess { to, .. }

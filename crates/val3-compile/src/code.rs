@@ -109,7 +109,21 @@ impl Code {
         for target in self.ops.iter_mut().filter_map(Op::target_mut) {
             *target = self.labels.get(*target as usize).copied().ok_or(Limit::Unclear)?;
         }
-        Ok(std::mem::take(&mut self.ops))
+        let mut ops = std::mem::take(&mut self.ops);
+        join_lines(&mut ops);
+        Ok(ops)
+    }
+}
+
+/// Lets a jump to a line begin that line.
+fn join_lines(ops: &mut [Op]) {
+    for at in 0..ops.len() {
+        if let Some(Op::Jump { to }) = ops.get(at).copied()
+            && ops.get(to as usize) == Some(&Op::Line)
+            && let Some(op) = ops.get_mut(at)
+        {
+            *op = Op::JumpToLine { to };
+        }
     }
 }
 

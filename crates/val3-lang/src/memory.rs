@@ -14,12 +14,14 @@ mod place;
 mod shown;
 mod stack;
 mod store;
+mod stores;
 
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
 pub use stack::Stack;
 pub use store::{Shape, Store};
+pub use stores::Stores;
 
 use std::sync::Arc;
 
@@ -30,8 +32,8 @@ use crate::values::Text;
 /// All data of a controller, and the stack of the task that runs.
 #[derive(Debug, Clone)]
 pub struct Memory {
-    stores: Vec<Store>,
-    free: Vec<u32>,
+    /// All containers.
+    pub stores: Stores,
     /// The stack of the task that runs; [`Place::store`] names it [`StoreId::STACK`].
     pub stack: Stack,
 }
@@ -40,7 +42,7 @@ impl Memory {
     /// The data that every controller has: `world` and `flange`.
     #[must_use]
     pub fn new() -> Self {
-        let mut memory = Self { stores: Vec::new(), free: Vec::new(), stack: Stack::default() };
+        let mut memory = Self { stores: Stores::default(), stack: Stack::default() };
         for base in [BaseType::Frame, BaseType::Tool] {
             let kind = Arc::new(Kind::builtin(base, None));
             memory.add(Store::filled(kind, Shape::ELEMENT));
@@ -55,28 +57,13 @@ impl Memory {
     pub const FLANGE: StoreId = StoreId { index: 1, generation: 0 };
 
     /// Takes a container in; it lives until [`remove`](Self::remove).
-    pub fn add(&mut self, mut store: Store) -> StoreId {
-        if let Some(index) = self.free.pop()
-            && let Some(slot) = self.stores.get_mut(index as usize)
-        {
-            store.generation = slot.generation + 1;
-            let generation = store.generation;
-            *slot = store;
-            return StoreId { index, generation };
-        }
-        let index = u32::try_from(self.stores.len()).unwrap_or(u32::MAX);
-        self.stores.push(store);
-        StoreId { index, generation: 0 }
+    pub fn add(&mut self, store: Store) -> StoreId {
+        self.stores.add(store)
     }
 
     /// Drops a container and those in it. References to it end in run-time error 61.
     pub fn remove(&mut self, id: StoreId) {
-        let Ok(store) = self.store_mut(id) else { return };
-        let generation = store.generation;
-        let parts = std::mem::take(&mut store.parts);
-        *store = Store::gone(generation + 1);
-        self.free.push(id.index);
-        parts.into_iter().for_each(|part| self.remove(part));
+        self.stores.remove(id);
     }
 
     /// A container.
@@ -85,10 +72,7 @@ impl Memory {
     /// 61 if it is gone.
     #[inline]
     pub fn store(&self, id: StoreId) -> Result<&Store> {
-        match self.stores.get(id.index as usize) {
-            Some(store) if store.generation == id.generation => Ok(store),
-            _ => Err(Fault::INTERPRETER),
-        }
+        self.stores.get(id)
     }
 
     /// As [`store`](Self::store), to be changed.
@@ -97,10 +81,7 @@ impl Memory {
     /// 61 if it is gone.
     #[inline]
     pub fn store_mut(&mut self, id: StoreId) -> Result<&mut Store> {
-        match self.stores.get_mut(id.index as usize) {
-            Some(store) if store.generation == id.generation => Ok(store),
-            _ => Err(Fault::INTERPRETER),
-        }
+        self.stores.get_mut(id)
     }
 
     /// A number, truth value (0 or 1) or enumerator (its place among those of its type), `offset` lanes behind `at`.
@@ -230,77 +211,5 @@ impl Memory {
 impl Default for Memory {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// Numbers of arrays, without a place in between: what loops over numbers do most.
-impl Memory {
-    /// A number of the first value of a view.
-    ///
-    /// # Errors
-    /// 20 if there is none.
-    #[inline]
-    pub fn first_num(&self, view: View, lane: u32) -> Result<f64> {
-        let store = self.store(view.store)?;
-        let at = view.start * store.kind.size.num + lane;
-        store.nums.get(at as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
-    }
-
-    /// Writes what [`first_num`](Self::first_num) reads.
-    ///
-    /// # Errors
-    /// 20 if there is no value.
-    #[inline]
-    pub fn set_first_num(&mut self, view: View, lane: u32, value: f64) -> Result<()> {
-        let store = self.store_mut(view.store)?;
-        let at = view.start * store.kind.size.num + lane;
-        *store.nums.get_mut(at as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
-        Ok(())
-    }
-
-    /// A value of an array of numbers or truth values.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn element_num(&self, view: View, index: f64) -> Result<f64> {
-        let store = self.store(view.store)?;
-        let number = store.number1(view, index)?;
-        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
-    }
-
-    /// Writes what [`element_num`](Self::element_num) reads.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn set_element_num(&mut self, view: View, index: f64, value: f64) -> Result<()> {
-        let store = self.store_mut(view.store)?;
-        let number = store.number1(view, index)?;
-        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
-        Ok(())
-    }
-
-    /// A value of an array of numbers or truth values of two dimensions.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn element2_num(&self, id: StoreId, at: [f64; 2]) -> Result<f64> {
-        let store = self.store(id)?;
-        let number = store.number2(at)?;
-        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
-    }
-
-    /// Writes what [`element2_num`](Self::element2_num) reads.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn set_element2_num(&mut self, id: StoreId, at: [f64; 2], value: f64) -> Result<()> {
-        let store = self.store_mut(id)?;
-        let number = store.number2(at)?;
-        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
-        Ok(())
     }
 }

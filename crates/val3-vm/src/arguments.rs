@@ -1,6 +1,5 @@
 //! From operands of the code to places in memory.
 
-use smallvec::SmallVec;
 use val3_bytecode::{ArgumentSite, Operand, Register, SlotSite, Whole, WholeKind};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
@@ -18,8 +17,14 @@ pub(crate) struct Scope<'m> {
     pub(crate) base: Base,
 }
 
-/// Arguments of most instructions.
-pub(crate) type Arguments = SmallVec<[Argument; 4]>;
+/// What a program gets for a parameter.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Given {
+    /// A value, to be copied or referred to.
+    Value(Place),
+    /// A container.
+    Container(View),
+}
 
 impl Scope<'_> {
     /// The container, and the first of its values that can be reached.
@@ -73,6 +78,8 @@ impl Scope<'_> {
         self.memory.stack.nums.get(at).copied().ok_or(Fault::INTERPRETER)
     }
 
+    /// The argument of an instruction.
+    #[inline]
     pub(crate) fn argument(&self, site: &ArgumentSite) -> Result<Argument> {
         Ok(match *site {
             ArgumentSite::Value(operand, base) => Argument::Value(self.place(operand)?, base),
@@ -83,8 +90,14 @@ impl Scope<'_> {
         })
     }
 
-    pub(crate) fn arguments(&self, sites: &[ArgumentSite]) -> Result<Arguments> {
-        sites.iter().map(|site| self.argument(site)).collect()
+    /// The argument of a program.
+    #[inline]
+    pub(crate) fn given(&self, site: &ArgumentSite) -> Result<Given> {
+        match *site {
+            ArgumentSite::Value(operand, _) | ArgumentSite::UserValue(operand) => self.place(operand).map(Given::Value),
+            ArgumentSite::View(whole, start) => self.part_of(whole, start).map(Given::Container),
+            ArgumentSite::Slot(..) | ArgumentSite::Library(_) => Err(Fault::INTERPRETER),
+        }
     }
 
     /// A container, an array from an index on.

@@ -1,12 +1,11 @@
 //! Programs that begin and end: frames on the stack of a task (2.6).
 
-use val3_bytecode::{Passing, Program};
-use val3_lang::call::Argument;
+use val3_bytecode::{Param, Passing, Program};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Lanes, Link, Memory, Place, StoreId, View};
 use val3_lang::values::Text;
 
-use crate::arguments::Arguments;
+use crate::arguments::Given;
 use crate::task::Base;
 
 /// The first lanes behind a frame.
@@ -23,14 +22,8 @@ pub(crate) fn behind(base: Base, program: &Program) -> Base {
     }
 }
 
-/// Makes the frame of `program` at `base`, with its parameters.
-pub(crate) fn enter(
-    memory: &mut Memory,
-    program: &Program,
-    base: Base,
-    arguments: &Arguments,
-    most: u32,
-) -> Result<()> {
+/// Makes the frame of `program` at `base`; its parameters are [passed](pass) then.
+pub(crate) fn enter(memory: &mut Memory, program: &Program, base: Base, most: u32) -> Result<()> {
     let end = behind(base, program);
     if end.bytes > most {
         return Err(Fault::STACK_FULL);
@@ -52,9 +45,6 @@ pub(crate) fn enter(
         let store = memory.create_local(part);
         memory.stack.parts.push(store);
     }
-    for (param, argument) in program.params.iter().zip(arguments) {
-        pass(memory, base, param.passing, &param.kind, *argument)?;
-    }
     Ok(())
 }
 
@@ -67,41 +57,32 @@ pub(crate) fn leave(memory: &mut Memory, base: Base) {
     }
 }
 
-fn pass(
-    memory: &mut Memory,
-    base: Base,
-    passing: Passing,
-    kind: &val3_lang::memory::Kind,
-    argument: Argument,
-) -> Result<()> {
-    match passing {
+/// Gives a parameter of the frame at `base` its argument.
+#[inline]
+pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Given) -> Result<()> {
+    let from = match argument {
+        Given::Value(place) => place,
+        Given::Container(view) => match param.passing {
+            Passing::View(number) => return write(&mut memory.stack.views, base.view + number, view),
+            _ => memory.element(view, 0)?,
+        },
+    };
+    match param.passing {
+        Passing::Value(_, lanes) if param.kind.size == Lanes::nums(1) => {
+            let value = memory.num(from, 0)?;
+            write(&mut memory.stack.nums, base.num + lanes.num, value)
+        }
         Passing::Value(_, lanes) => {
-            let from = value(memory, argument)?;
             let Base { num, text, link, part, .. } = base;
             let to = Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes);
-            memory.copy(kind, from, to)
+            memory.copy(&param.kind, from, to)
         }
         Passing::UserValue(part) => {
-            let from = value(memory, argument)?;
             let part = memory.stack.parts.get((base.part + part) as usize).copied().ok_or(Fault::INTERPRETER)?;
-            memory.copy(kind, from, Place::first(part))
+            memory.copy(&param.kind, from, Place::first(part))
         }
-        Passing::Reference(number) => {
-            let from = value(memory, argument)?;
-            write(&mut memory.stack.places, base.place + number, from)
-        }
-        Passing::View(number) => {
-            let Argument::View(view) = argument else { return Err(Fault::INTERPRETER) };
-            write(&mut memory.stack.views, base.view + number, view)
-        }
-    }
-}
-
-fn value(memory: &Memory, argument: Argument) -> Result<Place> {
-    match argument {
-        Argument::Value(place, _) | Argument::UserValue(place) => Ok(place),
-        Argument::View(view) => memory.element(view, 0),
-        Argument::Slot(_) | Argument::Library(_) => Err(Fault::INTERPRETER),
+        Passing::Reference(number) => write(&mut memory.stack.places, base.place + number, from),
+        Passing::View(_) => Err(Fault::INTERPRETER),
     }
 }
 

@@ -2,20 +2,20 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Handler, Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
-use val3_lang::call::{Call, Flow, Wait};
+use val3_bytecode::{CallSite, Handler, Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
+use val3_lang::call::{Argument, Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
 use val3_lang::ports::{Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
-use crate::arguments::{Arguments, Scope};
-use crate::enter::{behind, enter, leave};
+use crate::arguments::Scope;
+use crate::enter::{behind, enter, leave, pass};
 use crate::instance::Imported;
 use crate::roster::Roster;
 use crate::services::{Changes, Services};
 use crate::task::{Base, Thread};
-use crate::{Frame, Host, Instance, InstanceId, Space, Stop, TaskState};
+use crate::{Frame, Grant, Host, Instance, InstanceId, Space, Stop, TaskState};
 
 /// What the interpreter works on during one turn.
 pub(crate) struct Machine<'v> {
@@ -25,6 +25,10 @@ pub(crate) struct Machine<'v> {
     /// The task that runs.
     pub(crate) task: TaskNumber,
     pub(crate) stack_size: u32,
+    /// What it may execute.
+    pub(crate) grant: Grant,
+    /// How many lines that is.
+    pub(crate) granted: u32,
     /// Lines that may still be executed.
     pub(crate) budget: u32,
     /// The time at which the budget is used up, and what a line takes: the time now follows from both.
@@ -32,6 +36,8 @@ pub(crate) struct Machine<'v> {
     pub(crate) line_cost: Time,
     /// Something asked for the time.
     pub(crate) reads_clock: bool,
+    /// The arguments of the last instruction; their room serves the next one.
+    pub(crate) arguments: Vec<Argument>,
 }
 
 /// How the interpreter leaves a program.
@@ -51,14 +57,8 @@ impl Machine<'_> {
             let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
             let instance = self.instance(frame.instance)?;
             let (image, data) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
-            loop {
-                let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
-                let program = image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
-                match self.program(thread, &image, program, &data, frame)? {
-                    Leave::Program => {}
-                    Leave::Instance => break,
-                    Leave::Turn(stop) => return Ok(stop),
-                }
+            if let Leave::Turn(stop) = self.programs(thread, &image, &data)? {
+                return Ok(stop);
             }
         }
     }
@@ -71,24 +71,26 @@ impl Machine<'_> {
         self.end - Time::from(self.budget) * self.line_cost
     }
 
-    /// Executes the innermost program until it is left.
+    /// Executes programs of one application until it is left.
     #[allow(clippy::too_many_lines, reason = "one arm an operation, each of them short")]
     #[allow(clippy::neg_cmp_op_on_partial_ord, reason = "a comparison with what is no number does not hold")]
-    fn program(
-        &mut self,
-        thread: &mut Thread,
-        image: &Arc<Image>,
-        program: &Program,
-        data: &[StoreId],
-        frame: Frame,
-    ) -> Result<Leave> {
-        let code = program.code.as_slice();
-        let base = frame.base.num as usize;
+    fn programs(&mut self, thread: &mut Thread, image: &Arc<Image>, data: &[StoreId]) -> Result<Leave> {
+        let (mut frame, mut program) = innermost(thread, image)?;
         let mut next = thread.next as usize;
 
+        // The numbers of the frame. Whatever else reaches into the memory comes before they are looked up anew.
+        macro_rules! frame {
+            () => {
+                match self.space.memory.stack.nums.get_mut(numbers(frame, program)) {
+                    Some(frame) => frame,
+                    None => return Err(Fault::INTERPRETER),
+                }
+            };
+        }
+        let mut nums = frame!();
         macro_rules! get {
             ($register:expr) => {
-                match self.space.memory.stack.nums.get(base + usize::from($register)) {
+                match nums.get(usize::from($register)) {
                     Some(number) => *number,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -97,7 +99,7 @@ impl Machine<'_> {
         macro_rules! set {
             ($register:expr, $value:expr) => {{
                 let value: f64 = $value;
-                match self.space.memory.stack.nums.get_mut(base + usize::from($register)) {
+                match nums.get_mut(usize::from($register)) {
                     Some(number) => *number = value,
                     None => return Err(Fault::INTERPRETER),
                 }
@@ -121,12 +123,28 @@ impl Machine<'_> {
                         Some(store) => View::whole(*store),
                         None => return Err(Fault::INTERPRETER),
                     },
-                    _ => self.scope(frame)?.view($whole)?,
+                    _ => {
+                        let view = self.scope(frame)?.view($whole)?;
+                        nums = frame!();
+                        view
+                    }
                 }
             };
         }
 
-        while let Some(op) = code.get(next) {
+        macro_rules! change {
+            ($leave:expr) => {{
+                let leave = $leave;
+                if !matches!(leave, Leave::Program) {
+                    return Ok(leave);
+                }
+                (frame, program) = innermost(thread, image)?;
+                next = thread.next as usize;
+                nums = frame!();
+            }};
+        }
+
+        while let Some(op) = program.code.get(next) {
             next += 1;
             match *op {
                 Op::Line => {
@@ -137,6 +155,14 @@ impl Machine<'_> {
                     thread.line = u32::try_from(next - 1).unwrap_or(u32::MAX);
                 }
                 Op::Jump { to } => next = to as usize,
+                Op::JumpToLine { to } => {
+                    if self.budget == 0 {
+                        leave!(to, Leave::Turn(Stop::Budget));
+                    }
+                    self.budget -= 1;
+                    thread.line = to;
+                    next = to as usize + 1;
+                }
                 Op::JumpUnless { condition, to } => {
                     if get!(condition) == 0.0 {
                         next = to as usize;
@@ -190,105 +216,125 @@ impl Machine<'_> {
                 Op::TextConstant { to, constant } => {
                     let text = *program.texts.get(usize::from(constant)).ok_or(Fault::INTERPRETER)?;
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::TextMove { to, from } => {
                     let text = *self.text(frame.base, from)?;
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::Concatenate { to, a, b } => {
                     let text = *self.text(frame.base, a)? + self.text(frame.base, b)?.as_str();
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::TextEqual { to, a, b } => {
-                    set!(to, truth!(self.text(frame.base, a)? == self.text(frame.base, b)?));
+                    let equal = self.text(frame.base, a)? == self.text(frame.base, b)?;
+                    nums = frame!();
+                    set!(to, truth!(equal));
                 }
 
                 Op::LoadFirst { to, whole, lane } => {
                     let view = view!(whole);
-                    set!(to, self.space.memory.first_num(view, u32::from(lane))?);
+                    set!(to, self.space.memory.stores.first_num(view, u32::from(lane))?);
                 }
                 Op::StoreFirst { whole, lane, from } => {
                     let (view, value) = (view!(whole), get!(from));
-                    self.space.memory.set_first_num(view, u32::from(lane), value)?;
+                    self.space.memory.stores.set_first_num(view, u32::from(lane), value)?;
                 }
                 Op::LoadElement { to, whole, index } => {
                     let (view, index) = (view!(whole), get!(index));
-                    set!(to, self.space.memory.element_num(view, index)?);
+                    set!(to, self.space.memory.stores.element_num(view, index)?);
                 }
                 Op::StoreElement { whole, index, from } => {
                     let (view, index, value) = (view!(whole), get!(index), get!(from));
-                    self.space.memory.set_element_num(view, index, value)?;
+                    self.space.memory.stores.set_element_num(view, index, value)?;
                 }
                 Op::LoadElement2 { to, whole, i, j } => {
                     let (view, at) = (view!(whole), [get!(i), get!(j)]);
-                    set!(to, self.space.memory.element2_num(view.store, at)?);
+                    set!(to, self.space.memory.stores.element2_num(view.store, at)?);
                 }
                 Op::StoreElement2 { whole, i, j, from } => {
                     let (view, at, value) = (view!(whole), [get!(i), get!(j)], get!(from));
-                    self.space.memory.set_element2_num(view.store, at, value)?;
+                    self.space.memory.stores.set_element2_num(view.store, at, value)?;
                 }
 
                 Op::LocateFirst { to, whole } => {
-                    let view = view!(whole);
+                    let view = self.scope(frame)?.view(whole)?;
                     let place = self.space.memory.element(view, 0)?;
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Locate { to, whole, index } => {
                     let (view, index) = (view!(whole), get!(index));
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number1(view, index)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Locate2 { to, whole, i, j } => {
                     let (view, at) = (view!(whole), [get!(i), get!(j)]);
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number2(at)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Locate3 { to, whole, i } => {
                     let (view, at) = (view!(whole), [get!(i), get!(i + 1), get!(i + 2)]);
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number3(at)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::LocateKey { to, whole, key } => {
-                    let (view, key) = (view!(whole), *self.text(frame.base, key)?);
+                    let (view, key) = (self.scope(frame)?.view(whole)?, *self.text(frame.base, key)?);
                     let store = self.space.memory.store(view.store)?;
                     let place = store.place(view.store, store.number_of(&key)?);
                     self.set_place(frame.base, to, place)?;
+                    nums = frame!();
                 }
                 Op::Field { to, place, field } => {
                     let place = self.scope(frame)?.located(place)?;
                     let view = View::whole(self.space.memory.part(place, u32::from(field))?);
                     let at = frame.base.view as usize + usize::from(to);
                     *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = view;
+                    nums = frame!();
                 }
                 Op::Load { to, place, lane } => {
                     let place = self.located(frame.base, place)?;
-                    set!(to, self.space.memory.num(place, u32::from(lane))?);
+                    let value = self.space.memory.num(place, u32::from(lane))?;
+                    nums = frame!();
+                    set!(to, value);
                 }
                 Op::Store { place, lane, from } => {
-                    let (place, value) = (self.located(frame.base, place)?, get!(from));
+                    let value = get!(from);
+                    let place = self.located(frame.base, place)?;
                     self.space.memory.set_num(place, u32::from(lane), value)?;
+                    nums = frame!();
                 }
                 Op::LoadText { to, place } => {
                     let text = *self.space.memory.text(self.located(frame.base, place)?)?;
                     self.set_text(frame.base, to, text)?;
+                    nums = frame!();
                 }
                 Op::StoreText { place, from } => {
                     let (place, text) = (self.located(frame.base, place)?, *self.text(frame.base, from)?);
                     self.space.memory.set_text(place, text)?;
+                    nums = frame!();
                 }
 
                 Op::Copy { site } => {
                     let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let (from, to) = self.places(frame, site.from, site.to)?;
                     self.space.memory.copy(&site.kind, from, to)?;
+                    nums = frame!();
                 }
                 Op::Compare { to, site } => {
                     let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let (a, b) = self.places(frame, site.from, site.to)?;
-                    set!(to, truth!(self.space.memory.equal(&site.kind, a, b)?));
+                    let equal = self.space.memory.equal(&site.kind, a, b)?;
+                    nums = frame!();
+                    set!(to, truth!(equal));
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
@@ -296,18 +342,19 @@ impl Machine<'_> {
                         let again = matches!(stop, Stop::Waits);
                         leave!(next - usize::from(again), Leave::Turn(stop));
                     }
+                    nums = frame!();
                 }
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     thread.next = u32::try_from(next).unwrap_or(u32::MAX);
-                    let arguments = self.scope(frame)?.arguments(&site.arguments)?;
-                    return self.call(thread, image, program, frame, (site.program, &arguments));
+                    change!(self.call(thread, image, program, frame, site)?);
                 }
-                Op::Return => return Ok(self.end_program(thread, frame)),
+                Op::Return => change!(self.end_program(thread, frame)),
                 Op::CreateTask { site } => {
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     self.ports.origin(self.origin(self.now(), frame, thread.line));
                     self.create_task(image, frame, site)?;
+                    nums = frame!();
                 }
 
                 Op::WaitUntil { condition, retry } => {
@@ -318,7 +365,9 @@ impl Machine<'_> {
                 }
                 Op::Watch { to, condition, seconds, retry } => {
                     let (holds, seconds) = (get!(condition) != 0.0, get!(seconds));
-                    match self.watch(thread, holds, seconds) {
+                    let answer = self.watch(thread, holds, seconds);
+                    nums = frame!();
+                    match answer {
                         Some(answer) => set!(to, truth!(answer)),
                         None => leave!(retry, Leave::Turn(Stop::Waits)),
                     }
@@ -392,8 +441,12 @@ impl Machine<'_> {
             self.ports.lacking(&site.name);
             return Ok(Some(Stop::Lacking));
         };
+        let mut arguments = std::mem::take(&mut self.arguments);
         let scope = self.scope(frame)?;
-        let arguments = scope.arguments(&site.arguments)?;
+        arguments.clear();
+        for argument in &site.arguments {
+            arguments.push(scope.argument(argument)?);
+        }
         let result = site.result.map(|operand| scope.place(operand)).transpose()?;
         let mut services = Services {
             roster: self.roster,
@@ -406,8 +459,12 @@ impl Machine<'_> {
         let mut call = Call::new(reach, (now, thread.since), image.version, &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
+        self.arguments = arguments;
         let Services { changes, request, .. } = services;
         changes.iter().for_each(|(task, name, change)| self.ports.task(*task, name, *change));
+        if !changes.is_empty() {
+            self.end_with_turn();
+        }
         if let Some(request) = request {
             let code = self.fulfil(frame.instance, request);
             result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
@@ -459,14 +516,19 @@ impl Machine<'_> {
         image: &Arc<Image>,
         caller: &Program,
         frame: Frame,
-        (program, arguments): (ProgramRef, &Arguments),
+        site: &CallSite,
     ) -> Result<Leave> {
         let base = behind(frame.base, caller);
-        let (instance, number) = self.resolve(frame.instance, program)?;
+        let (instance, number) = self.resolve(frame.instance, site.program)?;
         let other = (instance != frame.instance).then(|| self.instance(instance)).transpose()?;
-        let image = other.map_or_else(|| Arc::clone(image), |other| Arc::clone(&other.image));
-        let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
-        enter(&mut self.space.memory, callee, base, arguments, self.stack_size)?;
+        let other = other.map(|other| Arc::clone(&other.image));
+        let callee = other.as_ref().unwrap_or(image).programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+        enter(&mut self.space.memory, callee, base, self.stack_size)?;
+        for (param, argument) in callee.params.iter().zip(&site.arguments) {
+            let passed = self.scope(frame)?.given(argument);
+            let passed = passed.and_then(|given| pass(&mut self.space.memory, base, param, given));
+            passed.inspect_err(|_| leave(&mut self.space.memory, base))?;
+        }
         thread.frames.push(Frame { instance, program: number, back: thread.next, back_line: thread.line, base });
         thread.next = 0;
         Ok(if instance == frame.instance { Leave::Program } else { Leave::Instance })
@@ -492,6 +554,19 @@ impl Machine<'_> {
             Some(_) => Leave::Instance,
         }
     }
+}
+
+/// The program that the task is in.
+fn innermost<'i>(thread: &Thread, image: &'i Image) -> Result<(Frame, &'i Program)> {
+    let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
+    let program = image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
+    Ok((frame, program))
+}
+
+/// Where the numbers of a frame are among those of the stack.
+fn numbers(frame: Frame, program: &Program) -> std::ops::Range<usize> {
+    let start = frame.base.num as usize;
+    start..start + program.frame.lanes.num as usize
 }
 
 /// The remainder has the sign of the left side (3.2.2).

@@ -24,5 +24,5 @@ pub use instance::{Instance, InstanceId};
 pub use schedule::{CYCLE, Cycle, Schedule};
 pub use space::Space;
 pub use task::{Frame, Rate, Task, TaskState, Thread};
-pub use turn::{Stop, Turn};
+pub use turn::{Grant, Stop, Turn};
 pub use vm::Vm;

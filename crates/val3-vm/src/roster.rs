@@ -13,6 +13,8 @@ use crate::{InstanceId, Rate, Task, TaskState};
 pub(crate) struct Roster {
     /// By creation. The task that runs is here too, without its stack.
     pub(crate) tasks: Vec<Task>,
+    /// Some of them have ended or were killed, and are still to be removed.
+    pub(crate) any_over: bool,
     next: u64,
 }
 

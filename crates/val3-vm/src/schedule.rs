@@ -6,7 +6,7 @@
 
 use val3_lang::ports::{TaskNumber, Time};
 
-use crate::{Host, Rate, Stop, Task, Vm};
+use crate::{Grant, Host, Rate, Task, Vm};
 
 /// The length of a cycle in nanoseconds.
 pub const CYCLE: Time = 4_000_000;
@@ -61,7 +61,7 @@ impl Schedule {
         due.sort_unstable();
         for (period, id) in &due {
             self.begin_period(vm, *id);
-            let turn = vm.turn(*id, SYNCHRONOUS_LINES, (self.now, self.line_cost), host);
+            let turn = vm.turn(*id, Grant::once(SYNCHRONOUS_LINES), (self.now, self.line_cost), host);
             let took = Time::from(turn.lines) * self.line_cost;
             self.now += took;
             if took > *period {
@@ -100,7 +100,7 @@ impl Schedule {
         // A round that the last cycle has interrupted does not show that all tasks wait.
         let mut round = Round { lines: u32::from(self.next != TaskNumber(0)), reads_clock: false };
         while self.now < end {
-            let Some((id, left)) = self.next_turn(vm) else {
+            let Some((id, grant)) = self.next_turn(vm, end) else {
                 // The round is over.
                 self.next = TaskNumber(0);
                 if round.lines > 0 {
@@ -116,13 +116,10 @@ impl Schedule {
                 round = Round::default();
                 continue;
             };
-            let most = u32::try_from((end - self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX);
-            let turn = vm.turn(id, left.min(most), (self.now, self.line_cost), host);
+            let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
             self.now += Time::from(turn.lines) * self.line_cost;
-            let left = left - turn.lines;
-            let interrupted = turn.stop == Stop::Budget && left > 0;
-            vm.set_left(id, if interrupted { left } else { 0 });
-            self.next = if interrupted { id } else { TaskNumber(id.0 + 1) };
+            vm.set_left(id, turn.left);
+            self.next = if turn.left > 0 { id } else { TaskNumber(id.0 + 1) };
             round.lines += turn.lines;
             round.reads_clock |= turn.reads_clock;
             any |= turn.lines > 0;
@@ -131,15 +128,29 @@ impl Schedule {
     }
 
     /// The next asynchronous task that can run, with the lines of its turn.
-    fn next_turn(&self, vm: &Vm) -> Option<(TaskNumber, u32)> {
+    fn next_turn(&self, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let tasks = vm.tasks();
         let from = tasks.partition_point(|task| task.id < self.next);
-        tasks.iter().skip(from).find_map(|task| match task.rate {
-            Rate::Priority(lines) if task.is_running() && !self.sleeps(task) => {
-                Some((task.id, if task.left > 0 { task.left } else { lines }))
-            }
+        let (task, lines) = tasks.iter().skip(from).find_map(|task| Some((task, self.lines(task)?)))?;
+        let first = if task.left > 0 { task.left } else { lines };
+        let most = u32::try_from((end - self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX);
+        let each = if self.is_alone(task, tasks, end) { lines } else { 0 };
+        Some((task.id, Grant { first, each, most }))
+    }
+
+    /// The lines of a turn of an asynchronous task that can run.
+    fn lines(&self, task: &Task) -> Option<u32> {
+        match task.rate {
+            Rate::Priority(lines) if task.is_running() && !self.sleeps(task) => Some(lines),
             _ => None,
-        })
+        }
+    }
+
+    /// No other asynchronous task can run before `end`, unless this one lets it: its turns follow one another.
+    fn is_alone(&self, task: &Task, tasks: &[Task], end: Time) -> bool {
+        let wakes = |other: &Task| other.thread.wait.and_then(|wait| wait.wake).is_some_and(|wake| wake < end);
+        let is_other = |other: &Task| other.id != task.id && matches!(other.rate, Rate::Priority(_));
+        !tasks.iter().any(|other| is_other(other) && other.is_running() && (!self.sleeps(other) || wakes(other)))
     }
 
     fn sleeps(&self, task: &Task) -> bool {

@@ -66,6 +66,7 @@ impl Tasks for Services<'_> {
         let found = self.roster.find(self.owner, name);
         if let Some(task) = found.and_then(|at| self.roster.tasks.get_mut(at)) {
             task.state = TaskState::Killed;
+            self.roster.any_over = true;
             self.changes.push((task.id, task.name.clone(), TaskChange::Killed));
         }
     }

@@ -3,14 +3,13 @@
 use std::sync::Arc;
 
 use val3_bytecode::{Image, Passing, TaskSite};
-use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Lanes, Memory, Place};
 use val3_lang::ports::{SECOND, TaskChange, Time};
 use val3_lang::tasks::{PERIOD_STEP, period_steps, priority};
 
-use crate::arguments::{Arguments, Scope};
-use crate::enter::enter;
+use crate::arguments::{Given, Scope};
+use crate::enter::{enter, pass};
 use crate::execute::Machine;
 use crate::task::{Base, Thread};
 use crate::{Frame, InstanceId, Rate, Task, TaskState};
@@ -39,11 +38,54 @@ pub struct Turn {
     pub stop: Stop,
     /// The lines it has executed.
     pub lines: u32,
+    /// The lines that are left, where it was interrupted.
+    pub left: u32,
     /// Something asked for the time.
     pub reads_clock: bool,
 }
 
+/// The lines that a task may execute.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Grant {
+    /// In the turn that begins or goes on.
+    pub first: u32,
+    /// In each of the turns that follow at once, as long as no other task can run; 0 where one can.
+    pub each: u32,
+    /// In all.
+    pub most: u32,
+}
+
+impl Grant {
+    /// One turn.
+    #[must_use]
+    pub const fn once(lines: u32) -> Self {
+        Self { first: lines, each: 0, most: lines }
+    }
+
+    /// The lines that may be executed if no other task becomes able to run.
+    pub(crate) fn budget(self) -> u32 {
+        if self.each == 0 { self.most.min(self.first) } else { self.most }
+    }
+
+    /// What is left of the turn that the last of `lines` lines is in.
+    pub(crate) fn left(self, lines: u32) -> u32 {
+        match lines.checked_sub(self.first) {
+            Some(more) if self.each > 0 => more.next_multiple_of(self.each) - more,
+            _ => self.first.saturating_sub(lines),
+        }
+    }
+}
+
 impl Machine<'_> {
+    /// Another task may be able to run: it has its turn when this one is over.
+    pub(crate) fn end_with_turn(&mut self) {
+        let lines = self.granted - self.budget;
+        let cut = self.budget - self.budget.min(self.grant.left(lines));
+        self.budget -= cut;
+        self.granted -= cut;
+        self.end -= Time::from(cut) * self.line_cost;
+    }
+
     /// `taskCreate` and `taskCreateSync` (5.10).
     pub(crate) fn create_task(&mut self, image: &Image, frame: Frame, site: &TaskSite) -> Result<()> {
         let instance = self.space.instance(frame.instance).ok_or(Fault::INTERPRETER)?;
@@ -53,7 +95,7 @@ impl Machine<'_> {
         self.roster.check_name(frame.instance, &name, image.version)?;
         let rate = scope.num(site.rate)?;
         let overrun = site.overrun.map(|operand| scope.place(operand)).transpose()?;
-        let arguments = scope.arguments(&site.call.arguments)?;
+        let arguments = site.call.arguments.iter().map(|site| scope.given(site)).collect::<Result<Vec<_>>>()?;
         let rate = self.rate(rate, overrun)?;
         let program = self.resolve(frame.instance, site.call.program)?;
         let thread = self.new_thread(program, &arguments)?;
@@ -69,6 +111,7 @@ impl Machine<'_> {
             stack_size: image.stack_size,
             left: 0,
         });
+        self.end_with_turn();
         Ok(())
     }
 
@@ -92,19 +135,22 @@ impl Machine<'_> {
 
     /// The thread of a new task. Its frame is made behind those of its creator, from which values are copied, and then
     /// cut off.
-    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &Arguments) -> Result<Thread> {
+    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Given]) -> Result<Thread> {
         let (instance, number) = program;
         let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
         let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.passing));
-        if references.map(|(_, argument)| argument).any(|argument| is_local(&self.space.memory, argument)) {
+        if references.map(|(_, argument)| argument).any(|argument| is_local(&self.space.memory, *argument)) {
             return Err(Fault::INVALID_PARAMETER);
         }
         let stack = &self.space.memory.stack;
         let lanes = stack.ends();
         let (place, view) = (length(&stack.places), length(&stack.views));
         let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
-        enter(&mut self.space.memory, callee, base, arguments, u32::MAX)?;
+        enter(&mut self.space.memory, callee, base, u32::MAX)?;
+        for (param, argument) in callee.params.iter().zip(arguments) {
+            pass(&mut self.space.memory, base, param, *argument)?;
+        }
         let stack = self.space.memory.stack.split_off(lanes, place, view);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
         Ok(Thread { frames: vec![frame], stack, ..Thread::default() })
@@ -120,10 +166,9 @@ fn is_reference(passing: Passing) -> bool {
 }
 
 /// A local variable of the creator: the task may outlive it (5.10).
-fn is_local(memory: &Memory, argument: &Argument) -> bool {
+fn is_local(memory: &Memory, argument: Given) -> bool {
     match argument {
-        Argument::Value(place, _) | Argument::UserValue(place) => memory.is_local(place.store),
-        Argument::View(view) => memory.is_local(view.store),
-        Argument::Slot(_) | Argument::Library(_) => false,
+        Given::Value(place) => memory.is_local(place.store),
+        Given::Container(view) => memory.is_local(view.store),
     }
 }

@@ -3,12 +3,11 @@
 use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
-use crate::arguments::Arguments;
 use crate::enter::leave;
 use crate::execute::Machine;
 use crate::roster::Roster;
 use crate::task::{Base, Thread};
-use crate::{Host, InstanceId, Rate, Space, Stop, Task, TaskState, Turn};
+use crate::{Grant, Host, InstanceId, Rate, Space, Stop, Task, TaskState, Turn};
 
 /// Applications and libraries in memory, and the tasks that run.
 #[derive(Debug, Clone, Default)]
@@ -38,8 +37,8 @@ impl Vm {
     ) -> Result<TaskNumber, Fault> {
         let id = self.roster.new_id();
         let stack_size = self.space.instance(instance).map_or(0, |instance| instance.image.stack_size);
-        let mut machine = self.machine(id, 0, (0, 0), stack_size, host);
-        let thread = machine.new_thread((instance, program), &Arguments::new())?;
+        let mut machine = self.machine(id, Grant::once(0), (0, 0), stack_size, host);
+        let thread = machine.new_thread((instance, program), &[])?;
         host.task(id, name, TaskChange::Created);
         self.roster.tasks.push(Task {
             id,
@@ -54,21 +53,22 @@ impl Vm {
         Ok(id)
     }
 
-    /// Gives a task its turn: at most `budget` lines, each of `line_cost` nanoseconds, from `now` on.
-    pub fn turn(&mut self, id: TaskNumber, budget: u32, (now, line_cost): (Time, Time), host: &mut dyn Host) -> Turn {
-        let nothing = Turn { stop: Stop::Waits, lines: 0, reads_clock: false };
+    /// Gives a task its turn: lines of `line_cost` nanoseconds each, from `now` on.
+    pub fn turn(&mut self, id: TaskNumber, grant: Grant, (now, line_cost): (Time, Time), host: &mut dyn Host) -> Turn {
+        let nothing = Turn { stop: Stop::Waits, lines: 0, left: 0, reads_clock: false };
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return nothing };
         let stack_size = task.stack_size;
         let mut thread = std::mem::take(&mut task.thread);
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
-        let end = now + Time::from(budget) * line_cost;
-        let mut machine = self.machine(id, budget, (end, line_cost), stack_size, host);
+        let mut machine = self.machine(id, grant, (now, line_cost), stack_size, host);
         let stop = machine.run(&mut thread).unwrap_or_else(Stop::Failed);
         if let Some(frame) = thread.frames.last() {
             machine.ports.origin(machine.origin(machine.now(), *frame, thread.line));
         }
-        let turn = Turn { stop, lines: budget - machine.budget, reads_clock: machine.reads_clock };
+        let lines = machine.granted - machine.budget;
+        let left = if stop == Stop::Budget { grant.left(lines) } else { 0 };
+        let turn = Turn { stop, lines, left, reads_clock: machine.reads_clock };
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         self.settle(id, thread, stop, host);
         turn
@@ -77,21 +77,25 @@ impl Vm {
     fn machine<'v>(
         &'v mut self,
         task: TaskNumber,
-        budget: u32,
-        (end, line_cost): (Time, Time),
+        grant: Grant,
+        (now, line_cost): (Time, Time),
         stack_size: u32,
         host: &'v mut dyn Host,
     ) -> Machine<'v> {
+        let budget = grant.budget();
         Machine {
             space: &mut self.space,
             roster: &mut self.roster,
             ports: host,
             task,
             stack_size,
+            grant,
+            granted: budget,
             budget,
-            end,
+            end: now + Time::from(budget) * line_cost,
             line_cost,
             reads_clock: false,
+            arguments: Vec::new(),
         }
     }
 
@@ -109,6 +113,7 @@ impl Vm {
             Stop::Ended => {
                 task.state = TaskState::Killed;
                 host.task(id, &task.name, TaskChange::Ended);
+                self.roster.any_over = true;
             }
             Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
             Stop::Budget | Stop::Waits | Stop::Halted => {}
@@ -119,10 +124,10 @@ impl Vm {
 
     /// Removes the tasks that have ended or were killed, with the data of their frames.
     fn sweep(&mut self) {
-        let is_over = |task: &Task| task.state == TaskState::Killed;
-        if !self.roster.tasks.iter().any(is_over) {
+        if !std::mem::take(&mut self.roster.any_over) {
             return;
         }
+        let is_over = |task: &Task| task.state == TaskState::Killed;
         let (over, left) = std::mem::take(&mut self.roster.tasks).into_iter().partition(is_over);
         self.roster.tasks = left;
         for mut task in over {
@@ -150,6 +155,7 @@ impl Vm {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.state = TaskState::Killed;
             host.task(id, &task.name, TaskChange::Killed);
+            self.roster.any_over = true;
         }
         self.sweep();
     }

@@ -66,18 +66,18 @@ fn loops() {
     check(
         "while i<5\ni=i+1\nendWhile\ndo\ni=i-1\nuntil i<=0",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=5, n3=1
-           1     0  Line
-                 1  UnlessLess { a: 0, b: 2, to: 5 }
-           2     2  Line
-                 3  Add { to: 0, a: 0, b: 3 }
-                 4  Jump { to: 0 }
-           3     5  Line
-                 6  Subtract { to: 0, a: 0, b: 3 }
-           4     7  Line
-                 8  UnlessLessEqual { a: 0, b: 4, to: 5 }
-                 9  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=5, n3=1
+               1     0  Line
+                     1  UnlessLess { a: 0, b: 2, to: 5 }
+               2     2  Line
+                     3  Add { to: 0, a: 0, b: 3 }
+                     4  JumpToLine { to: 0 }
+               3     5  Line
+                     6  Subtract { to: 0, a: 0, b: 3 }
+               4     7  Line
+                     8  UnlessLessEqual { a: 0, b: 4, to: 5 }
+                     9  Return
+        "#]],
     );
 }
 
@@ -124,24 +124,24 @@ fn cases_are_compared_one_after_the_other() {
     check(
         "switch i+1\ncase 1,2\nreturn\nbreak\ncase -3\ni=0\nbreak\ndefault\nb=true\nbreak\nendSwitch",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=1, n4=2, n5=-3
-           1     0  Line
-                 1  Add { to: 3, a: 0, b: 2 }
-                 2  IfEqual { a: 3, b: 2, to: 6 }
-                 3  IfEqual { a: 3, b: 4, to: 6 }
-                 4  IfEqual { a: 3, b: 5, to: 9 }
-                 5  Jump { to: 12 }
-           2     6  Line
-                 7  Return
-                 8  Jump { to: 15 }
-           3     9  Line
-                10  Move { to: 0, from: 6 }
-                11  Jump { to: 15 }
-           4    12  Line
-                13  Move { to: 1, from: 2 }
-                14  Jump { to: 15 }
-                15  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=1, n4=2, n5=-3
+               1     0  Line
+                     1  Add { to: 3, a: 0, b: 2 }
+                     2  IfEqual { a: 3, b: 2, to: 6 }
+                     3  IfEqual { a: 3, b: 4, to: 6 }
+                     4  IfEqual { a: 3, b: 5, to: 9 }
+                     5  JumpToLine { to: 12 }
+               2     6  Line
+                     7  Return
+                     8  Jump { to: 15 }
+               3     9  Line
+                    10  Move { to: 0, from: 6 }
+                    11  Jump { to: 15 }
+               4    12  Line
+                    13  Move { to: 1, from: 2 }
+                    14  Jump { to: 15 }
+                    15  Return
+        "#]],
     );
     check(
         "switch s\ncase \"a\"\ni=0\nbreak\nendSwitch",

@@ -1,0 +1,70 @@
+//! Running alone: `cargo bench --bench run`. Against Lua and CPython: `cargo xtask metrics --run`.
+
+#![allow(missing_docs, reason = "benchmarks are named by their functions")]
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use divan::Bencher;
+use val3_analysis::load;
+use val3_analysis::system::Disk;
+use val3_bytecode::Image;
+use val3_machine::controller::{Controller, Step};
+use val3_machine::devices::{Devices, Libraries};
+use val3_machine::event::What;
+use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+use xtask::metrics::running::PROGRAMS;
+
+/// What a line takes, in nanoseconds: as `val3 run` has it.
+const LINE: u64 = 2000;
+
+fn main() {
+    divan::main();
+}
+
+/// No program here loads a library.
+struct NoLibraries;
+
+impl Libraries for NoLibraries {
+    fn image(&mut self, path: &ControllerPath, _: LibraryFiles) -> Result<Arc<Image>, String> {
+        Err(format!("no library {path}"))
+    }
+}
+
+/// Each application of `benches/programs`, compiled before.
+#[divan::bench(args = PROGRAMS, sample_count = 5, sample_size = 1)]
+fn application(bencher: Bencher<'_, '_>, name: &str) {
+    let image = compiled(name);
+    bencher.with_inputs(|| Arc::clone(&image)).bench_local_values(run);
+}
+
+fn compiled(name: &str) -> Arc<Image> {
+    let manifest = Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("programs/{name}/{name}.pjx"));
+    let workspace = load::load(&Disk, &[manifest]).expect("the application can be read");
+    let project = workspace.projects.first().expect("the application is a project");
+    Arc::new(val3_compile::compile(&workspace.db, *project).expect("the application has no faults"))
+}
+
+/// The line that the application has logged.
+fn run(image: Arc<Image>) -> Option<String> {
+    let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
+    let mut controller = Controller::new(devices, image, "Disk://main".to_owned(), LINE);
+    assert!(controller.start("start"), "no program start");
+    let mut logged = None;
+    loop {
+        let step = controller.step();
+        for event in controller.devices.take_events() {
+            match event.what {
+                What::Log { text, .. } => logged = Some(text),
+                What::Error { code, .. } => panic!("run-time error {code}"),
+                _ => {}
+            }
+        }
+        match step {
+            Step::Finished => return logged,
+            Step::Idle(Some(wake)) => controller.jump(wake),
+            Step::Idle(None) | Step::Stuck | Step::Lacking => panic!("the application does not end"),
+            Step::Busy => {}
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! How fast applications run, against the same algorithms in Lua and CPython: `cargo xtask metrics --run`.
+
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, ensure};
+use camino::Utf8Path;
+
+use crate::project;
+
+/// The applications in `benches/programs`. Each but the last, which waits for an hour, is there in Lua and Python too.
+pub const PROGRAMS: [&str; 7] = ["sieve", "fibonacci", "arrays", "texts", "transformations", "tasks", "waiting"];
+
+/// The fastest run counts: the others were disturbed.
+const RUNS: usize = 3;
+
+/// Prints the seconds of each program, from the start of the process to its end.
+///
+/// # Errors
+/// When a program fails, or two of them do not print the same.
+pub(super) fn measure() -> anyhow::Result<()> {
+    println!("{:16} {:>8} {:>8} {:>8} {:>8} {:>8}", "seconds", "val3", "lua", "python", "x lua", "x python");
+    PROGRAMS.iter().try_for_each(|name| row(name))
+}
+
+fn row(name: &str) -> anyhow::Result<()> {
+    let folder = project::root().join("benches/programs").join(name);
+    let (expected, val3) = fastest(&[project::root().join("target/release/val3").as_str(), "run", folder.as_str()])?;
+    print!("{name:16} {:8.3}", val3.as_secs_f64());
+    let mut factors = String::new();
+    for (interpreter, ending) in [("lua5.4", "lua"), ("python3", "py")] {
+        let program = folder.join(name).with_extension(ending);
+        if !program.exists() {
+            continue;
+        }
+        let (printed, time) = fastest(&[interpreter, program.as_str()])?;
+        ensure!(expected.ends_with(&printed), "{program} prints {printed}, val3 {expected}");
+        print!(" {:8.3}", time.as_secs_f64());
+        factors += &format!(" {:8.1}", time.as_secs_f64() / val3.as_secs_f64());
+    }
+    println!("{factors}");
+    Ok(())
+}
+
+/// What a command prints, and how long it takes.
+fn fastest(command: &[&str]) -> anyhow::Result<(String, Duration)> {
+    let runs = (0..RUNS).map(|_| run(command)).collect::<anyhow::Result<Vec<_>>>()?;
+    runs.into_iter().min_by_key(|(_, time)| *time).context("no run")
+}
+
+fn run(command: &[&str]) -> anyhow::Result<(String, Duration)> {
+    let (program, arguments) = command.split_first().context("no command")?;
+    let started = Instant::now();
+    let output = Command::new(program).args(arguments).stderr(Stdio::inherit()).output();
+    let time = started.elapsed();
+    let output = output.with_context(|| format!("cannot start {}", Utf8Path::new(program)))?;
+    ensure!(output.status.success(), "{} ended with {}", command.join(" "), output.status);
+    Ok((String::from_utf8(output.stdout)?, time))
+}
