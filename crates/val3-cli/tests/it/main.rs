@@ -12,6 +12,7 @@ mod fixes;
 mod fmt;
 mod formats;
 mod lsp;
+mod ros;
 mod statistics;
 mod support;
 mod usage;
