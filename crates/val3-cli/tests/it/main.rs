@@ -14,6 +14,7 @@ mod fmt;
 mod formats;
 mod lsp;
 mod run;
+mod ros;
 mod statistics;
 mod support;
 mod usage;
