@@ -222,10 +222,15 @@ impl Controller {
         let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
         let stops = self.vm.tasks().iter().any(|task| Some(&task.name) == name.as_ref());
         match self.phase {
-            Phase::Running if self.vm.tasks().is_empty() => self.begin_stop(),
+            Phase::Running if !self.has_tasks() => self.begin_stop(),
             Phase::Stopping if !stops => self.end(),
             _ => {}
         }
+    }
+
+    /// The application has tasks. Those of its libraries do not keep it alive: they are killed behind `stop` (2.1.3).
+    fn has_tasks(&self) -> bool {
+        self.vm.tasks().iter().any(|task| task.owner == self.application)
     }
 
     fn is_stuck(&self) -> bool {

@@ -60,6 +60,10 @@ impl Schedule {
         let mut due: Vec<(Time, TaskNumber)> = vm.tasks().iter().filter_map(|task| self.due(task)).collect();
         due.sort_unstable();
         for (period, id) in &due {
+            // One before it may have halted or killed it.
+            if !vm.tasks().iter().any(|task| task.id == *id && task.is_running()) {
+                continue;
+            }
             self.begin_period(vm, *id);
             let turn = vm.turn(*id, Grant::once(SYNCHRONOUS_LINES), (self.now, self.line_cost), host);
             let took = Time::from(turn.lines) * self.line_cost;
@@ -68,7 +72,20 @@ impl Schedule {
                 self.leave_out_period(vm, *id);
             }
         }
+        self.pass_periods(vm);
         !due.is_empty()
+    }
+
+    /// The periods of tasks that do not run pass, so that one that is resumed goes on at the beginning of one.
+    fn pass_periods(&self, vm: &mut Vm) {
+        let is_passed = |task: &&Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
+        let passed: Vec<TaskNumber> =
+            vm.tasks().iter().filter(is_passed).filter(|task| !task.is_running()).map(|task| task.id).collect();
+        for id in passed {
+            if let Some(Rate::Period { period, next, .. }) = vm.rate_mut(id) {
+                *next = (self.now / *period + 1) * *period;
+            }
+        }
     }
 
     fn due(&self, task: &Task) -> Option<(Time, TaskNumber)> {

@@ -165,3 +165,22 @@ fn a_variable_has_9999_values() {
         "#]],
     );
 }
+
+#[test]
+fn a_collection_has_9999_values() {
+    errors(
+        "num nColl[\"0\"]",
+        &[
+            "for l_nValue=1 to 9998\n    insert(nColl[toString(\"\",l_nValue)])\n  endFor",
+            "insert(nColl[\"9998\"])",
+            "insert(nColl[\"9999\"])",
+            "delete(nColl[\"0\"])\n  insert(nColl[\"9999\"])",
+        ],
+        expect![[r#"
+            -1 for l_nValue=1 to 9998;   insert(nColl[toString('',l_nValue)]); endFor
+            -1 insert(nColl['9998'])
+            40 insert(nColl['9999'])
+            -1 delete(nColl['0']); insert(nColl['9999'])
+        "#]],
+    );
+}

@@ -138,3 +138,40 @@ fn equal_applications_have_equal_records() {
     assert!(bytes().len() > 100);
     assert_eq!(bytes(), bytes());
 }
+
+#[test]
+fn stopped_behind_the_end_of_start_the_other_tasks_see_stop() {
+    let mut running = Running::start(
+        r#"
+        bool bEnd
+        program work()
+        begin
+          wait(bEnd)
+          ? "told"
+          wait(false)
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+        end
+        program stop()
+        begin
+          bEnd=true
+          delay(0.1)
+        end
+        "#,
+    )
+    .for_seconds(2);
+    running.controller.stop();
+    running.controller.stop();
+    expect![[r#"
+        ~main created
+        work created
+        ~main ended
+        ~main created
+        told
+        ~main ended
+        work killed
+    "#]]
+    .assert_eq(&story(&running.to_the_end()));
+}

@@ -180,7 +180,7 @@ fn for_counts_until_the_end_is_passed() {
 }
 
 #[test]
-fn the_end_and_the_step_of_a_loop_may_change() {
+fn the_end_and_the_step_of_a_loop_are_taken_once() {
     check(
         r#"
         num nPos

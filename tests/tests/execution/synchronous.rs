@@ -258,3 +258,97 @@ fn the_variable_of_overruns_is_a_global_one() {
         "#]],
     );
 }
+
+#[test]
+fn it_waits_in_steps_of_its_period() {
+    check(
+        r#"
+        bool bLate
+        bool bSeen
+        program each()
+        begin
+          ? clock()
+          delay(0.15)
+          ? clock()
+          bSeen=watch(false,0.31)
+          ? clock()
+        end
+        program start()
+        begin
+          taskCreateSync "s",0.1,bLate,each()
+          wait(taskStatus("s")==-1)
+          ? bSeen
+        end
+        "#,
+        expect![[r#"
+            0.1
+            0.3
+            0.7
+            false
+        "#]],
+    );
+}
+
+#[test]
+fn an_error_stops_it_and_it_goes_on_in_a_period() {
+    check(
+        r#"
+        bool bLate
+        num nZero
+        program each()
+        begin
+          nZero=1/nZero
+          ? clock()
+        end
+        program start()
+        begin
+          taskCreateSync "s",0.1,bLate,each()
+          wait(taskStatus("s")==10)
+          nZero=2
+          delay(0.23)
+          taskResume("s",0)
+          wait(taskStatus("s")==-1)
+          ? nZero
+        end
+        "#,
+        expect![[r#"
+            error 10
+            0.4
+            0.5
+        "#]],
+    );
+}
+
+#[test]
+fn one_that_another_halts_or_kills_in_the_same_period_does_not_run() {
+    check(
+        r#"
+        bool bLate
+        num nTimes
+        program first()
+        begin
+          taskSuspend("b")
+          taskKill("c")
+          delay(0.35)
+        end
+        program each()
+        begin
+          nTimes=nTimes+1
+        end
+        program start()
+        begin
+          taskCreateSync "a",0.1,bLate,first()
+          taskCreateSync "b",0.1,bLate,each()
+          taskCreateSync "c",0.1,bLate,each()
+          wait(taskStatus("a")==-1)
+          ? nTimes
+          ? taskStatus("b")
+          taskKill("b")
+        end
+        "#,
+        expect![[r#"
+            0
+            0
+        "#]],
+    );
+}

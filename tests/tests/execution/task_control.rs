@@ -347,3 +347,140 @@ fn a_task_keeps_the_values_it_was_given() {
         "#]],
     );
 }
+
+#[test]
+fn lines_count_in_the_program_that_was_called() {
+    check(
+        r#"
+        string sTrace
+        num nZero
+        program inner()
+        begin
+          sTrace=sTrace+"b"
+          sTrace=sTrace+toString("",1/nZero)
+          sTrace=sTrace+"c"
+        end
+        program work()
+        begin
+          sTrace=sTrace+"a"
+          call inner()
+          sTrace=sTrace+"d"
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          wait(taskStatus("work")==10)
+          taskResume("work",-1)
+          wait(taskStatus("work")==10)
+          taskResume("work",1)
+          wait(taskStatus("work")==-1)
+          ? sTrace
+        end
+        "#,
+        expect![[r#"
+            error 10
+            error 10
+            abbcd
+        "#]],
+    );
+}
+
+#[test]
+fn a_line_within_a_block_can_be_resumed() {
+    check(
+        r#"
+        num nZero
+        num n
+        string sTrace
+        program work()
+        begin
+          sTrace=sTrace+toString("",1/nZero)
+          if false
+            sTrace=sTrace+"if"
+          endIf
+          for n=1 to 2
+            sTrace=sTrace+toString("",n)
+          endFor
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          wait(taskStatus("work")==10)
+          taskResume("work",2)
+          wait(taskStatus("work")==-1)
+          ? sTrace
+        end
+        "#,
+        expect![[r#"
+            error 10
+            if12
+        "#]],
+    );
+}
+
+#[test]
+fn the_start_task_is_a_task_as_others() {
+    check(
+        r#"
+        program work()
+        begin
+          delay(1)
+          ? taskStatus("~main")
+          taskKill("~main")
+          ? taskStatus("~main")
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          delay(10)
+          ? "never"
+        end
+        program stop()
+        begin
+          ? clock()
+        end
+        "#,
+        expect![[r#"
+            1
+            -1
+            1.004
+        "#]],
+    );
+}
+
+#[test]
+fn a_failed_task_holds_its_name_and_can_be_killed() {
+    check(
+        r#"
+        num nZero
+        program work()
+        begin
+          nZero=1/nZero
+        end
+        program again()
+        begin
+          taskCreate "work",10,work()
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          wait(taskStatus("work")!=1)
+          taskCreate "again",10,again()
+          wait(taskStatus("again")!=1)
+          ? taskStatus("again")
+          taskKill("work")
+          taskResume("again",0)
+          wait(taskStatus("again")!=1)
+          ? taskStatus("again")
+          taskKill("work")
+        end
+        "#,
+        expect![[r#"
+            error 10
+            error 31
+            31
+            error 10
+            -1
+        "#]],
+    );
+}

@@ -12,6 +12,7 @@ mod execution;
 mod expressions;
 mod instructions;
 mod libraries;
+mod library_tasks;
 mod lines;
 mod media;
 mod places;
