@@ -57,6 +57,13 @@ pub(crate) fn leave(memory: &mut Memory, base: Base) {
     }
 }
 
+/// Copies a number from the frame of the caller: what most arguments are.
+#[inline]
+pub(crate) fn pass_number(nums: &mut [f64], from: u32, to: u32) -> Result<()> {
+    let value = nums.get(from as usize).copied().ok_or(Fault::INTERPRETER)?;
+    write(nums, to, value)
+}
+
 /// Gives a parameter of the frame at `base` its argument.
 #[inline]
 pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Given) -> Result<()> {
@@ -68,10 +75,6 @@ pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Giv
         },
     };
     match param.passing {
-        Passing::Value(_, lanes) if param.kind.size == Lanes::nums(1) => {
-            let value = memory.num(from, 0)?;
-            write(&mut memory.stack.nums, base.num + lanes.num, value)
-        }
         Passing::Value(_, lanes) => {
             let Base { num, text, link, part, .. } = base;
             let to = Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes);

@@ -2,15 +2,19 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{CallSite, Handler, Image, InstructionSite, Op, Operand, Program, ProgramRef, Register};
+use val3_bytecode::{
+    ArgumentSite, CallSite, Handler, Image, InstructionSite, Op, Operand, Passing, Program, ProgramRef, Register,
+};
 use val3_lang::call::{Argument, Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
 use val3_lang::ports::{Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
+use val3_lang::types::BaseType;
+use val3_lang::values::Text;
 
-use crate::arguments::Scope;
-use crate::enter::{behind, enter, leave, pass};
+use crate::arguments::{Given, Scope};
+use crate::enter::{behind, enter, leave, pass, pass_number};
 use crate::instance::Imported;
 use crate::roster::Roster;
 use crate::services::{Changes, Services};
@@ -214,9 +218,9 @@ impl Machine<'_> {
                 Op::NotEqual { to, a, b } => set!(to, truth!(get!(a) != get!(b))),
 
                 Op::TextConstant { to, constant } => {
-                    let text = *program.texts.get(usize::from(constant)).ok_or(Fault::INTERPRETER)?;
-                    self.set_text(frame.base, to, text)?;
-                    nums = frame!();
+                    let at = frame.base.text as usize + usize::from(to);
+                    let to = self.space.memory.stack.texts.get_mut(at).ok_or(Fault::INTERPRETER)?;
+                    *to = *program.texts.get(usize::from(constant)).ok_or(Fault::INTERPRETER)?;
                 }
                 Op::TextMove { to, from } => {
                     let text = *self.text(frame.base, from)?;
@@ -224,9 +228,9 @@ impl Machine<'_> {
                     nums = frame!();
                 }
                 Op::Concatenate { to, a, b } => {
-                    let text = *self.text(frame.base, a)? + self.text(frame.base, b)?.as_str();
-                    self.set_text(frame.base, to, text)?;
-                    nums = frame!();
+                    let first = frame.base.text as usize;
+                    let texts = self.space.memory.stack.texts.get_mut(first..).ok_or(Fault::INTERPRETER)?;
+                    concatenate(texts, to, (a, b))?;
                 }
                 Op::TextEqual { to, a, b } => {
                     let equal = self.text(frame.base, a)? == self.text(frame.base, b)?;
@@ -400,12 +404,12 @@ impl Machine<'_> {
         Ok(Scope { memory: &self.space.memory, instance: self.instance(frame.instance)?, base: frame.base })
     }
 
-    fn text(&self, base: Base, register: Register) -> Result<&val3_lang::values::Text> {
+    fn text(&self, base: Base, register: Register) -> Result<&Text> {
         let at = base.text as usize + usize::from(register);
         self.space.memory.stack.texts.get(at).ok_or(Fault::INTERPRETER)
     }
 
-    fn set_text(&mut self, base: Base, register: Register, text: val3_lang::values::Text) -> Result<()> {
+    fn set_text(&mut self, base: Base, register: Register, text: Text) -> Result<()> {
         let at = base.text as usize + usize::from(register);
         *self.space.memory.stack.texts.get_mut(at).ok_or(Fault::INTERPRETER)? = text;
         Ok(())
@@ -525,13 +529,22 @@ impl Machine<'_> {
         let callee = other.as_ref().unwrap_or(image).programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
         enter(&mut self.space.memory, callee, base, self.stack_size)?;
         for (param, argument) in callee.params.iter().zip(&site.arguments) {
-            let passed = self.scope(frame)?.given(argument);
-            let passed = passed.and_then(|given| pass(&mut self.space.memory, base, param, given));
+            let passed = match (param.passing, *argument) {
+                (Passing::Value(BaseType::Num | BaseType::Bool, to), ArgumentSite::Value(Operand::Frame(from), _)) => {
+                    pass_number(&mut self.space.memory.stack.nums, frame.base.num + from.num, base.num + to.num)
+                }
+                _ => self.given(frame, argument).and_then(|given| pass(&mut self.space.memory, base, param, given)),
+            };
             passed.inspect_err(|_| leave(&mut self.space.memory, base))?;
         }
         thread.frames.push(Frame { instance, program: number, back: thread.next, back_line: thread.line, base });
         thread.next = 0;
         Ok(if instance == frame.instance { Leave::Program } else { Leave::Instance })
+    }
+
+    #[inline]
+    fn given(&self, frame: Frame, argument: &ArgumentSite) -> Result<Given> {
+        self.scope(frame)?.given(argument)
     }
 
     pub(crate) fn resolve(&self, from: InstanceId, program: ProgramRef) -> Result<(InstanceId, u16)> {
@@ -567,6 +580,21 @@ fn innermost<'i>(thread: &Thread, image: &'i Image) -> Result<(Frame, &'i Progra
 fn numbers(frame: Frame, program: &Program) -> std::ops::Range<usize> {
     let start = frame.base.num as usize;
     start..start + program.frame.lanes.num as usize
+}
+
+/// `to = a + b`, in place where that can be.
+fn concatenate(texts: &mut [Text], to: Register, (a, b): (Register, Register)) -> Result<()> {
+    let [to, a, b] = [to, a, b].map(usize::from);
+    if let Ok([text, right]) = texts.get_disjoint_mut([to, b])
+        && to == a
+    {
+        *text += right;
+        return Ok(());
+    }
+    let (left, right) = texts.get(a).zip(texts.get(b)).ok_or(Fault::INTERPRETER)?;
+    let sum = *left + right;
+    *texts.get_mut(to).ok_or(Fault::INTERPRETER)? = sum;
+    Ok(())
 }
 
 /// The remainder has the sign of the left side (3.2.2).

@@ -12,6 +12,9 @@ const SIGNIFICANT: usize = 14;
 /// From here on the part before the point has more than [`Text::CAPACITY`] characters with its sign.
 const TOO_LONG: f64 = 1e127;
 
+/// Up to here every whole number is exact: 2^53.
+const EXACT: f64 = 9_007_199_254_740_992.0;
+
 /// `toString`: `format` is `"size.precision"`, and both count as 0 where they are missing.
 ///
 /// Zeros that end the decimals become blanks, and so does a point that then has no decimal; blanks before the number
@@ -26,6 +29,9 @@ pub fn to_string(format: &str, value: f64) -> Result<Text> {
     let number = fixed(value, precision);
     let kept = without_final_zeros(&number);
     let dropped = number.len() - kept.len();
+    if dropped == 0 && size <= number.len() {
+        return Ok(number);
+    }
     let front = size.saturating_sub(dropped);
     Ok(Text::from(format_args!("{kept:>front$}{:dropped$}", "")))
 }
@@ -82,6 +88,10 @@ fn exponent_and_digits(scientific: &str) -> Option<(i32, i32)> {
 
 /// With all of `precision` decimals, cut where the string ends.
 fn fixed(value: f64, precision: usize) -> Text {
+    if precision == 0 && value.abs() < EXACT && value.fract() == 0.0 {
+        #[allow(clippy::cast_possible_truncation, reason = "a whole number, and exact")]
+        return Text::from(format_args!("{}", value as i64));
+    }
     if value.abs() >= TOO_LONG || value.is_nan() {
         return scientific(value);
     }

@@ -1,7 +1,7 @@
 //! The value of a `string`: at most 128 bytes of UTF-8, stored inline (3.4.1).
 
 use std::fmt::{self, Write};
-use std::ops::{Add, Deref};
+use std::ops::{Add, AddAssign, Deref};
 
 use arrayvec::ArrayString;
 
@@ -29,6 +29,7 @@ impl Text {
     }
 
     /// Appends what fits; whether that was all of `part`.
+    #[inline]
     fn push(&mut self, part: &str) -> bool {
         let fits = part.get(..part.floor_char_boundary(self.0.remaining_capacity())).unwrap_or(part);
         self.0.try_push_str(fits).is_ok() && fits.len() == part.len()
@@ -69,8 +70,15 @@ impl Add<&str> for Text {
     type Output = Self;
 
     fn add(mut self, right: &str) -> Self {
-        self.push(right);
+        self += right;
         self
+    }
+}
+
+impl AddAssign<&str> for Text {
+    #[inline]
+    fn add_assign(&mut self, right: &str) {
+        self.push(right);
     }
 }
 
