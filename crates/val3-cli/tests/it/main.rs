@@ -11,6 +11,8 @@ mod faulty_cell;
 mod fixes;
 mod fmt;
 mod formats;
+#[cfg(unix)]
+mod live;
 mod lsp;
 mod statistics;
 mod support;
