@@ -219,6 +219,9 @@ pub(crate) struct RunArgs {
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,
+    /// Show the user page in the terminal and let its keyboard be that of the pendant; implies --time real
+    #[arg(long)]
+    pub(crate) interactive: bool,
 }
 
 /// Arguments of `val3 eval`.

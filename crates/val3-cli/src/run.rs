@@ -1,9 +1,11 @@
 //! `val3 run`: an application on the embedded controller.
 
 mod arm;
+mod audience;
 mod console;
 mod images;
 mod lines;
+mod live;
 mod opening;
 mod outside;
 mod pace;
@@ -16,10 +18,11 @@ use val3_machine::event::{EndReason, What};
 
 use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
+use audience::Audience;
 use console::Console;
+use live::Wish;
 use opening::Opened;
 use pace::Pace;
-use record::Record;
 
 pub(crate) use console::lacking;
 pub(crate) use images::{Images, Laid};
@@ -28,6 +31,9 @@ pub(crate) use opening::only_application;
 
 /// Exit code of a run that `--until` has ended.
 const EXIT_LIMIT: u8 = 3;
+
+/// Exit code of a run that the operator has broken off, as shells give it for Ctrl-C.
+const EXIT_BROKEN_OFF: u8 = 130;
 
 /// How a run has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -40,21 +46,22 @@ enum End {
     Lacking,
     /// `--until`
     Limit,
+    /// The operator did not want to wait for `stop`.
+    BrokenOff,
 }
 
 /// Runs the command.
 pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
+    if args.interactive {
+        live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;
+    }
     let mut controller = match opening::open(args, color)? {
         Opened::Ready(controller) => *controller,
         Opened::Faulty(code) => return Ok(code),
     };
-    let mut record = Record::open(args.events.as_deref())?;
-    let mut console = Console::new(color, !record.takes_stdout())?;
-    let end = until_the_end(args, &mut controller, &mut |what| {
-        record.write(what)?;
-        console.show(what)
-    })?;
-    record.close()?;
+    let mut audience = Audience::open(args, color)?;
+    let end = until_the_end(args, &mut controller, &mut audience)?;
+    let console = audience.close()?;
     if args.screen {
         console.page(&controller.devices.pendant)?;
     }
@@ -68,22 +75,21 @@ fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
         End::Stuck | End::Lacking => ExitCode::FAILURE,
         End::Limit if controller.has_failed_tasks() => ExitCode::FAILURE,
         End::Limit => ExitCode::from(EXIT_LIMIT),
+        End::BrokenOff => ExitCode::from(EXIT_BROKEN_OFF),
     }
 }
 
-/// Gives `tell` everything that happens until the run ends.
-fn until_the_end(
-    args: &RunArgs,
-    controller: &mut Controller,
-    tell: &mut dyn FnMut(&val3_machine::event::Event) -> Result<(), UserError>,
-) -> Result<End, UserError> {
-    let mut pace = Pace::new(args.time, args.until);
+/// Tells everything that happens until the run ends.
+fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
+    let mut pace = Pace::new(args);
     let end = loop {
         let step = controller.step();
-        controller.devices.take_events().iter().try_for_each(&mut *tell)?;
+        audience.tell(&controller.devices.take_events())?;
+        let wish = audience.attend(controller)?;
         match step {
             Step::Finished => break End::Finished,
             Step::Lacking => break End::Lacking,
+            _ if wish == Wish::End => break End::BrokenOff,
             _ if pace.is_over(controller.now()) => break End::Limit,
             Step::Busy => pace.follow(controller.now()),
             Step::Idle(wake) if !pace.wait(controller, wake) => break End::Stuck,
@@ -96,8 +102,9 @@ fn until_the_end(
         End::Finished => EndReason::Finished,
         End::Stuck | End::Lacking => EndReason::Error,
         End::Limit => EndReason::Limit,
+        End::BrokenOff => EndReason::Stopped,
     };
     controller.devices.record_outside(controller.now(), What::End { reason });
-    controller.devices.take_events().iter().try_for_each(tell)?;
+    audience.tell(&controller.devices.take_events())?;
     Ok(end)
 }

@@ -37,6 +37,7 @@ impl Console {
 
     /// Shows what has happened, if people want to know.
     pub(crate) fn show(&mut self, event: &Event) -> Result<(), UserError> {
+        self.follow(event);
         match &event.what {
             What::Print { text } => self.say(text),
             What::Log { text, .. } => self.say(&format!("log: {text}")),
@@ -49,24 +50,22 @@ impl Console {
                 self.lacking(event.task.as_deref().unwrap_or_default(), instruction, file, *line);
                 Ok(())
             }
-            What::Task { state, name, .. } => {
-                self.follow(state, name);
-                Ok(())
-            }
             _ => Ok(()),
         }
     }
 
     /// An error counts as handled when another task lets the failed one go on, or kills it.
-    fn follow(&mut self, state: &str, name: &str) {
-        match state {
+    pub(crate) fn follow(&mut self, event: &Event) {
+        let What::Task { state, name, .. } = &event.what else { return };
+        match *state {
             "error" => self.failed.push(name.to_owned()),
             "resumed" | "killed" => self.failed.retain(|failed| failed != name),
             _ => {}
         }
     }
 
-    fn say(&self, text: &str) -> Result<(), UserError> {
+    /// Writes a line to the standard output, if it is free.
+    pub(crate) fn say(&self, text: &str) -> Result<(), UserError> {
         if !self.speaks {
             return Ok(());
         }

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::Controller;
 
-use crate::args::RunTime;
+use crate::args::{RunArgs, RunTime};
 
 /// How long the outside is given to do something while all tasks wait for it.
 const LISTENING: Duration = Duration::from_millis(4);
@@ -16,13 +16,17 @@ pub(crate) struct Pace {
     /// When the controller's clock was 0, where it follows the one on the wall.
     started: Option<Instant>,
     until: Option<Time>,
+    /// An operator may do something at any time.
+    attended: bool,
 }
 
 impl Pace {
-    pub(crate) fn new(time: RunTime, until: Option<f64>) -> Self {
+    /// The pace that the arguments ask for; an operator needs the clock on the wall.
+    pub(crate) fn new(args: &RunArgs) -> Self {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
-        let until = until.map(|seconds| (seconds * SECOND as f64) as Time);
-        Self { started: (time == RunTime::Real).then(Instant::now), until }
+        let until = args.until.map(|seconds| (seconds * SECOND as f64) as Time);
+        let is_real = args.time == RunTime::Real || args.interactive;
+        Self { started: is_real.then(Instant::now), until, attended: args.interactive }
     }
 
     /// The time of the run is up.
@@ -40,7 +44,7 @@ impl Pace {
     /// All tasks wait until `wake`, or for the outside. Whether something can still happen.
     pub(crate) fn wait(&mut self, controller: &mut Controller, wake: Option<Time>) -> bool {
         let next = [wake, controller.next_due()].into_iter().flatten().min();
-        if controller.hears_outside() {
+        if self.attended || controller.hears_outside() {
             // What comes from outside comes at its own time: the clock on the wall decides, cycle by cycle.
             if self.started.is_none() && controller.devices.lines.reach_outside() {
                 sleep(LISTENING);

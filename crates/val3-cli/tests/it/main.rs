@@ -12,6 +12,8 @@ mod faulty_cell;
 mod fixes;
 mod fmt;
 mod formats;
+#[cfg(unix)]
+mod live;
 mod lsp;
 mod run;
 mod ros;

@@ -1,0 +1,140 @@
+//! `--interactive`: the user page in a terminal, with the keyboard as the keys of the pendant.
+
+mod journal;
+mod keyboard;
+mod view;
+
+use std::io::{self, IsTerminal};
+use std::time::{Duration, Instant};
+
+use ratatui::DefaultTerminal;
+use ratatui::crossterm::event::{self, Event as Input};
+use val3_machine::controller::Controller;
+use val3_machine::event::Event;
+
+use crate::user_error::UserError;
+use journal::Journal;
+use keyboard::Command;
+use view::View;
+
+/// The least time from one picture to the next.
+const REFRESH: Duration = Duration::from_millis(40);
+
+/// A terminal that shows the pendant.
+///
+/// While it lives the terminal is in raw mode and on its other page; dropping it, or a panic, brings back what was.
+pub(super) struct Live {
+    terminal: DefaultTerminal,
+    journal: Journal,
+    drawn: Option<Instant>,
+    interrupted: bool,
+}
+
+/// What the operator wants of the run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Wish {
+    /// It goes on.
+    GoOn,
+    /// It ends at once.
+    End,
+}
+
+/// Whether there is a terminal to show the page and to read keys from.
+///
+/// # Errors
+/// The standard input or output is something else.
+pub(super) fn check_terminal(events_to_stdout: bool) -> Result<(), UserError> {
+    if events_to_stdout {
+        return Err(UserError::new("the standard output cannot hold the events and the user page")
+            .with_help("name a file for --events, or leave out --interactive"));
+    }
+    if io::stdin().is_terminal() && io::stdout().is_terminal() {
+        return Ok(());
+    }
+    Err(UserError::new("--interactive needs a terminal for the standard input and output")
+        .with_help("leave it out, and give keys by --keys or --script"))
+}
+
+impl Live {
+    /// Takes the terminal.
+    ///
+    /// # Errors
+    /// It cannot be controlled.
+    pub(super) fn open() -> Result<Self, UserError> {
+        let terminal = ratatui::try_init().map_err(|error| {
+            ratatui::restore();
+            refused(&error)
+        })?;
+        Ok(Self { terminal, journal: Journal::default(), drawn: None, interrupted: false })
+    }
+
+    /// Keeps what people want to know of an event.
+    pub(super) fn hear(&mut self, event: &Event) {
+        self.journal.hear(event);
+    }
+
+    /// Gives the keys that were pressed to the pendant, and shows it.
+    ///
+    /// # Errors
+    /// The terminal is gone.
+    pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<Wish, UserError> {
+        let wish = self.listen(controller).map_err(|error| refused(&error))?;
+        if self.drawn.is_none_or(|drawn| drawn.elapsed() >= REFRESH) {
+            self.draw(controller).map_err(|error| refused(&error))?;
+        }
+        Ok(wish)
+    }
+
+    /// Gives the terminal back; what there was to read is returned.
+    pub(super) fn close(mut self) -> Vec<String> {
+        self.journal.take()
+    }
+
+    fn listen(&mut self, controller: &mut Controller) -> io::Result<Wish> {
+        while event::poll(Duration::ZERO)? {
+            match event::read()? {
+                Input::Key(key) if self.obey(keyboard::command(key), controller) == Wish::End => return Ok(Wish::End),
+                Input::Resize(..) => self.drawn = None,
+                _ => {}
+            }
+        }
+        Ok(Wish::GoOn)
+    }
+
+    /// The first interruption stops the application, so that its program `stop` runs; the second one ends the run.
+    fn obey(&mut self, command: Option<Command>, controller: &mut Controller) -> Wish {
+        let now = controller.now();
+        match command {
+            Some(Command::Tap(code)) => controller.devices.pendant.tap(code, now),
+            Some(Command::NextPage) => controller.devices.pendant.show_next(),
+            Some(Command::PreviousPage) => controller.devices.pendant.show_previous(),
+            Some(Command::Interrupt) if self.interrupted => return Wish::End,
+            Some(Command::Interrupt) => {
+                self.interrupted = true;
+                controller.stop();
+            }
+            None => return Wish::GoOn,
+        }
+        self.drawn = None;
+        Wish::GoOn
+    }
+
+    fn draw(&mut self, controller: &Controller) -> io::Result<()> {
+        let devices = &controller.devices;
+        let (now, stopping) = (controller.now(), self.interrupted);
+        let view = View { pendant: &devices.pendant, robot: &devices.robot, journal: &self.journal, now, stopping };
+        self.terminal.draw(|frame| view.draw(frame))?;
+        self.drawn = Some(Instant::now());
+        Ok(())
+    }
+}
+
+impl Drop for Live {
+    fn drop(&mut self) {
+        ratatui::restore();
+    }
+}
+
+fn refused(error: &io::Error) -> UserError {
+    UserError::new(format!("cannot show the user page in the terminal: {error}")).with_help("leave out --interactive")
+}

@@ -1,0 +1,74 @@
+//! What there is to read below the user page.
+
+use std::collections::VecDeque;
+
+use val3_lang::runtime_errors;
+use val3_machine::event::{Event, What};
+
+/// How many lines are kept: what a terminal usually keeps as well.
+const KEPT: usize = 1000;
+
+/// The last lines that `?` has printed, and the last messages and errors.
+#[derive(Debug, Default)]
+pub(super) struct Journal {
+    lines: VecDeque<String>,
+}
+
+impl Journal {
+    /// Keeps what people want to know of an event.
+    pub(super) fn hear(&mut self, event: &Event) {
+        if let Some(line) = line(event) {
+            self.lines.extend(line.lines().map(str::to_owned));
+            self.lines.drain(..self.lines.len().saturating_sub(KEPT));
+        }
+    }
+
+    /// The last lines, `count` at most.
+    pub(super) fn last(&self, count: usize) -> impl Iterator<Item = &str> {
+        self.lines.iter().skip(self.lines.len().saturating_sub(count)).map(String::as_str)
+    }
+
+    /// All lines that were kept.
+    pub(super) fn take(&mut self) -> Vec<String> {
+        std::mem::take(&mut self.lines).into()
+    }
+}
+
+fn line(event: &Event) -> Option<String> {
+    match &event.what {
+        What::Print { text } => Some(text.clone()),
+        What::Log { text, .. } => Some(format!("log: {text}")),
+        What::Popup { text } => Some(format!("pop-up: {text}")),
+        What::Error { code, file, line, .. } => {
+            let short = runtime_errors::find(*code).map_or("unknown run-time error", |error| error.short);
+            let task = event.task.as_deref().unwrap_or_default();
+            Some(format!("{file}:{line}: run-time error {code}: {short} (task `{task}`)"))
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn print(text: &str) -> Event {
+        Event { t: 0.0, task: None, what: What::Print { text: text.to_owned() } }
+    }
+
+    #[test]
+    fn the_last_lines_are_kept() {
+        let mut journal = Journal::default();
+        (0..=KEPT).for_each(|number| journal.hear(&print(&number.to_string())));
+        assert_eq!(journal.last(2).collect::<Vec<_>>(), ["999", "1000"]);
+        assert_eq!(journal.last(5000).next(), Some("1"));
+        assert_eq!(journal.take().len(), KEPT);
+    }
+
+    #[test]
+    fn other_events_are_not_shown() {
+        let mut journal = Journal::default();
+        journal.hear(&Event { t: 0.0, task: None, what: What::Power { on: true } });
+        assert!(journal.take().is_empty());
+    }
+}
