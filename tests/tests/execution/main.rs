@@ -1,6 +1,8 @@
 //! Programs as they run: statements, data and parameters (chapter 2), tasks (chapter 5), and the run-time errors that
 //! need no arm.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a fault of a test may stop it")]
+
 use expect_test::Expect;
 use val3_tests::running::Running;
 
