@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{ArgumentSite, CallSite, Image, InstructionSite, Op, Operand, Passing, Program, ProgramRef, Register};
+use val3_bytecode::{
+    ArgumentSite, CallSite, Image, InstructionSite, Op, Operand, Passing, Program, ProgramRef, Register,
+};
 use val3_lang::call::{Argument, Call, Flow, Wait};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
