@@ -1,6 +1,7 @@
 //! Running alone: `cargo bench --bench run`. Against Lua and CPython: `cargo xtask metrics --run`.
 
 #![allow(missing_docs, reason = "benchmarks are named by their functions")]
+#![allow(clippy::expect_used, clippy::panic, reason = "an application that fails measures nothing")]
 
 use std::sync::Arc;
 

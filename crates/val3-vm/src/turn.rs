@@ -172,3 +172,19 @@ fn is_local(memory: &Memory, argument: Given) -> bool {
         Given::Container(view) => memory.is_local(view.store),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Grant;
+
+    #[test]
+    fn turns_that_follow_one_another_end_where_single_ones_do() {
+        let alone = Grant { first: 3, each: 10, most: 2000 };
+        assert_eq!(alone.budget(), 2000);
+        assert_eq!([0, 1, 3, 4, 13, 14, 23].map(|lines| alone.left(lines)), [3, 2, 0, 9, 0, 9, 0]);
+        let among_others = Grant { each: 0, ..alone };
+        assert_eq!(among_others.budget(), 3);
+        assert_eq!([0, 1, 3].map(|lines| among_others.left(lines)), [3, 2, 0]);
+        assert_eq!(Grant { most: 2, ..among_others }.budget(), 2);
+    }
+}

@@ -15,8 +15,8 @@ mod formats;
 #[cfg(unix)]
 mod live;
 mod lsp;
-mod run;
 mod ros;
+mod run;
 mod statistics;
 mod support;
 mod usage;

@@ -315,3 +315,44 @@ fn tasks_and_waiting() {
         "#]],
     );
 }
+
+/// A task that is alone executes several turns in one go; one that waits for a condition is looked at in each round.
+#[test]
+fn a_task_that_is_alone_gets_the_same_turns() {
+    let printed = |waits: &str| {
+        run(&format!(
+            "
+            bool bGo
+            num n
+            num i
+            program other()
+            begin
+              {waits}
+            end
+            program late()
+            begin
+              while n<60
+                n=n+1
+                ? n
+              endWhile
+            end
+            program start()
+            begin
+              taskCreate \"other\",7,other()
+              delay(0)
+              for i=1 to 23
+                n=n+1
+              endFor
+              taskCreate \"late\",5,late()
+              while n<60
+                n=n+1
+                ? -n
+              endWhile
+              bGo=true
+            end"
+        ))
+    };
+    let (alone, among_others) = (printed("delay(9)"), printed("wait(bGo)"));
+    assert!(alone.contains("-27\n"), "{alone}");
+    assert_eq!(alone, among_others);
+}
