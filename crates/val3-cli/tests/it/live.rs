@@ -3,15 +3,22 @@
 use std::fs::{File, OpenOptions};
 use std::io::{Read, Write};
 use std::process::Child;
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
 
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcgetattr, tcsetwinsize};
 
 use crate::support::Folder;
 
+/// How long a picture may take; a test that waits in vain ends.
+const PATIENCE: Duration = Duration::from_secs(20);
+
 /// A terminal with a command in it.
 struct Terminal {
-    keyboard_and_picture: File,
+    keyboard: File,
+    /// What comes onto the screen. It is read aside: a read has no end while the line is open.
+    picture: Receiver<String>,
     /// The end of the command, kept to look at its modes.
     line: File,
     child: Child,
@@ -19,7 +26,7 @@ struct Terminal {
 }
 
 impl Terminal {
-    /// Runs the application of a folder; the time limit ends a test that waits in vain.
+    /// Runs the application of a folder.
     fn run(folder: &Folder) -> Self {
         let other = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
         grantpt(&other).unwrap();
@@ -27,27 +34,42 @@ impl Terminal {
         tcsetwinsize(&other, Winsize { ws_row: 24, ws_col: 80, ws_xpixel: 0, ws_ypixel: 0 }).unwrap();
         let name = ptsname(&other, Vec::new()).unwrap().into_string().unwrap();
         let line = OpenOptions::new().read(true).write(true).open(name).unwrap();
-        let mut command = folder.command(&["run", "--interactive", "--until", "30", "main"]);
+        let mut command = folder.command(&["run", "--interactive", "--until", "30", "usrapp/main"]);
         command.stdin(line.try_clone().unwrap()).stdout(line.try_clone().unwrap()).env("TERM", "xterm");
         let child = command.spawn().unwrap();
-        Self { keyboard_and_picture: other.into(), line, child, seen: String::new() }
+        let keyboard = File::from(other);
+        let picture = pictures(keyboard.try_clone().unwrap());
+        Self { keyboard, picture, line, child, seen: String::new() }
     }
 
-    /// Reads until the picture holds a text that was not seen before.
+    /// Reads on until the picture holds a text behind the one that was waited for before.
     fn wait_for(&mut self, text: &str) {
-        let mut bytes = [0; 4096];
         while !self.seen.contains(text) {
-            let count = self.keyboard_and_picture.read(&mut bytes).unwrap();
-            self.seen += &String::from_utf8_lossy(&bytes[..count]);
-            let ended = self.child.try_wait().unwrap();
-            assert!(ended.is_none() || self.seen.contains(text), "{text} is not in {:?}", self.seen);
+            match self.picture.recv_timeout(PATIENCE) {
+                Ok(part) => self.seen += &part,
+                Err(_) => panic!("{text} is not in {:?}; {:?}", self.seen, self.child.try_wait()),
+            }
         }
-        self.seen.clear();
+        self.seen = self.seen.split_once(text).map(|(_, behind)| behind.to_owned()).unwrap_or_default();
     }
 
     fn press(&mut self, keys: &[u8]) {
-        self.keyboard_and_picture.write_all(keys).unwrap();
+        self.keyboard.write_all(keys).unwrap();
     }
+}
+
+/// What a terminal shows, as it comes.
+fn pictures(mut terminal: File) -> Receiver<String> {
+    let (to, pictures) = channel();
+    std::thread::spawn(move || {
+        let mut bytes = [0; 4096];
+        while let Ok(count @ 1..) = terminal.read(&mut bytes) {
+            if to.send(String::from_utf8_lossy(&bytes[..count]).into_owned()).is_err() {
+                return;
+            }
+        }
+    });
+    pictures
 }
 
 #[test]
@@ -82,7 +104,7 @@ fn ctrl_c_lets_stop_run_and_then_ends() {
 
 #[test]
 fn without_a_terminal_it_says_so() {
-    let run = Folder::with("?1\n").val3(&["run", "--interactive", "main"]);
+    let run = Folder::with("?1\n").val3(&["run", "--interactive", "usrapp/main"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""));
     assert!(run.stderr.contains("--interactive needs a terminal"), "{}", run.stderr);
 }
