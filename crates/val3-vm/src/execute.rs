@@ -14,6 +14,7 @@ use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 
 use crate::arguments::{Given, Scope};
+use crate::arithmetic::{concatenate, is_beyond, remainder};
 use crate::enter::{behind, enter, leave, pass, pass_number};
 use crate::instance::Imported;
 use crate::roster::Roster;
@@ -580,30 +581,4 @@ fn innermost<'i>(thread: &Thread, image: &'i Image) -> Result<(Frame, &'i Progra
 fn numbers(frame: Frame, program: &Program) -> std::ops::Range<usize> {
     let start = frame.base.num as usize;
     start..start + program.frame.lanes.num as usize
-}
-
-/// `to = a + b`, in place where that can be.
-fn concatenate(texts: &mut [Text], to: Register, (a, b): (Register, Register)) -> Result<()> {
-    let [to, a, b] = [to, a, b].map(usize::from);
-    if let Ok([text, right]) = texts.get_disjoint_mut([to, b])
-        && to == a
-    {
-        *text += right;
-        return Ok(());
-    }
-    let (left, right) = texts.get(a).zip(texts.get(b)).ok_or(Fault::INTERPRETER)?;
-    let sum = *left + right;
-    *texts.get_mut(to).ok_or(Fault::INTERPRETER)? = sum;
-    Ok(())
-}
-
-/// The remainder has the sign of the left side (3.2.2).
-fn remainder(a: f64, b: f64) -> Result<f64> {
-    if b == 0.0 { Err(Fault(DIVISION_BY_ZERO)) } else { Ok(a % b) }
-}
-
-/// The counter of a `for` has passed its limit (2.2.5).
-#[inline]
-fn is_beyond(counter: f64, limit: f64, step: f64) -> bool {
-    if step < 0.0 { counter < limit } else { counter > limit }
 }

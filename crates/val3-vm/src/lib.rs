@@ -4,6 +4,7 @@
 //! with the same answers of the ports gives the same steps.
 
 mod arguments;
+mod arithmetic;
 mod enter;
 mod execute;
 mod host;

@@ -23,7 +23,9 @@ mod waiting;
 /// What an application prints until it has ended, and the numbers of the errors of its tasks.
 #[track_caller]
 fn check(listing: &str, expected: Expect) {
-    expected.assert_eq(&Running::start(listing).to_the_end().printed());
+    let printed = Running::start(listing).to_the_end().printed();
+    // Blanks at the end of a line cannot be seen.
+    expected.assert_eq(&printed.lines().map(|line| format!("{}\n", line.trim_end())).collect::<String>());
 }
 
 /// What each line can use.

@@ -17,7 +17,7 @@ fn shown(image: &Image) -> String {
     let mut text = String::new();
     for data in &image.data {
         let access = if data.public { "public " } else { "" };
-        writeln!(text, "{access}{} {}", data.name, part(&data.init)).unwrap();
+        writeln!(text, "{}", format!("{access}{} {}", data.name, part(&data.init)).trim_end()).unwrap();
     }
     for link in &image.links {
         writeln!(text, "{} {:?}[{}].{} -> {:?}", link.data, link.path, link.value, link.link, link.target).unwrap();
@@ -158,7 +158,7 @@ fn the_old_dialect() {
         listing,
         expect![[r#"
         nA [2] (3) (4)
-        public dI [2] 
+        public dI [2]
         fA [1] (1,2,0,0,0,0,built in)
         pA [1] (7,0,0,0,0,0,3,0,0,none)
         tA [1] (0,0,9,0,0,0,0.5,0.6,built in,none)

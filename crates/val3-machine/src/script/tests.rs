@@ -124,12 +124,12 @@ fn what_is_wrong_is_shown_where_it_stands() {
         missing field `code`"#]],
     );
     check_error(
-        "[[at]]\nt = ",
+        "[[at]]\nt = ?",
         expect![[r#"
-        TOML parse error at line 2, column 5
-          |
-        2 | t = 
-          |     ^
-        string values must be quoted, expected literal string"#]],
+            TOML parse error at line 2, column 5
+              |
+            2 | t = ?
+              |     ^
+            string values must be quoted, expected literal string"#]],
     );
 }
