@@ -30,6 +30,18 @@ impl Instance {
         }
         self.export(id, &import.name, matches!(import.kind, ImportKind::Program(_)))
     }
+
+    /// What `name` of this library is for another application.
+    pub(crate) fn export(&self, id: InstanceId, name: &str, of_program: bool) -> Option<Imported> {
+        if of_program {
+            let number = self.image.program(name)?;
+            let program = self.image.programs.get(usize::from(number)).filter(|program| program.public);
+            return program.map(|_| Imported::Program(id, number));
+        }
+        let number = usize::from(self.image.data(name)?);
+        self.image.data.get(number).filter(|data| data.public)?;
+        self.data.get(number).copied().map(Imported::Data)
+    }
 }
 
 fn is_data(data: &DataDef, kind: &Kind, container: Container) -> bool {

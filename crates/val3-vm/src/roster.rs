@@ -6,6 +6,7 @@ use val3_lang::runtime_errors::{BAD_TASK_NAME, PERIODS, TASK_EXISTS};
 use val3_lang::tasks::{MAX_PERIODS, name_fault};
 use val3_lang::versions::Version;
 
+use crate::task::NewThread;
 use crate::{InstanceId, Rate, Task, TaskState};
 
 /// Every task that was created and has not ended.
@@ -14,7 +15,7 @@ pub(crate) struct Roster {
     /// By creation. The task that runs is here too, without its stack.
     pub(crate) tasks: Vec<Task>,
     /// Some of them have ended or were killed, and are still to be removed.
-    pub(crate) any_over: bool,
+    any_over: bool,
     next: u64,
 }
 
@@ -47,9 +48,36 @@ impl Roster {
         if periods.len() > MAX_PERIODS { Err(Fault(PERIODS)) } else { Ok(()) }
     }
 
+    /// The number that the next task gets.
     pub(crate) fn new_id(&mut self) -> TaskNumber {
         self.next += 1;
         TaskNumber(self.next)
+    }
+
+    /// A task that begins to run.
+    pub(crate) fn add(&mut self, id: TaskNumber, name: &str, owner: InstanceId, rate: Rate, new: NewThread) {
+        let NewThread { thread, stack_size } = new;
+        let (name, state) = (name.to_owned(), TaskState::Running);
+        self.tasks.push(Task { id, name, owner, rate, state, thread, stack_size, left: 0 });
+    }
+
+    /// A task is over: its name is free, and it is removed behind the turn.
+    pub(crate) fn end(&mut self, at: usize) -> Option<&Task> {
+        let task = self.tasks.get_mut(at)?;
+        task.state = TaskState::Killed;
+        self.any_over = true;
+        Some(task)
+    }
+
+    /// Takes out the tasks that are over.
+    pub(crate) fn take_over(&mut self) -> Vec<Task> {
+        if !std::mem::take(&mut self.any_over) {
+            return Vec::new();
+        }
+        let (over, left) =
+            std::mem::take(&mut self.tasks).into_iter().partition(|task| task.state == TaskState::Killed);
+        self.tasks = left;
+        over
     }
 
     /// A task of this application or library is at work.

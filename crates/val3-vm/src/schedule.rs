@@ -8,7 +8,7 @@ use val3_lang::ports::{TaskNumber, Time};
 
 use crate::{Grant, Host, Rate, Task, Vm};
 
-/// The length of a cycle in nanoseconds.
+/// The length of a cycle in nanoseconds, and the unit of periods: [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP).
 pub const CYCLE: Time = 4_000_000;
 
 /// Lines that a synchronous task executes at most in a cycle (5.5).

@@ -6,7 +6,6 @@ use val3_lang::memory::View;
 use val3_lang::ports::{Request, TaskChange, TaskNumber, Tasks};
 use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
 
-use crate::instance::Imported;
 use crate::resume::line_to_resume;
 use crate::roster::Roster;
 use crate::{Instance, InstanceId, TaskState};
@@ -54,8 +53,7 @@ impl Tasks for Services<'_> {
         let op = line_to_resume(program, task.thread.line, skip)?;
         // A task that was halted within a line goes on there; every other one begins a line.
         if skip != 0.0 || task.state != TaskState::Halted {
-            (task.thread.next, task.thread.line) = (op, op);
-            (task.thread.since, task.thread.watched, task.thread.wait) = (None, None, None);
+            task.thread.go_to_line(op);
         }
         task.state = TaskState::Running;
         self.changes.push((task.id, task.name.clone(), TaskChange::Resumed));
@@ -64,9 +62,7 @@ impl Tasks for Services<'_> {
 
     fn kill(&mut self, name: &str) {
         let found = self.roster.find(self.owner, name);
-        if let Some(task) = found.and_then(|at| self.roster.tasks.get_mut(at)) {
-            task.state = TaskState::Killed;
-            self.roster.any_over = true;
+        if let Some(task) = found.and_then(|at| self.roster.end(at)) {
             self.changes.push((task.id, task.name.clone(), TaskChange::Killed));
         }
     }
@@ -117,19 +113,5 @@ impl Services<'_> {
                 self.instances.get(usize::from(id.0))
             }
         }
-    }
-}
-
-impl Instance {
-    /// What `name` of this library is for another application.
-    pub(crate) fn export(&self, id: InstanceId, name: &str, of_program: bool) -> Option<Imported> {
-        if of_program {
-            let number = self.image.program(name)?;
-            let program = self.image.programs.get(usize::from(number)).filter(|program| program.public);
-            return program.map(|_| Imported::Program(id, number));
-        }
-        let number = usize::from(self.image.data(name)?);
-        self.image.data.get(number).filter(|data| data.public)?;
-        self.data.get(number).copied().map(Imported::Data)
     }
 }

@@ -47,6 +47,20 @@ pub struct Thread {
     pub wait: Option<Wait>,
 }
 
+/// A thread that has not run yet, and the bytes of stack it may use.
+pub(crate) struct NewThread {
+    pub(crate) thread: Thread,
+    pub(crate) stack_size: u32,
+}
+
+impl Thread {
+    /// Goes to the beginning of a line: what it waited for within one is forgotten.
+    pub(crate) fn go_to_line(&mut self, op: u32) {
+        (self.next, self.line) = (op, op);
+        (self.since, self.watched, self.wait) = (None, None, None);
+    }
+}
+
 /// How often a task runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Rate {

@@ -5,14 +5,14 @@ use std::sync::Arc;
 use val3_bytecode::{Image, Passing, TaskSite};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Lanes, Memory, Place};
-use val3_lang::ports::{SECOND, TaskChange, Time};
-use val3_lang::tasks::{PERIOD_STEP, period_steps, priority};
+use val3_lang::ports::{TaskChange, Time};
+use val3_lang::tasks::{period_steps, priority};
 
 use crate::arguments::{Given, Scope};
 use crate::enter::{enter, pass};
 use crate::execute::Machine;
-use crate::task::{Base, Thread};
-use crate::{Frame, InstanceId, Rate, Task, TaskState};
+use crate::task::{Base, NewThread, Thread};
+use crate::{CYCLE, Frame, InstanceId, Rate};
 
 /// Why a turn has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -101,16 +101,7 @@ impl Machine<'_> {
         let thread = self.new_thread(program, &arguments)?;
         let id = self.roster.new_id();
         self.ports.task(id, &name, TaskChange::Created);
-        self.roster.tasks.push(Task {
-            id,
-            name,
-            owner: frame.instance,
-            rate,
-            state: TaskState::Running,
-            thread,
-            stack_size: image.stack_size,
-            left: 0,
-        });
+        self.roster.add(id, &name, frame.instance, rate, NewThread { thread, stack_size: image.stack_size });
         self.end_with_turn();
         Ok(())
     }
@@ -126,8 +117,7 @@ impl Machine<'_> {
             return Err(Fault::INVALID_PARAMETER);
         }
         let steps = period_steps(rate).filter(|steps| *steps > 0).ok_or(Fault::INVALID_PARAMETER)?;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss, reason = "4 ms")]
-        let period = Time::from(steps) * (PERIOD_STEP * SECOND as f64) as Time;
+        let period = Time::from(steps) * CYCLE;
         self.roster.check_period(period)?;
         let next = self.now().next_multiple_of(period);
         Ok(Rate::Period { period, next, overrun, late: false })

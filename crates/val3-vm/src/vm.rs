@@ -6,7 +6,7 @@ use val3_lang::ports::{TaskChange, TaskNumber, Time};
 use crate::enter::leave;
 use crate::execute::Machine;
 use crate::roster::Roster;
-use crate::task::{Base, Thread};
+use crate::task::{Base, NewThread, Thread};
 use crate::{Grant, Host, InstanceId, Rate, Space, Stop, Task, TaskState, Turn};
 
 /// Applications and libraries in memory, and the tasks that run.
@@ -40,16 +40,7 @@ impl Vm {
         let mut machine = self.machine(id, Grant::once(0), (0, 0), stack_size, host);
         let thread = machine.new_thread((instance, program), &[])?;
         host.task(id, name, TaskChange::Created);
-        self.roster.tasks.push(Task {
-            id,
-            name: name.to_owned(),
-            owner: instance,
-            rate: Rate::Priority(priority),
-            state: TaskState::Running,
-            thread,
-            stack_size,
-            left: 0,
-        });
+        self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)
     }
 
@@ -106,31 +97,24 @@ impl Vm {
         match stop {
             Stop::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
-                thread.next = thread.line;
-                (thread.since, thread.watched, thread.wait) = (None, None, None);
+                thread.go_to_line(thread.line);
                 host.task(id, &task.name, TaskChange::Failed(fault));
             }
-            Stop::Ended => {
-                task.state = TaskState::Killed;
-                host.task(id, &task.name, TaskChange::Ended);
-                self.roster.any_over = true;
-            }
             Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
-            Stop::Budget | Stop::Waits | Stop::Halted => {}
+            Stop::Ended | Stop::Budget | Stop::Waits | Stop::Halted => {}
         }
         task.thread = thread;
+        if stop == Stop::Ended
+            && let Some(task) = self.roster.end(at)
+        {
+            host.task(id, &task.name, TaskChange::Ended);
+        }
         self.sweep();
     }
 
     /// Removes the tasks that have ended or were killed, with the data of their frames.
     fn sweep(&mut self) {
-        if !std::mem::take(&mut self.roster.any_over) {
-            return;
-        }
-        let is_over = |task: &Task| task.state == TaskState::Killed;
-        let (over, left) = std::mem::take(&mut self.roster.tasks).into_iter().partition(is_over);
-        self.roster.tasks = left;
-        for mut task in over {
+        for mut task in self.roster.take_over() {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
             leave(&mut self.space.memory, Base::default());
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
@@ -152,10 +136,8 @@ impl Vm {
 
     /// Kills a task from outside.
     pub fn kill(&mut self, id: TaskNumber, host: &mut dyn Host) {
-        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
-            task.state = TaskState::Killed;
+        if let Some(task) = self.roster.position(id).and_then(|at| self.roster.end(at)) {
             host.task(id, &task.name, TaskChange::Killed);
-            self.roster.any_over = true;
         }
         self.sweep();
     }
