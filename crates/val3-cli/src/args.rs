@@ -6,6 +6,8 @@ use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
+use val3_lang::ports::{Time, nanoseconds};
+
 use crate::baseline::Mode;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
@@ -170,6 +172,9 @@ pub(crate) struct FmtArgs {
     pub(crate) stdin_path: Option<Utf8PathBuf>,
 }
 
+/// What a line takes unless the arguments say otherwise, in microseconds.
+pub(crate) const LINE_COST: &str = "2";
+
 /// Arguments of `val3 run`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RunArgs {
@@ -214,8 +219,8 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
     /// What a line takes on the controller's clock, in microseconds
-    #[arg(long, value_name = "US", default_value = "2", value_parser = microseconds)]
-    pub(crate) line_cost: u64,
+    #[arg(long, value_name = "US", default_value = LINE_COST, value_parser = microseconds)]
+    pub(crate) line_cost: Time,
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,
@@ -277,10 +282,9 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 /// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.
-fn microseconds(text: &str) -> Result<u64, String> {
+pub(crate) fn microseconds(text: &str) -> Result<Time, String> {
     let micros = text.parse().ok().filter(|micros: &f64| (0.001..=1e6).contains(micros));
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "1 to 1e9")]
-    micros.map(|micros| (micros * 1e3) as u64).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
+    micros.map(|micros| nanoseconds(micros / 1e6)).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
 }
 
 /// Arguments of `val3 explain`.

@@ -21,6 +21,7 @@ macro_rules! instruction {
         )+
     ) => {
         $(#[doc = $line])*
+        #[allow(non_snake_case, reason = "arguments are named as in the syntax line")]
         pub(crate) static INSTRUCTION: $crate::instruction::Instruction =
             $crate::instruction::Instruction::new($name, $crate::instruction::Family::$family)
                 .described(concat!($($section)?), concat!($($line, "\n"),*))
@@ -197,34 +198,27 @@ macro_rules! take {
         compile_error!("a program is called by a statement of its own")
     };
     ($call:ident, Whole $name:ident) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::memory::View = $crate::call::Take::take($call)?;
     };
     ($call:ident, Slot $name:ident) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::memory::Slot = $crate::call::Take::take($call)?;
     };
     ($call:ident, Item $name:ident) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::memory::Slot = $crate::call::Take::take($call)?;
     };
     ($call:ident, $ty:ident $name:ident) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::declare::value!($ty) = $crate::call::Take::take($call)?;
     };
     ($call:ident, any & $name:ident) => {
         let $name: $crate::memory::View = $crate::call::Take::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::call::Var<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident [""]) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::memory::View = $crate::call::Take::take($call)?;
     };
     ($call:ident, $ty:ident & $name:ident []) => {
-        #[allow(non_snake_case, reason = "named as in the syntax line")]
         let $name: $crate::call::Arr<$crate::declare::value!($ty)> = $crate::call::Take::take($call)?;
     };
 }

@@ -3,13 +3,14 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use val3_lang::ports::{SECOND, Time};
+use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
+use val3_vm::CYCLE;
 
 use crate::args::{RunArgs, RunTime};
 
-/// How long the outside is given to do something while all tasks wait for it.
-const LISTENING: Duration = Duration::from_millis(4);
+/// How long the outside is given to do something while all tasks wait for it: a cycle, as long as it takes.
+const LISTENING: Duration = Duration::from_nanos(CYCLE);
 
 /// The pace of a run.
 pub(crate) struct Pace {
@@ -23,8 +24,7 @@ pub(crate) struct Pace {
 impl Pace {
     /// The pace that the arguments ask for; an operator needs the clock on the wall.
     pub(crate) fn new(args: &RunArgs) -> Self {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
-        let until = args.until.map(|seconds| (seconds * SECOND as f64) as Time);
+        let until = args.until.map(nanoseconds);
         let is_real = args.time == RunTime::Real || args.interactive;
         Self { started: is_real.then(Instant::now), until, attended: args.interactive }
     }
