@@ -1,9 +1,7 @@
 //! `val3 run`: an application on the embedded controller.
 
-mod arm;
 mod audience;
 mod console;
-mod images;
 mod lines;
 mod live;
 mod opening;
@@ -24,10 +22,7 @@ use live::Wish;
 use opening::Opened;
 use pace::Pace;
 
-pub(crate) use console::lacking;
-pub(crate) use images::{Images, Laid};
 pub(crate) use lines::LineArg;
-pub(crate) use opening::only_application;
 
 /// Exit code of a run that `--until` has ended.
 const EXIT_LIMIT: u8 = 3;

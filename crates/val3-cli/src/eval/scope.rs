@@ -7,24 +7,21 @@ use camino::Utf8PathBuf;
 use val3_analysis::body::{StmtKind, body};
 use val3_analysis::db::{File, Project};
 use val3_analysis::infer::infer;
-use val3_analysis::items::project::folder;
-use val3_analysis::load::{self, Workspace};
+use val3_analysis::items::project::program_files;
+use val3_analysis::load::Workspace;
 use val3_bytecode::Image;
-use val3_check::rule::Severity;
-use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
 use val3_lang::values::printed;
 use val3_machine::controller::{Controller, Step};
 use val3_machine::devices::Devices;
 use val3_machine::event::What;
-use val3_machine::files::Roots;
 
 use super::locals::Local;
-use super::sources::{self, Files, NAME};
-use crate::args::EvalArgs;
+use super::sources::{self, NAME};
+use crate::application::{Files, Images, Media, compile, first_error, lacking, load_laid, only_application, set_arm};
+use crate::args::{self, EvalArgs};
 use crate::opening::current_folder;
-use crate::run::{Images, Laid, lacking};
 use crate::user_error::UserError;
 
 /// The first code of the rules on what a text means. What they find shows when it runs; so does a constant index
@@ -32,14 +29,13 @@ use crate::user_error::UserError;
 const MEANING: &str = "V0225";
 const CONSTANT_INDEX: &str = "V0212";
 
-/// What a line of `val3 run` takes.
-const LINE_COST: u64 = 2_000;
-
 /// A scope.
 pub(crate) struct Scope {
     controller: Controller,
     manifest: Utf8PathBuf,
     files: Files,
+    /// The arm, where the cell does not say it.
+    arm: Option<String>,
 }
 
 /// A line of what comes of a text.
@@ -90,18 +86,15 @@ impl Scope {
         files.insert(folder.join(format!("{NAME}.dtx")), sources::data(&locals).into());
         files.insert(folder.join(format!("{NAME}.pgx")), sources::program("").into());
         files.insert(manifest.clone(), text.into());
-        if let Some(arm) = &args.arm {
-            files.insert(folder.join("val3.toml"), format!("arm = \"{arm}\"\n").into());
-        }
-        let workspace = workspace(&files, &manifest).map_err(UserError::new)?;
-        let project = only(&workspace).map_err(UserError::new)?;
+        let (workspace, project) = load(&files, &manifest, args.arm.as_deref())?;
         refuse_faults(&workspace, project, |file| !file.ends_with(".pgx"))
             .map_err(|fault| UserError::new(fault).with_help("`val3 check` shows it in its place"))?;
-        let image = compiled(&workspace, project).map_err(UserError::new)?;
-        let (roots, path, disk) = roots(&workspace, project)?;
+        let image = compile(&workspace.db, project).map_err(UserError::new)?;
+        let Media { roots, disk, application } = Media::of(&workspace.db, project)?;
         let devices = Devices::new(roots, Box::new(Images::new(disk)));
-        let controller = Controller::new(devices, image, path, LINE_COST);
-        Ok(Self { controller, manifest, files })
+        let line_cost = args::microseconds(args::LINE_COST).map_err(UserError::new)?;
+        let controller = Controller::new(devices, image, application, line_cost);
+        Ok(Self { controller, manifest, files, arm: args.arm.clone() })
     }
 
     /// Evaluates a text: an expression, or statements.
@@ -139,9 +132,9 @@ impl Scope {
     fn load(&mut self, code: &str) -> Result<(Workspace, Project, File), String> {
         let program = self.manifest.with_file_name(format!("{NAME}.pgx"));
         self.files.insert(program.clone(), sources::program(code).into());
-        let workspace = workspace(&self.files, &self.manifest)?;
-        let project = only(&workspace)?;
-        let files = val3_analysis::items::project::program_files(&workspace.db, project);
+        let loaded = load(&self.files, &self.manifest, self.arm.as_deref());
+        let (workspace, project) = loaded.map_err(|error| error.to_string())?;
+        let files = program_files(&workspace.db, project);
         let file = files.iter().copied().find(|file| *file.path(&workspace.db) == program);
         let file = file.ok_or("the text has no program")?;
         Ok((workspace, project, file))
@@ -151,7 +144,7 @@ impl Scope {
         let (workspace, project, file) = self.load(code)?;
         let path = file.path(&workspace.db).to_string();
         refuse_faults(&workspace, project, |file| file == path)?;
-        compiled(&workspace, project)
+        compile(&workspace.db, project)
     }
 
     /// Executes the program of the text to its end.
@@ -196,53 +189,24 @@ fn manifest(args: &EvalArgs) -> Result<(Utf8PathBuf, String), UserError> {
     let Some(app) = &args.app else { return Ok(sources::empty(&current.join(NAME))) };
     let request = crate::opening::Request { asked: vec![app.clone()], ..Default::default() };
     let session = crate::engine::Session::open(&request)?;
-    let project = crate::run::only_application(&session, app, None)?;
+    let project = only_application(&session, app, None)?;
     sources::extended(session.db(), project)
 }
 
-fn workspace(files: &Files, manifest: &camino::Utf8Path) -> Result<Workspace, String> {
-    let system = Laid { files: files.clone() };
-    load::load(&system, &[manifest.to_owned()]).map_err(|error| error.to_string())
-}
-
-fn only(workspace: &Workspace) -> Result<Project, String> {
-    match workspace.projects.as_slice() {
-        [project] => Ok(*project),
-        _ => Err("there is no such application".to_owned()),
+fn load(files: &Files, manifest: &Utf8PathBuf, arm: Option<&str>) -> Result<(Workspace, Project), UserError> {
+    let (mut workspace, project) = load_laid(files.clone(), manifest).map_err(UserError::new)?;
+    if let Some(arm) = arm {
+        set_arm(&mut workspace.db, project, arm)?;
     }
+    Ok((workspace, project))
 }
 
 /// What the controller's compiler would refuse in the files that `counts`.
 fn refuse_faults(workspace: &Workspace, project: Project, counts: impl Fn(&str) -> bool) -> Result<(), String> {
     let db = &workspace.db;
-    let settings = WorkspaceSettings::new(db, &[project], &Selection::default())
-        .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
-    let units = val3_check::units(db, &[project]);
-    let mut findings = units.iter().flat_map(|unit| val3_check::check_unit(db, *unit, &settings).findings);
-    let fault = findings.find(|finding| {
-        finding.severity == Severity::Error
-            && finding.rule.code < MEANING
-            && finding.rule.code != CONSTANT_INDEX
-            && counts(finding.place.file.path(db).as_str())
-    });
+    let is_refused = |code: &str| code < MEANING && code != CONSTANT_INDEX;
+    let fault = first_error(db, project, |finding| {
+        is_refused(finding.rule.code) && counts(finding.place.file.path(db).as_str())
+    })?;
     fault.map_or(Ok(()), |fault| Err(fault.message))
-}
-
-fn compiled(workspace: &Workspace, project: Project) -> Result<Arc<Image>, String> {
-    val3_compile::compile(&workspace.db, project).map(Arc::new).map_err(|error| error.to_string())
-}
-
-/// The media; an application of its own has none.
-fn roots(workspace: &Workspace, project: Project) -> Result<(Roots, String, Utf8PathBuf), UserError> {
-    let db = &workspace.db;
-    let application = folder(db, project);
-    let disk = project.disk(db).or(application.parent()).unwrap_or(application).to_owned();
-    let mut roots = Roots::default();
-    if disk.is_dir() {
-        roots
-            .mount("Disk", &disk)
-            .map_err(|error| UserError::new(format!("cannot open the folder `{disk}` for `Disk://`: {error}")))?;
-    }
-    let inside = application.strip_prefix(&disk).unwrap_or(camino::Utf8Path::new(""));
-    Ok((roots, format!("Disk://{inside}"), disk))
 }

@@ -1,7 +1,5 @@
 //! The application that a scope is: one given, or an empty one, with the variables and one program more.
 
-use std::collections::BTreeMap;
-
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::declarations::{file_list, is_old};
@@ -12,9 +10,6 @@ use crate::user_error::UserError;
 
 /// The name of the application where none is given, and of the program that holds a text.
 pub(crate) const NAME: &str = "eval__";
-
-/// Files that lie over those of the disk.
-pub(crate) type Files = BTreeMap<Utf8PathBuf, Vec<u8>>;
 
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 

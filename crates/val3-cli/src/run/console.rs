@@ -3,10 +3,11 @@
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
-use val3_lang::{instructions, motion, runtime_errors};
+use val3_lang::runtime_errors;
 use val3_machine::event::{Event, What};
 use val3_machine::screen::{COLUMNS, Pendant, display_columns};
 
+use crate::application::lacking;
 use crate::args::Color;
 use crate::format::human;
 use crate::opening::current_folder;
@@ -101,14 +102,5 @@ impl Console {
             page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
             writeln!(out, "+{:-<width$}+", "")
         })
-    }
-}
-
-/// What is missing for an instruction.
-pub(crate) fn lacking(instruction: &str) -> String {
-    if instructions::find(instruction).is_some_and(motion::needs_arm) {
-        format!("motion is not there yet: `{instruction}` cannot be executed")
-    } else {
-        format!("this controller does not have `{instruction}`")
     }
 }

@@ -11,7 +11,7 @@ use crate::user_error::UserError;
 ///
 /// # Errors
 /// There is no such arm.
-pub(super) fn set(db: &mut Database, project: Project, name: &str) -> Result<(), UserError> {
+pub(crate) fn set(db: &mut Database, project: Project, name: &str) -> Result<(), UserError> {
     let wanted = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
     let arm = wanted.map_err(|error| UserError::new(error.message).with_help(error.help))?.config.arm;
     let mut file = project.configuration(db).map(|found| found.file(db).clone()).unwrap_or_default();
