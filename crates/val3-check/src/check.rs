@@ -1,5 +1,6 @@
 //! The check: which pieces of work there are, and what is wrong in each.
 
+use std::cell::OnceCell;
 use std::iter::Sum;
 
 use val3_analysis::db::{Db, File, FileStatus, Project};
@@ -12,6 +13,7 @@ use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 use crate::diagnostic::{Diagnostic, RelatedNote, Span};
 use crate::echoes::without_echoes;
 use crate::fix::Site;
+use crate::lint::Program;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
@@ -95,12 +97,34 @@ impl Sum for Checked {
     }
 }
 
+/// What is wrong in a piece of work whatever the other programs of its application do.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Alone {
+    found: Vec<Diagnostic>,
+    /// There are faults, asked for or not: what a lint would say beside one is most often its echo.
+    faulty: bool,
+}
+
 /// Checks one piece of work.
 pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
-    let mut check = Check { db, unit, settings: settings.of(db, unit.project()), sound: true, found: Vec::new() };
-    check.run();
-    check.found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
-    suppression::apply(db, check.found)
+    let mut check = Check::new(db, unit, settings, Alone::default());
+    check.alone();
+    check.as_member();
+    check.finish()
+}
+
+/// The first part of [`check_unit`]: it looks at no other program, so that an edit elsewhere seldom concerns it.
+pub fn check_alone(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Alone {
+    let mut check = Check::new(db, unit, settings, Alone::default());
+    check.alone();
+    check.so_far
+}
+
+/// The second part of [`check_unit`]: what shows when the whole application is in view.
+pub fn check_member(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, alone: Alone) -> Checked {
+    let mut check = Check::new(db, unit, settings, alone);
+    check.as_member();
+    check.finish()
 }
 
 /// What only the whole shows, after every unit was checked: comments that silenced nothing; and an add-on that is
@@ -129,13 +153,23 @@ struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
     settings: &'db Settings,
-    /// No error so far, asked for or not: what a lint would say beside one is most often its echo.
-    sound: bool,
-    found: Vec<Diagnostic>,
+    so_far: Alone,
+    /// The program as lints see it, once they look.
+    program: OnceCell<Program<'db>>,
 }
 
-impl Check<'_> {
-    fn run(&mut self) {
+impl<'db> Check<'db> {
+    fn new(db: &'db dyn Db, unit: Unit, settings: &'db WorkspaceSettings, so_far: Alone) -> Self {
+        Self { db, unit, settings: settings.of(db, unit.project()), so_far, program: OnceCell::new() }
+    }
+
+    fn finish(self) -> Checked {
+        let mut found = self.so_far.found;
+        found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
+        suppression::apply(self.db, found)
+    }
+
+    fn alone(&mut self) {
         let db = self.db;
         match self.unit {
             Unit::Program(project, file) => {
@@ -146,27 +180,35 @@ impl Check<'_> {
                     self.add_all(keywords::spelling(db, project, file));
                     self.add_all(suppression::unknown(db, project, file));
                 }
-                if self.sound {
-                    self.add_all(lint::program(db, project, file, self.settings));
+                if !self.so_far.faulty {
+                    self.add_lints(lint::program(self.program(project, file), self.settings));
                 }
             }
             Unit::Data(project, file) => {
                 self.text(file);
                 self.problems(file, data_check::problems(db, project, file));
-                if self.sound {
-                    self.add_all(lint::data(db, project, file, self.settings));
-                }
             }
             Unit::Project(project) => {
                 let file = project.manifest(db);
                 self.text(file);
                 self.problems(file, project_check::problems(db, project));
                 self.problems(file, interfaces::problems(db, project));
-                if self.sound {
-                    self.add_all(lint::project(db, project, self.settings));
-                }
             }
         }
+    }
+
+    fn as_member(&mut self) {
+        if !self.so_far.faulty {
+            self.add_lints(match self.unit {
+                Unit::Program(project, file) => lint::member(self.program(project, file), self.settings),
+                Unit::Data(project, file) => lint::data(self.db, project, file, self.settings),
+                Unit::Project(project) => lint::project(self.db, project, self.settings),
+            });
+        }
+    }
+
+    fn program(&self, project: Project, file: File) -> &Program<'db> {
+        self.program.get_or_init(|| Program::new(self.db, project, file, &self.settings.options))
     }
 
     /// The faults of a file's text; true if the rest of it cannot be judged.
@@ -190,9 +232,14 @@ impl Check<'_> {
         diagnostics.into_iter().for_each(|diagnostic| self.add(diagnostic));
     }
 
+    fn add_lints(&mut self, diagnostics: Vec<Diagnostic>) {
+        let settings = self.settings;
+        self.so_far.found.extend(diagnostics.into_iter().filter_map(|diagnostic| settings.judged(diagnostic)));
+    }
+
     fn add(&mut self, diagnostic: Diagnostic) {
-        self.sound &= diagnostic.severity < Severity::Error;
-        self.found.extend(self.settings.judged(diagnostic));
+        self.so_far.faulty |= diagnostic.severity == Severity::Error;
+        self.so_far.found.extend(self.settings.judged(diagnostic));
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {

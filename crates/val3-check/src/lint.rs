@@ -33,4 +33,4 @@ pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};
 pub(crate) use program::{Call, Program};
 pub(crate) use project::{DataFile, ProjectView};
-pub(crate) use run::{data, program, project};
+pub(crate) use run::{data, member, program, project};

@@ -47,6 +47,8 @@ pub struct Rule {
 pub(crate) enum Lint {
     /// In each program without faults.
     Program(fn(&Program<'_>, &mut Findings)),
+    /// In each program without faults, looking also at what the other programs of its application do.
+    Member(fn(&Program<'_>, &mut Findings)),
     /// In each `.dtx`.
     Data(fn(&DataFile<'_>, &mut Findings)),
     /// In each project; its findings lie in the `.pjx`.
@@ -63,7 +65,8 @@ impl PartialEq for Rule {
 impl Eq for Rule {}
 
 /// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`. Behind the level stands `off` for a
-/// rule that is silent until configured, and `, Program: check`, `, Data: check` or `, Project: check` for a lint.
+/// rule that is silent until configured, and `, Program: check`, `, Member: check`, `, Data: check` or
+/// `, Project: check` for a lint.
 macro_rules! rule {
     ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident $($off:ident)? $(, $target:ident: $check:ident)?) => {
         $(#[doc = $line])*

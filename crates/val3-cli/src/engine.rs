@@ -21,7 +21,10 @@ use crate::report::{Report, Statistics};
 use crate::translation::Translator;
 use crate::user_error::UserError;
 
-/// Pieces of work between which the code of programs is freed that nobody will ask for again.
+/// Pieces of work up to which nothing is freed before the end: freeing takes longer than using more memory.
+const AT_ONCE: usize = 4096;
+
+/// Pieces of work between which, beyond that, the code of programs is freed that nobody will ask for again.
 const BATCH: usize = 1536;
 
 /// Findings that are translated together: those of a file stand together, and share what is known of it.
@@ -119,7 +122,8 @@ fn units(workspace: &Workspace, threads: &ThreadPool) -> Vec<Unit> {
     threads.install(|| found.flatten_iter().collect())
 }
 
-/// Checks the projects side by side, and the pieces of each. The trees of one that is done are of no more use.
+/// Checks the projects side by side, and the pieces of each. Trees of a project that is done are of no more use, and
+/// memory is to grow with the largest project rather than with all of them.
 fn check_units(
     workspace: &mut Workspace,
     units: &[Unit],
@@ -127,6 +131,7 @@ fn check_units(
     threads: &ThreadPool,
 ) -> Checked {
     let progress = Progress::new(units.len());
+    let is_large = units.len() > AT_ONCE;
     let check = |db: &mut Database, unit: &Unit| {
         let found = check_unit(db, *unit, settings);
         progress.advance();
@@ -134,7 +139,9 @@ fn check_units(
     };
     let check_project = |db: &mut Database, units: &[Unit]| -> Vec<Checked> {
         let found = units.par_iter().map_with(db.clone(), check).collect();
-        db.trees().forget(units.iter().map(|unit| unit.file(db)));
+        if is_large {
+            db.trees().forget(units.iter().map(|unit| unit.file(db)));
+        }
         found
     };
     let projects: Vec<&[Unit]> = units.chunk_by(|one, next| one.project() == next.project()).collect();
@@ -143,7 +150,7 @@ fn check_units(
     while let Some(batch) = batches.next() {
         let found = batch.par_iter().map_with(workspace.db.clone(), |db, units| check_project(db, units));
         threads.install(|| checked.par_extend(found));
-        if batches.peek().is_some() {
+        if batches.peek().is_some() && is_large {
             workspace.db.trigger_lru_eviction();
         }
     }

@@ -50,8 +50,7 @@ pub(crate) fn open(request: &Request) -> Result<Opened, UserError> {
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
     let absolute: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
-    let workspace =
-        load::load(&ParallelDisk { threads: &threads }, &absolute).map_err(|error| refused(error, &paths))?;
+    let workspace = load::load(&ParallelDisk::new(&threads), &absolute).map_err(|error| refused(error, &paths))?;
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
     Ok(Opened { threads, current, paths, workspace, settings })

@@ -1,17 +1,29 @@
-//! The disk, with many files read side by side.
+//! The disk, with many files read side by side, and each folder listed once.
 
 use std::io;
+use std::sync::{Mutex, PoisonError};
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::ThreadPool;
 use rayon::prelude::*;
+use rustc_hash::FxHashMap;
 use val3_analysis::system::{Content, Disk, Kind, System};
 
-/// The disk, read on several threads.
+/// The disk as it is at one time, read on several threads.
 #[derive(Debug)]
 pub(crate) struct ParallelDisk<'t> {
     /// The threads that read.
-    pub(crate) threads: &'t ThreadPool,
+    threads: &'t ThreadPool,
+    /// What lies in the folders that were listed: they are asked for when projects are looked for, and when they are
+    /// read.
+    listed: Mutex<FxHashMap<Utf8PathBuf, Vec<String>>>,
+}
+
+impl<'t> ParallelDisk<'t> {
+    /// The disk, read on these threads.
+    pub(crate) fn new(threads: &'t ThreadPool) -> Self {
+        Self { threads, listed: Mutex::default() }
+    }
 }
 
 impl System for ParallelDisk<'_> {
@@ -25,7 +37,13 @@ impl System for ParallelDisk<'_> {
     }
 
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
-        Disk.list(path)
+        let mut listed = self.listed.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(names) = listed.get(path) {
+            return Ok(names.clone());
+        }
+        let names = Disk.list(path)?;
+        listed.insert(path.to_owned(), names.clone());
+        Ok(names)
     }
 
     fn kind(&self, path: &Utf8Path) -> Option<Kind> {

@@ -5,7 +5,7 @@
 use val3_analysis::db::{Db, Project};
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
-use val3_check::{Checked, Unit, check_unit, finish, units};
+use val3_check::{Alone, Checked, Unit, check_alone, check_member, finish, units};
 
 /// What every application is checked for.
 #[salsa::input(debug)]
@@ -25,17 +25,25 @@ pub fn project_diagnostics(db: &dyn Db, settings: CheckSettings, project: Projec
 
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
-    check_unit(db, unit, settings.settings(db))
+    check_member(db, unit, settings.settings(db), alone(db, settings, unit).clone())
+}
+
+/// Kept by itself: an edit that changes what the application does leaves it as it is in all programs but one.
+#[salsa::tracked]
+fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Alone {
+    check_alone(db, unit, settings.settings(db))
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeSet;
     use std::sync::{Arc, Mutex};
 
     use salsa::{Durability, Setter as _};
     use val3_analysis::db::{Database, Sources};
     use val3_analysis::load::load_into;
-    use val3_analysis::system::Memory;
+    use val3_analysis::system::{Disk, Memory};
+    use val3_check::rules;
     use val3_check::settings::Selection;
     use val3_test::{Fixture, ROOT};
 
@@ -72,6 +80,31 @@ mod tests {
         let ran = ran.lock().unwrap();
         assert_eq!(ran.iter().filter(|name| name.starts_with("checked(")).count(), 1, "{ran:?}");
         assert_eq!(ran.iter().filter(|name| name.starts_with("project_diagnostics(")).count(), 1);
+    }
+
+    #[test]
+    fn lints_of_a_program_alone_do_not_ask_what_the_application_does() {
+        let ran = Arc::new(Mutex::new(Vec::new()));
+        let log = Arc::clone(&ran);
+        let db = Database::observed(move |event| {
+            if let salsa::EventKind::WillExecute { database_key } = event.kind {
+                log.lock().unwrap().push(format!("{database_key:?}"));
+            }
+        });
+        let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").into();
+        let workspace = load_into(db, &Disk, &[examples]).unwrap();
+        let db = &workspace.db;
+        let codes: BTreeSet<&str> = rules::all().iter().map(|rule| rule.code).collect();
+        let every = Selection { only: Some(codes.clone()), named: codes, ..Selection::default() };
+        let settings = WorkspaceSettings::new(db, &workspace.projects, &every).unwrap();
+        let settings = CheckSettings::new(db, settings);
+        for unit in units(db, &workspace.projects) {
+            alone(db, settings, unit);
+            let asked = ran.lock().unwrap().iter().any(|name: &String| name.starts_with("application("));
+            assert!(!asked, "a lint of {} is to be a `Member:` lint", unit.file(db).path(db));
+        }
+        workspace.projects.iter().for_each(|project| _ = project_diagnostics(db, settings, *project));
+        assert!(ran.lock().unwrap().iter().any(|name| name.starts_with("application(")));
     }
 
     #[test]

@@ -8,13 +8,22 @@ use crate::rule::Lint;
 use crate::rules;
 use crate::settings::Settings;
 
-/// What the lints find in the program in `file`.
-pub(crate) fn program(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
-    let program = Program::new(db, project, file, &settings.options);
-    let mut found = Findings::new(file, Some(program.name().to_owned()), project.manifest(db));
-    for check in wanted(settings, |lint| if let Lint::Program(check) = lint { Some(check) } else { None }) {
-        check(&program, &mut found);
-    }
+type ProgramLint = fn(&Program<'_>, &mut Findings);
+
+/// What the lints find in a program that look at nothing but it.
+pub(crate) fn program(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
+    of_program(program, settings, |lint| if let Lint::Program(check) = lint { Some(check) } else { None })
+}
+
+/// What those find in it that look at its whole application.
+pub(crate) fn member(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
+    of_program(program, settings, |lint| if let Lint::Member(check) = lint { Some(check) } else { None })
+}
+
+fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Option<ProgramLint>) -> Vec<Diagnostic> {
+    let application = program.project.manifest(program.db);
+    let mut found = Findings::new(program.file, Some(program.name().to_owned()), application);
+    wanted(settings, kind).for_each(|check| check(program, &mut found));
     found.into_diagnostics()
 }
 

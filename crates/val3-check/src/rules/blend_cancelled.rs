@@ -42,7 +42,7 @@ rule! {
     ///   close(tGripper)
     /// end
     /// ```
-    V0403 "blend-cancelled" Info, Program: check
+    V0403 "blend-cancelled" Info, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

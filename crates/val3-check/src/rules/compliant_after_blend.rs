@@ -42,7 +42,7 @@ rule! {
     ///   movelf(pInside,tGripper,l_mSlow,20)
     /// end
     /// ```
-    V0404 "compliant-after-blend" Warning, Program: check
+    V0404 "compliant-after-blend" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

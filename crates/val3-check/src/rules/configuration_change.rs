@@ -41,7 +41,7 @@ rule! {
     /// movej(pLeft,tGripper,mFast)
     /// movej(pRight,tGripper,mFast)
     /// ```
-    V0405 "configuration-change" Warning, Program: check
+    V0405 "configuration-change" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

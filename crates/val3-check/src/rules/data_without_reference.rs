@@ -48,7 +48,7 @@ rule! {
     ///   </Datas>
     /// </Database>
     /// ```
-    V0402 "data-without-reference" Warning, Program: check
+    V0402 "data-without-reference" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -53,7 +53,7 @@ rule! {
     ///   bScreen=false
     /// end
     /// ```
-    V0340 "lock-without-mutex" Warning, Program: check
+    V0340 "lock-without-mutex" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -36,7 +36,7 @@ rule! {
     ///   delay(0.02)
     /// endWhile
     /// ```
-    V0308 "loop-never-waits" Warning, Program: check
+    V0308 "loop-never-waits" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -32,7 +32,7 @@ rule! {
     /// resetMotion()
     /// movej(jHome,flange,mSlow)
     /// ```
-    V0407 "move-while-stopped" Warning, Program: check
+    V0407 "move-while-stopped" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -31,7 +31,7 @@ rule! {
     /// putln("ready")
     /// bScreen=false
     /// ```
-    V0331 "mutex-never-released" Warning, Program: check
+    V0331 "mutex-never-released" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

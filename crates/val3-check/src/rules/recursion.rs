@@ -48,7 +48,7 @@ rule! {
     ///   putln("settings")
     /// end
     /// ```
-    V0310 "recursion" Info, Program: check
+    V0310 "recursion" Info, Member: check
 }
 
 /// A circle is told once, at the first of its programs by name.

@@ -75,7 +75,7 @@ rule! {
     ///   endWhile
     /// end
     /// ```
-    V0345 "task-still-running" Warning, Program: check
+    V0345 "task-still-running" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -42,7 +42,7 @@ rule! {
     ///   putln("watching")
     /// end
     /// ```
-    V0324 "too-many-periods" Warning, Program: check
+    V0324 "too-many-periods" Warning, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

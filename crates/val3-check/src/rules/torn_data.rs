@@ -64,7 +64,7 @@ rule! {
     ///   putln(l_trGoal.x)
     /// end
     /// ```
-    V0344 "torn-data" Info, Program: check
+    V0344 "torn-data" Info, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -47,7 +47,7 @@ rule! {
     ///   waitEndMove()
     /// end
     /// ```
-    V0341 "unknown-task" Warning, Program: check
+    V0341 "unknown-task" Warning, Member: check
 }
 
 /// Stands in the names of the tasks that the controller creates (5.2).

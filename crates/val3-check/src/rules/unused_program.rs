@@ -41,7 +41,7 @@ rule! {
     ///   resetMotion()
     /// end
     /// ```
-    V0117 "unused-program" Info, Program: check
+    V0117 "unused-program" Info, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
