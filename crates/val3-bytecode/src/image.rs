@@ -29,7 +29,7 @@ pub struct Image {
     pub programs: Vec<Program>,
     /// Library identifiers.
     pub libraries: Vec<LibraryDef>,
-    /// What it uses of libraries.
+    /// What it uses of libraries, and what else their interfaces promise.
     pub imports: Vec<Import>,
 }
 
@@ -92,7 +92,7 @@ pub struct LibraryDef {
     pub autoload: bool,
 }
 
-/// What an application uses of a library.
+/// What an application expects of a library.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Import {
     /// The library identifier, by number.
@@ -110,6 +110,8 @@ pub enum ImportKind {
     Data(Arc<Kind>, Container),
     /// A program with these parameters: type, container, by reference.
     Program(Vec<(Arc<Kind>, Container, bool)>),
+    /// The interface does not have the item: it is in no library.
+    Missing,
 }
 
 impl Image {

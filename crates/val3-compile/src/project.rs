@@ -8,7 +8,7 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{folder, items, program_files};
 use val3_analysis::xml;
-use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, SourceRange, Whole, WholeKind};
+use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, Whole, WholeKind};
 use val3_lang::builtins;
 use val3_syntax::view::View;
 
@@ -27,7 +27,7 @@ const STACK_SIZE: u32 = 5000;
 /// A limit that it exceeds.
 pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let file = project.manifest(db);
-    let place = |limit| CompileError { file: file.path(db).to_string(), range: SourceRange::default(), limit };
+    let place = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };
     let mut kinds = Kinds::new(db, items(db, project).arm);
     let (data, links) = data(&mut kinds, project).map_err(place)?;
     let programs = programs(db, project);
@@ -35,6 +35,7 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let compiled = compiled.collect::<Result<_, _>>()?;
+    unit.import_interfaces().map_err(place)?;
     Ok(Image {
         name: folder(db, project).file_name().unwrap_or_default().to_owned(),
         path: file.path(db).to_string(),

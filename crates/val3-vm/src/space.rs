@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{FatherLink, Image, Import, LinkInit, LinkTarget};
+use val3_bytecode::{FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
 use val3_lang::memory::{Link, Memory, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
@@ -64,7 +64,8 @@ impl Space {
 
     /// Lets a library identifier of `user` stand for `library`.
     ///
-    /// What the library lacks of what `user` uses raises error 80 when it is used; the answer is whether it has all.
+    /// What the library lacks raises error 80 when it is used; the answer is whether it has all that its interface
+    /// promises.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
         let complete = self.connect_items(user, alias, library);
         self.link_data(user, Some(alias), host);
@@ -80,7 +81,9 @@ impl Space {
             .filter(|(_, import)| of_alias(import))
             .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import))))
             .collect();
-        let complete = found.iter().all(|(_, item)| item.is_some());
+        let promised =
+            |at: usize| instance.image.imports.get(at).is_some_and(|import| import.kind != ImportKind::Missing);
+        let complete = found.iter().all(|(at, item)| item.is_some() || !promised(*at));
         if let Some(instance) = self.instances.get_mut(usize::from(user.0)) {
             if let Some(slot) = instance.libraries.get_mut(usize::from(alias)) {
                 *slot = Some(library);

@@ -15,6 +15,9 @@ use crate::output::{to_stderr_in_color, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
+/// What the line of a run-time error is.
+const STOPPED: &str = "the task stopped here";
+
 /// The standard output and error output.
 pub(crate) struct Console {
     color: Color,
@@ -79,7 +82,7 @@ impl Console {
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
         let help = error.map_or("", |error| error.long);
         let path = self.paths.shown(file.into());
-        let fault = human::Fault { code: Some(code), message, help, path: &path, line };
+        let fault = human::Fault { code: Some(code), message, help, label: STOPPED, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
@@ -88,7 +91,7 @@ impl Console {
         let message = format!("{} (task `{task}`)", lacking(instruction));
         let help = "the run has ended: what the program does from here on depends on it";
         let path = self.paths.shown(file.into());
-        let fault = human::Fault { code: None, message, help, path: &path, line };
+        let fault = human::Fault { code: None, message, help, label: STOPPED, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
