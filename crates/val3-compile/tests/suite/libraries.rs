@@ -516,3 +516,70 @@ fn what_is_done_to_libraries_is_told() {
     "#]]
     .assert_eq(&cell.library_events());
 }
+
+#[test]
+fn a_reference_has_to_be_in_reach() {
+    check(
+        r#"
+        library tray "Disk://tray/tray.pjx" autoload=false
+        library part "Disk://part/part.pjx" autoload=false
+        point pOwn
+        program hang()
+        begin
+          link(pOwn,tray:fPublic)
+        end
+        program private()
+        begin
+          call tray:take(pOwn)
+        end
+        program undeclared()
+        begin
+          part:pPart=tray:pPublic
+        end
+        program local()
+          point l_pPart
+        begin
+          call tray:take(l_pPart)
+        end
+        program start()
+        begin
+          ? tray:libLoad("tray")
+          ? part:libLoad("part")
+          call tray:init()
+          taskCreate "hang",10,hang()
+          taskCreate "private",10,private()
+          taskCreate "undeclared",10,undeclared()
+          taskCreate "local",10,local()
+          delay(1)
+          ? taskStatus("hang")
+          ? taskStatus("private")
+          ? taskStatus("undeclared")
+          ? taskStatus("local")
+        end
+        --- tray
+        public frame fPublic
+        public point pPublic
+        frame fPrivate
+        public program init()
+        begin
+          link(pPublic,fPublic)
+        end
+        public program take(point& x_pPoint)
+        begin
+          link(x_pPoint,fPrivate)
+        end
+        --- part
+        public point pPart
+        "#,
+        expect![[r#"
+            0
+            0
+            error 82 in take
+            error 82 in undeclared
+            -1
+            82
+            82
+            -1
+        "#]],
+    );
+}
