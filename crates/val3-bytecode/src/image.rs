@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_lang::memory::{Kind, PartInit};
-use val3_lang::types::{BaseType, Container};
+use val3_lang::types::{BaseType, Container, LengthUnit};
 use val3_lang::versions::Version;
 
 use crate::Program;
@@ -19,6 +19,8 @@ pub struct Image {
     pub files: Vec<String>,
     /// The version it is written for.
     pub version: Version,
+    /// What it counts lengths in.
+    pub unit: LengthUnit,
     /// Bytes of stack of each task.
     pub stack_size: u32,
     /// Global data.

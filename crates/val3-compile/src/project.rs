@@ -10,6 +10,7 @@ use val3_analysis::items::project::{folder, items, program_files};
 use val3_analysis::xml;
 use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, Whole, WholeKind};
 use val3_lang::builtins;
+use val3_lang::types::LengthUnit;
 use val3_syntax::view::View;
 
 use crate::data::Found;
@@ -41,6 +42,7 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
         path: file.path(db).to_string(),
         files: programs.iter().map(|(_, file)| file.path(db).to_string()).collect(),
         version: unit.items.version,
+        unit: length_unit(db, file),
         stack_size: stack_size(db, file),
         data,
         links,
@@ -85,9 +87,19 @@ fn libraries(manifest: &Manifest) -> Vec<LibraryDef> {
 }
 
 fn stack_size(db: &dyn Db, file: File) -> u32 {
+    parameter(db, file, "stackSize").and_then(|text| text.trim().parse().ok()).unwrap_or(STACK_SIZE)
+}
+
+fn length_unit(db: &dyn Db, file: File) -> LengthUnit {
+    match parameter(db, file, "millimeterUnit").as_deref().map(str::trim) {
+        Some("false") => LengthUnit::Inch,
+        _ => LengthUnit::Millimetre,
+    }
+}
+
+/// A parameter of a project (2.1.4) as its file writes it.
+fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()));
-    let parameters = root.and_then(|root| root.child(&[spelling(root).parameters]));
-    let written = parameters.and_then(|parameters| parameters.value("stackSize"));
-    written.and_then(|text| text.trim().parse().ok()).unwrap_or(STACK_SIZE)
+    let root = xml::root(View::root(parse.green()))?;
+    root.child(&[spelling(root).parameters])?.value(name).map(|text| text.into_owned())
 }
