@@ -9,6 +9,7 @@ use val3_tests::running::Running;
 mod data;
 mod data_errors;
 mod life_cycle;
+mod limits;
 mod missing;
 mod other_errors;
 mod parameters;
