@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_lang::memory::{Kind, PartInit};
-use val3_lang::types::{BaseType, Container};
+use val3_lang::types::{BaseType, Container, LengthUnit};
 use val3_lang::versions::Version;
 
 use crate::Program;
@@ -19,6 +19,8 @@ pub struct Image {
     pub files: Vec<String>,
     /// The version it is written for.
     pub version: Version,
+    /// What it counts lengths in.
+    pub unit: LengthUnit,
     /// Bytes of stack of each task.
     pub stack_size: u32,
     /// Global data.
@@ -29,7 +31,7 @@ pub struct Image {
     pub programs: Vec<Program>,
     /// Library identifiers.
     pub libraries: Vec<LibraryDef>,
-    /// What it uses of libraries.
+    /// What it uses of libraries, and what else their interfaces promise.
     pub imports: Vec<Import>,
 }
 
@@ -92,7 +94,7 @@ pub struct LibraryDef {
     pub autoload: bool,
 }
 
-/// What an application uses of a library.
+/// What an application expects of a library.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Import {
     /// The library identifier, by number.
@@ -110,6 +112,8 @@ pub enum ImportKind {
     Data(Arc<Kind>, Container),
     /// A program with these parameters: type, container, by reference.
     Program(Vec<(Arc<Kind>, Container, bool)>),
+    /// The interface does not have the item: it is in no library.
+    Missing,
 }
 
 impl Image {

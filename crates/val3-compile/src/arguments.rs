@@ -145,13 +145,13 @@ impl Coder<'_, '_> {
     /// A place that need not exist.
     fn slot(&mut self, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
         let Expr::Index(of, indexes) = self.body.expr(id) else {
-            let whole = match self.whole(id)? {
+            let whole = match self.slot_of(id)? {
                 Some(whole) => whole,
                 None => self.boxed(None, id, boxes)?,
             };
             return Ok(ArgumentSite::Slot(whole, SlotSite::Whole));
         };
-        let whole = self.whole(*of)?.ok_or(Limit::Unclear)?;
+        let whole = self.slot_of(*of)?.ok_or(Limit::Unclear)?;
         let at = match **indexes {
             [key] if self.base(key).builtin() == Some(BaseType::String) => SlotSite::Key(self.text(key)?),
             _ => {
@@ -160,6 +160,17 @@ impl Coder<'_, '_> {
             }
         };
         Ok(ArgumentSite::Slot(whole, at))
+    }
+
+    /// The container of a place that need not exist, even in a library that nothing declares.
+    fn slot_of(&mut self, id: ExprId) -> Result<Option<Whole>> {
+        match self.body.expr(id) {
+            Expr::Path { library, item } if !self.has_item(library, item) => {
+                let kind = val3_bytecode::WholeKind::Import(self.unit.import_missing(library, item)?);
+                Whole::new(kind).ok_or(Limit::Containers).map(Some)
+            }
+            _ => self.whole(id),
+        }
     }
 
     /// The first value of a field of a user type, by the number of the field.

@@ -25,6 +25,7 @@ impl Coder<'_, '_> {
         let Expr::Call(callee, args) = self.body.expr(call) else { return Err(Limit::Unclear) };
         let (program, project, file) = self.called_program(*callee)?;
         let params = &signature(self.unit.db, project, file).params;
+        params.iter().try_for_each(|param| self.kind(param.base).map(drop))?;
         let formals: Vec<Formal> = params.iter().map(formal).collect();
         let arguments = self.arguments(&formals, args, boxes)?;
         if arguments.len() != params.len() {

@@ -40,6 +40,16 @@ impl Code {
         self.ops.push(op);
     }
 
+    /// How many operations there are.
+    pub(crate) fn mark(&self) -> u32 {
+        count(&self.ops)
+    }
+
+    /// Takes back the operations since.
+    pub(crate) fn take_back(&mut self, mark: u32) {
+        self.ops.truncate(mark as usize);
+    }
+
     /// A label that gets its place later.
     pub(crate) fn label(&mut self) -> Label {
         self.labels.push(0);
@@ -63,10 +73,14 @@ impl Code {
 
     /// An instruction line begins.
     pub(crate) fn line(&mut self, range: TextRange) {
-        let range = source_range(range);
-        let row = self.rows.partition_point(|start| *start <= range.start);
-        self.lines.push(Line { op: count(&self.ops), range, row: u32::try_from(row).unwrap_or(u32::MAX) });
+        self.lines.push(Line { op: count(&self.ops), range: source_range(range), row: self.row(range) });
         self.emit(Op::Line);
+    }
+
+    /// The line of the file in which a range begins, from 1.
+    pub(crate) fn row(&self, range: TextRange) -> u32 {
+        let row = self.rows.partition_point(|start| *start <= u32::from(range.start()));
+        u32::try_from(row).unwrap_or(u32::MAX)
     }
 
     /// The number of a text in the table.

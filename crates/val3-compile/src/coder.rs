@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use val3_analysis::body::{Body, ExprId};
 use val3_analysis::infer::Inference;
+use val3_analysis::items::program::Header;
 use val3_analysis::ty::Base;
 use val3_bytecode::{Op, Register};
 use val3_lang::memory::{Kind, Lanes};
@@ -19,6 +20,7 @@ use crate::unit::Unit;
 pub(crate) struct Coder<'u, 'db> {
     /// What all programs of the project share.
     pub(crate) unit: &'u mut Unit<'db>,
+    pub(crate) header: &'db Header,
     pub(crate) body: &'db Body,
     pub(crate) types: &'db Inference,
     pub(crate) frame: Frame,

@@ -2,15 +2,13 @@
 
 use std::fmt;
 
-use val3_bytecode::SourceRange;
-
 /// A limit of the virtual controller that a project exceeds.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CompileError {
     /// The path of the file.
     pub file: String,
-    /// The statement or declaration.
-    pub range: SourceRange,
+    /// The line of the statement, from 1; the first where it is the whole file.
+    pub row: u32,
     /// The limit.
     pub limit: Limit,
 }
@@ -30,6 +28,14 @@ pub enum Limit {
     Unclear,
 }
 
+/// `None` for what cannot be told because something is missing.
+pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
+    match made {
+        Err(Limit::Unclear) => Ok(None),
+        made => made.map(Some),
+    }
+}
+
 /// What a part of the compiler returns; the program that it stands in adds the place.
 pub(crate) type Result<T> = std::result::Result<T, Limit>;
 
@@ -45,9 +51,22 @@ impl fmt::Display for Limit {
     }
 }
 
+impl Limit {
+    /// What to do about it.
+    #[must_use]
+    pub fn help(self) -> &'static str {
+        match self {
+            Self::Registers | Self::Operations => "split the program into several that call one another",
+            Self::Containers => "make one array, collection or user type of variables that belong together",
+            Self::Items => "move programs and data to libraries",
+            Self::Unclear => "`val3 check` shows what is wrong here, if `val3.toml` or a comment does not silence it",
+        }
+    }
+}
+
 impl fmt::Display for CompileError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.file, self.limit)
+        write!(f, "{}:{}: {}", self.file, self.row, self.limit)
     }
 }
 

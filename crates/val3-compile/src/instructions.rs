@@ -3,6 +3,7 @@
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, InstructionSite, Op, Operand};
+use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
@@ -67,7 +68,7 @@ impl Coder<'_, '_> {
         let formal =
             |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
         if let Some(call) = self.types.call(id) {
-            let form = call.form.ok_or(Limit::Unclear)?;
+            let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
             let formals = form.params.iter().map(formal).collect();
             return Ok(Called { site: InstructionSite::new(call.instruction, form), formals, result: form.result });
         }
@@ -109,5 +110,13 @@ impl Coder<'_, '_> {
         let to = self.num_result(want)?;
         self.emit(Op::Watch { to, condition, seconds, retry: retry.0 });
         Ok(Value::num(BaseType::Bool, to))
+    }
+}
+
+/// The form of an instruction that has one alone: it is meant even where an argument is missing.
+fn only_form(instruction: &'static Instruction) -> Option<&'static Overload> {
+    match instruction.overloads {
+        [form] => Some(form),
+        _ => None,
     }
 }

@@ -13,7 +13,7 @@ use val3_lang::types::Arm;
 use val3_syntax::view::View;
 
 use crate::data::{Found, Loaded};
-use crate::error::{Limit, Result};
+use crate::error::{Limit, Result, there};
 
 /// The types of a project.
 pub(crate) struct Kinds<'db> {
@@ -96,7 +96,7 @@ impl<'db> Kinds<'db> {
     }
 
     /// The data of a project that are wanted, in the order of its files. Where a name is declared twice, the first
-    /// declaration counts.
+    /// declaration counts. Data of a type that is missing are not there.
     pub(crate) fn data_of(
         &mut self,
         project: Project,
@@ -109,8 +109,8 @@ impl<'db> Kinds<'db> {
                 let Some(decl) = data::declaration(element).filter(|decl| wanted(decl)) else { continue };
                 if known.insert(decl.name.clone()) {
                     let base = resolve_type(types, &decl.type_name).unwrap_or(Base::Unknown);
-                    let loaded = self.load(element, (decl.container, &decl.sizes), base)?;
-                    all.push((decl, base, loaded));
+                    let loaded = there(self.load(element, (decl.container, &decl.sizes), base))?;
+                    all.extend(loaded.map(|loaded| (decl, base, loaded)));
                 }
             }
         }

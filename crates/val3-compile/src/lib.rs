@@ -18,6 +18,7 @@ mod instructions;
 mod kinds;
 mod literals;
 mod loops;
+mod missing;
 mod moves;
 mod operators;
 mod places;

@@ -9,6 +9,15 @@ use crate::places::num_register;
 use crate::spot::{At, Spot, Value};
 use crate::statements::head;
 
+/// What a `for` counts with.
+struct Counter {
+    variable: Value,
+    /// The register that is counted in.
+    register: Register,
+    /// The register with the limit, before that with the step.
+    limit: Register,
+}
+
 impl Coder<'_, '_> {
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
@@ -33,19 +42,32 @@ impl Coder<'_, '_> {
     /// Start, limit and step are computed once, in this order, before the counter gets its first value.
     pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
         let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
-        let (exit, body) = (self.code.label(), self.code.label());
         self.code.line(head(stmt, self.body.range(step.unwrap_or(stop))));
+        let ids: Vec<ExprId> = [counter, start, stop].into_iter().chain(step).collect();
+        match self.or_stop(&ids, |coder| coder.counter(counter, start, stop, step))? {
+            Some(counter) => self.rounds(&counter, block),
+            None => Ok(()),
+        }
+    }
+
+    /// Computes what a `for` counts with.
+    fn counter(&mut self, counter: ExprId, start: ExprId, stop: ExprId, step: Option<ExprId>) -> Result<Counter> {
         let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
         let variable = Value { spot: self.pinned(variable.spot)?, ..variable };
         let limit = self.frame.nums(2)?;
-        let counter = match variable.spot {
+        let register = match variable.spot {
             Spot::Lanes(lanes) => num_register(lanes),
             _ => self.frame.num()?,
         };
         let start = self.num(start)?;
         self.num_to(stop, limit)?;
         self.step(step, limit + 1)?;
-        self.move_num(counter, start);
+        self.move_num(register, start);
+        Ok(Counter { variable, register, limit })
+    }
+
+    fn rounds(&mut self, &Counter { variable, register: counter, limit }: &Counter, block: &[Stmt]) -> Result<()> {
+        let (exit, body) = (self.code.label(), self.code.label());
         self.emit(Op::ForTest { counter, limit, exit: exit.0 });
         self.code.place(body);
         self.store_counter(variable, counter)?;

@@ -8,7 +8,7 @@ use val3_analysis::items::project::{Signature, signature};
 use val3_bytecode::{Op, Program};
 use val3_syntax::TextRange;
 
-use crate::code::{Code, source_range};
+use crate::code::Code;
 use crate::coder::Coder;
 use crate::error::{CompileError, Result};
 use crate::frame::Frame;
@@ -19,25 +19,25 @@ pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::resu
     let (db, project) = (unit.db, unit.project);
     let mut coder = Coder {
         unit,
+        header: header(db, file),
         body: body(db, file),
         types: infer(db, project, file),
         frame: Frame::default(),
         code: Code::new(file.text(db)),
         range: TextRange::default(),
     };
-    let compiled = coder.program(file, signature(db, project, file));
-    let range = source_range(coder.range);
-    let place = |limit| CompileError { file: file.path(db).to_string(), range, limit };
+    let compiled = coder.program(signature(db, project, file));
+    let row = coder.code.row(coder.range);
+    let place = |limit| CompileError { file: file.path(db).to_string(), row, limit };
     let program = compiled.map_err(place)?;
     Ok(Program { file: number, ..program })
 }
 
 impl Coder<'_, '_> {
-    fn program(&mut self, file: File, signature: &Signature) -> Result<Program> {
-        let header = header(self.unit.db, file);
+    fn program(&mut self, signature: &Signature) -> Result<Program> {
         let params = self.params(&signature.params)?;
-        self.locals(header)?;
-        let variables = self.variables(&params, header)?;
+        self.locals()?;
+        let variables = self.variables(&params)?;
         let stack_bytes = self.frame.bytes();
         self.block(&self.body.block)?;
         self.emit(Op::Return);

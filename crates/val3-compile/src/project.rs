@@ -8,8 +8,9 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{folder, items, program_files};
 use val3_analysis::xml;
-use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, SourceRange, Whole, WholeKind};
+use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, Whole, WholeKind};
 use val3_lang::builtins;
+use val3_lang::types::LengthUnit;
 use val3_syntax::view::View;
 
 use crate::data::Found;
@@ -27,7 +28,7 @@ const STACK_SIZE: u32 = 5000;
 /// A limit that it exceeds.
 pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let file = project.manifest(db);
-    let place = |limit| CompileError { file: file.path(db).to_string(), range: SourceRange::default(), limit };
+    let place = |limit| CompileError { file: file.path(db).to_string(), row: 1, limit };
     let mut kinds = Kinds::new(db, items(db, project).arm);
     let (data, links) = data(&mut kinds, project).map_err(place)?;
     let programs = programs(db, project);
@@ -35,11 +36,13 @@ pub fn compile(db: &dyn Db, project: Project) -> Result<Image, CompileError> {
     let mut unit = Unit::new(kinds, project, names.iter(), programs.iter().map(|(name, _)| name)).map_err(place)?;
     let compiled = programs.iter().zip(0u32..).map(|((_, file), number)| program::compile(&mut unit, *file, number));
     let compiled = compiled.collect::<Result<_, _>>()?;
+    unit.import_interfaces().map_err(place)?;
     Ok(Image {
         name: folder(db, project).file_name().unwrap_or_default().to_owned(),
         path: file.path(db).to_string(),
         files: programs.iter().map(|(_, file)| file.path(db).to_string()).collect(),
         version: unit.items.version,
+        unit: length_unit(db, file),
         stack_size: stack_size(db, file),
         data,
         links,
@@ -84,9 +87,19 @@ fn libraries(manifest: &Manifest) -> Vec<LibraryDef> {
 }
 
 fn stack_size(db: &dyn Db, file: File) -> u32 {
+    parameter(db, file, "stackSize").and_then(|text| text.trim().parse().ok()).unwrap_or(STACK_SIZE)
+}
+
+fn length_unit(db: &dyn Db, file: File) -> LengthUnit {
+    match parameter(db, file, "millimeterUnit").as_deref().map(str::trim) {
+        Some("false") => LengthUnit::Inch,
+        _ => LengthUnit::Millimetre,
+    }
+}
+
+/// A parameter of a project (2.1.4) as its file writes it.
+fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()));
-    let parameters = root.and_then(|root| root.child(&[spelling(root).parameters]));
-    let written = parameters.and_then(|parameters| parameters.value("stackSize"));
-    written.and_then(|text| text.trim().parse().ok()).unwrap_or(STACK_SIZE)
+    let root = xml::root(View::root(parse.green()))?;
+    root.child(&[spelling(root).parameters])?.value(name).map(|text| text.into_owned())
 }

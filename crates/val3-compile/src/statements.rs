@@ -33,14 +33,23 @@ impl Coder<'_, '_> {
             _ => self.code.line(stmt.range),
         }
         match &stmt.kind {
-            StmtKind::Return => self.emit(Op::Return),
-            StmtKind::Call(call) => self.call_stmt(*call)?,
-            StmtKind::TaskCreate { synchronous, arguments } => self.task_create(*synchronous, arguments)?,
-            StmtKind::Print(value) => self.print(*value)?,
-            StmtKind::Assign { target, value } => drop(self.assign(*target, *value)?),
-            StmtKind::Expr(id) => self.instruction_stmt(*id)?,
+            StmtKind::Return => {
+                self.emit(Op::Return);
+                return Ok(());
+            }
+            StmtKind::Call(call) => self.or_stop(&self.call_parts(*call), |coder| coder.call_stmt(*call)),
+            StmtKind::TaskCreate { synchronous, arguments } => {
+                let (call, before) = arguments.split_last().ok_or(Limit::Unclear)?;
+                let ids = [before, &self.call_parts(*call)].concat();
+                self.or_stop(&ids, |coder| coder.task_create(*synchronous, arguments))
+            }
+            StmtKind::Print(value) => self.or_stop(&[*value], |coder| coder.print(*value)),
+            StmtKind::Assign { target, value } => {
+                self.or_stop(&[*target, *value], |coder| coder.assign(*target, *value).map(drop))
+            }
+            StmtKind::Expr(id) => self.or_stop(&[*id], |coder| coder.instruction_stmt(*id)),
             _ => return Err(Limit::Unclear),
-        }
+        }?;
         Ok(())
     }
 
@@ -66,7 +75,7 @@ impl Coder<'_, '_> {
     /// A jump on a condition; what it computes in between is forgotten.
     pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
         let mark = self.frame.mark();
-        self.branch(id, when, label)?;
+        self.or_stop(&[id], |coder| coder.branch(id, when, label))?;
         self.frame.release(mark);
         Ok(())
     }

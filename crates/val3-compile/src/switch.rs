@@ -20,7 +20,9 @@ impl Coder<'_, '_> {
         let labels: Vec<Label> = cases.iter().map(|_| self.code.label()).collect();
         let end = self.code.label();
         let mark = self.frame.mark();
-        self.comparisons(selector, cases, &labels)?;
+        let compared: Vec<ExprId> =
+            std::iter::once(selector).chain(cases.iter().flat_map(|(ids, _)| ids).copied()).collect();
+        self.or_stop(&compared, |coder| coder.comparisons(selector, cases, &labels))?;
         self.frame.release(mark);
         let default = cases.iter().zip(&labels).find(|((values, _), _)| values.is_empty());
         self.emit(Op::Jump { to: default.map_or(end, |(_, label)| *label).0 });

@@ -8,7 +8,7 @@ use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{Items, items, signature};
 use val3_bytecode::{Import, ImportKind};
 
-use crate::error::{Limit, Result};
+use crate::error::{Limit, Result, there};
 use crate::kinds::Kinds;
 
 /// What all programs of a project share.
@@ -93,6 +93,12 @@ impl<'db> Unit<'db> {
         self.import(library, name, ImportKind::Data(kind, item.decl.container))
     }
 
+    /// The number under which the project asks for data that the interface of a library does not have.
+    pub(crate) fn import_missing(&mut self, alias: &str, name: &SmolStr) -> Result<u16> {
+        let library = self.library(alias)?;
+        self.import(library, name, ImportKind::Missing)
+    }
+
     /// The number under which the project uses a program of a library.
     pub(crate) fn import_program(
         &mut self,
@@ -114,6 +120,29 @@ impl<'db> Unit<'db> {
         Ok(number)
     }
 
+    /// Imports all that the interfaces of the libraries promise: a library that is loaded has to have it (6.6).
+    pub(crate) fn import_interfaces(&mut self) -> Result<()> {
+        let aliases = manifest(self.db, self.project.manifest(self.db)).libraries.iter().map(|entry| &entry.alias);
+        for alias in aliases {
+            let Ok(interface) = self.interface(alias) else { continue };
+            let promised = items(self.db, interface);
+            let data = promised.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name);
+            for name in sorted(data) {
+                there(self.import_data(alias, name))?;
+            }
+            for name in sorted(promised.programs.keys()) {
+                self.import_public(alias, name, interface)?;
+            }
+        }
+        Ok(())
+    }
+
+    fn import_public(&mut self, alias: &str, name: &SmolStr, interface: Project) -> Result<()> {
+        let file = items(self.db, interface).programs.get(name).copied();
+        let public = file.filter(|file| signature(self.db, interface, *file).public);
+        public.map_or(Ok(()), |file| there(self.import_program(alias, name, (interface, file))).map(drop))
+    }
+
     fn import(&mut self, library: u16, name: &SmolStr, kind: ImportKind) -> Result<u16> {
         let number = u16::try_from(self.imports.len()).map_err(|_| Limit::Containers)?;
         if matches!(kind, ImportKind::Data(..)) {
@@ -122,6 +151,13 @@ impl<'db> Unit<'db> {
         self.imports.push(Import { library, name: name.to_string(), kind });
         Ok(number)
     }
+}
+
+/// Names in an order that no table decides.
+fn sorted<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Vec<&'n SmolStr> {
+    let mut names: Vec<_> = names.collect();
+    names.sort_unstable();
+    names
 }
 
 /// Names with their numbers. Where a name comes twice, the first counts.

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, StmtKind};
-use val3_analysis::items::program::{Header, LocalDecl};
+use val3_analysis::items::program::LocalDecl;
 use val3_analysis::items::project::{Param as Declared, resolve_type, signature};
 use val3_analysis::ty::Base;
 use val3_bytecode::{Param, Passing, Storage, Variable};
@@ -13,12 +13,13 @@ use val3_lang::types::Container;
 
 use crate::calls::formal;
 use crate::coder::Coder;
-use crate::error::{Limit, Result};
+use crate::error::{Limit, Result, there};
 
 impl Coder<'_, '_> {
-    /// Gives the parameters their places, in order.
+    /// Gives the parameters their places, in order. Who calls a program with a parameter of a type that is missing
+    /// stops before the call, so such parameters need none.
     pub(crate) fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
-        params.iter().map(|param| self.param(param)).collect()
+        params.iter().filter_map(|param| there(self.param(param)).transpose()).collect()
     }
 
     fn param(&mut self, param: &Declared) -> Result<Param> {
@@ -48,9 +49,9 @@ impl Coder<'_, '_> {
     }
 
     /// Gives the locals their places. One value of a built-in type lies in lanes, unless the code uses it as an array.
-    pub(crate) fn locals(&mut self, header: &Header) -> Result<()> {
+    pub(crate) fn locals(&mut self) -> Result<()> {
         let arrays = self.used_as_arrays();
-        header.locals.iter().try_for_each(|local| self.local(local, &arrays))
+        self.header.locals.iter().try_for_each(|local| there(self.local(local, &arrays)).map(drop))
     }
 
     fn local(&mut self, local: &LocalDecl, arrays: &FxHashSet<SmolStr>) -> Result<()> {
@@ -123,15 +124,16 @@ impl Coder<'_, '_> {
     }
 
     /// Names and places for debuggers.
-    pub(crate) fn variables(&mut self, params: &[Param], header: &Header) -> Result<Vec<Variable>> {
+    pub(crate) fn variables(&mut self, params: &[Param]) -> Result<Vec<Variable>> {
         let mut variables = Vec::new();
         for param in params {
             let storage = self.frame.find(&param.name).ok_or(Limit::Unclear)?;
             let (kind, container) = (param.kind.clone(), param.container);
             variables.push(Variable { name: param.name.clone(), kind, container, storage });
         }
-        for local in header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
-            let storage = self.frame.find(&local.name).ok_or(Limit::Unclear)?;
+        for local in self.header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
+            // A local of a type that is missing has no place.
+            let Some(storage) = self.frame.find(&local.name) else { continue };
             let base = resolve_type(&self.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
             let (kind, name) = (self.kind(base)?, local.name.to_string());
             let container = if local.sizes == [1] { Container::Element } else { local.container };

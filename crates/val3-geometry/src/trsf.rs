@@ -43,6 +43,12 @@ impl Trsf {
         Self::new(translation.add_scalar(0.0).into(), angles::from_rotation(rotation))
     }
 
+    /// The same, its lengths counted in a unit of which `factor` make one of those before.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self { x: self.x * factor, y: self.y * factor, z: self.z * factor, ..*self }
+    }
+
     /// The translation, in mm.
     #[must_use]
     pub fn translation(&self) -> Vector3<f64> {

@@ -16,7 +16,7 @@ pub use take::{
 use crate::fault::{Fault, Result};
 use crate::memory::{Memory, Place, Slot, View};
 use crate::ports::{Ports, Tasks, Time};
-use crate::types::BaseType;
+use crate::types::{BaseType, LengthUnit};
 use crate::versions::Version;
 
 /// Executes one form of an instruction.
@@ -76,6 +76,8 @@ pub struct Call<'c> {
     pub reads_clock: bool,
     /// The version of the application: what limits hold.
     pub version: Version,
+    /// What the application counts lengths in.
+    pub unit: LengthUnit,
     arguments: &'c [Argument],
     next: usize,
     result: Option<Place>,
@@ -86,11 +88,11 @@ impl<'c> Call<'c> {
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
         (now, since): (Time, Option<Time>),
-        version: Version,
+        (version, unit): (Version, LengthUnit),
         arguments: &'c [Argument],
         result: Option<Place>,
     ) -> Self {
-        Self { memory, ports, tasks, now, since, reads_clock: false, version, arguments, next: 0, result }
+        Self { memory, ports, tasks, now, since, reads_clock: false, version, unit, arguments, next: 0, result }
     }
 
     /// The next argument.

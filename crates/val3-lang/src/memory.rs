@@ -9,7 +9,7 @@ mod containers;
 mod copy;
 mod kind;
 mod lanes;
-mod lifetime;
+mod owner;
 mod place;
 mod shown;
 mod stack;
@@ -18,6 +18,7 @@ mod stores;
 
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
+pub use owner::Owner;
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
 pub use stack::Stack;
 pub use store::{Shape, Store};
@@ -36,13 +37,15 @@ pub struct Memory {
     pub stores: Stores,
     /// The stack of the task that runs; [`Place::store`] names it [`StoreId::STACK`].
     pub stack: Stack,
+    /// What library identifiers stand for, by the number of the application or library that has them.
+    libraries: Vec<Vec<u16>>,
 }
 
 impl Memory {
     /// The data that every controller has: `world` and `flange`.
     #[must_use]
     pub fn new() -> Self {
-        let mut memory = Self { stores: Stores::default(), stack: Stack::default() };
+        let mut memory = Self { stores: Stores::default(), stack: Stack::default(), libraries: Vec::new() };
         for base in [BaseType::Frame, BaseType::Tool] {
             let kind = Arc::new(Kind::builtin(base, None));
             memory.add(Store::filled(kind, Shape::ELEMENT));
@@ -182,9 +185,17 @@ impl Memory {
     /// Links a value.
     ///
     /// # Errors
-    /// 20 if the value is gone, 165 if it is global and would refer to a local one.
+    /// 20 if the value is gone, 165 if it is global and would refer to a local one, 82 to what it does not reach.
     pub fn set_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
-        self.check_link(self.is_local(at.store), link)?;
+        self.check_link(self.owner(at.store), link)?;
+        self.set_file_link(at, offset, link)
+    }
+
+    /// Links a value as a file says; whether it may be linked so is asked when the link is used.
+    ///
+    /// # Errors
+    /// 20 if the value is gone.
+    pub fn set_file_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
         let index = (at.link + offset) as usize;
         let found = match at.store {
             StoreId::STACK => self.stack.links.get_mut(index),

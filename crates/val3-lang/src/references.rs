@@ -66,11 +66,14 @@ pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> 
 /// What a frame or tool is given in, or a point; `None` if it has no reference that is there.
 ///
 /// # Errors
-/// 20 or 61 if it is gone itself.
+/// 20 or 61 if it is gone itself, 82 if its reference is out of its reach.
 pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
     match memory.link(at, 0)? {
-        Link::Data(reference) => Ok(memory.link(reference, 0).is_ok().then_some(reference)),
-        Link::None | Link::Port(_) => Ok(None),
+        Link::Data(reference) if memory.link(reference, 0).is_ok() => {
+            memory.check_reference(at, reference)?;
+            Ok(Some(reference))
+        }
+        Link::Data(_) | Link::None | Link::Port(_) => Ok(None),
     }
 }
 

@@ -77,6 +77,9 @@ pub const INTERPRETER: u16 = 61;
 /// Data or a program of a library that is not loaded, or that lacks them (6.4).
 pub const LIBRARY_ITEM_MISSING: u16 = 80;
 
+/// The reference of a variable is in a library that is not declared, or private there (12.1).
+pub const REFERENCE_OUT_OF_REACH: u16 = 82;
+
 /// A task cannot have this name (5.10).
 pub const BAD_TASK_NAME: u16 = 29;
 

@@ -18,7 +18,7 @@ use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
 use crate::memory::{Memory, Place, Shape, Slot, SlotAt, StoreId, View};
 use crate::ports::{Ports, Tasks, Time};
-use crate::types::BaseType;
+use crate::types::{BaseType, LengthUnit};
 use crate::values::{Text, printed};
 use crate::versions::Version;
 
@@ -29,6 +29,7 @@ pub(crate) struct Bench {
     pub(crate) tasks: TaskList,
     pub(crate) now: Time,
     pub(crate) version: Version,
+    pub(crate) unit: LengthUnit,
     since: Option<Time>,
     variables: BTreeMap<String, (View, BaseType)>,
 }
@@ -123,7 +124,7 @@ impl Bench {
         let target = line.target.as_ref().map(|target| self.place(target));
         let result = target.or_else(|| form.result.map(|base| Place::first(self.value_of(base))));
         let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.memory, &mut Nothing, &mut self.tasks);
-        let mut call = Call::new(reach, (self.now, self.since), self.version, &arguments, result);
+        let mut call = Call::new(reach, (self.now, self.since), (self.version, self.unit), &arguments, result);
         let run = form.run.unwrap_or_else(|| panic!("{} has no handler", form.signature(instruction.name)));
         let flow = run(&mut call);
         self.since = matches!(flow, Ok(Flow::Wait(_))).then(|| self.since.unwrap_or(self.now));

@@ -4,10 +4,12 @@
 
 mod attributes;
 mod fields;
+mod length_unit;
 mod names;
 
 pub use attributes::{Attribute, AttributeValue, attribute, attributes};
 pub use fields::{DefaultValue, Field, Unit, field, fields};
+pub use length_unit::LengthUnit;
 
 /// The kinematics of an arm. Positions of one kind mean nothing to another.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -89,37 +89,6 @@ pub trait Libraries {
 }
 
 impl Devices {
-    /// Records what the task that runs has done.
-    fn record(&mut self, what: What) {
-        let task = self.names.get(&self.origin.task).cloned();
-        self.events.push(Event { t: seconds(self.origin.time), task, what });
-    }
-
-    /// Records what lines have answered.
-    pub(crate) fn record_lines(&mut self, now: Time) {
-        for (link, entry) in self.lines.take_told() {
-            self.record_outside(now, What::Line { link, entry });
-        }
-    }
-
-    /// Records what has come from outside.
-    pub fn record_outside(&mut self, now: Time, what: What) {
-        self.events.push(Event { t: seconds(now), task: None, what });
-    }
-
-    /// What has happened since this was asked before.
-    pub fn take_events(&mut self) -> Vec<Event> {
-        std::mem::take(&mut self.events)
-    }
-}
-
-impl std::fmt::Debug for Devices {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Devices").field("origin", &self.origin).finish_non_exhaustive()
-    }
-}
-
-impl Devices {
     /// Devices in their state after a start, with these media and this way to libraries.
     #[must_use]
     pub fn new(roots: Roots, libraries: Box<dyn Libraries>) -> Self {
@@ -147,5 +116,34 @@ impl Devices {
             sources: BTreeMap::new(),
             read: None,
         }
+    }
+
+    /// Records what the task that runs has done.
+    fn record(&mut self, what: What) {
+        let task = self.names.get(&self.origin.task).cloned();
+        self.events.push(Event { t: seconds(self.origin.time), task, what });
+    }
+
+    /// Records what lines have answered.
+    pub(crate) fn record_lines(&mut self, now: Time) {
+        for (link, entry) in self.lines.take_told() {
+            self.record_outside(now, What::Line { link, entry });
+        }
+    }
+
+    /// Records what has come from outside.
+    pub fn record_outside(&mut self, now: Time, what: What) {
+        self.events.push(Event { t: seconds(now), task: None, what });
+    }
+
+    /// What has happened since this was asked before.
+    pub fn take_events(&mut self) -> Vec<Event> {
+        std::mem::take(&mut self.events)
+    }
+}
+
+impl std::fmt::Debug for Devices {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Devices").field("origin", &self.origin).finish_non_exhaustive()
     }
 }

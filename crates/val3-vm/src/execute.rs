@@ -461,7 +461,7 @@ impl Machine<'_> {
             owner: frame.instance,
         };
         let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.space.memory, self.ports, &mut services);
-        let mut call = Call::new(reach, (now, thread.since), image.version, &arguments, result);
+        let mut call = Call::new(reach, (now, thread.since), (image.version, image.unit), &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
         self.arguments = arguments;

@@ -11,6 +11,7 @@ impl Instance {
     /// What `import` stands for in this library; `None` where it lacks the item or has another one of the name.
     pub(crate) fn item(&self, id: InstanceId, import: &Import) -> Option<Imported> {
         match &import.kind {
+            ImportKind::Missing => return None,
             ImportKind::Data(kind, container) => {
                 let number = usize::from(self.image.data(&import.name)?);
                 self.image.data.get(number).filter(|data| is_data(data, kind, *container))?;

@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{FatherLink, Image, Import, LinkInit, LinkTarget};
-use val3_lang::memory::{Link, Memory, Place, StoreId, View};
+use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
+use val3_lang::memory::{Link, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
 use crate::{Host, Instance, InstanceId};
@@ -25,7 +25,12 @@ impl Space {
 
     /// Takes an application or library into memory, with its data as its files say.
     pub fn load(&mut self, image: Arc<Image>, path: String, host: &mut dyn Host) -> InstanceId {
-        let data: Arc<[StoreId]> = image.data.iter().map(|data| self.memory.create(&data.init)).collect();
+        let free = self.instances.iter().position(|instance| !instance.loaded);
+        let at = free.unwrap_or(self.instances.len());
+        let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
+        let owner = |data: &DataDef| Owner::Project { number: id.0, public: data.public };
+        let data = image.data.iter().map(|data| self.memory.create_for(owner(data), &data.init));
+        let data: Arc<[StoreId]> = data.collect();
         let instance = Instance {
             data,
             path,
@@ -34,13 +39,10 @@ impl Space {
             loaded: true,
             image,
         };
-        let free = self.instances.iter().position(|instance| !instance.loaded);
-        let at = free.unwrap_or(self.instances.len());
         match self.instances.get_mut(at) {
             Some(slot) => *slot = instance,
             None => self.instances.push(instance),
         }
-        let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
         if let Some(instance) = self.instance(id) {
             host.loaded(id.0, &instance.image, &instance.data);
         }
@@ -64,9 +66,11 @@ impl Space {
 
     /// Lets a library identifier of `user` stand for `library`.
     ///
-    /// What the library lacks of what `user` uses raises error 80 when it is used; the answer is whether it has all.
+    /// What the library lacks raises error 80 when it is used; the answer is whether it has all that its interface
+    /// promises.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
         let complete = self.connect_items(user, alias, library);
+        self.declare_libraries(user);
         self.link_data(user, Some(alias), host);
         complete
     }
@@ -80,7 +84,9 @@ impl Space {
             .filter(|(_, import)| of_alias(import))
             .map(|(at, import)| (at, exporter.and_then(|exporter| exporter.item(library, import))))
             .collect();
-        let complete = found.iter().all(|(_, item)| item.is_some());
+        let promised =
+            |at: usize| instance.image.imports.get(at).is_some_and(|import| import.kind != ImportKind::Missing);
+        let complete = found.iter().all(|(at, item)| item.is_some() || !promised(*at));
         if let Some(instance) = self.instances.get_mut(usize::from(user.0)) {
             if let Some(slot) = instance.libraries.get_mut(usize::from(alias)) {
                 *slot = Some(library);
@@ -92,6 +98,12 @@ impl Space {
             }
         }
         complete
+    }
+
+    pub(crate) fn declare_libraries(&mut self, user: InstanceId) {
+        let libraries = self.instance(user).map(|instance| &instance.libraries).into_iter().flatten();
+        let numbers = libraries.flatten().map(|library| library.0).collect();
+        self.memory.declare_libraries(user.0, numbers);
     }
 
     /// Makes the links of data that do not wait for a library, or those that wait for `alias`.
@@ -109,7 +121,7 @@ impl Space {
                 && let Some(link) = self.target(id, &init.target, host)
             {
                 // The place was looked up just now, so it is there.
-                let _ = self.memory.set_link(place, init.link, link);
+                let _ = self.memory.set_file_link(place, init.link, link);
             }
         }
     }

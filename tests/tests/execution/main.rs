@@ -9,6 +9,8 @@ use val3_tests::running::Running;
 mod data;
 mod data_errors;
 mod life_cycle;
+mod limits;
+mod missing;
 mod other_errors;
 mod parameters;
 mod stack;

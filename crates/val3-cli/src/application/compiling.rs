@@ -9,6 +9,7 @@ use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::rule::Severity;
 use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_compile::CompileError;
 
 use super::{Files, Laid};
 
@@ -45,6 +46,6 @@ pub(crate) fn first_error(
 ///
 /// # Errors
 /// A limit of the virtual controller that it exceeds.
-pub(crate) fn compile(db: &Database, project: Project) -> Result<Arc<Image>, String> {
-    val3_compile::compile(db, project).map(Arc::new).map_err(|error| error.to_string())
+pub(crate) fn compile(db: &Database, project: Project) -> Result<Arc<Image>, CompileError> {
+    val3_compile::compile(db, project).map(Arc::new)
 }

@@ -46,7 +46,7 @@ impl Images {
         let (workspace, project) = load_laid(files, &manifest)?;
         match first_error(&workspace.db, project, |_| true)? {
             Some(wrong) => Err(format!("`{path}`: {}", wrong.message)),
-            None => compile(&workspace.db, project),
+            None => compile(&workspace.db, project).map_err(|error| format!("`{path}`: {}", error.limit)),
         }
     }
 }

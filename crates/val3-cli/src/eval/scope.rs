@@ -89,7 +89,8 @@ impl Scope {
         let (workspace, project) = load(&files, &manifest, args.arm.as_deref())?;
         refuse_faults(&workspace, project, |file| !file.ends_with(".pgx"))
             .map_err(|fault| UserError::new(fault).with_help("`val3 check` shows it in its place"))?;
-        let image = compile(&workspace.db, project).map_err(UserError::new)?;
+        let image = compile(&workspace.db, project)
+            .map_err(|error| UserError::new(error.to_string()).with_help(error.limit.help()))?;
         let Media { roots, disk, application } = Media::of(&workspace.db, project)?;
         let devices = Devices::new(roots, Box::new(Images::new(disk)));
         let line_cost = args::microseconds(args::LINE_COST).map_err(UserError::new)?;
@@ -144,7 +145,7 @@ impl Scope {
         let (workspace, project, file) = self.load(code)?;
         let path = file.path(&workspace.db).to_string();
         refuse_faults(&workspace, project, |file| file == path)?;
-        compile(&workspace.db, project)
+        compile(&workspace.db, project).map_err(|error| error.limit.to_string())
     }
 
     /// Executes the program of the text to its end.

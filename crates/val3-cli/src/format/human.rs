@@ -20,7 +20,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     Printable::before(out, |out| report.findings.iter().try_for_each(|finding| write_finding(finding, &config, out)))
 }
 
-/// A run-time error, for [`write_fault`].
+/// A run-time error or what keeps a program from running, for [`write_fault`].
 #[derive(Debug)]
 pub(crate) struct Fault<'a> {
     /// Its number; `None` for what no run-time error is.
@@ -29,13 +29,15 @@ pub(crate) struct Fault<'a> {
     pub(crate) message: String,
     /// What to do about it.
     pub(crate) help: &'a str,
+    /// What its line is.
+    pub(crate) label: &'a str,
     /// The file of the program; empty where it is not known.
     pub(crate) path: &'a str,
     /// The line of the file, from 1.
     pub(crate) line: u32,
 }
 
-/// Writes a run-time error with the line that raised it.
+/// Writes a fault with its line.
 pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Result<()> {
     let text = std::fs::read(fault.path).map(|bytes| decode(bytes).text).unwrap_or_default();
     let file = Arc::new(SourceFile::new(fault.path, text.into(), Encoding::Utf8));
@@ -47,7 +49,7 @@ pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Re
     let mut excerpt = Excerpt::default();
     let mut diagnostic = Diagnostic::error().with_message(&fault.message);
     diagnostic.code = fault.code.map(|code| code.to_string());
-    if let Some(label) = label(&mut excerpt, LabelStyle::Primary, &place, "the task stopped here") {
+    if let Some(label) = label(&mut excerpt, LabelStyle::Primary, &place, fault.label) {
         diagnostic = diagnostic.with_label(label);
     }
     if !fault.help.is_empty() {

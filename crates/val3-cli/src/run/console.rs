@@ -15,6 +15,13 @@ use crate::output::{to_stderr_in_color, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
+/// What the line of a run-time error is.
+const STOPPED: &str = "the task stopped here";
+
+/// What people at a terminal can do about a line that no cell configures.
+const CONNECT: &str = "A serial line or socket of a cell that is not at hand is connected by --line: \
+                       `val3 run --help` tells how.";
+
 /// The standard output and error output.
 pub(crate) struct Console {
     color: Color,
@@ -77,9 +84,10 @@ impl Console {
     fn fault(&self, task: &str, code: u16, file: &str, line: u32) {
         let error = runtime_errors::find(code);
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
-        let help = error.map_or("", |error| error.long);
+        let long = error.map_or("", |error| error.long);
+        let help = if code == runtime_errors::UNLINKED { format!("{long} {CONNECT}") } else { long.to_owned() };
         let path = self.paths.shown(file.into());
-        let fault = human::Fault { code: Some(code), message, help, path: &path, line };
+        let fault = human::Fault { code: Some(code), message, help: &help, label: STOPPED, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
@@ -88,7 +96,7 @@ impl Console {
         let message = format!("{} (task `{task}`)", lacking(instruction));
         let help = "the run has ended: what the program does from here on depends on it";
         let path = self.paths.shown(file.into());
-        let fault = human::Fault { code: None, message, help, path: &path, line };
+        let fault = human::Fault { code: None, message, help, label: STOPPED, path: &path, line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 

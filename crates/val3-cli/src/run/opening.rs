@@ -2,6 +2,7 @@
 
 use std::process::ExitCode;
 
+use val3_compile::CompileError;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 
@@ -9,11 +10,12 @@ use super::{lines, outside};
 use crate::application::{Images, Media, compile, only_application, set_arm};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
-use crate::format::{self, Format};
-use crate::opening::Request;
-use crate::output::to_stdout;
+use crate::format::{self, Format, human};
+use crate::opening::{Request, current_folder};
+use crate::output::{to_stderr_in_color, to_stdout};
+use crate::paths::Paths;
 use crate::report::Severity;
-use crate::user_error::UserError;
+use crate::user_error::{EXIT_USAGE, UserError};
 
 /// What opening an application comes to.
 pub(crate) enum Opened {
@@ -43,7 +45,13 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
         return Ok(Opened::Faulty(ExitCode::FAILURE));
     }
     let db = session.db();
-    let image = compile(db, project).map_err(UserError::new)?;
+    let image = match compile(db, project) {
+        Ok(image) => image,
+        Err(error) => {
+            show_limit(&error, color)?;
+            return Ok(Opened::Faulty(ExitCode::from(EXIT_USAGE)));
+        }
+    };
     let mut media = Media::of(db, project)?;
     args.root.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
     let Media { roots, disk, application } = media;
@@ -61,6 +69,22 @@ fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserErr
         return Err(UserError::new(message).with_help("name the program to start with by --program"));
     }
     Ok(Opened::Ready(Box::new(controller)))
+}
+
+/// Shows a limit of this controller where the application exceeds it.
+fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
+    let paths = Paths::new(&[], &current_folder()?);
+    let path = paths.shown(error.file.as_str().into());
+    let fault = human::Fault {
+        code: None,
+        message: format!("this controller cannot load the application: {}", error.limit),
+        help: error.limit.help(),
+        label: "here",
+        path: &path,
+        line: error.row,
+    };
+    to_stderr_in_color(color, |out| human::write_fault(&fault, out));
+    Ok(())
 }
 
 /// Shows the findings of level error; whether there are any.

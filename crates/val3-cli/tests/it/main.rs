@@ -6,6 +6,7 @@
 mod baseline;
 mod check;
 mod configuration;
+mod encrypted;
 mod eval;
 mod explain;
 mod faulty_cell;

@@ -125,3 +125,28 @@ fn wrong_usage() {
         assert!(run.stderr.contains(word), "{arguments:?} {run:?}");
     }
 }
+
+#[test]
+fn an_application_starts_without_what_is_missing() {
+    let folder = Folder::with(
+        "library io \"Disk://io/io.pjx\"\nnum nValue\nprogram start()\nbegin\n  ? \"start\"\n  \
+         nValue=$read(1)+1\n  ? io:nInput\nend",
+    );
+    folder.write("val3.toml", "[rules]\nV0501=\"warning\"\n");
+    let run = folder.val3(&["run"]);
+    ends(&run, 1, "start\n");
+    insta::assert_snapshot!(run.stderr);
+}
+
+#[test]
+fn a_limit_of_the_controller_is_shown_at_its_line() {
+    let sums: String = (0..670).map(|line| sum(line * 100)).collect();
+    let run = Folder::with(&format!("num n\nprogram start()\nbegin\n  n=1\n{sums}end")).val3(&["run"]);
+    ends(&run, 2, "");
+    insta::assert_snapshot!(run.stderr);
+}
+
+fn sum(from: u32) -> String {
+    let parts: String = (from..from + 100).map(|number| format!("+{number}")).collect();
+    format!("  n=n{parts}\n")
+}

@@ -86,13 +86,16 @@ impl Cell {
 
     /// The application `main` on the controller, about to begin.
     pub(crate) fn controller(&self) -> Controller {
+        self.controller_with(|_| {})
+    }
+
+    /// As [`controller`](Self::controller), with what `prepare` does to the devices before.
+    pub(crate) fn controller_with(&self, prepare: impl FnOnce(&mut Devices)) -> Controller {
         let mut roots = Roots::default();
         roots.mount("Disk", &self.path("usrapp")).unwrap();
         roots.mount("USB0", &self.path("usb")).unwrap();
-        self.controller_of(Devices::new(roots, Box::new(OnDisk(self.path("")))))
-    }
-
-    fn controller_of(&self, devices: Devices) -> Controller {
+        let mut devices = Devices::new(roots, Box::new(OnDisk(self.path(""))));
+        prepare(&mut devices);
         let main = ControllerPath::root("Disk").join("main").unwrap();
         let image = OnDisk(self.path("")).image(&main, LibraryFiles { files: Vec::new(), encrypted: false }).unwrap();
         let mut controller = Controller::new(devices, image, main.to_string(), LINE_COST);

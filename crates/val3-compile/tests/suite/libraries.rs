@@ -210,6 +210,33 @@ fn items_of_another_type_are_missing() {
 }
 
 #[test]
+fn the_whole_interface_is_compared() {
+    let cell = |loaded: &str| {
+        let listing = format!(
+            "library part \"Disk://part/part.pjx\" autoload=false\nprogram start()\nbegin\n  \
+             ? part:libLoad(\"loaded\")\n  ? part:nUsed\nend\n\
+             --- part\npublic num nUsed\npublic num nUnused[2]\nnum nPrivate\n\
+             public program work(num x_nValue)\nbegin\nend\nprogram hidden()\nbegin\nend\n--- loaded\n{loaded}"
+        );
+        Cell::new(&listing).run()
+    };
+    let work = "public program work(num x_nOther)\nbegin\nend\n";
+    let same = format!("public num nUsed=1\npublic num nUnused[7]\n{work}");
+    assert_eq!(cell(&same), "0\n1\n");
+    assert_eq!(cell(&format!("{same}public num nMore\npublic program more()\nbegin\nend\n")), "0\n1\n");
+    for other in [
+        format!("public num nUsed=1\n{work}"),
+        format!("public num nUsed=1\nnum nUnused[2]\n{work}"),
+        format!("public num nUsed=1\npublic string nUnused[2]\n{work}"),
+        "public num nUsed=1\npublic num nUnused[2]\n".to_owned(),
+        "public num nUsed=1\npublic num nUnused[2]\nprogram work(num x_nOther)\nbegin\nend\n".to_owned(),
+        "public num nUsed=1\npublic num nUnused[2]\npublic program work()\nbegin\nend\n".to_owned(),
+    ] {
+        assert_eq!(cell(&other), "11\n1\n", "{other}");
+    }
+}
+
+#[test]
 fn every_reason_has_its_code() {
     let cell = Cell::new(
         r#"
@@ -488,4 +515,71 @@ fn what_is_done_to_libraries_is_told() {
         delete :saved 0
     "#]]
     .assert_eq(&cell.library_events());
+}
+
+#[test]
+fn a_reference_has_to_be_in_reach() {
+    check(
+        r#"
+        library tray "Disk://tray/tray.pjx" autoload=false
+        library part "Disk://part/part.pjx" autoload=false
+        point pOwn
+        program hang()
+        begin
+          link(pOwn,tray:fPublic)
+        end
+        program private()
+        begin
+          call tray:take(pOwn)
+        end
+        program undeclared()
+        begin
+          part:pPart=tray:pPublic
+        end
+        program local()
+          point l_pPart
+        begin
+          call tray:take(l_pPart)
+        end
+        program start()
+        begin
+          ? tray:libLoad("tray")
+          ? part:libLoad("part")
+          call tray:init()
+          taskCreate "hang",10,hang()
+          taskCreate "private",10,private()
+          taskCreate "undeclared",10,undeclared()
+          taskCreate "local",10,local()
+          delay(1)
+          ? taskStatus("hang")
+          ? taskStatus("private")
+          ? taskStatus("undeclared")
+          ? taskStatus("local")
+        end
+        --- tray
+        public frame fPublic
+        public point pPublic
+        frame fPrivate
+        public program init()
+        begin
+          link(pPublic,fPublic)
+        end
+        public program take(point& x_pPoint)
+        begin
+          link(x_pPoint,fPrivate)
+        end
+        --- part
+        public point pPart
+        "#,
+        expect![[r#"
+            0
+            0
+            error 82 in take
+            error 82 in undeclared
+            -1
+            82
+            82
+            -1
+        "#]],
+    );
 }

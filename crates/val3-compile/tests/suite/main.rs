@@ -8,6 +8,7 @@ mod calls;
 mod cell;
 mod control;
 mod data;
+mod every_error;
 mod execution;
 mod expressions;
 mod instructions;

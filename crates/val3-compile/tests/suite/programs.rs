@@ -2,6 +2,7 @@
 
 use expect_test::expect;
 use val3_compile::{CompileError, Limit};
+use val3_lang::types::LengthUnit;
 
 use crate::show::{image, program, project, workspace};
 
@@ -89,6 +90,20 @@ fn a_project_is_its_programs_libraries_and_settings() {
     assert_eq!(image.libraries.len(), 1);
     assert!(!image.libraries[0].autoload);
     assert!(image.files[0].ends_with("/start.pgx"));
+}
+
+#[test]
+fn the_length_unit_is_that_of_the_project_file() {
+    let unit = |parameter: &str| {
+        let listing = format!(
+            "return\n=== main/main.pjx\n<Project xmlns=\"ProjectNameSpace\"><Parameters version=\"s7.11\" {parameter} />\
+             <Programs><Program file=\"start.pgx\" /></Programs></Project>"
+        );
+        image(&listing).unit
+    };
+    assert_eq!(unit("millimeterUnit=\"false\""), LengthUnit::Inch);
+    assert_eq!(unit("millimeterUnit=\"true\""), LengthUnit::Millimetre);
+    assert_eq!(unit(""), LengthUnit::Millimetre);
 }
 
 #[test]

@@ -66,6 +66,22 @@ pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
     }
 }
 
+/// What a line does that uses an item of a library which nothing declares (6.4).
+///
+/// # Errors
+/// 80, always.
+pub fn missing_item(_: &mut Call<'_>) -> Result<Flow> {
+    Err(Fault::LIBRARY_ITEM_MISSING)
+}
+
+/// What a line does that was accepted and has no meaning.
+///
+/// # Errors
+/// 61, always.
+pub fn not_executable(_: &mut Call<'_>) -> Result<Flow> {
+    Err(Fault::INTERPRETER)
+}
+
 /// What `?` does with positions of this arm.
 #[must_use]
 pub fn print(arm: Option<Arm>) -> Run {

@@ -227,8 +227,9 @@ impl Motion for Nothing {
         unreachable!()
     }
 
-    fn speed(&mut self, _: &[Trsf]) -> f64 {
-        unreachable!()
+    /// An inch a second, and the faster the longer the tool is.
+    fn speed(&mut self, tool: &[Trsf]) -> f64 {
+        tool.iter().map(|part| part.x).sum::<f64>() + 25.4
     }
 
     fn is_empty(&mut self) -> bool {

@@ -1,3 +1,5 @@
+use val3_geometry::Trsf;
+
 use crate::call::{Call, ToolRef};
 use crate::declare::instruction;
 use crate::fault::Result;
@@ -22,5 +24,24 @@ instruction! {
 
 fn speed(call: &mut Call<'_>, tool: ToolRef) -> Result<f64> {
     let way = references::of_tool(call.memory, tool)?;
-    Ok(call.ports.speed(&way))
+    let unit = call.unit.millimetres();
+    let way: Vec<Trsf> = way.into_iter().map(|part| part.scaled(unit)).collect();
+    Ok(call.ports.speed(&way) / unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::Bench;
+    use crate::types::LengthUnit;
+
+    #[test]
+    fn lengths_are_the_application_s() {
+        for (unit, expected) in [(LengthUnit::Millimetre, "75.4"), (LengthUnit::Inch, "51")] {
+            let mut bench = Bench::default().global("tool tTorch");
+            bench.unit = unit;
+            bench.run("link(tTorch,flange)");
+            bench.set("tTorch", &[50.0]);
+            assert_eq!(bench.run("getSpeed(tTorch)"), expected);
+        }
+    }
 }

@@ -1,0 +1,169 @@
+//! Whose containers are, and what may refer to what (errors 82 and 165).
+
+use super::{Link, Memory, Place, StoreId};
+use crate::fault::{Fault, Result};
+use crate::runtime_errors::{GLOBAL_REFERS_TO_LOCAL, REFERENCE_OUT_OF_REACH};
+
+/// Whose a container is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Owner {
+    /// The controller's: `world` and `flange`, which everything may refer to.
+    Controller,
+    /// Global data of the application or library that is in memory under this number.
+    Project {
+        /// The number; 0 is the application.
+        number: u16,
+        /// Others may use it.
+        public: bool,
+    },
+    /// A program's: it ends with it.
+    Program,
+}
+
+impl Owner {
+    /// The application.
+    pub const APPLICATION: Self = Self::Project { number: 0, public: false };
+}
+
+impl Memory {
+    /// Whose a container is.
+    pub(super) fn owner(&self, id: StoreId) -> Owner {
+        match id {
+            StoreId::STACK => Owner::Program,
+            id => self.store(id).map_or(Owner::Controller, |store| store.owner),
+        }
+    }
+
+    /// The values of a container end with a program.
+    #[must_use]
+    pub fn is_local(&self, id: StoreId) -> bool {
+        self.owner(id) == Owner::Program
+    }
+
+    /// Says which libraries the identifiers of an application or library stand for now, by their numbers.
+    pub fn declare_libraries(&mut self, project: u16, libraries: Vec<u16>) {
+        let at = usize::from(project);
+        if self.libraries.len() <= at {
+            self.libraries.resize(at + 1, Vec::new());
+        }
+        if let Some(known) = self.libraries.get_mut(at) {
+            *known = libraries;
+        }
+    }
+
+    /// Whether a value may be relative to the frame or tool that it is linked to.
+    ///
+    /// # Errors
+    /// 82 if that is out of its reach.
+    pub fn check_reference(&self, at: Place, reference: Place) -> Result<()> {
+        self.check_link(self.owner(at.store), Link::Data(reference))
+    }
+
+    /// What a value of an owner may be linked to.
+    ///
+    /// # Errors
+    /// 165 if it would outlive what it refers to. 82 if that belongs to a library which the owner does not declare, or
+    /// in which it is private.
+    pub(super) fn check_link(&self, owner: Owner, link: Link) -> Result<()> {
+        let Link::Data(reference) = link else { return Ok(()) };
+        match (owner, self.owner(reference.store)) {
+            (Owner::Program, _) => Ok(()),
+            (_, Owner::Program) => Err(Fault(GLOBAL_REFERS_TO_LOCAL)),
+            (Owner::Project { number: user, .. }, Owner::Project { number: library, public })
+                if !self.reaches(user, library, public) =>
+            {
+                Err(Fault(REFERENCE_OUT_OF_REACH))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// The application is no library: its data never leave memory, and all may refer to them.
+    fn reaches(&self, user: u16, library: u16, public: bool) -> bool {
+        let declared = || self.libraries.get(usize::from(user)).is_some_and(|libraries| libraries.contains(&library));
+        library == 0 || library == user || public && declared()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::{Fault, Link, Memory, Owner};
+    use crate::memory::{FieldKind, Kind, PartInit, Place, Shape, View};
+    use crate::types::BaseType;
+
+    fn init(kind: Kind, shape: Shape) -> PartInit {
+        PartInit { kind: Arc::new(kind), shape, values: Vec::new() }
+    }
+
+    /// A user type with one field: a row of two frames.
+    fn station() -> PartInit {
+        let row = init(Kind::builtin(BaseType::Frame, None), Shape::array(2));
+        init(Kind::user("Station".to_owned(), vec![FieldKind { name: "row".to_owned(), init: row }]), Shape::ELEMENT)
+    }
+
+    #[test]
+    fn references_to_libraries() {
+        let mut memory = Memory::new();
+        let frame = init(Kind::builtin(BaseType::Frame, None), Shape::ELEMENT);
+        let mut create = |owner| Place::first(memory.create_for(owner, &frame));
+        let of = |number, public| Owner::Project { number, public };
+        let own = create(Owner::APPLICATION);
+        let (public, private, user) = (create(of(1, true)), create(of(1, false)), create(of(2, true)));
+        let local = create(Owner::Program);
+        memory.declare_libraries(2, vec![1]);
+        for (from, to, expected) in [
+            (user, public, Ok(())),
+            (user, private, Err(Fault(82))),
+            (private, public, Ok(())),
+            (public, private, Ok(())),
+            (public, user, Err(Fault(82))),
+            (own, public, Err(Fault(82))),
+            (public, own, Ok(())),
+            (local, private, Ok(())),
+            (own, Place::first(Memory::WORLD), Ok(())),
+        ] {
+            assert_eq!(memory.set_link(from, 0, Link::Data(to)), expected, "{from:?} {to:?}");
+        }
+        memory.declare_libraries(2, Vec::new());
+        assert_eq!(memory.check_reference(user, public), Err(Fault(82)));
+    }
+
+    #[test]
+    fn a_field_ends_with_its_variable() {
+        let mut memory = Memory::new();
+        let (global, local) = (memory.create(&station()), memory.create_local(&station()));
+        let first = |memory: &Memory, store| Place::first(memory.part(Place::first(store), 0).unwrap());
+        let (global, local) = (first(&memory, global), first(&memory, local));
+        assert_eq!(memory.set_link(global, 0, Link::Data(local)), Err(Fault(165)));
+        assert_eq!(memory.set_link(local, 0, Link::Data(global)), Ok(()));
+        assert_eq!(memory.set_link(local, 0, Link::Data(local)), Ok(()));
+    }
+
+    #[test]
+    fn fields_of_a_local_variable_grow_and_stay_local() {
+        let mut memory = Memory::new();
+        let (local, global) = (memory.create_local(&station()), memory.create(&station()));
+        let row = memory.part(Place::first(local), 0).unwrap();
+        assert_eq!(memory.append(row, None), Ok(()));
+        assert_eq!(memory.append(local, None), Err(Fault::INVALID_PARAMETER));
+        let grown = memory.element(View::whole(row), 2).unwrap();
+        let other = Place::first(memory.part(Place::first(global), 0).unwrap());
+        assert_eq!(memory.set_link(other, 0, Link::Data(grown)), Err(Fault(165)));
+    }
+
+    #[test]
+    fn a_copy_lasts_as_long_as_what_it_is_in() {
+        let mut memory = Memory::new();
+        let stations = PartInit { shape: Shape::array(2), ..station() };
+        let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
+        let line = init(kind.clone(), Shape::ELEMENT);
+        let (global, local) = (Place::first(memory.create(&line)), Place::first(memory.create_local(&line)));
+        memory.copy(&kind, global, local).unwrap();
+        let copied = memory.part(Place::first(memory.part(local, 0).unwrap()), 0).unwrap();
+        assert!(memory.is_local(copied));
+        memory.set_link(Place::first(copied), 0, Link::Data(Place::first(copied))).unwrap();
+        assert_eq!(memory.copy(&kind, local, global), Err(Fault(165)));
+    }
+}
