@@ -44,7 +44,7 @@ impl Local {
             None => r#"xsi:type="collection""#.to_owned(),
             Some(sizes) => {
                 let sizes: Vec<String> = sizes.iter().map(ToString::to_string).collect();
-                format!(r#"xsi:type="array" size="{}""#, sizes.join(","))
+                format!(r#"xsi:type="array" size="{}""#, sizes.join(" "))
             }
         };
         format!(r#"    <Data name="{name}" access="private" {shape} type="{ty}" />"#)
@@ -75,7 +75,7 @@ mod tests {
         assert_eq!(data("num nVal"), r#"<Data name="nVal" access="private" xsi:type="array" size="1" type="num" />"#);
         assert_eq!(
             data("joint jA[2,3]"),
-            r#"<Data name="jA" access="private" xsi:type="array" size="2,3" type="jointRx" />"#
+            r#"<Data name="jA" access="private" xsi:type="array" size="2 3" type="jointRx" />"#
         );
         assert_eq!(data("string s[\"\"]"), r#"<Data name="s" access="private" xsi:type="collection" type="string" />"#);
     }
