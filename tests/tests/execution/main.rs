@@ -11,6 +11,7 @@ mod data_errors;
 mod life_cycle;
 mod other_errors;
 mod parameters;
+mod references;
 mod stack;
 mod statements;
 mod synchronization;

@@ -21,6 +21,16 @@ impl Memory {
             _ => Ok(()),
         }
     }
+
+    /// Takes from the links below `end` on the stack those that lead to what ends there with a program: it was called
+    /// with a variable by reference and has hung it on a local one.
+    #[inline]
+    pub fn cut_links(&mut self, end: u32) {
+        if self.stack.links.len() > end as usize {
+            let ends = |link: &&mut Link| matches!(link, Link::Data(place) if place.store == StoreId::STACK && place.link >= end);
+            self.stack.links.iter_mut().take(end as usize).filter(ends).for_each(|link| *link = Link::None);
+        }
+    }
 }
 
 #[cfg(test)]
