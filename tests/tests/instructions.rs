@@ -12,3 +12,5 @@ mod motion;
 mod screen;
 #[path = "instructions/script.rs"]
 mod script;
+#[path = "instructions/tools.rs"]
+mod tools;

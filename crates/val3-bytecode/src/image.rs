@@ -68,9 +68,11 @@ pub enum LinkTarget {
     Port(BaseType, String),
     /// A frame or tool.
     Father(FatherLink),
+    /// The input or output that a `dio` stands for; else the one of its name (the gripper of s5 and s6).
+    Signal(FatherLink),
 }
 
-/// The reference frame or tool of a value, as a file names it: `fTray[0]`, `tSlot["a"].fIn[0]`, `lib:fTray`.
+/// Data that a value refers to, as a file names it: `fTray[0]`, `tSlot["a"].fIn[0]`, `lib:fTray`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FatherLink {
     /// The library identifier, if it is data of a library.

@@ -172,6 +172,9 @@ pub(crate) struct FmtArgs {
     pub(crate) stdin_path: Option<Utf8PathBuf>,
 }
 
+/// The program that an application starts with (2.2.3).
+pub(crate) const START: &str = "start";
+
 /// What a line takes unless the arguments say otherwise, in microseconds.
 pub(crate) const LINE_COST: &str = "2";
 
@@ -182,7 +185,7 @@ pub(crate) struct RunArgs {
     #[arg(value_name = "APP", default_value = ".")]
     pub(crate) application: Utf8PathBuf,
     /// The program to start with
-    #[arg(long, value_name = "NAME", default_value = "start")]
+    #[arg(long, value_name = "NAME", default_value = START)]
     pub(crate) program: String,
     /// Let time pass as fast as it can, or as the clock on the wall
     #[arg(long, value_name = "TIME", default_value = "virtual")]

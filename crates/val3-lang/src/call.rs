@@ -38,11 +38,30 @@ pub struct Wait {
     pub wake: Option<Time>,
     /// Nothing but time ends it.
     pub sleeps: bool,
+    /// The part of the instruction that waits, from 0 on: what is done before a later part is not done again.
+    pub part: u8,
 }
 
 impl Wait {
     /// The wait for what other tasks or the outside do.
-    pub const FOR_OTHERS: Self = Self { wake: None, sleeps: false };
+    pub const FOR_OTHERS: Self = Self { wake: None, sleeps: false, part: 0 };
+}
+
+/// What a task knows of the instruction that it waits in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Waiting {
+    /// When the wait began.
+    since: Time,
+    /// The part of the instruction that waits.
+    part: u8,
+}
+
+impl Waiting {
+    /// What is known at the next call: the wait `before` goes on, unless another part of the instruction has begun one.
+    #[must_use]
+    pub fn then(before: Option<Self>, wait: Wait, now: Time) -> Self {
+        before.filter(|before| before.part == wait.part).unwrap_or(Self { since: now, part: wait.part })
+    }
 }
 
 /// One argument as the program passes it.
@@ -70,8 +89,8 @@ pub struct Call<'c> {
     pub tasks: &'c mut dyn Tasks,
     /// The controller's clock.
     now: Time,
-    /// When the task reached this instruction, if it has waited in it.
-    since: Option<Time>,
+    /// The wait of the task in this instruction, if it has waited.
+    waiting: Option<Waiting>,
     /// The instruction has looked at the clock: what it yields depends on the time.
     pub reads_clock: bool,
     /// The version of the application: what limits hold.
@@ -87,12 +106,12 @@ impl<'c> Call<'c> {
     /// A call with these arguments, whose value goes to `result`.
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
-        (now, since): (Time, Option<Time>),
+        (now, waiting): (Time, Option<Waiting>),
         (version, unit): (Version, LengthUnit),
         arguments: &'c [Argument],
         result: Option<Place>,
     ) -> Self {
-        Self { memory, ports, tasks, now, since, reads_clock: false, version, unit, arguments, next: 0, result }
+        Self { memory, ports, tasks, now, waiting, reads_clock: false, version, unit, arguments, next: 0, result }
     }
 
     /// The next argument.
@@ -120,30 +139,60 @@ impl<'c> Call<'c> {
     /// The instruction is not called again after a wait.
     #[must_use]
     pub fn is_first(&self) -> bool {
-        self.since.is_none()
+        self.waiting.is_none()
+    }
+
+    /// The part of the instruction that has waited; 0 at first.
+    #[must_use]
+    pub fn part(&self) -> u8 {
+        self.waiting.map_or(0, |waiting| waiting.part)
     }
 
     /// Nanoseconds that the task has waited in this instruction.
     #[must_use]
     pub fn waited(&self) -> Time {
-        self.now.saturating_sub(self.since.unwrap_or(self.now))
+        self.now.saturating_sub(self.since())
     }
 
     /// The wait until something happens, or `time` nanoseconds have passed since the task reached the instruction.
     #[must_use]
     pub fn wait_at_most<T>(&self, time: Time) -> Flow<T> {
-        Flow::Wait(Wait { wake: Some(self.since.unwrap_or(self.now).saturating_add(time)), sleeps: false })
+        Flow::Wait(Wait { wake: Some(self.since().saturating_add(time)), sleeps: false, part: self.part() })
     }
 
     /// The wait until `time` nanoseconds have passed since the task reached the instruction.
     #[must_use]
     pub fn sleep<T>(&self, time: Time) -> Flow<T> {
-        Flow::Wait(Wait { wake: Some(self.since.unwrap_or(self.now).saturating_add(time)), sleeps: true })
+        Flow::Wait(Wait { wake: Some(self.since().saturating_add(time)), sleeps: true, part: self.part() })
+    }
+
+    /// The wait until `time` nanoseconds have passed from now on, in a part of the instruction that begins here.
+    #[must_use]
+    pub fn sleep_in_part<T>(&self, part: u8, time: Time) -> Flow<T> {
+        Flow::Wait(Wait { wake: Some(self.now.saturating_add(time)), sleeps: true, part })
+    }
+
+    fn since(&self) -> Time {
+        self.waiting.map_or(self.now, |waiting| waiting.since)
     }
 }
 
 impl std::fmt::Debug for Call<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Call").field("arguments", &self.arguments).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Wait, Waiting};
+
+    #[test]
+    fn another_part_begins_a_wait_of_its_own() {
+        let first = Waiting::then(None, Wait::FOR_OTHERS, 10);
+        assert_eq!(first, Waiting { since: 10, part: 0 });
+        assert_eq!(Waiting::then(Some(first), Wait::FOR_OTHERS, 20), first);
+        let next = Wait { part: 1, ..Wait::FOR_OTHERS };
+        assert_eq!(Waiting::then(Some(first), next, 30), Waiting { since: 30, part: 1 });
     }
 }

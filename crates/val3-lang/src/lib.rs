@@ -13,6 +13,7 @@ pub mod call;
 pub mod components;
 pub mod enumerations;
 pub mod fault;
+mod gripper;
 pub mod instruction;
 pub mod instructions;
 pub mod keys;

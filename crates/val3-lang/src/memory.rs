@@ -42,13 +42,14 @@ pub struct Memory {
 }
 
 impl Memory {
-    /// The data that every controller has: `world` and `flange`.
+    /// The data that every controller has: `world` and `flange`. Each is its own reference, so that a copy has one.
     #[must_use]
     pub fn new() -> Self {
         let mut memory = Self { stores: Stores::default(), stack: Stack::default(), libraries: Vec::new() };
-        for base in [BaseType::Frame, BaseType::Tool] {
-            let kind = Arc::new(Kind::builtin(base, None));
-            memory.add(Store::filled(kind, Shape::ELEMENT));
+        for (index, base) in [(Self::WORLD, BaseType::Frame), (Self::FLANGE, BaseType::Tool)] {
+            let mut store = Store::filled(Arc::new(Kind::builtin(base, None)), Shape::ELEMENT);
+            store.links.first_mut().into_iter().for_each(|link| *link = Link::Data(Place::first(index)));
+            memory.add(store);
         }
         memory
     }

@@ -12,7 +12,7 @@ use std::collections::BTreeMap;
 use self::notation::{Line, Spoken, Variable};
 use self::outside::Nothing;
 pub(crate) use self::outside::TaskList;
-use crate::call::{Argument, Call, Flow, Stored};
+use crate::call::{Argument, Call, Flow, Stored, Waiting};
 use crate::fault::{Fault, Result};
 use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
@@ -30,7 +30,7 @@ pub(crate) struct Bench {
     pub(crate) now: Time,
     pub(crate) version: Version,
     pub(crate) unit: LengthUnit,
-    since: Option<Time>,
+    waiting: Option<Waiting>,
     variables: BTreeMap<String, (View, BaseType)>,
 }
 
@@ -124,10 +124,13 @@ impl Bench {
         let target = line.target.as_ref().map(|target| self.place(target));
         let result = target.or_else(|| form.result.map(|base| Place::first(self.value_of(base))));
         let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.memory, &mut Nothing, &mut self.tasks);
-        let mut call = Call::new(reach, (self.now, self.since), (self.version, self.unit), &arguments, result);
+        let mut call = Call::new(reach, (self.now, self.waiting), (self.version, self.unit), &arguments, result);
         let run = form.run.unwrap_or_else(|| panic!("{} has no handler", form.signature(instruction.name)));
         let flow = run(&mut call);
-        self.since = matches!(flow, Ok(Flow::Wait(_))).then(|| self.since.unwrap_or(self.now));
+        self.waiting = match flow {
+            Ok(Flow::Wait(wait)) => Some(Waiting::then(self.waiting, wait, self.now)),
+            _ => None,
+        };
         match flow {
             Ok(Flow::Done(())) => match (form.result, result) {
                 (Some(base), Some(place)) => self.printed(place, base).unwrap(),

@@ -50,6 +50,7 @@ pub(crate) fn enter(memory: &mut Memory, program: &Program, base: Base, most: u3
 
 /// Drops what the frame at `base` holds in memory.
 pub(crate) fn leave(memory: &mut Memory, base: Base) {
+    memory.cut_links(base.link);
     while memory.stack.parts.len() > base.part as usize {
         if let Some(part) = memory.stack.parts.pop() {
             memory.remove(part);

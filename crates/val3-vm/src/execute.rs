@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_bytecode::{
     ArgumentSite, CallSite, Handler, Image, InstructionSite, Op, Operand, Passing, Program, ProgramRef, Register,
 };
-use val3_lang::call::{Argument, Call, Flow, Wait};
+use val3_lang::call::{Argument, Call, Flow, Wait, Waiting};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
 use val3_lang::ports::{Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
@@ -461,7 +461,7 @@ impl Machine<'_> {
             owner: frame.instance,
         };
         let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.space.memory, self.ports, &mut services);
-        let mut call = Call::new(reach, (now, thread.since), (image.version, image.unit), &arguments, result);
+        let mut call = Call::new(reach, (now, thread.waiting), (image.version, image.unit), &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
         self.arguments = arguments;
@@ -475,9 +475,9 @@ impl Machine<'_> {
             result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
         }
         match flow {
-            Flow::Done(()) => thread.since = None,
+            Flow::Done(()) => thread.waiting = None,
             Flow::Wait(wait) => {
-                thread.since = Some(thread.since.unwrap_or(now));
+                thread.waiting = Some(Waiting::then(thread.waiting, wait, now));
                 thread.wait = Some(wait);
                 return Ok(Some(Stop::Waits));
             }
@@ -510,7 +510,7 @@ impl Machine<'_> {
             let since = thread.watched.unwrap_or(now);
             thread.watched = Some(since);
             let wake = Some(since.saturating_add(nanoseconds(seconds)));
-            thread.wait = Some(Wait { wake, sleeps: false });
+            thread.wait = Some(Wait { wake, ..Wait::FOR_OTHERS });
         }
         answer
     }

@@ -113,7 +113,11 @@ impl Space {
         let alias = alias.and_then(|alias| image.libraries.get(usize::from(alias))).map(|library| &library.alias);
         for init in &image.links {
             let library = match &init.target {
-                LinkTarget::Father(father) => father.library.as_ref(),
+                LinkTarget::Father(named) => named.library.as_ref(),
+                LinkTarget::Signal(named) => {
+                    let is_declared = |alias: &&String| image.libraries.iter().any(|library| library.alias == **alias);
+                    named.library.as_ref().filter(is_declared)
+                }
                 LinkTarget::Port(..) => None,
             };
             if library == alias
@@ -140,14 +144,31 @@ impl Space {
         match target {
             LinkTarget::Port(base, path) => host.port(*base, path).map(Link::Port),
             LinkTarget::Father(father) => self.father(id, father).map(Link::Data),
+            LinkTarget::Signal(named) => {
+                self.signal(id, named).or_else(|| host.port(BaseType::Dio, &named.name).map(Link::Port))
+            }
         }
+    }
+
+    /// The link of the `dio` that a file of an application or library names; `None` where there is none.
+    #[must_use]
+    pub fn signal(&self, id: InstanceId, named: &FatherLink) -> Option<Link> {
+        let place = self.named(id, named)?;
+        let is_signal = self.memory.store(place.store).ok()?.kind.base_type() == Some(BaseType::Dio);
+        self.memory.link(place, 0).ok().filter(|link| is_signal && matches!(link, Link::Port(_)))
     }
 
     /// The frame or tool that a file of an application or library names; `None` where there is none.
     #[must_use]
     pub fn father(&self, id: InstanceId, father: &FatherLink) -> Option<Place> {
+        let place = self.named(id, father)?;
+        let base = self.memory.store(place.store).ok()?.kind.base_type();
+        matches!(base, Some(BaseType::Frame | BaseType::Tool)).then_some(place)
+    }
+
+    fn named(&self, id: InstanceId, named: &FatherLink) -> Option<Place> {
         let own = self.instance(id)?;
-        let store = match (&father.library, father.name.as_str()) {
+        let store = match (&named.library, named.name.as_str()) {
             (Some(library), name) => {
                 let at = own.image.libraries.iter().position(|found| found.alias == *library)?;
                 let library = self.instance((*own.libraries.get(at)?)?)?;
@@ -158,14 +179,12 @@ impl Space {
                 None => builtin(name)?,
             },
         };
-        let first = self.value(store, &father.at)?;
-        let place = father.fields.iter().try_fold(first, |place, (field, at)| {
+        let first = self.value(store, &named.at)?;
+        named.fields.iter().try_fold(first, |place, (field, at)| {
             let fields = &self.memory.store(place.store).ok()?.kind.fields;
             let number = fields.iter().position(|known| known.name == *field)?;
             self.value(self.memory.part(place, u32::try_from(number).ok()?).ok()?, at)
-        })?;
-        let base = self.memory.store(place.store).ok()?.kind.base_type();
-        matches!(base, Some(BaseType::Frame | BaseType::Tool)).then_some(place)
+        })
     }
 
     /// The value of a container that a file names: `2`, `1,3`, `home`.

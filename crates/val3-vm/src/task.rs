@@ -1,6 +1,6 @@
 //! A task: a program in execution with what it takes to go on (5.1).
 
-use val3_lang::call::Wait;
+use val3_lang::call::{Wait, Waiting};
 use val3_lang::fault::Fault;
 use val3_lang::memory::{Place, Stack};
 use val3_lang::ports::{TaskNumber, Time};
@@ -39,8 +39,8 @@ pub struct Thread {
     pub next: u32,
     /// The first operation of the line it is in.
     pub line: u32,
-    /// When it reached the instruction that it waits in.
-    pub since: Option<Time>,
+    /// The instruction that it waits in.
+    pub waiting: Option<Waiting>,
     /// When it reached the `watch` that it waits in.
     pub watched: Option<Time>,
     /// It waits: when time alone lets it go on, if time does.
@@ -57,7 +57,7 @@ impl Thread {
     /// Goes to the beginning of a line: what it waited for within one is forgotten.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);
-        (self.since, self.watched, self.wait) = (None, None, None);
+        (self.waiting, self.watched, self.wait) = (None, None, None);
     }
 }
 

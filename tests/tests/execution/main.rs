@@ -13,6 +13,7 @@ mod limits;
 mod missing;
 mod other_errors;
 mod parameters;
+mod references;
 mod stack;
 mod statements;
 mod synchronization;

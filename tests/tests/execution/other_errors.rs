@@ -60,6 +60,8 @@ fn references() {
             "l_trPart=position(tGrip,flange)",
             "l_trPart=position(l_tPart,flange)",
             "link(l_fPart,world)\n  l_trPart=position(l_fPart,world)",
+            "l_fPart=world\n  l_trPart=position(l_fPart,world)",
+            "l_tPart=flange\n  l_trPart=position(l_tPart,flange)",
             "link(fTable,l_fPart)",
             "link(tGrip,l_tPart)",
             "link(pFree,l_fPart)",
@@ -72,6 +74,8 @@ fn references() {
             -1 l_trPart=position(tGrip,flange)
             164 l_trPart=position(l_tPart,flange)
             -1 link(l_fPart,world); l_trPart=position(l_fPart,world)
+            -1 l_fPart=world; l_trPart=position(l_fPart,world)
+            -1 l_tPart=flange; l_trPart=position(l_tPart,flange)
             165 link(fTable,l_fPart)
             165 link(tGrip,l_tPart)
             165 link(pFree,l_fPart)

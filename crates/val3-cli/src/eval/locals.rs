@@ -1,6 +1,6 @@
 //! The variables of `--local`: a type, a name and a container, as a programmer writes a parameter.
 
-use val3_lang::types::{Arm, BaseType};
+use val3_lang::types::{Arm, BaseType, DefaultValue, attributes, field};
 
 /// A variable of the scope.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -40,15 +40,42 @@ impl Local {
     /// The variable as a data file declares it.
     pub(crate) fn data(&self) -> String {
         let Self { ty, name, sizes } = self;
+        let values = self.values();
         let shape = match sizes {
             None => r#"xsi:type="collection""#.to_owned(),
             Some(sizes) => {
                 let sizes: Vec<String> = sizes.iter().map(ToString::to_string).collect();
-                format!(r#"xsi:type="array" size="{}""#, sizes.join(","))
+                format!(r#"xsi:type="array" size="{}""#, sizes.join(" "))
             }
         };
-        format!(r#"    <Data name="{name}" access="private" {shape} type="{ty}" />"#)
+        format!(r#"    <Data name="{name}" access="private" {shape} type="{ty}">{values}</Data>"#)
     }
+
+    /// The values that a variable of a program begins with, as far as files take others for granted (`mdesc`).
+    fn values(&self) -> String {
+        let begun = BaseType::from_file_name(&self.ty).map(|(ty, arm)| begun(ty, arm)).unwrap_or_default();
+        let keys = self.sizes.iter().filter(|_| !begun.is_empty()).flat_map(|sizes| keys(sizes));
+        keys.map(|key| format!(r#"<Value key="{key}"{begun} />"#)).collect()
+    }
+}
+
+/// The attributes of a value whose default in a program is another than in a file.
+fn begun(ty: BaseType, arm: Option<Arm>) -> String {
+    let differing = attributes(ty, arm).iter().filter_map(|attribute| match field(ty, arm, attribute.field)?.default {
+        DefaultValue::Number(number) if attribute.default != DefaultValue::Number(number) => {
+            Some(format!(r#" {}="{number}""#, attribute.name))
+        }
+        _ => None,
+    });
+    differing.collect()
+}
+
+/// The indexes of an array as files write them: `0,0`, `0,1`, …
+fn keys(sizes: &[u32]) -> Vec<String> {
+    sizes.iter().fold(vec![String::new()], |keys, size| {
+        let longer = |key: &String, index| if key.is_empty() { format!("{index}") } else { format!("{key},{index}") };
+        keys.iter().flat_map(|key| (0..*size).map(move |index| longer(key, index))).collect()
+    })
 }
 
 /// Sizes, or `None` within for a collection.
@@ -72,12 +99,28 @@ mod tests {
 
     #[test]
     fn variables_as_a_programmer_writes_them() {
-        assert_eq!(data("num nVal"), r#"<Data name="nVal" access="private" xsi:type="array" size="1" type="num" />"#);
+        assert_eq!(
+            data("num nVal"),
+            r#"<Data name="nVal" access="private" xsi:type="array" size="1" type="num"></Data>"#
+        );
         assert_eq!(
             data("joint jA[2,3]"),
-            r#"<Data name="jA" access="private" xsi:type="array" size="2,3" type="jointRx" />"#
+            r#"<Data name="jA" access="private" xsi:type="array" size="2 3" type="jointRx"></Data>"#
         );
-        assert_eq!(data("string s[\"\"]"), r#"<Data name="s" access="private" xsi:type="collection" type="string" />"#);
+        assert_eq!(
+            data("string s[\"\"]"),
+            r#"<Data name="s" access="private" xsi:type="collection" type="string"></Data>"#
+        );
+    }
+
+    #[test]
+    fn values_as_a_program_begins_with_them() {
+        let value = |key| format!(r#"<Value key="{key}" tmax="9999" rmax="9999" />"#);
+        for (text, keys) in [("mdesc m", &["0"][..]), ("mdesc m[2,2]", &["0,0", "0,1", "1,0", "1,1"])] {
+            let values: String = keys.iter().map(value).collect();
+            assert!(data(text).ends_with(&format!(">{values}</Data>")), "{}", data(text));
+        }
+        assert!(data("mdesc m[\"\"]").ends_with("></Data>"));
     }
 
     #[test]

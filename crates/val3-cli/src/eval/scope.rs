@@ -190,7 +190,7 @@ fn manifest(args: &EvalArgs) -> Result<(Utf8PathBuf, String), UserError> {
     let Some(app) = &args.app else { return Ok(sources::empty(&current.join(NAME))) };
     let request = crate::opening::Request { asked: vec![app.clone()], ..Default::default() };
     let session = crate::engine::Session::open(&request)?;
-    let project = only_application(&session, app, None)?;
+    let project = only_application(&session, app, Some(args::START))?;
     sources::extended(session.db(), project)
 }
 

@@ -21,6 +21,36 @@ fn texts_share_their_variables() {
     assert_eq!(answers(&["--local", "num nVal", "nVal=4", "nVal=nVal*2", "nVal"]), "8\n0");
 }
 
+/// A variable of a program: its size is that of each dimension, and it begins as the manual says (2.3, 9.4 to 10.5).
+#[test]
+fn variables_of_every_container_and_type() {
+    let locals =
+        ["num nGrid[2,3]", "num nCube[2,3,4]", "num nNames[\"\"]", "mdesc mMove", "frame fTable", "tool tHand"];
+    let texts = [
+        "nGrid[1,2]=7",
+        "nGrid[1,2]",
+        "nGrid[2,0]",
+        "size(nCube,3)",
+        "size(nNames)",
+        "mMove",
+        "position(fTable,world)",
+        "position(tHand,flange)",
+    ];
+    let arguments: Vec<&str> = locals.iter().flat_map(|local| ["--local", *local]).chain(texts).collect();
+    assert_eq!(
+        answers(&arguments),
+        "7\nerror 20: index too large\n4\n0\n{100,100,100,9999,9999,joint,50,50}\n\
+         error 163: frame without reference\nerror 164: tool without reference\n1"
+    );
+}
+
+#[test]
+fn of_several_applications_the_one_that_starts_is_meant() {
+    let folder = Folder::with("num nCount=3\nreturn\n--- part\npublic num nParts\nprogram drop()\nbegin\nend");
+    let run = folder.val3(&["eval", "--app", "usrapp", "nCount"]);
+    assert_eq!(run.stdout, "3\n", "{run:?}");
+}
+
 #[test]
 fn what_is_wrong_is_said_and_the_rest_goes_on() {
     insta::assert_snapshot!(answers(&["1/0", "sqrt(-1)", "2+", "\"a\"+1", "nNothing", "5"]));

@@ -1,4 +1,4 @@
-//! What frames, tools and points are relative to at the start (9.4 to 9.6).
+//! What frames, tools and points are relative to at the start, and the grippers of tools (9.4 to 9.6).
 
 use val3_analysis::data_check::steps;
 use val3_analysis::xml::Element as Xml;
@@ -14,9 +14,18 @@ pub(super) fn of(value: Xml<'_>, around: Xml<'_>) -> Option<FatherLink> {
     if let Some(text) = value.value("fatherId") {
         return parse(&text);
     }
-    let father = around.elements().find(|element| element.name().ends_with("Father"))?;
-    let written = |name: &str| father.value(name).filter(|text| !text.is_empty()).map(|text| text.into_owned());
-    let at = written("fatherIndex").unwrap_or_else(|| "0".to_owned());
+    named(around.elements().find(|element| element.name().ends_with("Father"))?, "fatherIndex")
+}
+
+/// The `dio` that is the gripper of a tool in the old dialect.
+pub(super) fn gripper(value: Xml<'_>) -> Option<FatherLink> {
+    named(value.elements().find(|element| element.name() == "io")?, "ioIndex")
+}
+
+/// What an element of the old dialect names.
+fn named(element: Xml<'_>, index: &str) -> Option<FatherLink> {
+    let written = |name: &str| element.value(name).filter(|text| !text.is_empty()).map(|text| text.into_owned());
+    let at = written(index).unwrap_or_else(|| "0".to_owned());
     Some(FatherLink { library: written("alias"), name: written("name")?, at, fields: Vec::new() })
 }
 

@@ -30,8 +30,13 @@ pub(super) fn read(
     let mut read = default_of(base, arm, kind);
     for attribute in attributes(base, arm) {
         let Some(offset) = offset(base, arm, attribute.field) else { continue };
-        let Some(text) = written(value, attribute) else { continue };
         let mut link = |target| links.push(Found { path: Vec::new(), value: number, link: offset.link, target });
+        let Some(text) = written(value, attribute) else {
+            if let (AttributeValue::Link, Some(gripper)) = (attribute.value, fathers::gripper(value)) {
+                link(LinkTarget::Signal(gripper));
+            }
+            continue;
+        };
         match attribute.value {
             AttributeValue::Text => put(&mut read.texts, offset.text, Text::from(text.as_ref())),
             AttributeValue::Link if !text.is_empty() => {

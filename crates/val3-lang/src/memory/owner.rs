@@ -78,6 +78,16 @@ impl Memory {
         }
     }
 
+    /// Takes from the links below `end` on the stack those that lead to what ends there with a program: it was called
+    /// with a variable by reference and has hung it on a local one.
+    #[inline]
+    pub fn cut_links(&mut self, end: u32) {
+        if self.stack.links.len() > end as usize {
+            let ends = |link: &&mut Link| matches!(link, Link::Data(place) if place.store == StoreId::STACK && place.link >= end);
+            self.stack.links.iter_mut().take(end as usize).filter(ends).for_each(|link| *link = Link::None);
+        }
+    }
+
     /// The application is no library: its data never leave memory, and all may refer to them.
     fn reaches(&self, user: u16, library: u16, public: bool) -> bool {
         let declared = || self.libraries.get(usize::from(user)).is_some_and(|libraries| libraries.contains(&library));

@@ -1,4 +1,7 @@
+use crate::call::{Call, Flow, ToolRef};
 use crate::declare::instruction;
+use crate::fault::Result;
+use crate::gripper;
 
 instruction! {
     /// Opens a tool once the arm has arrived.
@@ -18,5 +21,9 @@ instruction! {
     ///   open(tGripper)
     /// ```
     "open": Geometry "9.5.4", blocking, errors [122, 123, 150];
-    modifier (tool tTool);
+    modifier (tool tTool) = open;
+}
+
+fn open(call: &mut Call<'_>, tool: ToolRef) -> Result<Flow> {
+    gripper::set(call, tool, true, "otime")
 }

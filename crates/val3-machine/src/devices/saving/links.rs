@@ -104,6 +104,10 @@ impl<'s> Links<'s> {
                 Some(place) => link == Link::Data(place),
                 None => link == Link::None,
             },
+            Some(LinkTarget::Signal(named)) => {
+                let by_name = || self.text(link, BaseType::Dio).as_ref() == Some(&named.name);
+                self.space.signal(self.id, named).map_or_else(by_name, |own| own == link)
+            }
             None => link == own,
         }
     }

@@ -1,0 +1,36 @@
+//! What `open` and `close` do (9.5.4): `waitEndMove`, then the output of the tool, then `delay`.
+
+use crate::call::{Call, Flow, IoRef, Stored, ToolRef, Wait};
+use crate::fault::{Fault, Result};
+use crate::memory::{Place, field_offset};
+use crate::ports::nanoseconds;
+use crate::types::BaseType;
+
+/// The part of the instruction in which the arm is on its way, and the one in which the tool is.
+const ARM_MOVES: u8 = 0;
+const TOOL_MOVES: u8 = 1;
+
+/// Sets the output of a tool once the arm has arrived, and waits as long as its field `time` says.
+///
+/// # Errors
+/// 122 the output is an input, 123 it is not linked, 124 it is protected, 125 its device has failed.
+pub(crate) fn set(call: &mut Call<'_>, ToolRef(tool): ToolRef, state: bool, time: &str) -> Result<Flow> {
+    if call.part() == ARM_MOVES {
+        if !call.ports.arrive() {
+            return Ok(Flow::Wait(Wait::FOR_OTHERS));
+        }
+        let output = IoRef::read(call.memory, field(tool, "gripper")?)?;
+        call.ports.write_digital(output.port, state)?;
+    }
+    let time = nanoseconds(f64::read(call.memory, field(tool, time)?)?);
+    Ok(match call.part() {
+        TOOL_MOVES if call.waited() < time => call.sleep(time),
+        TOOL_MOVES => Flow::Done(()),
+        _ => call.sleep_in_part(TOOL_MOVES, time),
+    })
+}
+
+fn field(tool: Place, name: &str) -> Result<Place> {
+    let offset = field_offset(BaseType::Tool, None, name).ok_or(Fault::INTERPRETER)?;
+    Ok(tool.behind(offset))
+}

@@ -1,0 +1,78 @@
+//! `docs/fidelity.md` against the catalogue: each section of the manual lists its instructions, those without a handler
+//! apart, and what it says to be kept by exists.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use val3_lang::instruction::{Availability, Instruction};
+use val3_lang::{instructions, keywords};
+
+const PAGE: &str = include_str!("../../../docs/fidelity.md");
+
+/// The cells of the rows of the table section by section: sections, what there is, not yet, kept by.
+fn rows() -> Vec<[&'static str; 4]> {
+    let (_, table) = PAGE.split_once("### Section by section").unwrap();
+    let table = table.split("\n### ").next().unwrap();
+    let lines = table.lines().filter(|line| line.starts_with("| ")).skip(1);
+    lines
+        .map(|line| line.trim_matches('|').split(" |").map(str::trim).collect::<Vec<_>>().try_into().unwrap())
+        .collect()
+}
+
+/// What stands in backticks.
+fn quoted(cell: &'static str) -> impl Iterator<Item = &'static str> {
+    cell.split('`').skip(1).step_by(2)
+}
+
+/// Pairs of section and instruction that a column lists; other things in backticks are operators.
+fn listed(column: usize) -> BTreeSet<(&'static str, &'static str)> {
+    let of = |row: [&'static str; 4]| {
+        let names: Vec<_> = quoted(row[column]).filter(|text| text.chars().all(char::is_alphanumeric)).collect();
+        row[0].split(", ").flat_map(|section| names.iter().map(move |name| (section, *name))).collect::<Vec<_>>()
+    };
+    rows().into_iter().flat_map(of).collect()
+}
+
+/// The compiler turns `wait`, `watch` and the creation of tasks into operations.
+fn runs(row: &Instruction) -> bool {
+    let is_compiled = keywords::is_task_creation(row.name) || ["wait", "watch"].contains(&row.name);
+    is_compiled || row.overloads.iter().all(|form| form.run.is_some())
+}
+
+fn of_the_manual(that_runs: bool) -> BTreeSet<(&'static str, &'static str)> {
+    let rows = instructions::all().iter().filter(|row| row.availability == Availability::Manual);
+    let rows = rows.filter(|row| runs(row) == that_runs);
+    rows.flat_map(|row| row.section.split(", ").map(|section| (section, row.name))).collect()
+}
+
+#[test]
+fn every_instruction_stands_in_its_sections() {
+    for (column, that_runs) in [(1, true), (2, false)] {
+        let (page, catalogue) = (listed(column), of_the_manual(that_runs));
+        let missing: Vec<_> = catalogue.difference(&page).collect();
+        let unknown: Vec<_> = page.difference(&catalogue).collect();
+        assert!(missing.is_empty() && unknown.is_empty(), "missing: {missing:#?}\nunknown: {unknown:#?}");
+    }
+}
+
+/// So that the test above cannot pass because nothing was read.
+#[test]
+fn the_page_is_read() {
+    assert!(listed(1).len() > 120 && listed(1).contains(&("3.2.3", "sin")) && listed(2).contains(&("9.7.6", "config")));
+}
+
+#[test]
+fn what_keeps_a_section_exists() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let mut kept: BTreeMap<&str, usize> = BTreeMap::new();
+    for [section, there, _, by] in rows() {
+        for path in quoted(by) {
+            assert!(root.join(path).exists(), "{section}: no {path}");
+        }
+        kept.insert(section, by.len());
+        assert_eq!(there.is_empty(), by.is_empty(), "{section}");
+    }
+    assert!(kept.len() > 25);
+}

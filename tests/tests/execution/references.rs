@@ -1,0 +1,124 @@
+//! Frames, tools and points that refer to each other (9.4 to 9.6), through elements, fields of user types and
+//! parameters.
+
+use expect_test::expect;
+
+use crate::check;
+
+/// A frame that moves takes with it what is given in it, however the program names it.
+#[test]
+fn through_elements_and_fields() {
+    check(
+        r#"
+        type Station "Disk://Station/Station.pjx"
+        frame fCell
+        frame fRow[2]
+        frame fByName["left"]
+        private Station tPlace
+        point pPart
+        program start()
+        begin
+          fCell.trsf={100,0,0,0,0,90}
+          link(fRow[1],fCell)
+          fRow[1].trsf={10,0,0,0,0,0}
+          link(fByName["left"],fRow[1])
+          link(tPlace.fTable,fByName["left"])
+          link(tPlace.pRow[1],tPlace.fTable)
+          link(pPart,tPlace.fTable)
+          ? position(tPlace.pRow[1],world)
+          fCell.trsf.x=200
+          ? position(tPlace.pRow[1],world)
+          tPlace.fTable.trsf.z=5
+          ? position(pPart,fCell)
+          ? distance(pPart,tPlace.pRow[1])
+        end
+        --- Station
+        public frame fTable
+        public point pRow[2]
+        "#,
+        expect![[r#"
+            {100,10,0,0,0,90}
+            {200,10,0,0,0,90}
+            {10,0,5,0,0,0}
+            0
+        "#]],
+    );
+}
+
+/// A copy has the reference of what it was copied from; `world` and `flange` are their own.
+#[test]
+fn copies() {
+    check(
+        r#"
+        frame fTable
+        tool tHand
+        program start()
+          frame l_fCopy
+          frame l_fBase
+          tool l_tCopy
+          tool l_tTip
+        begin
+          fTable.trsf={1,2,3,0,0,0}
+          l_fCopy=fTable
+          ? l_fCopy==fTable
+          l_fCopy.trsf.z=30
+          ? position(l_fCopy,fTable)
+          l_fBase=world
+          ? l_fBase==world
+          l_fBase.trsf.x=7
+          ? position(l_fBase,world)
+          l_tTip=flange
+          l_tTip.trsf.z=20
+          ? position(l_tTip,flange)
+          tHand.trsf.z=50
+          link(l_tTip,tHand)
+          l_tCopy=l_tTip
+          ? position(l_tCopy,flange)
+          ? l_tCopy==l_tTip and l_tCopy!=tHand
+        end
+        "#,
+        expect![[r#"
+            true
+            {0,0,27,0,0,0}
+            true
+            {7,0,0,0,0,0}
+            {0,0,20,0,0,0}
+            {0,0,70,0,0,0}
+            true
+        "#]],
+    );
+}
+
+/// A program that is called can hang what it was given on what is its own only as long as both last.
+#[test]
+fn a_reference_that_ends_with_a_program_is_none() {
+    check(
+        r#"
+        program hang(frame& x_fPart)
+          frame l_fOwn
+        begin
+          link(l_fOwn,world)
+          l_fOwn.trsf.x=10
+          link(x_fPart,l_fOwn)
+          ? position(x_fPart,world)
+        end
+        program other()
+          frame l_fOther
+        begin
+          link(l_fOther,world)
+          l_fOther.trsf.x=77
+        end
+        program start()
+          frame l_fPart
+        begin
+          call hang(l_fPart)
+          call other()
+          ? position(l_fPart,world)
+        end
+        "#,
+        expect![[r#"
+            {10,0,0,0,0,0}
+            error 163
+        "#]],
+    );
+}
