@@ -18,11 +18,13 @@ mod stores;
 
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
+pub use lifetime::{Owner, Scope};
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
 pub use stack::Stack;
 pub use store::{Shape, Store};
 pub use stores::Stores;
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::fault::{Fault, Result};
@@ -36,13 +38,15 @@ pub struct Memory {
     pub stores: Stores,
     /// The stack of the task that runs; [`Place::store`] names it [`StoreId::STACK`].
     pub stack: Stack,
+    /// Which library each application or library sees, by their numbers in memory.
+    pub seen: BTreeSet<(u16, u16)>,
 }
 
 impl Memory {
     /// The data that every controller has: `world` and `flange`. Each is its own reference, so that a copy has one.
     #[must_use]
     pub fn new() -> Self {
-        let mut memory = Self { stores: Stores::default(), stack: Stack::default() };
+        let mut memory = Self { stores: Stores::default(), stack: Stack::default(), seen: BTreeSet::new() };
         for (index, base) in [(Self::WORLD, BaseType::Frame), (Self::FLANGE, BaseType::Tool)] {
             let mut store = Store::filled(Arc::new(Kind::builtin(base, None)), Shape::ELEMENT);
             store.links.first_mut().into_iter().for_each(|link| *link = Link::Data(Place::first(index)));
@@ -183,9 +187,10 @@ impl Memory {
     /// Links a value.
     ///
     /// # Errors
-    /// 20 if the value is gone, 165 if it is global and would refer to a local one.
+    /// 20 if the value is gone, 165 if it is global and would refer to a local one, 82 if it is global and would refer to
+    /// what the application or library that owns it does not see.
     pub fn set_link(&mut self, at: Place, offset: u32, link: Link) -> Result<()> {
-        self.check_link(self.is_local(at.store), link)?;
+        self.check_link(self.scope(at.store)?, link)?;
         let index = (at.link + offset) as usize;
         let found = match at.store {
             StoreId::STACK => self.stack.links.get_mut(index),

@@ -110,6 +110,9 @@ pub const FRAME_WITHOUT_REFERENCE: u16 = 163;
 /// A tool without reference tool (9.5.1).
 pub const TOOL_WITHOUT_REFERENCE: u16 = 164;
 
+/// The reference of a global variable belongs to a library, and its project does not see it.
+pub const REFERENCE_OUT_OF_REACH: u16 = 82;
+
 /// The reference of a global variable is a local one.
 pub const GLOBAL_REFERS_TO_LOCAL: u16 = 165;
 

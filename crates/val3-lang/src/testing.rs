@@ -16,7 +16,7 @@ use crate::call::{Argument, Call, Flow, Stored, Waiting};
 use crate::fault::{Fault, Result};
 use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
-use crate::memory::{Memory, Place, Shape, Slot, SlotAt, StoreId, View};
+use crate::memory::{Memory, Owner, Place, Shape, Slot, SlotAt, StoreId, View};
 use crate::ports::{Ports, Tasks, Time};
 use crate::types::BaseType;
 use crate::values::{Text, printed};
@@ -43,7 +43,7 @@ impl Bench {
     /// Global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
     pub(crate) fn global(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
-            let store = self.memory.create(&variable.init());
+            let store = self.memory.create(&variable.init(), Owner::default());
             self.declare(&variable, store);
         }
         self

@@ -142,5 +142,6 @@ impl Space {
         instance.libraries.fill(None);
         let data = std::mem::take(&mut instance.data);
         data.iter().for_each(|store| self.memory.remove(*store));
+        self.see_libraries();
     }
 }

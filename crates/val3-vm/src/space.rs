@@ -2,8 +2,8 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{FatherLink, Image, Import, LinkInit, LinkTarget};
-use val3_lang::memory::{Link, Memory, Place, StoreId, View};
+use val3_bytecode::{DataDef, FatherLink, Image, Import, LinkInit, LinkTarget};
+use val3_lang::memory::{Link, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
 use crate::{Host, Instance, InstanceId};
@@ -25,22 +25,22 @@ impl Space {
 
     /// Takes an application or library into memory, with its data as its files say.
     pub fn load(&mut self, image: Arc<Image>, path: String, host: &mut dyn Host) -> InstanceId {
-        let data: Arc<[StoreId]> = image.data.iter().map(|data| self.memory.create(&data.init)).collect();
+        let free = self.instances.iter().position(|instance| !instance.loaded);
+        let at = free.unwrap_or(self.instances.len());
+        let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
+        let create = |data: &DataDef| self.memory.create(&data.init, Owner { number: id.0, public: data.public });
         let instance = Instance {
-            data,
+            data: image.data.iter().map(create).collect(),
             path,
             libraries: vec![None; image.libraries.len()],
             imports: vec![None; image.imports.len()],
             loaded: true,
             image,
         };
-        let free = self.instances.iter().position(|instance| !instance.loaded);
-        let at = free.unwrap_or(self.instances.len());
         match self.instances.get_mut(at) {
             Some(slot) => *slot = instance,
             None => self.instances.push(instance),
         }
-        let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
         if let Some(instance) = self.instance(id) {
             host.loaded(id.0, &instance.image, &instance.data);
         }
@@ -91,7 +91,17 @@ impl Space {
                 }
             }
         }
+        self.see_libraries();
         complete
+    }
+
+    /// Tells the memory which libraries are declared where.
+    pub(crate) fn see_libraries(&mut self) {
+        let instances = (0u16..).zip(&self.instances);
+        let libraries = |(user, instance): (u16, &Instance)| {
+            instance.libraries.iter().flatten().map(|library| (user, library.0)).collect::<Vec<_>>()
+        };
+        self.memory.seen = instances.flat_map(libraries).collect();
     }
 
     /// Makes the links of data that do not wait for a library, or those that wait for `alias`.

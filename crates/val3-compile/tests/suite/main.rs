@@ -17,4 +17,5 @@ mod lines;
 mod media;
 mod places;
 mod programs;
+mod references;
 mod saving;

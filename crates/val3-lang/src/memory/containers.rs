@@ -3,7 +3,7 @@
 use std::ops::Bound;
 
 use super::store::number_within;
-use super::{Lanes, Memory, Place, Shape, Slot, SlotAt, Store, StoreId, View};
+use super::{Lanes, Memory, Place, Scope, Shape, Slot, SlotAt, Store, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::round;
@@ -70,12 +70,12 @@ impl Memory {
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let number = number_within(view, size + 1, index)?;
         let before = store.kind.size * number;
-        let (kind, local) = (store.kind.clone(), store.local);
+        let (kind, scope) = (store.kind.clone(), store.scope);
         store.shape = Shape::array(size + 1);
         splice(&mut store.nums, before.num, &kind.default.nums);
         splice(&mut store.texts, before.text, &kind.default.texts);
         splice(&mut store.links, before.link, &kind.default.links);
-        let parts = self.create_parts(&kind, None, local);
+        let parts = self.create_parts(&kind, None, scope);
         splice(&mut self.store_mut(view.store)?.parts, before.part, &parts);
         Ok(())
     }
@@ -195,7 +195,7 @@ impl Memory {
                 target.parts.extend_from_slice(source.parts.get(parts.clone()).unwrap_or_default());
                 kept.get_mut(parts).unwrap_or_default().fill(true);
             } else if kind.size.part > 0 {
-                target.parts.extend(self.create_parts(&kind, None, source.local));
+                target.parts.extend(self.create_parts(&kind, None, source.scope));
             }
         }
         let lost: Vec<StoreId> =
@@ -232,7 +232,7 @@ impl Memory {
     /// A container whose size may change.
     fn changing(&mut self, id: StoreId) -> Result<&mut Store> {
         let store = self.store_mut(id)?;
-        if store.local && !store.field { Err(Fault::INVALID_PARAMETER) } else { Ok(store) }
+        if store.scope == Scope::Program && !store.field { Err(Fault::INVALID_PARAMETER) } else { Ok(store) }
     }
 
     /// A container that takes one more value.
@@ -245,8 +245,8 @@ impl Memory {
     fn push(&mut self, id: StoreId) -> Result<()> {
         let store = self.store_mut(id)?;
         store.push_default();
-        let (kind, local) = (store.kind.clone(), store.local);
-        let parts = self.create_parts(&kind, None, local);
+        let (kind, scope) = (store.kind.clone(), store.scope);
+        let parts = self.create_parts(&kind, None, scope);
         self.store_mut(id)?.parts.extend(parts);
         Ok(())
     }

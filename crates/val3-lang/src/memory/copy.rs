@@ -1,21 +1,21 @@
 //! New containers, and copies of values.
 
-use super::{Element, Kind, Lanes, Memory, PartInit, Place, Shape, Store, StoreId};
+use super::{Element, Kind, Lanes, Memory, Owner, PartInit, Place, Scope, Shape, Store, StoreId};
 use crate::fault::{Fault, Result};
 
 impl Memory {
     /// A new container with these values: global data.
-    pub fn create(&mut self, init: &PartInit) -> StoreId {
-        self.create_as(init, false, false)
+    pub fn create(&mut self, init: &PartInit, owner: Owner) -> StoreId {
+        self.create_as(init, Scope::Data(owner), false)
     }
 
     /// A new container with these values, which ends with a program.
     pub fn create_local(&mut self, init: &PartInit) -> StoreId {
-        self.create_as(init, true, false)
+        self.create_as(init, Scope::Program, false)
     }
 
-    fn create_as(&mut self, init: &PartInit, local: bool, field: bool) -> StoreId {
-        let mut store = Store { local, field, ..Store::filled(init.kind.clone(), init.shape.clone()) };
+    fn create_as(&mut self, init: &PartInit, scope: Scope, field: bool) -> StoreId {
+        let mut store = Store { scope, field, ..Store::filled(init.kind.clone(), init.shape.clone()) };
         let count = init.shape.len();
         for (number, value) in (0..count).zip(&init.values) {
             if let Some(value) = value {
@@ -25,27 +25,29 @@ impl Memory {
         if init.kind.size.part > 0 {
             let values = init.values.iter().map(Option::as_ref).chain(std::iter::repeat(None));
             let values: Vec<_> = values.take(count as usize).collect();
-            store.parts = values.into_iter().flat_map(|value| self.create_parts(&init.kind, value, local)).collect();
+            store.parts = values.into_iter().flat_map(|value| self.create_parts(&init.kind, value, scope)).collect();
         }
         self.add(store)
     }
 
     /// The containers of one value of a user type.
-    pub(super) fn create_parts(&mut self, kind: &Kind, value: Option<&Element>, local: bool) -> Vec<StoreId> {
+    pub(super) fn create_parts(&mut self, kind: &Kind, value: Option<&Element>, scope: Scope) -> Vec<StoreId> {
         let parts = match value {
             Some(value) if !value.parts.is_empty() => &value.parts,
             _ => &kind.default.parts,
         };
-        parts.iter().map(|part| self.create_as(part, local, true)).collect()
+        parts.iter().map(|part| self.create_as(part, scope, true)).collect()
     }
 
     /// Copies a value of the type `kind`: `to = from` (2.3, 7.3). The fields of a user type get as many values as
     /// those that are copied.
     ///
     /// # Errors
-    /// 20 if one of the values is gone, 61 if its container is, 165 if a global would refer to a local.
+    /// 20 if one of the values is gone, 61 if its container is, 82 and 165 as [`Memory::set_link`].
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
+        // First, because it can be refused.
+        (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
         if num == 6 {
             // Transformations and joints, by far the most frequent.
             let nums: [f64; 6] = self.nums(from, 0)?;
@@ -58,7 +60,6 @@ impl Memory {
             let value = *self.text(from.behind(lane))?;
             self.set_text(to.behind(lane), value)?;
         }
-        (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
         (0..part).try_for_each(|lane| {
             let (from, to) = (self.part(from, lane)?, self.part(to, lane)?);
             self.copy_store(from, to)
@@ -71,9 +72,9 @@ impl Memory {
             return Ok(());
         }
         let source = self.store(from)?.clone();
-        let local = self.is_local(to);
-        source.links.iter().try_for_each(|link| self.check_link(local, *link))?;
-        let parts = source.parts.iter().map(|part| self.duplicate(*part, local)).collect::<Result<Vec<_>>>()?;
+        let scope = self.scope(to)?;
+        source.links.iter().try_for_each(|link| self.check_link(scope, *link))?;
+        let parts = source.parts.iter().map(|part| self.duplicate(*part, scope)).collect::<Result<Vec<_>>>()?;
         let target = self.store_mut(to)?;
         let old = std::mem::replace(&mut target.parts, parts);
         (target.shape, target.gaps) = (source.shape, source.gaps);
@@ -82,11 +83,11 @@ impl Memory {
         Ok(())
     }
 
-    /// A copy of a container, which ends with a program if it is `local`.
-    fn duplicate(&mut self, id: StoreId, local: bool) -> Result<StoreId> {
-        let mut copy = Store { local, ..self.store(id)?.clone() };
-        copy.links.iter().try_for_each(|link| self.check_link(local, *link))?;
-        copy.parts = copy.parts.iter().map(|part| self.duplicate(*part, local)).collect::<Result<_>>()?;
+    /// A copy of a container in this scope.
+    fn duplicate(&mut self, id: StoreId, scope: Scope) -> Result<StoreId> {
+        let mut copy = Store { scope, ..self.store(id)?.clone() };
+        copy.links.iter().try_for_each(|link| self.check_link(scope, *link))?;
+        copy.parts = copy.parts.iter().map(|part| self.duplicate(*part, scope)).collect::<Result<_>>()?;
         Ok(self.add(copy))
     }
 
@@ -140,12 +141,12 @@ impl Memory {
     /// # Errors
     /// 61 if the container is gone.
     pub(super) fn reset(&mut self, id: StoreId, number: u32) -> Result<()> {
-        let (kind, local) = (self.store(id)?.kind.clone(), self.is_local(id));
+        let (kind, scope) = (self.store(id)?.kind.clone(), self.scope(id)?);
         write_lanes(self.store_mut(id)?, number, &kind.default);
         for lane in 0..kind.size.part {
             let part = self.part(Place::new(id, kind.size * number), lane)?;
             let init = kind.default.parts.get(lane as usize).ok_or(Fault::INTERPRETER)?;
-            let fresh = self.create_as(init, local, true);
+            let fresh = self.create_as(init, scope, true);
             let at = (kind.size.part * number + lane) as usize;
             if let Some(slot) = self.store_mut(id)?.parts.get_mut(at) {
                 *slot = fresh;

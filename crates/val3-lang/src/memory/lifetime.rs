@@ -1,25 +1,65 @@
-//! What ends with a program, and what may refer to it (error 165).
+//! Whose data are, and what may refer to them (errors 82 and 165).
 
 use super::{Link, Memory, StoreId};
 use crate::fault::{Fault, Result};
-use crate::runtime_errors::GLOBAL_REFERS_TO_LOCAL;
+use crate::runtime_errors::{GLOBAL_REFERS_TO_LOCAL, REFERENCE_OUT_OF_REACH};
+
+/// Whose values are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scope {
+    /// The controller's: everything may refer to them.
+    Everywhere,
+    /// A program's, with which they end.
+    Program,
+    /// Global data.
+    Data(Owner),
+}
+
+/// The application or library that global data belong to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Owner {
+    /// Its number in memory; 0 is the application.
+    pub number: u16,
+    /// Others see the data.
+    pub public: bool,
+}
 
 impl Memory {
     /// The values of a container end with a program.
     #[must_use]
     pub fn is_local(&self, id: StoreId) -> bool {
-        id == StoreId::STACK || self.store(id).is_ok_and(|store| store.local)
+        self.scope(id).is_ok_and(|scope| scope == Scope::Program)
     }
 
-    /// What a value, which is `local` or not, may be linked to.
+    /// Whose the values of a container are.
     ///
     /// # Errors
-    /// 165 if it would outlive what it refers to.
-    pub(super) fn check_link(&self, local: bool, link: Link) -> Result<()> {
-        match link {
-            Link::Data(reference) if !local && self.is_local(reference.store) => Err(Fault(GLOBAL_REFERS_TO_LOCAL)),
+    /// 61 if it is gone.
+    pub fn scope(&self, id: StoreId) -> Result<Scope> {
+        if id == StoreId::STACK { Ok(Scope::Program) } else { self.store(id).map(|store| store.scope) }
+    }
+
+    /// What a value in a `scope` may be linked to. A local one may be linked to everything.
+    ///
+    /// # Errors
+    /// 165 if it would outlive what it refers to, 82 if that belongs to a library and cannot be named where the value is
+    /// declared: it is private there, or the library is not declared here.
+    pub(super) fn check_link(&self, scope: Scope, link: Link) -> Result<()> {
+        let Link::Data(reference) = link else { return Ok(()) };
+        if scope == Scope::Program {
+            return Ok(());
+        }
+        // What refers to something gone has no reference; it can be copied.
+        match (scope, self.scope(reference.store).unwrap_or(Scope::Everywhere)) {
+            (_, Scope::Program) => Err(Fault(GLOBAL_REFERS_TO_LOCAL)),
+            (Scope::Data(own), Scope::Data(other)) if !self.sees(own, other) => Err(Fault(REFERENCE_OUT_OF_REACH)),
             _ => Ok(()),
         }
+    }
+
+    fn sees(&self, own: Owner, other: Owner) -> bool {
+        let is_of_library = own.number != other.number && other.number != Owner::default().number;
+        !is_of_library || (other.public && self.seen.contains(&(own.number, other.number)))
     }
 
     /// Takes from the links below `end` on the stack those that lead to what ends there with a program: it was called
@@ -37,7 +77,7 @@ impl Memory {
 mod tests {
     use std::sync::Arc;
 
-    use super::{Fault, Link, Memory};
+    use super::{Fault, Link, Memory, Owner};
     use crate::memory::{FieldKind, Kind, PartInit, Place, Shape, View};
     use crate::types::BaseType;
 
@@ -54,7 +94,7 @@ mod tests {
     #[test]
     fn a_field_ends_with_its_variable() {
         let mut memory = Memory::new();
-        let (global, local) = (memory.create(&station()), memory.create_local(&station()));
+        let (global, local) = (memory.create(&station(), Owner::default()), memory.create_local(&station()));
         let first = |memory: &Memory, store| Place::first(memory.part(Place::first(store), 0).unwrap());
         let (global, local) = (first(&memory, global), first(&memory, local));
         assert_eq!(memory.set_link(global, 0, Link::Data(local)), Err(Fault(165)));
@@ -65,7 +105,7 @@ mod tests {
     #[test]
     fn fields_of_a_local_variable_grow_and_stay_local() {
         let mut memory = Memory::new();
-        let (local, global) = (memory.create_local(&station()), memory.create(&station()));
+        let (local, global) = (memory.create_local(&station()), memory.create(&station(), Owner::default()));
         let row = memory.part(Place::first(local), 0).unwrap();
         assert_eq!(memory.append(row, None), Ok(()));
         assert_eq!(memory.append(local, None), Err(Fault::INVALID_PARAMETER));
@@ -80,7 +120,8 @@ mod tests {
         let stations = PartInit { shape: Shape::array(2), ..station() };
         let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
         let line = init(kind.clone(), Shape::ELEMENT);
-        let (global, local) = (Place::first(memory.create(&line)), Place::first(memory.create_local(&line)));
+        let (global, local) =
+            (Place::first(memory.create(&line, Owner::default())), Place::first(memory.create_local(&line)));
         memory.copy(&kind, global, local).unwrap();
         let copied = memory.part(Place::first(memory.part(local, 0).unwrap()), 0).unwrap();
         assert!(memory.is_local(copied));

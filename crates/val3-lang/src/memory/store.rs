@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Element, Kind, Link, Place, StoreId, View};
+use super::{Element, Kind, Link, Place, Scope, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::types::BaseType;
 use crate::values::Text;
@@ -75,8 +75,8 @@ pub struct Store {
     pub kind: Arc<Kind>,
     /// How they are reached.
     pub shape: Shape,
-    /// It ends with a program: no global may refer to it (error 165), and it cannot grow or shrink (2.5.4).
-    pub local: bool,
+    /// Whose it is; what ends with a program cannot grow or shrink (2.5.4).
+    pub scope: Scope,
     /// It is a field of a value of a user type: it can grow and shrink even if it is local (7.3).
     pub(super) field: bool,
     pub(super) gaps: Vec<u32>,
@@ -103,7 +103,7 @@ impl Store {
             parts: Vec::new(),
             kind,
             shape,
-            local: false,
+            scope: Scope::Everywhere,
             field: false,
             gaps: Vec::new(),
         }

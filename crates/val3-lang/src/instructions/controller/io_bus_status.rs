@@ -26,7 +26,7 @@ instruction! {
 /// holds as many texts as it has values.
 fn bus_status(call: &mut Call<'_>, texts: Arr<Text>) -> Result<f64> {
     let faults = call.ports.failed_devices();
-    if !call.memory.store(texts.view.store)?.local {
+    if !call.memory.is_local(texts.view.store) {
         grow(call, texts.view, faults.len())?;
     }
     for (index, fault) in faults.iter().enumerate().take(texts.len(call)?) {
