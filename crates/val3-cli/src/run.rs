@@ -76,7 +76,7 @@ fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
 
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
-    let mut pace = Pace::new(args);
+    let pace = Pace::new(args);
     let end = loop {
         let step = controller.step();
         audience.tell(&controller.devices.take_events())?;
@@ -85,11 +85,13 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
             Step::Finished => break End::Finished,
             Step::Lacking => break End::Lacking,
             _ if wish == Wish::End => break End::BrokenOff,
-            _ if pace.is_over(controller.now()) => break End::Limit,
             Step::Busy => pace.follow(controller.now()),
             Step::Idle(wake) if !pace.wait(controller, wake) => break End::Stuck,
-            Step::Stuck if !pace.wait(controller, None) => break End::Stuck,
+            Step::Stuck if !pace.wait_for_operator(controller) => break End::Stuck,
             Step::Idle(_) | Step::Stuck => {}
+        }
+        if pace.is_over(controller.now()) {
+            break End::Limit;
         }
     };
     let reason = match end {

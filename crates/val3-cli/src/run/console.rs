@@ -60,7 +60,7 @@ impl Console {
         let What::Task { state, name, .. } = &event.what else { return };
         match *state {
             "error" => self.failed.push(name.to_owned()),
-            "resumed" | "killed" => self.failed.retain(|failed| failed != name),
+            "resumed" | "killed" if event.task.is_some() => self.failed.retain(|failed| failed != name),
             _ => {}
         }
     }

@@ -42,8 +42,7 @@ impl Pace {
     }
 
     /// All tasks wait until `wake`, or for the outside. Whether something can still happen.
-    pub(crate) fn wait(&mut self, controller: &mut Controller, wake: Option<Time>) -> bool {
-        let next = [wake, controller.next_due()].into_iter().flatten().min();
+    pub(crate) fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> bool {
         if self.attended || controller.hears_outside() {
             // What comes from outside comes at its own time: the clock on the wall decides, cycle by cycle.
             if self.started.is_none() && controller.devices.lines.reach_outside() {
@@ -52,10 +51,23 @@ impl Pace {
             self.follow(controller.now());
             return true;
         }
-        let Some(next) = next.into_iter().chain(self.until).min().filter(|_| next.is_some() || self.until.is_some())
-        else {
-            return false;
-        };
+        let next = [wake, controller.next_due(), self.until].into_iter().flatten().min();
+        self.jump(controller, next)
+    }
+
+    /// No task can go on: what comes over lines is of no use, but the operator may stop the application. Whether there
+    /// is one, or a script says what one does.
+    pub(crate) fn wait_for_operator(&self, controller: &mut Controller) -> bool {
+        if self.attended {
+            self.follow(controller.now());
+            return true;
+        }
+        let next = controller.next_due().map(|due| self.until.map_or(due, |until| due.min(until)));
+        self.jump(controller, next)
+    }
+
+    fn jump(&self, controller: &mut Controller, next: Option<Time>) -> bool {
+        let Some(next) = next else { return false };
         controller.jump(next);
         self.follow(controller.now());
         true

@@ -1,5 +1,7 @@
 //! `val3 run`.
 
+use serde_json::Value;
+
 use crate::support::{FAULTY, Folder, Run};
 
 /// An application that meets the error 10 in a task of its own, and what `start` does about it.
@@ -124,4 +126,73 @@ fn wrong_usage() {
         ends(&run, 2, "");
         assert!(run.stderr.contains(word), "{arguments:?} {run:?}");
     }
+}
+
+/// The events of one kind that a run writes.
+fn events(folder: &Folder, arguments: &[&str], kind: &str) -> Vec<Value> {
+    let run = folder.val3(&[&["run", "--events", "-"], arguments].concat());
+    let events = run.stdout.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    events.filter(|event| event["kind"] == kind).collect()
+}
+
+#[test]
+fn events_of_tasks_say_where_the_named_task_is() {
+    let folder = Folder::with(
+        r#"
+program work()
+begin
+  while true
+    delay(1)
+  endWhile
+end
+program start()
+begin
+  taskCreate "work",10,work()
+  delay(0)
+  taskSuspend("work")
+  taskResume("work",0)
+  taskKill("work")
+end
+"#,
+    );
+    let told = events(&folder, &[], "task");
+    let place = |event: &Value| {
+        let text = |key: &str| event[key].as_str().unwrap_or("-").to_owned();
+        format!("{} {} {} {} {}", text("task"), text("state"), text("name"), text("program"), event["line"])
+    };
+    let told: Vec<String> = told.iter().map(place).collect();
+    let expected = [
+        "- created ~main start 5",
+        "~main created work work 5",
+        "~main suspended work work 6",
+        "~main resumed work work 6",
+        "~main killed work work 6",
+        "~main ended ~main start 9",
+    ];
+    assert_eq!(told[..6], expected);
+}
+
+#[test]
+fn a_run_ends_at_its_limit_to_the_dot() {
+    let folder = Folder::with("  wait(clock()<0)\n");
+    let end = events(&folder, &["--until", "2"], "end");
+    assert_eq!((&end[0]["t"], &end[0]["reason"]), (&2.0.into(), &"limit".into()));
+}
+
+#[test]
+fn a_run_whose_tasks_are_all_suspended_does_not_wait_for_its_limit() {
+    let folder = Folder::with("  taskSuspend(\"~main\")\n");
+    ends(&folder.val3(&["run", "--until", "1000"]), 1, "");
+    let end = events(&folder, &["--until", "1000"], "end");
+    assert_eq!((&end[0]["t"], &end[0]["reason"]), (&0.004.into(), &"error".into()));
+    folder.write("operator.toml", "[[at]]\nt = 5\nstop = true\n");
+    ends(&folder.val3(&["run", "--until", "1000", "--script", "operator.toml"]), 0, "");
+}
+
+/// The controller kills the tasks that are left; that does not mend them.
+#[test]
+fn an_error_is_not_handled_by_stopping_the_application() {
+    let folder = failing("wait(false)");
+    folder.write("operator.toml", "[[at]]\nt = 5\nstop = true\n");
+    ends(&folder.val3(&["run", "--script", "operator.toml"]), 1, "stop\n");
 }
