@@ -5,7 +5,7 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, What};
-use val3_machine::screen::{COLUMNS, Pendant, display_columns};
+use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
 
 use crate::application::lacking;
 use crate::args::Color;
@@ -92,13 +92,15 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
-    /// The user page that the pendant shows.
+    /// The user page that the pendant shows, with its title in the frame.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let width = COLUMNS;
         let padded = |line: String| format!("{line}{:1$}", "", width.saturating_sub(display_columns(&line)));
+        let title = fitting(page.title(), width);
+        let behind = width.saturating_sub(display_columns(title));
         to_stdout(self.color, |out: &mut dyn WriteColor| -> io::Result<()> {
-            writeln!(out, "+{:-<width$}+", "")?;
+            writeln!(out, "+{title}{:-<behind$}+", "")?;
             page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
             writeln!(out, "+{:-<width$}+", "")
         })

@@ -196,3 +196,15 @@ fn an_error_is_not_handled_by_stopping_the_application() {
     folder.write("operator.toml", "[[at]]\nt = 5\nstop = true\n");
     ends(&folder.val3(&["run", "--script", "operator.toml"]), 1, "stop\n");
 }
+
+#[test]
+fn the_last_page_is_printed_with_its_title() {
+    let folder = Folder::with("  title(\"Line 中\")\n  putln(\"parts: 中文\")\n  put(12)\n");
+    let run = folder.val3(&["run", "--screen"]);
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!((run.code, lines.len()), (0, 16), "{run:?}");
+    assert_eq!(lines[0], format!("+Line 中{}+", "-".repeat(33)));
+    assert_eq!(lines[1], format!("|parts: 中文{}|", " ".repeat(29)));
+    assert_eq!(lines[2], format!("|12{}|", " ".repeat(38)));
+    assert_eq!(lines[15], format!("+{}+", "-".repeat(40)));
+}
