@@ -7,6 +7,8 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
 use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::values::date::DateTime;
+use val3_machine::controller_state::Calendar;
 
 use crate::baseline::Mode;
 use crate::format::Format;
@@ -215,6 +217,10 @@ pub(crate) struct RunArgs {
     /// The arm, where the cell does not say it
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
+    /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
+    /// with --time real the one on the wall, UTC]
+    #[arg(long, value_name = "DATE", value_parser = date)]
+    pub(crate) date: Option<Calendar>,
     /// The monitor speed in per cent
     #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
@@ -227,6 +233,13 @@ pub(crate) struct RunArgs {
     /// Show the user page in the terminal and let its keyboard be that of the pendant; implies --time real
     #[arg(long)]
     pub(crate) interactive: bool,
+}
+
+impl RunArgs {
+    /// Time passes as on the wall.
+    pub(crate) fn follows_wall(&self) -> bool {
+        self.time == RunTime::Real || self.interactive
+    }
 }
 
 /// Arguments of `val3 eval`.
@@ -279,6 +292,20 @@ impl FromStr for Root {
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..1e9).contains(seconds));
     seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
+}
+
+fn date(text: &str) -> Result<Calendar, String> {
+    let fields: Vec<u16> = text.split(['-', 'T', ' ', ':']).map_while(|field| field.parse().ok()).collect();
+    let small = |field: u16| u8::try_from(field).ok();
+    let calendar = match *fields {
+        [year, month, day, hour, minute, second] => || -> Option<Calendar> {
+            let (month, day) = (small(month)?, small(day)?);
+            let (hour, minute, second) = (small(hour)?, small(minute)?, small(second)?);
+            Calendar::starting_at(DateTime { year, month, day, hour, minute, second })
+        }(),
+        _ => None,
+    };
+    calendar.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
 }
 
 /// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.

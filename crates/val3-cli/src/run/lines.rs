@@ -7,8 +7,8 @@ use std::str::FromStr;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::devices::Lines;
 use val3_machine::sio::{ChannelConfig, Line, LineKind, Reach, Setting, channels, replay};
-use val3_syntax::encoding::decode;
 
+use super::outside::config;
 use crate::args::RunArgs;
 use crate::user_error::UserError;
 
@@ -84,9 +84,7 @@ fn recorded(file: &Utf8Path) -> Result<std::collections::BTreeMap<String, Vec<va
 
 /// The lines that `usr/configs/sio.cfx` names.
 fn of_cell(disk: &Utf8Path) -> Vec<ChannelConfig> {
-    let file = disk.parent().map(|usr| usr.join("configs/sio.cfx"));
-    let bytes = file.and_then(|file| fs::read(file).ok());
-    bytes.map(|bytes| channels(&decode(bytes).text)).unwrap_or_default()
+    config(disk, "sio.cfx").map(|text| channels(&text)).unwrap_or_default()
 }
 
 impl LineArg {

@@ -49,6 +49,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let Media { roots, disk, application } = media;
     let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
     outside::declare_io(&mut devices, db, project);
+    outside::describe(&mut devices, &disk, args);
     lines::connect(&mut devices.lines, &disk, args)?;
     let mut controller = Controller::new(devices, image, application, args.line_cost);
     outside::arrange(&mut controller, args)?;

@@ -7,7 +7,7 @@ use val3_lang::ports::{Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
-use crate::args::{RunArgs, RunTime};
+use crate::args::RunArgs;
 
 /// How long the outside is given to do something while all tasks wait for it: a cycle, as long as it takes.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
@@ -25,8 +25,7 @@ impl Pace {
     /// The pace that the arguments ask for; an operator needs the clock on the wall.
     pub(crate) fn new(args: &RunArgs) -> Self {
         let until = args.until.map(nanoseconds);
-        let is_real = args.time == RunTime::Real || args.interactive;
-        Self { started: is_real.then(Instant::now), until, attended: args.interactive }
+        Self { started: args.follows_wall().then(Instant::now), until, attended: args.interactive }
     }
 
     /// The time of the run is up.

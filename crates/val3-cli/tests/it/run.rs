@@ -208,3 +208,20 @@ fn the_last_page_is_printed_with_its_title() {
     assert_eq!(lines[2], format!("|12{}|", " ".repeat(38)));
     assert_eq!(lines[15], format!("+{}+", "-".repeat(40)));
 }
+
+#[test]
+fn the_cell_and_the_arguments_describe_the_controller() {
+    let code = "  ? getVersion(\"ArmType\")\n  ? getVersion(\"Mounting\")\n  ? getLanguage()\n  ? getDate(\"%Y-%m-%d %H:%M:%S\")\n";
+    let folder = Folder::with(code);
+    ends(&folder.val3(&["run"]), 0, "tx90-S1\nfloor\nenglish\n2024-01-01 00:00:00\n");
+    let entry = |name: &str, value: &str| format!("<String name=\"{name}\" value=\"{value}\"/>");
+    let arm = [entry("arm", "rs60-S1-D20-L200"), entry("mount", "ceiling")].concat();
+    folder.write("configs/arm.cfx", &format!("<arm>{arm}</arm>"));
+    folder.write("configs/cell.cfx", &format!("<cell>{}</cell>", entry("language", "suomi")));
+    let date = ["run", "--date", "2007-01-01T13:45:23"];
+    ends(&folder.val3(&date), 0, "rs60-S1-D20-L200\nceiling\nsuomi\n2007-01-01 13:45:23\n");
+    let run = folder.val3(&["run", "--time", "real", "--arm", "rs40"]);
+    let year: u32 = run.stdout.split(['\n', '-']).nth(3).unwrap().parse().unwrap();
+    assert!(run.stdout.starts_with("rs40\n") && year > 2024, "{run:?}");
+    assert_eq!(folder.val3(&["run", "--date", "2007-02-30T00:00:00"]).code, 2);
+}
