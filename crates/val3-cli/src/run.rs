@@ -85,7 +85,7 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
             Step::Finished => break End::Finished,
             Step::Lacking => break End::Lacking,
             _ if wish == Wish::End => break End::BrokenOff,
-            Step::Busy => pace.follow(controller.now()),
+            Step::Busy => pace.follow(controller),
             Step::Idle(wake) if !pace.wait(controller, wake) => break End::Stuck,
             Step::Stuck if !pace.wait_for_operator(controller) => break End::Stuck,
             Step::Idle(_) | Step::Stuck => {}

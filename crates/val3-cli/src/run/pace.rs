@@ -9,7 +9,8 @@ use val3_vm::CYCLE;
 
 use crate::args::RunArgs;
 
-/// How long the outside is given to do something while all tasks wait for it: a cycle, as long as it takes.
+/// How long the outside is given to do something in each cycle while a program talks to it: a cycle, as long as it
+/// takes.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
 
 /// The pace of a run.
@@ -33,10 +34,15 @@ impl Pace {
         self.until.is_some_and(|until| now >= until)
     }
 
-    /// Waits until the clock on the wall has come as far.
-    pub(crate) fn follow(&self, now: Time) {
-        if let Some(started) = self.started {
-            sleep((started + Duration::from_nanos(now)).saturating_duration_since(Instant::now()));
+    /// Waits until the clock on the wall has come as far. In virtual time it counts while a program uses a line to the
+    /// outside, which could not answer in time otherwise.
+    pub(crate) fn follow(&self, controller: &Controller) {
+        match self.started {
+            Some(started) => {
+                sleep((started + Duration::from_nanos(controller.now())).saturating_duration_since(Instant::now()));
+            }
+            None if controller.devices.lines.reach_outside() => sleep(LISTENING),
+            None => {}
         }
     }
 
@@ -44,10 +50,7 @@ impl Pace {
     pub(crate) fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> bool {
         if self.attended || controller.hears_outside() {
             // What comes from outside comes at its own time: the clock on the wall decides, cycle by cycle.
-            if self.started.is_none() && controller.devices.lines.reach_outside() {
-                sleep(LISTENING);
-            }
-            self.follow(controller.now());
+            self.follow(controller);
             return true;
         }
         let next = [wake, controller.next_due(), self.until].into_iter().flatten().min();
@@ -58,7 +61,7 @@ impl Pace {
     /// is one, or a script says what one does.
     pub(crate) fn wait_for_operator(&self, controller: &mut Controller) -> bool {
         if self.attended {
-            self.follow(controller.now());
+            self.follow(controller);
             return true;
         }
         let next = controller.next_due().map(|due| self.until.map_or(due, |until| due.min(until)));
@@ -68,7 +71,7 @@ impl Pace {
     fn jump(&self, controller: &mut Controller, next: Option<Time>) -> bool {
         let Some(next) = next else { return false };
         controller.jump(next);
-        self.follow(controller.now());
+        self.follow(controller);
         true
     }
 }

@@ -15,6 +15,7 @@ mod formats;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod peers;
 mod ros;
 mod run;
 mod statistics;
