@@ -12,6 +12,7 @@ mod faulty_cell;
 mod fixes;
 mod fmt;
 mod formats;
+mod hostile;
 #[cfg(unix)]
 mod live;
 mod lsp;
