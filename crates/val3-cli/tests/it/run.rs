@@ -225,3 +225,24 @@ fn the_cell_and_the_arguments_describe_the_controller() {
     assert!(run.stdout.starts_with("rs40\n") && year > 2024, "{run:?}");
     assert_eq!(folder.val3(&["run", "--date", "2007-02-30T00:00:00"]).code, 2);
 }
+
+#[test]
+fn each_example_runs_the_same_twice() {
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    let mut ran = 0;
+    for cell in ["palletiser", "faulty"] {
+        for application in std::fs::read_dir(format!("{examples}/{cell}/usr/usrapp")).unwrap() {
+            let folder = Folder::empty();
+            let path = application.unwrap().path();
+            let run = || {
+                let run = folder.val3(&["run", path.to_str().unwrap(), "--until", "60", "--events", "events.jsonl"]);
+                let events = std::fs::read_to_string(folder.path().join("events.jsonl")).ok();
+                (run.code, run.stdout, run.stderr, events)
+            };
+            let first = run();
+            assert!(first == run(), "{path:?} {first:?}");
+            ran += usize::from(first.3.is_some_and(|events| events.contains("\"kind\":\"end\"")));
+        }
+    }
+    assert!(ran > 0, "no example has run");
+}
