@@ -174,7 +174,7 @@ pub(crate) struct FmtArgs {
     pub(crate) stdin_path: Option<Utf8PathBuf>,
 }
 
-/// What a line takes unless the arguments say otherwise, in microseconds.
+/// What a line takes unless something else is said, in microseconds.
 pub(crate) const LINE_COST: &str = "2";
 
 /// Arguments of `val3 run`.
@@ -224,9 +224,9 @@ pub(crate) struct RunArgs {
     /// The monitor speed in per cent
     #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
-    /// What a line takes on the controller's clock, in microseconds
-    #[arg(long, value_name = "US", default_value = LINE_COST, value_parser = microseconds)]
-    pub(crate) line_cost: Time,
+    /// What a line takes on the controller's clock, in microseconds [default: 2]
+    #[arg(long, value_name = "US", value_parser = microseconds)]
+    pub(crate) line_cost: Option<Time>,
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,

@@ -8,6 +8,7 @@ mod opening;
 mod outside;
 mod pace;
 mod record;
+mod settings;
 
 use std::process::ExitCode;
 

@@ -61,9 +61,6 @@ pub(super) fn arrange(controller: &mut Controller, args: &RunArgs) -> Result<(),
         controller.follow(script(path)?);
     }
     controller.devices.pendant.type_when_asked(args.keys.iter().copied());
-    if let Some(speed) = args.monitor_speed {
-        controller.devices.robot.turn_speed(speed.into());
-    }
     Ok(())
 }
 

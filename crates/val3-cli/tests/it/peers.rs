@@ -99,7 +99,8 @@ fn a_server_is_recorded_and_replayed() {
         assert_eq!(answers, ["got one", "got two", "got grün", "got end"]);
     });
     let end = format!("server:{port}");
-    let first = run(&folder, &end, &[]);
+    folder.write("val3.toml", &format!("run.lines = {{ 'Socket\\host' = \"{end}\" }}"));
+    let first = folder.val3(&["run", "--until", "20", "--events", "events.jsonl"]);
     peer.join().unwrap();
     assert_eq!((first.code, first.stdout.as_str()), (0, "one\ntwo\ngrün\nend\n"), "{first:?}");
     replays(&folder, &end, &first);
