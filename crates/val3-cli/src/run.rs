@@ -9,6 +9,7 @@ mod outside;
 mod pace;
 mod record;
 mod settings;
+mod signals;
 
 use std::process::ExitCode;
 
@@ -22,6 +23,7 @@ use console::Console;
 use live::Wish;
 use opening::Opened;
 use pace::Pace;
+use signals::Signals;
 
 pub(crate) use lines::LineArg;
 
@@ -42,8 +44,8 @@ enum End {
     Lacking,
     /// `--until`
     Limit,
-    /// The operator did not want to wait for `stop`.
-    BrokenOff,
+    /// The operator did not want to wait for `stop`, or a signal came. With the exit code.
+    BrokenOff(u8),
 }
 
 /// Runs the command.
@@ -71,21 +73,24 @@ fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
         End::Stuck | End::Lacking => ExitCode::FAILURE,
         End::Limit if controller.has_failed_tasks() => ExitCode::FAILURE,
         End::Limit => ExitCode::from(EXIT_LIMIT),
-        End::BrokenOff => ExitCode::from(EXIT_BROKEN_OFF),
+        End::BrokenOff(code) => ExitCode::from(code),
     }
 }
 
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
-    let pace = Pace::new(args);
+    let (pace, signals) = (Pace::new(args), Signals::catch()?);
     let end = loop {
         let step = controller.step();
         audience.tell(&controller.devices.take_events())?;
         let wish = audience.attend(controller)?;
+        if let Some(code) = signals.exit_code() {
+            break End::BrokenOff(code);
+        }
         match step {
             Step::Finished => break End::Finished,
             Step::Lacking => break End::Lacking,
-            _ if wish == Wish::End => break End::BrokenOff,
+            _ if wish == Wish::End => break End::BrokenOff(EXIT_BROKEN_OFF),
             Step::Busy => pace.follow(controller),
             Step::Idle(wake) if !pace.wait(controller, wake) => break End::Stuck,
             Step::Stuck if !pace.wait_for_operator(controller) => break End::Stuck,
@@ -100,7 +105,7 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
         End::Finished => EndReason::Finished,
         End::Stuck | End::Lacking => EndReason::Error,
         End::Limit => EndReason::Limit,
-        End::BrokenOff => EndReason::Stopped,
+        End::BrokenOff(_) => EndReason::Stopped,
     };
     controller.devices.record_outside(controller.now(), What::End { reason });
     audience.tell(&controller.devices.take_events())?;
