@@ -9,6 +9,7 @@ use clap::{Parser, Subcommand, ValueEnum};
 use val3_lang::ports::{Time, nanoseconds};
 use val3_lang::values::date::DateTime;
 use val3_machine::controller_state::Calendar;
+use val3_machine::script::key_codes;
 
 use crate::baseline::Mode;
 use crate::format::Format;
@@ -198,9 +199,10 @@ pub(crate) struct RunArgs {
     /// What happens outside the application and when (TOML)
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
-    /// Codes of keys that are typed whenever a program reads one, separated by commas
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
-    pub(crate) keys: Vec<u16>,
+    /// Codes or names of keys that are typed whenever a program reads one, separated by commas: 49,50,Return
+    #[arg(long, value_name = "CODES", default_value = "", hide_default_value = true, value_parser = key_codes)]
+    // Written with its path, so that the list is one value.
+    pub(crate) keys: std::vec::Vec<u16>,
     /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
     #[arg(long, value_name = "NAME=DIR")]
     pub(crate) root: Vec<Root>,

@@ -92,17 +92,23 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
-    /// The user page that the pendant shows, with its title in the frame.
+    /// The user page that the pendant shows, with its title in the frame; on the standard error output where the
+    /// standard output is taken.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let width = COLUMNS;
         let padded = |line: String| format!("{line}{:1$}", "", width.saturating_sub(display_columns(&line)));
         let title = fitting(page.title(), width);
         let behind = width.saturating_sub(display_columns(title));
-        to_stdout(self.color, |out: &mut dyn WriteColor| -> io::Result<()> {
+        let picture = |out: &mut dyn WriteColor| -> io::Result<()> {
             writeln!(out, "+{title}{:-<behind$}+", "")?;
             page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
             writeln!(out, "+{:-<width$}+", "")
-        })
+        };
+        if self.speaks {
+            return to_stdout(self.color, picture);
+        }
+        to_stderr_in_color(self.color, picture);
+        Ok(())
     }
 }

@@ -107,6 +107,7 @@ fn a_script_and_keys_stand_for_people() {
     let folder = Folder::with("num nKey\nnKey=get()\n? nKey\nwait(nKey==4)\n? clock()\n");
     folder.write("people.toml", "[[at]]\nt = 2\nset = { nKey = 4 }\n");
     ends(&folder.val3(&["run", "--keys", "271", "--script", "people.toml"]), 0, "271\n2\n");
+    ends(&folder.val3(&["run", "--keys", "F1", "--script", "people.toml"]), 0, "271\n2\n");
 }
 
 #[test]
@@ -121,6 +122,7 @@ fn wrong_usage() {
         (&["run", "--script", "bad.toml"], "sett"),
         (&["run", "--events", "no/such/x"], "no/such/x"),
         (&["run", "--monitor-speed", "101"], "101"),
+        (&["run", "--keys", "97,Enter"], "`Enter` is no key"),
     ] {
         let run = folder.val3(arguments);
         ends(&run, 2, "");
@@ -207,6 +209,9 @@ fn the_last_page_is_printed_with_its_title() {
     assert_eq!(lines[1], format!("|parts: 中文{}|", " ".repeat(29)));
     assert_eq!(lines[2], format!("|12{}|", " ".repeat(38)));
     assert_eq!(lines[15], format!("+{}+", "-".repeat(40)));
+    let beside_events = folder.val3(&["run", "--screen", "--events", "-"]);
+    assert_eq!(beside_events.stderr, run.stdout);
+    assert!(beside_events.stdout.lines().all(|line| line.starts_with('{')), "{beside_events:?}");
 }
 
 #[test]
