@@ -11,7 +11,7 @@ use crate::application::lacking;
 use crate::args::Color;
 use crate::format::human;
 use crate::opening::current_folder;
-use crate::output::{to_stderr_in_color, to_stdout};
+use crate::output::{to_reader, to_stderr_in_color, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
@@ -20,6 +20,7 @@ pub(crate) struct Console {
     color: Color,
     /// The standard output is free for what the application says.
     speaks: bool,
+    is_read: bool,
     paths: Paths,
     /// Tasks that an error has stopped and that were not seen to go on or end by the doing of others.
     failed: Vec<String>,
@@ -28,7 +29,7 @@ pub(crate) struct Console {
 impl Console {
     pub(crate) fn new(color: Color, speaks: bool) -> Result<Self, UserError> {
         let paths = Paths::new(&[], &current_folder()?);
-        Ok(Self { color, speaks, paths, failed: Vec::new() })
+        Ok(Self { color, speaks, is_read: true, paths, failed: Vec::new() })
     }
 
     /// A task has ended in an error that no other task has cared for.
@@ -66,11 +67,16 @@ impl Console {
     }
 
     /// Writes a line to the standard output, if it is free.
-    pub(crate) fn say(&self, text: &str) -> Result<(), UserError> {
-        if !self.speaks {
-            return Ok(());
+    pub(crate) fn say(&mut self, text: &str) -> Result<(), UserError> {
+        if self.speaks {
+            self.is_read = to_reader(self.color, |out| writeln!(out, "{text}"))?;
         }
-        to_stdout(self.color, |out| writeln!(out, "{text}"))
+        Ok(())
+    }
+
+    /// Nobody reads the standard output any more.
+    pub(crate) fn is_abandoned(&self) -> bool {
+        !self.is_read
     }
 
     /// A run-time error with its line.

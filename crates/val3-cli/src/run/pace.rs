@@ -3,7 +3,7 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::ports::{SECOND, Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
@@ -12,6 +12,9 @@ use crate::args::RunArgs;
 /// How long the outside is given to do something in each cycle while a program talks to it: a cycle, as long as it
 /// takes.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
+
+/// The longest sleep.
+const NAP: Time = SECOND / 10;
 
 /// The pace of a run.
 pub(crate) struct Pace {
@@ -70,7 +73,8 @@ impl Pace {
 
     fn jump(&self, controller: &mut Controller, next: Option<Time>) -> bool {
         let Some(next) = next else { return false };
-        controller.jump(next);
+        // The clock on the wall may be interrupted.
+        controller.jump(if self.started.is_some() { next.min(controller.now() + NAP) } else { next });
         self.follow(controller);
         true
     }

@@ -127,7 +127,7 @@ fn a_signal_leaves_the_terminal_as_it_was() {
 /// A run that somebody ends from outside has written everything down, and how it ended.
 #[test]
 fn a_signal_leaves_a_whole_record() {
-    let folder = Folder::with("while true\n?1\ndelay(1)\nendWhile\n");
+    let folder = Folder::with("while true\n?1\ndelay(3600)\nendWhile\n");
     let mut command = folder.command(&["run", "--time", "real", "--events", "events.jsonl", "usrapp/main"]);
     let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
     let mut first = [0; 2];

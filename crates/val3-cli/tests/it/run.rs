@@ -1,5 +1,8 @@
 //! `val3 run`.
 
+use std::io::Read as _;
+use std::process::Stdio;
+
 use serde_json::Value;
 
 use crate::support::{FAULTY, Folder, Run};
@@ -250,4 +253,17 @@ fn each_example_runs_the_same_twice() {
         }
     }
     assert!(ran > 0, "no example has run");
+}
+
+/// `val3 run … | head -3` ends although the application does not.
+#[test]
+fn a_run_that_nobody_reads_ends() {
+    let folder = Folder::with(ENDLESS);
+    for arguments in [&["run"][..], &["run", "--events", "-"]] {
+        let mut command = folder.command(arguments);
+        let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap();
+        let mut first = [0; 3];
+        child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(0));
+    }
 }
