@@ -200,9 +200,8 @@ pub(crate) struct RunArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
     /// Codes or names of keys that are typed whenever a program reads one, separated by commas: 49,50,Return
-    #[arg(long, value_name = "CODES", default_value = "", hide_default_value = true, value_parser = key_codes)]
-    // Written with its path, so that the list is one value.
-    pub(crate) keys: std::vec::Vec<u16>,
+    #[arg(long, value_name = "CODES", value_delimiter = ',', value_parser = key)]
+    pub(crate) keys: Vec<u16>,
     /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
     #[arg(long, value_name = "NAME=DIR")]
     pub(crate) root: Vec<Root>,
@@ -294,6 +293,10 @@ impl FromStr for Root {
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..1e9).contains(seconds));
     seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
+}
+
+fn key(text: &str) -> Result<u16, String> {
+    key_codes(text)?.first().copied().ok_or_else(|| "write the code or the name of a key".to_owned())
 }
 
 fn date(text: &str) -> Result<Calendar, String> {
