@@ -7,6 +7,9 @@ use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
 use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::values::date::DateTime;
+use val3_machine::controller_state::Calendar;
+use val3_machine::script::key_codes;
 
 use crate::baseline::Mode;
 use crate::format::Format;
@@ -175,7 +178,7 @@ pub(crate) struct FmtArgs {
 /// The program that an application starts with (2.2.3).
 pub(crate) const START: &str = "start";
 
-/// What a line takes unless the arguments say otherwise, in microseconds.
+/// What a line takes unless something else is said, in microseconds.
 pub(crate) const LINE_COST: &str = "2";
 
 /// Arguments of `val3 run`.
@@ -199,8 +202,8 @@ pub(crate) struct RunArgs {
     /// What happens outside the application and when (TOML)
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
-    /// Codes of keys that are typed whenever a program reads one, separated by commas
-    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    /// Codes or names of keys that are typed whenever a program reads one, separated by commas: 49,50,Return
+    #[arg(long, value_name = "CODES", value_delimiter = ',', value_parser = key)]
     pub(crate) keys: Vec<u16>,
     /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
     #[arg(long, value_name = "NAME=DIR")]
@@ -218,18 +221,29 @@ pub(crate) struct RunArgs {
     /// The arm, where the cell does not say it
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
+    /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
+    /// with --time real the one on the wall, UTC]
+    #[arg(long, value_name = "DATE", value_parser = date)]
+    pub(crate) date: Option<Calendar>,
     /// The monitor speed in per cent
     #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
     pub(crate) monitor_speed: Option<u8>,
-    /// What a line takes on the controller's clock, in microseconds
-    #[arg(long, value_name = "US", default_value = LINE_COST, value_parser = microseconds)]
-    pub(crate) line_cost: Time,
+    /// What a line takes on the controller's clock, in microseconds [default: 2]
+    #[arg(long, value_name = "US", value_parser = microseconds)]
+    pub(crate) line_cost: Option<Time>,
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,
     /// Show the user page in the terminal and let its keyboard be that of the pendant; implies --time real
     #[arg(long)]
     pub(crate) interactive: bool,
+}
+
+impl RunArgs {
+    /// Time passes as on the wall.
+    pub(crate) fn follows_wall(&self) -> bool {
+        self.time == RunTime::Real || self.interactive
+    }
 }
 
 /// Arguments of `val3 eval`.
@@ -282,6 +296,24 @@ impl FromStr for Root {
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..1e9).contains(seconds));
     seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
+}
+
+fn key(text: &str) -> Result<u16, String> {
+    key_codes(text)?.first().copied().ok_or_else(|| "write the code or the name of a key".to_owned())
+}
+
+fn date(text: &str) -> Result<Calendar, String> {
+    let fields: Vec<u16> = text.split(['-', 'T', ' ', ':']).map_while(|field| field.parse().ok()).collect();
+    let small = |field: u16| u8::try_from(field).ok();
+    let calendar = match *fields {
+        [year, month, day, hour, minute, second] => || -> Option<Calendar> {
+            let (month, day) = (small(month)?, small(day)?);
+            let (hour, minute, second) = (small(hour)?, small(minute)?, small(second)?);
+            Calendar::starting_at(DateTime { year, month, day, hour, minute, second })
+        }(),
+        _ => None,
+    };
+    calendar.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
 }
 
 /// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.

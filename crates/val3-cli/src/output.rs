@@ -15,12 +15,19 @@ pub(crate) fn to_stdout(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
 ) -> Result<(), UserError> {
+    to_reader(color, write).map(|_| ())
+}
+
+/// As [`to_stdout`]; whether somebody still reads it.
+pub(crate) fn to_reader(
+    color: Color,
+    write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
+) -> Result<bool, UserError> {
     let mut out = BufferedStandardStream::stdout(color_choice(color));
     match write(&mut out).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(UserError::new(format!("cannot write to the standard output: {error}")))
-        }
-        _ => Ok(()),
+        Ok(()) => Ok(true),
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
+        Err(error) => Err(UserError::new(format!("cannot write to the standard output: {error}"))),
     }
 }
 

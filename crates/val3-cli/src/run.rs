@@ -8,6 +8,8 @@ mod opening;
 mod outside;
 mod pace;
 mod record;
+mod settings;
+mod signals;
 
 use std::process::ExitCode;
 
@@ -21,6 +23,7 @@ use console::Console;
 use live::Wish;
 use opening::Opened;
 use pace::Pace;
+use signals::Signals;
 
 pub(crate) use lines::LineArg;
 
@@ -41,8 +44,10 @@ enum End {
     Lacking,
     /// `--until`
     Limit,
-    /// The operator did not want to wait for `stop`.
-    BrokenOff,
+    /// Nobody reads what it writes any more.
+    Unread,
+    /// The operator did not want to wait for `stop`, or a signal came. With the exit code.
+    BrokenOff(u8),
 }
 
 /// Runs the command.
@@ -66,30 +71,30 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
 fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
     match end {
         End::Finished if console.has_unhandled_errors() => ExitCode::FAILURE,
-        End::Finished => ExitCode::SUCCESS,
+        End::Finished | End::Unread => ExitCode::SUCCESS,
         End::Stuck | End::Lacking => ExitCode::FAILURE,
         End::Limit if controller.has_failed_tasks() => ExitCode::FAILURE,
         End::Limit => ExitCode::from(EXIT_LIMIT),
-        End::BrokenOff => ExitCode::from(EXIT_BROKEN_OFF),
+        End::BrokenOff(code) => ExitCode::from(code),
     }
 }
 
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
-    let mut pace = Pace::new(args);
+    let (pace, signals) = (Pace::new(args), Signals::catch()?);
     let end = loop {
         let step = controller.step();
         audience.tell(&controller.devices.take_events())?;
         let wish = audience.attend(controller)?;
-        match step {
-            Step::Finished => break End::Finished,
-            Step::Lacking => break End::Lacking,
-            _ if wish == Wish::End => break End::BrokenOff,
-            _ if pace.is_over(controller.now()) => break End::Limit,
-            Step::Busy => pace.follow(controller.now()),
-            Step::Idle(wake) if !pace.wait(controller, wake) => break End::Stuck,
-            Step::Stuck if !pace.wait(controller, None) => break End::Stuck,
-            Step::Idle(_) | Step::Stuck => {}
+        let end = match step {
+            Step::Finished => Some(End::Finished),
+            Step::Lacking => Some(End::Lacking),
+            _ if wish == Wish::End => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
+            _ if audience.has_left() => Some(End::Unread),
+            _ => signals.exit_code().map(End::BrokenOff),
+        };
+        if let Some(end) = end.or_else(|| wait(&pace, controller, step)) {
+            break end;
         }
     };
     let reason = match end {
@@ -97,9 +102,25 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
         End::Finished => EndReason::Finished,
         End::Stuck | End::Lacking => EndReason::Error,
         End::Limit => EndReason::Limit,
-        End::BrokenOff => EndReason::Stopped,
+        End::Unread | End::BrokenOff(_) => EndReason::Stopped,
     };
     controller.devices.record_outside(controller.now(), What::End { reason });
     audience.tell(&controller.devices.take_events())?;
     Ok(end)
+}
+
+/// Lets the time pass until something can happen; how the run ends, if nothing can.
+fn wait(pace: &Pace, controller: &mut Controller, step: Step) -> Option<End> {
+    let goes_on = match step {
+        Step::Idle(wake) => pace.wait(controller, wake),
+        Step::Stuck => pace.wait_for_operator(controller),
+        Step::Busy | Step::Finished | Step::Lacking => {
+            pace.follow(controller);
+            true
+        }
+    };
+    match goes_on {
+        false => Some(End::Stuck),
+        true => pace.is_over(controller.now()).then_some(End::Limit),
+    }
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use val3_lang::types::Arm;
 use val3_lang::versions::Version;
 
-use crate::{Exclude, Format, Level, Options, arm, version};
+use crate::{Exclude, Format, Level, Options, Run, arm, version};
 
 /// Settings of the `val3` tools for the applications below a folder. The nearest file above an application counts
 /// alone: files are never merged, and an empty one ends what the folders above it say.
@@ -47,4 +47,6 @@ pub struct Config {
     pub lint: Options,
     /// Layout of code.
     pub format: Format,
+    /// The controller that applications run on.
+    pub run: Run,
 }

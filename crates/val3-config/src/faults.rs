@@ -89,7 +89,7 @@ fn expected(schema: &Value) -> String {
     if !choices.is_empty() {
         return format!("one of {}", choices.join(", "));
     }
-    let types = ["string", "integer", "boolean", "array", "object"];
+    let types = ["string", "integer", "number", "boolean", "array", "object"];
     let taken = types.into_iter().filter(|ty| takes(schema, ty)).map(article);
     taken.collect::<Vec<_>>().join(" or ")
 }

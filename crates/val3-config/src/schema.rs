@@ -32,10 +32,10 @@ pub(crate) fn keys(schema: &Value) -> impl Iterator<Item = &str> {
     schema.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(key, _)| key.as_str())
 }
 
-/// Whether a value may be of this type (`string`, `integer`, `boolean`, `array`, `object`).
+/// Whether a value may be of this type (`string`, `integer`, `number`, `boolean`, `array`, `object`).
 pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
     match schema.get("type") {
-        Some(Value::String(only)) => only == ty,
+        Some(Value::String(only)) => only == ty || (only == "number" && ty == "integer"),
         Some(Value::Array(several)) => several.iter().any(|one| one == ty),
         _ => ty == "string",
     }
@@ -64,7 +64,9 @@ mod tests {
     #[test]
     fn every_setting_is_described() {
         let schema = schema();
-        let tables = [&schema, property(&schema, "lint").unwrap(), property(&schema, "format").unwrap()];
+        let table = |key| property(&schema, key).unwrap();
+        let tables =
+            [&schema, table("lint"), table("format"), table("run"), property(table("run"), "profiles").unwrap()];
         for (table, key) in tables.into_iter().flat_map(|table| keys(table).map(move |key| (table, key))) {
             assert!(property(table, key).unwrap().get("description").is_some(), "{key}");
         }

@@ -120,6 +120,13 @@ mod tests {
                 lint.prefixes.trsf = "tr"
                 roots.USB0 = "usb" (line 2)
                 rules.V03 = "off" (line 4)
+                run.line-cost =
+                run.monitor-speed =
+                run.network = false
+                run.profile =
+                run.licences = {}
+                run.lines = {}
+                run.profiles = {}
             "#]],
         );
     }

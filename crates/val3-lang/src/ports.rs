@@ -41,8 +41,8 @@ pub trait Ports: Io + Serial + Screen + Robot + Motion + Media {
     /// Where the next calls come from. The run time tells it before each instruction.
     fn origin(&mut self, origin: Origin);
 
-    /// A task was created, has ended, or has changed its state.
-    fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange);
+    /// A task was created, has ended, or has changed its state. `at` is where it is; `None` for the one that runs.
+    fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange, at: Option<CodePlace>);
 
     /// The number of an input, output or line by its path in a file (`BasicIO-1\%I0`); `None` where there is none.
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32>;
@@ -59,7 +59,14 @@ pub struct Origin {
     pub time: Time,
     /// The task.
     pub task: TaskNumber,
-    /// The application or library in memory, by number.
+    /// The line.
+    pub at: CodePlace,
+}
+
+/// A line of a program in memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct CodePlace {
+    /// The application or library, by number.
     pub instance: u16,
     /// The program, by number.
     pub program: u16,

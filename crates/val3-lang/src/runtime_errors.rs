@@ -35,6 +35,16 @@ impl TaskState {
             Self::Running => 1,
         }
     }
+
+    /// What the table of 12.1 says of it, which is what `help` gives.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            Self::Absent => "no task of this name",
+            Self::Halted => "task suspended",
+            Self::Running => "task running",
+        }
+    }
 }
 
 /// An input, output or serial line is used without a link (3.5 to 3.7).

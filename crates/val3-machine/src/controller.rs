@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
-use val3_lang::ports::{Origin, Ports, TaskNumber, Time};
+use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
@@ -86,7 +86,7 @@ impl Controller {
         let Some(instance) = self.vm.space.instance(self.application) else { return false };
         let (name, number) = (task_name(&instance.image), instance.image.program(program));
         let Some(number) = number else { return false };
-        self.devices.origin(self.outside_origin(self.application, number, 0));
+        self.devices.origin(self.outside());
         let started = self.vm.start(&name, (self.application, number), PRIORITY, &mut self.devices);
         started.is_ok()
     }
@@ -111,18 +111,15 @@ impl Controller {
         self.stopped
     }
 
-    /// Kills a task from outside, where it is.
+    /// Kills a task from outside.
     fn kill(&mut self, id: TaskNumber) {
-        let thread = self.vm.tasks().iter().find(|task| task.id == id).map(|task| &task.thread);
-        if let Some((frame, line)) = thread.and_then(|thread| Some((thread.frames.last()?, thread.line))) {
-            self.devices.origin(self.outside_origin(frame.instance, frame.program, line));
-        }
+        self.devices.origin(self.outside());
         self.vm.kill(id, &mut self.devices);
     }
 
-    /// Where something happens now that no task does.
-    fn outside_origin(&self, instance: InstanceId, program: u16, line: u32) -> Origin {
-        Origin { time: self.schedule.now, task: TaskNumber::default(), instance: instance.0, program, line }
+    /// What happens now does so in no task.
+    fn outside(&self) -> Origin {
+        Origin { time: self.schedule.now, task: TaskNumber::default(), at: CodePlace::default() }
     }
 
     /// Lets `stop` run.

@@ -1,5 +1,6 @@
 //! What programs reach of the controller: the ports of instructions, each in a file of its own.
 
+mod cell;
 mod cycle;
 mod instances;
 mod io;

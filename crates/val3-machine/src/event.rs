@@ -81,9 +81,9 @@ pub enum What {
         state: &'static str,
         /// Its name.
         name: String,
-        /// The program it is in.
+        /// The program that the named task is in.
         program: String,
-        /// The code line of that program, from 1; 0 before the first.
+        /// The line of its file at which the named task is, from 1.
         line: u32,
         /// The number of the run-time error.
         #[serde(skip_serializing_if = "Option::is_none")]

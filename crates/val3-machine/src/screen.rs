@@ -15,4 +15,4 @@ pub use page::{COLUMNS, Page, Position, ROWS};
 pub use pendant::{PageId, Pendant, PopUp, ReadingId, ScreenEvent};
 pub use row::Cell;
 pub use text_mode::TextMode;
-pub use width::display_columns;
+pub use width::{display_columns, fitting};

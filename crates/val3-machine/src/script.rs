@@ -11,10 +11,13 @@
 //! set = { nCount = 4, "sNames[1]" = "bolt" }
 //! lock = "BasicIO-1\\%I1"  # or several, or with the values at which they are held
 //! unlock = ["BasicIO-1\\%I2"]
+//! simulate = { "BasicIO-1\\%Q1" = true }
 //! fault = { link = "BasicIO-1\\%Q0", code = -3 }
 //! power = true
 //! estop = false
 //! mode = "remote"          # or 4
+//! safety_fault = "DOOR"   # the name of a signal, or false
+//! calibrated = false
 //! monitor_speed = 50
 //! stop = true
 //! ```
@@ -30,7 +33,7 @@ use serde::Deserialize;
 use val3_lang::ports::Time;
 
 pub use keys::{key_codes, typed_keys};
-use values::{Fault, Key, Keys, Level, Links, Locks, Mode, Percent, Seconds, Value};
+use values::{Fault, Key, Keys, Level, Links, Locks, Mode, Percent, SafetyFault, Seconds, Value};
 
 /// What happens from outside, in the order of its times.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -60,6 +63,9 @@ pub(crate) struct Entry {
     /// Inputs and outputs that the operator lets go.
     #[serde(default)]
     unlock: Links,
+    /// Inputs and outputs that the controller simulates, or no longer.
+    #[serde(default)]
+    simulate: BTreeMap<String, bool>,
     /// An input, output or device that fails, or works again.
     fault: Option<Fault>,
     /// Global data of the application and its libraries.
@@ -67,6 +73,8 @@ pub(crate) struct Entry {
     set: BTreeMap<String, Value>,
     power: Option<bool>,
     estop: Option<bool>,
+    safety_fault: Option<SafetyFault>,
+    calibrated: Option<bool>,
     mode: Option<Mode>,
     monitor_speed: Option<Percent>,
     /// A key that is tapped at once.

@@ -8,7 +8,7 @@ use val3_bytecode::{
 use val3_lang::call::{Argument, Call, Flow, Wait, Waiting};
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Memory, Place, StoreId, View};
-use val3_lang::ports::{Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
+use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Tasks, Time, nanoseconds};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
@@ -466,7 +466,7 @@ impl Machine<'_> {
         self.reads_clock |= call.reads_clock;
         self.arguments = arguments;
         let Services { changes, request, .. } = services;
-        changes.iter().for_each(|(task, name, change)| self.ports.task(*task, name, *change));
+        changes.iter().for_each(|(task, name, change, at)| self.ports.task(*task, name, *change, *at));
         if !changes.is_empty() {
             self.end_with_turn();
         }
@@ -486,7 +486,8 @@ impl Machine<'_> {
     }
 
     pub(crate) fn origin(&self, time: Time, frame: Frame, line: u32) -> Origin {
-        Origin { time, task: self.task, instance: frame.instance.0, program: frame.program, line }
+        let at = CodePlace { instance: frame.instance.0, program: frame.program, line };
+        Origin { time, task: self.task, at }
     }
 
     /// The task has halted or killed itself.

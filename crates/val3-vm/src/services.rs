@@ -3,15 +3,15 @@
 use smallvec::SmallVec;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::View;
-use val3_lang::ports::{Request, TaskChange, TaskNumber, Tasks};
+use val3_lang::ports::{CodePlace, Request, TaskChange, TaskNumber, Tasks};
 use val3_lang::runtime_errors::{NO_TASK, TaskState as Number};
 
 use crate::resume::line_to_resume;
 use crate::roster::Roster;
 use crate::{Instance, InstanceId, TaskState};
 
-/// Changes of tasks, with their names.
-pub(crate) type Changes = SmallVec<[(TaskNumber, String, TaskChange); 1]>;
+/// Changes of tasks, with their names and where they are.
+pub(crate) type Changes = SmallVec<[(TaskNumber, String, TaskChange, Option<CodePlace>); 1]>;
 
 /// What the programs of `owner` can reach.
 pub(crate) struct Services<'v> {
@@ -36,7 +36,7 @@ impl Tasks for Services<'_> {
             && task.is_running()
         {
             task.state = TaskState::Halted;
-            self.changes.push((task.id, task.name.clone(), TaskChange::Halted));
+            self.changes.push((task.id, task.name.clone(), TaskChange::Halted, task.thread.place()));
         }
         Ok(())
     }
@@ -56,14 +56,14 @@ impl Tasks for Services<'_> {
             task.thread.go_to_line(op);
         }
         task.state = TaskState::Running;
-        self.changes.push((task.id, task.name.clone(), TaskChange::Resumed));
+        self.changes.push((task.id, task.name.clone(), TaskChange::Resumed, task.thread.place()));
         Ok(())
     }
 
     fn kill(&mut self, name: &str) {
         let found = self.roster.find(self.owner, name);
         if let Some(task) = found.and_then(|at| self.roster.end(at)) {
-            self.changes.push((task.id, task.name.clone(), TaskChange::Killed));
+            self.changes.push((task.id, task.name.clone(), TaskChange::Killed, task.thread.place()));
         }
     }
 

@@ -3,7 +3,7 @@
 use val3_lang::call::{Wait, Waiting};
 use val3_lang::fault::Fault;
 use val3_lang::memory::{Place, Stack};
-use val3_lang::ports::{TaskNumber, Time};
+use val3_lang::ports::{CodePlace, TaskNumber, Time};
 
 use crate::InstanceId;
 
@@ -54,6 +54,13 @@ pub(crate) struct NewThread {
 }
 
 impl Thread {
+    /// Where it is; `None` while the interpreter has it.
+    #[must_use]
+    pub fn place(&self) -> Option<CodePlace> {
+        let frame = self.frames.last()?;
+        Some(CodePlace { instance: frame.instance.0, program: frame.program, line: self.line })
+    }
+
     /// Goes to the beginning of a line: what it waited for within one is forgotten.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);

@@ -100,7 +100,7 @@ impl Machine<'_> {
         let program = self.resolve(frame.instance, site.call.program)?;
         let thread = self.new_thread(program, &arguments)?;
         let id = self.roster.new_id();
-        self.ports.task(id, &name, TaskChange::Created);
+        self.ports.task(id, &name, TaskChange::Created, thread.place());
         self.roster.add(id, &name, frame.instance, rate, NewThread { thread, stack_size: image.stack_size });
         self.end_with_turn();
         Ok(())

@@ -39,7 +39,7 @@ impl Vm {
         let stack_size = self.space.instance(instance).map_or(0, |instance| instance.image.stack_size);
         let mut machine = self.machine(id, Grant::once(0), (0, 0), stack_size, host);
         let thread = machine.new_thread((instance, program), &[])?;
-        host.task(id, name, TaskChange::Created);
+        host.task(id, name, TaskChange::Created, thread.place());
         self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)
     }
@@ -98,7 +98,7 @@ impl Vm {
             Stop::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
                 thread.go_to_line(thread.line);
-                host.task(id, &task.name, TaskChange::Failed(fault));
+                host.task(id, &task.name, TaskChange::Failed(fault), None);
             }
             Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
             Stop::Ended | Stop::Budget | Stop::Waits | Stop::Halted => {}
@@ -107,7 +107,7 @@ impl Vm {
         if stop == Stop::Ended
             && let Some(task) = self.roster.end(at)
         {
-            host.task(id, &task.name, TaskChange::Ended);
+            host.task(id, &task.name, TaskChange::Ended, None);
         }
         self.sweep();
     }
@@ -137,7 +137,7 @@ impl Vm {
     /// Kills a task from outside.
     pub fn kill(&mut self, id: TaskNumber, host: &mut dyn Host) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.end(at)) {
-            host.task(id, &task.name, TaskChange::Killed);
+            host.task(id, &task.name, TaskChange::Killed, task.thread.place());
         }
         self.sweep();
     }

@@ -23,10 +23,19 @@ mod task_errors;
 mod turns;
 mod waiting;
 
-/// What an application prints until it has ended, and the numbers of the errors of its tasks.
+/// What an application prints until it has ended, and the numbers of the errors of its tasks. Whoever runs it again sees
+/// the same.
+#[track_caller]
+fn run(listing: &str) -> String {
+    let [first, second] = [(), ()].map(|()| Running::start(listing).to_the_end());
+    assert_eq!(first.events, second.events, "the second run differs");
+    first.printed()
+}
+
+/// As [`run`].
 #[track_caller]
 fn check(listing: &str, expected: Expect) {
-    let printed = Running::start(listing).to_the_end().printed();
+    let printed = run(listing);
     // Blanks at the end of a line cannot be seen.
     expected.assert_eq(&printed.lines().map(|line| format!("{}\n", line.trim_end())).collect::<String>());
 }
@@ -54,7 +63,7 @@ fn errors(data: &str, lines: &[&str], expected: Expect) {
         programs.collect::<String>(),
         tries.collect::<String>()
     );
-    let printed = Running::start(&listing).to_the_end().printed();
+    let printed = run(&listing);
     let printed: Vec<&str> = printed.lines().filter(|line| !line.starts_with("error ")).collect();
     expected.assert_eq(&(printed.join("\n") + "\n"));
 }

@@ -102,10 +102,10 @@ fn keys_power_and_modes_come_from_outside() {
             1
             1
             {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"0"}
-            {"t":0.5,"kind":"put","screen":"","x":0,"y":0,"text":"01"}
+            {"t":0.5,"kind":"put","screen":"","x":0,"y":0,"text":"1"}
             {"t":0.5,"kind":"power","on":true}
-            {"t":0.504,"kind":"put","screen":"","x":0,"y":0,"text":"012"}
-            {"t":0.508,"kind":"put","screen":"","x":0,"y":0,"text":"012"}
+            {"t":0.504,"kind":"put","screen":"","x":0,"y":0,"text":"12"}
+            {"t":0.508,"kind":"put","screen":"","x":0,"y":0,"text":"12"}
             {"t":1.0,"kind":"power","on":false}
             {"t":2.0,"kind":"mode","mode":1}
         "#]],
@@ -198,6 +198,63 @@ fn inputs_outputs_and_faults() {
             {"t":1.0,"kind":"io","link":"Board\\%IW2","value":4.0}
             {"t":2.0,"kind":"io","link":"Board\\%I0","value":0.0}
             {"t":3.0,"kind":"io","link":"Board\\%I0","value":1.0}
+        "#]],
+    );
+}
+
+#[test]
+fn the_safety_circuit_calibration_and_simulation_come_from_outside() {
+    check(
+        r#"
+            [[at]]
+            t = 1
+            safety_fault = "DOOR"
+            calibrated = false
+            simulate = { "Board\\%Q0" = true, "Board\\none" = true }
+            [[at]]
+            t = 2
+            safety_fault = false
+            calibrated = true
+            simulate = { "Board\\%Q0" = false }
+        "#,
+        r#"
+        num n
+          for n=0 to 2
+            ? safetyFault(sSignal)
+            ? sSignal
+            ? esStatus()
+            ? isCalibrated()
+            ? ioStatus(doOut)
+            doOut=(n==1)
+            delay(1)
+          endFor
+        === main/main.dtx
+        <?xml version="1.0" encoding="utf-8"?>
+        <Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
+          <Datas>
+            <Data name="doOut" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Board\%Q0" /></Data>
+            <Data name="n" access="private" xsi:type="array" type="num" size="1" />
+            <Data name="sSignal" access="private" xsi:type="array" type="string" size="1" />
+          </Datas>
+        </Database>
+        "#,
+        expect![[r#"
+            false
+
+            0
+            true
+            0
+            true
+            DOOR
+            2
+            false
+            2
+            false
+            DOOR
+            0
+            true
+            0
+            {"t":1.0,"kind":"log","level":"error","text":"script, t = 1: no input or output is called `Board\\none`"}
         "#]],
     );
 }

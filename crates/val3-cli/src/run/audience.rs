@@ -36,6 +36,11 @@ impl Audience {
         })
     }
 
+    /// Those who read what the run writes have gone.
+    pub(super) fn has_left(&self) -> bool {
+        self.record.is_abandoned() || self.console.is_abandoned()
+    }
+
     /// Lets the operator do something, if there is one.
     pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<Wish, UserError> {
         self.live.as_mut().map_or(Ok(Wish::GoOn), |live| live.attend(controller))
@@ -44,7 +49,9 @@ impl Audience {
     /// Nothing happens any more. What was to be read on a page that is gone now stays readable.
     pub(super) fn close(mut self) -> Result<Console, UserError> {
         let read = self.live.take().map(Live::close).unwrap_or_default();
-        read.iter().try_for_each(|line| self.console.say(line))?;
+        for line in &read {
+            self.console.say(line)?;
+        }
         self.record.close()?;
         Ok(self.console)
     }

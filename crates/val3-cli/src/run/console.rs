@@ -5,13 +5,13 @@ use std::io;
 use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, What};
-use val3_machine::screen::{COLUMNS, Pendant, display_columns};
+use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
 
 use crate::application::lacking;
 use crate::args::Color;
 use crate::format::human;
 use crate::opening::current_folder;
-use crate::output::{to_stderr_in_color, to_stdout};
+use crate::output::{to_reader, to_stderr_in_color, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
@@ -27,6 +27,7 @@ pub(crate) struct Console {
     color: Color,
     /// The standard output is free for what the application says.
     speaks: bool,
+    is_read: bool,
     paths: Paths,
     /// Tasks that an error has stopped and that were not seen to go on or end by the doing of others.
     failed: Vec<String>,
@@ -35,7 +36,7 @@ pub(crate) struct Console {
 impl Console {
     pub(crate) fn new(color: Color, speaks: bool) -> Result<Self, UserError> {
         let paths = Paths::new(&[], &current_folder()?);
-        Ok(Self { color, speaks, paths, failed: Vec::new() })
+        Ok(Self { color, speaks, is_read: true, paths, failed: Vec::new() })
     }
 
     /// A task has ended in an error that no other task has cared for.
@@ -67,17 +68,22 @@ impl Console {
         let What::Task { state, name, .. } = &event.what else { return };
         match *state {
             "error" => self.failed.push(name.to_owned()),
-            "resumed" | "killed" => self.failed.retain(|failed| failed != name),
+            "resumed" | "killed" if event.task.is_some() => self.failed.retain(|failed| failed != name),
             _ => {}
         }
     }
 
     /// Writes a line to the standard output, if it is free.
-    pub(crate) fn say(&self, text: &str) -> Result<(), UserError> {
-        if !self.speaks {
-            return Ok(());
+    pub(crate) fn say(&mut self, text: &str) -> Result<(), UserError> {
+        if self.speaks {
+            self.is_read = to_reader(self.color, |out| writeln!(out, "{text}"))?;
         }
-        to_stdout(self.color, |out| writeln!(out, "{text}"))
+        Ok(())
+    }
+
+    /// Nobody reads the standard output any more.
+    pub(crate) fn is_abandoned(&self) -> bool {
+        !self.is_read
     }
 
     /// A run-time error with its line.
@@ -100,15 +106,23 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
-    /// The user page that the pendant shows.
+    /// The user page that the pendant shows, with its title in the frame; on the standard error output where the
+    /// standard output is taken.
     pub(crate) fn page(&self, pendant: &Pendant) -> Result<(), UserError> {
         let Some(page) = pendant.page(pendant.shown()) else { return Ok(()) };
         let width = COLUMNS;
         let padded = |line: String| format!("{line}{:1$}", "", width.saturating_sub(display_columns(&line)));
-        to_stdout(self.color, |out: &mut dyn WriteColor| -> io::Result<()> {
-            writeln!(out, "+{:-<width$}+", "")?;
+        let title = fitting(page.title(), width);
+        let behind = width.saturating_sub(display_columns(title));
+        let picture = |out: &mut dyn WriteColor| -> io::Result<()> {
+            writeln!(out, "+{title}{:-<behind$}+", "")?;
             page.lines().try_for_each(|line| writeln!(out, "|{}|", padded(line)))?;
             writeln!(out, "+{:-<width$}+", "")
-        })
+        };
+        if self.speaks {
+            return to_stdout(self.color, picture);
+        }
+        to_stderr_in_color(self.color, picture);
+        Ok(())
     }
 }

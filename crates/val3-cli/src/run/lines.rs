@@ -7,12 +7,13 @@ use std::str::FromStr;
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::devices::Lines;
 use val3_machine::sio::{ChannelConfig, Line, LineKind, Reach, Setting, channels, replay};
-use val3_syntax::encoding::decode;
 
+use super::outside::config;
+use super::settings::Settings;
 use crate::args::RunArgs;
 use crate::user_error::UserError;
 
-/// A line that an argument connects: `Socket\host=server:2000`.
+/// A line that an argument or a `val3.toml` connects: `Socket\host=server:2000`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LineArg {
     link: String,
@@ -51,25 +52,41 @@ impl FromStr for LineArg {
     }
 }
 
-/// Connects the lines of the cell around `disk`, and those that the arguments name.
-pub(crate) fn connect(lines: &mut Lines, disk: &Utf8Path, args: &RunArgs) -> Result<(), UserError> {
+/// Connects the lines of the cell around `disk`, and those that the settings name.
+pub(super) fn connect(
+    lines: &mut Lines,
+    disk: &Utf8Path,
+    args: &RunArgs,
+    settings: &Settings,
+) -> Result<(), UserError> {
     if args.events.is_some() {
         lines.record();
     }
     if let Some(file) = &args.replay {
         lines.replay(recorded(file)?);
     }
-    let mut configs = of_cell(disk);
-    configs.extend(args.line.iter().map(LineArg::config));
-    let reach = if args.network { Reach::Network } else { Reach::Loopback };
+    let configs = connected(of_cell(disk), &settings.lines);
+    let reach = if settings.network { Reach::Network } else { Reach::Loopback };
     lines.configure(&configs, reach).map_err(|link| {
         UserError::new(format!("the line `{link}` cannot be configured so"))
-            .with_help("look at its parameters in sio.cfx, and at --line")
+            .with_help("look at its parameters in sio.cfx, at --line and at [run] in val3.toml")
     })?;
     if args.replay.is_none() {
-        args.line.iter().try_for_each(|arg| arg.open(lines))?;
+        settings.lines.iter().try_for_each(|line| line.open(lines, &configs))?;
     }
     Ok(())
+}
+
+/// The lines of a cell, each with the end that the last of `lines` for it names. It keeps its other parameters.
+fn connected(mut configs: Vec<ChannelConfig>, lines: &[LineArg]) -> Vec<ChannelConfig> {
+    for line in lines {
+        let mut config = line.config();
+        if let Some(at) = configs.iter().position(|known| known.link.eq_ignore_ascii_case(&line.link)) {
+            config.take_over(&configs.remove(at));
+        }
+        configs.push(config);
+    }
+    configs
 }
 
 /// What lines have answered in another run.
@@ -84,9 +101,7 @@ fn recorded(file: &Utf8Path) -> Result<std::collections::BTreeMap<String, Vec<va
 
 /// The lines that `usr/configs/sio.cfx` names.
 fn of_cell(disk: &Utf8Path) -> Vec<ChannelConfig> {
-    let file = disk.parent().map(|usr| usr.join("configs/sio.cfx"));
-    let bytes = file.and_then(|file| fs::read(file).ok());
-    bytes.map(|bytes| channels(&decode(bytes).text)).unwrap_or_default()
+    config(disk, "sio.cfx").map(|text| channels(&text)).unwrap_or_default()
 }
 
 impl LineArg {
@@ -99,14 +114,16 @@ impl LineArg {
     }
 
     /// Connects a serial device; sockets open when a program uses them.
-    fn open(&self, lines: &mut Lines) -> Result<(), UserError> {
+    fn open(&self, lines: &mut Lines, configs: &[ChannelConfig]) -> Result<(), UserError> {
         let LineEnd::Device(device) = &self.end else { return Ok(()) };
         let refused = |reason: String| {
             UserError::new(format!("cannot open the device `{device}` for `{}`: {reason}", self.link))
                 .with_help("name a serial device that you may read and write")
         };
         let line = serial(device).map_err(|error| refused(error.to_string()))?;
-        lines.attach(&self.config(), line, true).map_err(|_| refused("it does not take the parameters".to_owned()))
+        let known = configs.iter().find(|known| known.link == self.link && known.kind == LineKind::Serial);
+        let config = known.cloned().unwrap_or_else(|| self.config());
+        lines.attach(&config, line, true).map_err(|_| refused("it does not take the parameters".to_owned()))
     }
 }
 

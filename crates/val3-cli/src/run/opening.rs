@@ -6,6 +6,7 @@ use val3_compile::CompileError;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
 
+use super::settings::Settings;
 use super::{lines, outside};
 use crate::application::{Images, Media, compile, only_application, set_arm};
 use crate::args::{Color, RunArgs};
@@ -52,13 +53,16 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
             return Ok(Opened::Faulty(ExitCode::from(EXIT_USAGE)));
         }
     };
+    let settings = Settings::of(args, project.configuration(db).map(|configuration| configuration.file(db)))?;
     let mut media = Media::of(db, project)?;
-    args.root.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
+    settings.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
     let Media { roots, disk, application } = media;
     let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
     outside::declare_io(&mut devices, db, project);
-    lines::connect(&mut devices.lines, &disk, args)?;
-    let mut controller = Controller::new(devices, image, application, args.line_cost);
+    outside::describe(&mut devices, &disk, args);
+    settings.apply(&mut devices);
+    lines::connect(&mut devices.lines, &disk, args, &settings)?;
+    let mut controller = Controller::new(devices, image, application, settings.line_cost);
     outside::arrange(&mut controller, args)?;
     started(controller, args)
 }

@@ -3,14 +3,18 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::ports::{SECOND, Time, nanoseconds};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
-use crate::args::{RunArgs, RunTime};
+use crate::args::RunArgs;
 
-/// How long the outside is given to do something while all tasks wait for it: a cycle, as long as it takes.
+/// How long the outside is given to do something in each cycle while a program talks to it: a cycle, as long as it
+/// takes.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
+
+/// The longest sleep.
+const NAP: Time = SECOND / 10;
 
 /// The pace of a run.
 pub(crate) struct Pace {
@@ -25,8 +29,7 @@ impl Pace {
     /// The pace that the arguments ask for; an operator needs the clock on the wall.
     pub(crate) fn new(args: &RunArgs) -> Self {
         let until = args.until.map(nanoseconds);
-        let is_real = args.time == RunTime::Real || args.interactive;
-        Self { started: is_real.then(Instant::now), until, attended: args.interactive }
+        Self { started: args.follows_wall().then(Instant::now), until, attended: args.interactive }
     }
 
     /// The time of the run is up.
@@ -34,30 +37,45 @@ impl Pace {
         self.until.is_some_and(|until| now >= until)
     }
 
-    /// Waits until the clock on the wall has come as far.
-    pub(crate) fn follow(&self, now: Time) {
-        if let Some(started) = self.started {
-            sleep((started + Duration::from_nanos(now)).saturating_duration_since(Instant::now()));
+    /// Waits until the clock on the wall has come as far. In virtual time it counts while a program uses a line to the
+    /// outside, which could not answer in time otherwise.
+    pub(crate) fn follow(&self, controller: &Controller) {
+        match self.started {
+            Some(started) => {
+                sleep((started + Duration::from_nanos(controller.now())).saturating_duration_since(Instant::now()));
+            }
+            None if controller.devices.lines.reach_outside() => sleep(LISTENING),
+            None => {}
         }
     }
 
     /// All tasks wait until `wake`, or for the outside. Whether something can still happen.
-    pub(crate) fn wait(&mut self, controller: &mut Controller, wake: Option<Time>) -> bool {
-        let next = [wake, controller.next_due()].into_iter().flatten().min();
+    pub(crate) fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> bool {
         if self.attended || controller.hears_outside() {
             // What comes from outside comes at its own time: the clock on the wall decides, cycle by cycle.
-            if self.started.is_none() && controller.devices.lines.reach_outside() {
-                sleep(LISTENING);
-            }
-            self.follow(controller.now());
+            self.follow(controller);
             return true;
         }
-        let Some(next) = next.into_iter().chain(self.until).min().filter(|_| next.is_some() || self.until.is_some())
-        else {
-            return false;
-        };
-        controller.jump(next);
-        self.follow(controller.now());
+        let next = [wake, controller.next_due(), self.until].into_iter().flatten().min();
+        self.jump(controller, next)
+    }
+
+    /// No task can go on: what comes over lines is of no use, but the operator may stop the application. Whether there
+    /// is one, or a script says what one does.
+    pub(crate) fn wait_for_operator(&self, controller: &mut Controller) -> bool {
+        if self.attended {
+            self.follow(controller);
+            return true;
+        }
+        let next = controller.next_due().map(|due| self.until.map_or(due, |until| due.min(until)));
+        self.jump(controller, next)
+    }
+
+    fn jump(&self, controller: &mut Controller, next: Option<Time>) -> bool {
+        let Some(next) = next else { return false };
+        // The clock on the wall may be interrupted.
+        controller.jump(if self.started.is_some() { next.min(controller.now() + NAP) } else { next });
+        self.follow(controller);
         true
     }
 }

@@ -12,6 +12,7 @@ use crate::user_error::UserError;
 pub(crate) struct Record {
     out: Option<Box<dyn Write>>,
     path: Utf8PathBuf,
+    is_read: bool,
 }
 
 impl Record {
@@ -23,7 +24,7 @@ impl Record {
             "-" => Some(Box::new(BufWriter::new(io::stdout()))),
             _ => Some(Box::new(BufWriter::new(File::create(&path).map_err(|error| refused(&path, &error))?))),
         };
-        Ok(Self { out, path })
+        Ok(Self { out, path, is_read: true })
     }
 
     /// The standard output is taken: what people read goes elsewhere.
@@ -38,6 +39,11 @@ impl Record {
         self.judge(written)
     }
 
+    /// Nobody reads it any more.
+    pub(crate) fn is_abandoned(&self) -> bool {
+        !self.is_read
+    }
+
     /// Writes what is still held back.
     pub(crate) fn close(&mut self) -> Result<(), UserError> {
         let written = self.out.as_mut().map_or(Ok(()), |out| out.flush());
@@ -46,9 +52,11 @@ impl Record {
 
     fn judge(&mut self, written: io::Result<()>) -> Result<(), UserError> {
         match written {
-            Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(refused(&self.path, &error)),
-            _ => Ok(()),
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => self.is_read = false,
+            Err(error) => return Err(refused(&self.path, &error)),
+            Ok(()) => {}
         }
+        Ok(())
     }
 }
 

@@ -78,3 +78,62 @@ fn each_setting_says_who_sets_it() {
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
     insta::assert_snapshot!(run.stdout);
 }
+
+const ROBOT: &str = r#"
+num nStart
+program start()
+begin
+  ? getMonitorSpeed()
+  ? getProfile()
+  ? setProfile("operator","4321")
+  ? setProfile("operator","1234")
+  ? setMonitorSpeed(90)
+  ? getVersion("alter")
+  ? getVersion("compliance")
+  ? getVersion("testMode")
+  ? libList("USB0://",sList)
+  ? sList[0]
+  nStart=clock()
+  for nStart=1 to 999
+  endFor
+  ? clock()>0.1
+end
+string sList[1]
+"#;
+
+#[test]
+fn the_controller_of_a_run_is_configured() {
+    let folder = with_config(
+        ROBOT,
+        r#"
+roots = { USB0 = "stick" }
+[run]
+monitor-speed = 40
+line-cost = 100
+profiles.operator = { password = "1234", controls-speed = true }
+licences = { alter = "demo", compliance = "missing" }
+"#,
+    );
+    folder.write("stick/note.txt", "");
+    let run = folder.val3(&["run"]);
+    assert_eq!((run.code, run.stdout.as_str()), (0, "40\ndefault\n2\n0\n-2\ndemo\n\nenabled\ntrue\nnote.txt\ntrue\n"));
+    let run = folder.val3(&["run", "--monitor-speed", "30", "--line-cost", "1"]);
+    assert!(run.stdout.starts_with("30\n") && run.stdout.ends_with("false\n"), "{run:?}");
+    folder.write("val3.toml", "run.profile = \"staubli\"\nroots = { USB0 = \"stick\" }\n");
+    assert!(folder.val3(&["run"]).stdout.starts_with("100\nstaubli\n4\n4\n0\nenabled\n"));
+}
+
+#[test]
+fn a_run_refuses_what_its_settings_do_not_take() {
+    for (config, word) in [
+        ("run.line-cost = 0", "a line cannot take 0 µs"),
+        ("run.monitor-speed = 101", "the monitor speed cannot be 101 %"),
+        ("[run.lines]\n'Socket\\host' = \"sever:1\"", "`sever:1` is nothing"),
+        ("run.lines = 3", "`run.lines` must be a table"),
+        ("run.licences.alter = \"trial\"", "must be one of enabled, demo, missing"),
+    ] {
+        let run = with_config(CLEAN, config).val3(&["run"]);
+        assert_eq!(run.code, 2, "{run:?}");
+        assert!(run.stderr.contains(word) && run.stderr.contains("val3.toml:"), "{run:?}");
+    }
+}

@@ -6,6 +6,7 @@ use std::process::Child;
 use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
+use rustix::process::{Pid, Signal, kill_process};
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcgetattr, tcsetwinsize};
 
@@ -107,4 +108,33 @@ fn without_a_terminal_it_says_so() {
     let run = Folder::with("?1\n").val3(&["run", "--interactive", "usrapp/main"]);
     assert_eq!((run.code, run.stdout.as_str()), (2, ""));
     assert!(run.stderr.contains("--interactive needs a terminal"), "{}", run.stderr);
+}
+
+#[test]
+fn a_signal_leaves_the_terminal_as_it_was() {
+    let folder = Folder::with("putln(\"ready\")\nget()\n");
+    for (signal, code) in [(Signal::TERM, 143), (Signal::HUP, 129), (Signal::INT, 130)] {
+        let mut terminal = Terminal::run(&folder);
+        let before = tcgetattr(&terminal.line).unwrap().local_modes;
+        terminal.wait_for("ready");
+        kill_process(Pid::from_child(&terminal.child), signal).unwrap();
+        terminal.wait_for("\x1b[?1049l");
+        assert_eq!(terminal.child.wait().unwrap().code(), Some(code));
+        assert_eq!(tcgetattr(&terminal.line).unwrap().local_modes, before);
+    }
+}
+
+/// A run that somebody ends from outside has written everything down, and how it ended.
+#[test]
+fn a_signal_leaves_a_whole_record() {
+    let folder = Folder::with("while true\n?1\ndelay(3600)\nendWhile\n");
+    let mut command = folder.command(&["run", "--time", "real", "--events", "events.jsonl", "usrapp/main"]);
+    let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+    let mut first = [0; 2];
+    child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+    kill_process(Pid::from_child(&child), Signal::TERM).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+    let events = folder.read("events.jsonl");
+    assert!(events.contains(r#""kind":"print","text":"1""#), "{events}");
+    assert!(events.ends_with("\"kind\":\"end\",\"reason\":\"stopped\"}\n"), "{events}");
 }

@@ -13,9 +13,11 @@ mod faulty_cell;
 mod fixes;
 mod fmt;
 mod formats;
+mod hostile;
 #[cfg(unix)]
 mod live;
 mod lsp;
+mod peers;
 mod ros;
 mod run;
 mod statistics;

@@ -1,5 +1,10 @@
 //! `val3 run`.
 
+use std::io::Read as _;
+use std::process::Stdio;
+
+use serde_json::Value;
+
 use crate::support::{FAULTY, Folder, Run};
 
 /// An application that meets the error 10 in a task of its own, and what `start` does about it.
@@ -105,6 +110,7 @@ fn a_script_and_keys_stand_for_people() {
     let folder = Folder::with("num nKey\nnKey=get()\n? nKey\nwait(nKey==4)\n? clock()\n");
     folder.write("people.toml", "[[at]]\nt = 2\nset = { nKey = 4 }\n");
     ends(&folder.val3(&["run", "--keys", "271", "--script", "people.toml"]), 0, "271\n2\n");
+    ends(&folder.val3(&["run", "--keys", "F1", "--script", "people.toml"]), 0, "271\n2\n");
 }
 
 #[test]
@@ -119,6 +125,7 @@ fn wrong_usage() {
         (&["run", "--script", "bad.toml"], "sett"),
         (&["run", "--events", "no/such/x"], "no/such/x"),
         (&["run", "--monitor-speed", "101"], "101"),
+        (&["run", "--keys", "97,Enter"], "`Enter` is no key"),
     ] {
         let run = folder.val3(arguments);
         ends(&run, 2, "");
@@ -149,4 +156,139 @@ fn a_limit_of_the_controller_is_shown_at_its_line() {
 fn sum(from: u32) -> String {
     let parts: String = (from..from + 100).map(|number| format!("+{number}")).collect();
     format!("  n=n{parts}\n")
+}
+
+/// The events of one kind that a run writes.
+fn events(folder: &Folder, arguments: &[&str], kind: &str) -> Vec<Value> {
+    let run = folder.val3(&[&["run", "--events", "-"], arguments].concat());
+    let events = run.stdout.lines().map(|line| serde_json::from_str::<Value>(line).unwrap());
+    events.filter(|event| event["kind"] == kind).collect()
+}
+
+#[test]
+fn events_of_tasks_say_where_the_named_task_is() {
+    let folder = Folder::with(
+        r#"
+program work()
+begin
+  while true
+    delay(1)
+  endWhile
+end
+program start()
+begin
+  taskCreate "work",10,work()
+  delay(0)
+  taskSuspend("work")
+  taskResume("work",0)
+  taskKill("work")
+end
+"#,
+    );
+    let told = events(&folder, &[], "task");
+    let place = |event: &Value| {
+        let text = |key: &str| event[key].as_str().unwrap_or("-").to_owned();
+        format!("{} {} {} {} {}", text("task"), text("state"), text("name"), text("program"), event["line"])
+    };
+    let told: Vec<String> = told.iter().map(place).collect();
+    let expected = [
+        "- created ~main start 5",
+        "~main created work work 5",
+        "~main suspended work work 6",
+        "~main resumed work work 6",
+        "~main killed work work 6",
+        "~main ended ~main start 9",
+    ];
+    assert_eq!(told[..6], expected);
+}
+
+#[test]
+fn a_run_ends_at_its_limit_to_the_dot() {
+    let folder = Folder::with("  wait(clock()<0)\n");
+    let end = events(&folder, &["--until", "2"], "end");
+    assert_eq!((&end[0]["t"], &end[0]["reason"]), (&2.0.into(), &"limit".into()));
+}
+
+#[test]
+fn a_run_whose_tasks_are_all_suspended_does_not_wait_for_its_limit() {
+    let folder = Folder::with("  taskSuspend(\"~main\")\n");
+    ends(&folder.val3(&["run", "--until", "1000"]), 1, "");
+    let end = events(&folder, &["--until", "1000"], "end");
+    assert_eq!((&end[0]["t"], &end[0]["reason"]), (&0.004.into(), &"error".into()));
+    folder.write("operator.toml", "[[at]]\nt = 5\nstop = true\n");
+    ends(&folder.val3(&["run", "--until", "1000", "--script", "operator.toml"]), 0, "");
+}
+
+/// The controller kills the tasks that are left; that does not mend them.
+#[test]
+fn an_error_is_not_handled_by_stopping_the_application() {
+    let folder = failing("wait(false)");
+    folder.write("operator.toml", "[[at]]\nt = 5\nstop = true\n");
+    ends(&folder.val3(&["run", "--script", "operator.toml"]), 1, "stop\n");
+}
+
+#[test]
+fn the_last_page_is_printed_with_its_title() {
+    let folder = Folder::with("  title(\"Line 中\")\n  putln(\"parts: 中文\")\n  put(12)\n");
+    let run = folder.val3(&["run", "--screen"]);
+    let lines: Vec<&str> = run.stdout.lines().collect();
+    assert_eq!((run.code, lines.len()), (0, 16), "{run:?}");
+    assert_eq!(lines[0], format!("+Line 中{}+", "-".repeat(33)));
+    assert_eq!(lines[1], format!("|parts: 中文{}|", " ".repeat(29)));
+    assert_eq!(lines[2], format!("|12{}|", " ".repeat(38)));
+    assert_eq!(lines[15], format!("+{}+", "-".repeat(40)));
+    let beside_events = folder.val3(&["run", "--screen", "--events", "-"]);
+    assert_eq!(beside_events.stderr, run.stdout);
+    assert!(beside_events.stdout.lines().all(|line| line.starts_with('{')), "{beside_events:?}");
+}
+
+#[test]
+fn the_cell_and_the_arguments_describe_the_controller() {
+    let code = "  ? getVersion(\"ArmType\")\n  ? getVersion(\"Mounting\")\n  ? getLanguage()\n  ? getDate(\"%Y-%m-%d %H:%M:%S\")\n";
+    let folder = Folder::with(code);
+    ends(&folder.val3(&["run"]), 0, "tx90-S1\nfloor\nenglish\n2024-01-01 00:00:00\n");
+    let entry = |name: &str, value: &str| format!("<String name=\"{name}\" value=\"{value}\"/>");
+    let arm = [entry("arm", "rs60-S1-D20-L200"), entry("mount", "ceiling")].concat();
+    folder.write("configs/arm.cfx", &format!("<arm>{arm}</arm>"));
+    folder.write("configs/cell.cfx", &format!("<cell>{}</cell>", entry("language", "suomi")));
+    let date = ["run", "--date", "2007-01-01T13:45:23"];
+    ends(&folder.val3(&date), 0, "rs60-S1-D20-L200\nceiling\nsuomi\n2007-01-01 13:45:23\n");
+    let run = folder.val3(&["run", "--time", "real", "--arm", "rs40"]);
+    let year: u32 = run.stdout.split(['\n', '-']).nth(3).unwrap().parse().unwrap();
+    assert!(run.stdout.starts_with("rs40\n") && year > 2024, "{run:?}");
+    assert_eq!(folder.val3(&["run", "--date", "2007-02-30T00:00:00"]).code, 2);
+}
+
+#[test]
+fn each_example_runs_the_same_twice() {
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples");
+    let mut ran = 0;
+    for cell in ["palletiser", "faulty"] {
+        for application in std::fs::read_dir(format!("{examples}/{cell}/usr/usrapp")).unwrap() {
+            let folder = Folder::empty();
+            let path = application.unwrap().path();
+            let run = || {
+                let run = folder.val3(&["run", path.to_str().unwrap(), "--until", "60", "--events", "events.jsonl"]);
+                let events = std::fs::read_to_string(folder.path().join("events.jsonl")).ok();
+                (run.code, run.stdout, run.stderr, events)
+            };
+            let first = run();
+            assert!(first == run(), "{path:?} {first:?}");
+            ran += usize::from(first.3.is_some_and(|events| events.contains("\"kind\":\"end\"")));
+        }
+    }
+    assert!(ran > 0, "no example has run");
+}
+
+/// `val3 run … | head -3` ends although the application does not.
+#[test]
+fn a_run_that_nobody_reads_ends() {
+    let folder = Folder::with(ENDLESS);
+    for arguments in [&["run"][..], &["run", "--events", "-"]] {
+        let mut command = folder.command(arguments);
+        let mut child = command.stdin(Stdio::null()).stdout(Stdio::piped()).spawn().unwrap();
+        let mut first = [0; 3];
+        child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+        assert_eq!(child.wait().unwrap().code(), Some(0));
+    }
 }

@@ -1,7 +1,7 @@
 use expect_test::{Expect, expect};
 
 use super::*;
-use crate::Level;
+use crate::{Level, Licence, Profile};
 
 const FULL: &str = r#"
 version = "s8.12"
@@ -21,6 +21,14 @@ line-length = 120
 
 [lint.prefixes]
 num = "n"
+
+[run]
+lines = { 'Socket\host' = "server:2000" }
+line-cost = 0.5
+monitor-speed = 40
+profile = "operator"
+profiles.operator = { password = "1234", controls-speed = true }
+licences = { alter = "demo" }
 "#;
 
 fn parse(text: &str) -> Result<ConfigFile, ConfigError> {
@@ -38,6 +46,12 @@ fn everything_that_can_be_said() {
     assert_eq!(file.config.version.map(|version| version.to_string()).as_deref(), Some("s8.12"));
     assert_eq!(file.config.rules.get("V0301"), Some(&Level::Off));
     assert_eq!((file.config.lint.line_length, file.config.lint.complexity), (120, 20));
+    let run = &file.config.run;
+    assert_eq!((run.line_cost, run.monitor_speed, run.network), (Some(0.5), Some(40), false));
+    assert_eq!(run.profiles["operator"], Profile { password: "1234".to_owned(), controls_speed: true });
+    assert_eq!(run.licences["alter"], Licence::Demo);
+    assert_eq!((file.line(r"run.lines.Socket\host"), file.line("run.line-cost")), (Some(21), Some(22)));
+    assert_eq!(parse("run.line-cost = 3").unwrap().config.run.line_cost, Some(3.0));
     assert!(file.excludes(Utf8Path::new("cell/old/app/app.pjx")));
     assert!(!file.excludes(Utf8Path::new("old/app/app.pjx")));
     assert_eq!(

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use crate::fault::{Fault, Result};
 use crate::memory::View;
-use crate::ports::{Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
+use crate::ports::{CodePlace, Origin, Ports, Request, TaskChange, TaskNumber, Tasks};
 use crate::runtime_errors::{NO_TASK, TaskState};
 use crate::types::BaseType;
 
@@ -14,7 +14,7 @@ pub(super) struct Nothing;
 impl Ports for Nothing {
     fn origin(&mut self, _: Origin) {}
 
-    fn task(&mut self, _: TaskNumber, _: &str, _: TaskChange) {}
+    fn task(&mut self, _: TaskNumber, _: &str, _: TaskChange, _: Option<CodePlace>) {}
 
     fn port(&mut self, _: BaseType, _: &str) -> Option<u32> {
         None

@@ -12,9 +12,14 @@ pub struct Calendar {
 impl Default for Calendar {
     /// The controller is started on the first of January 2024 at midnight, so that runs are alike.
     fn default() -> Self {
-        let start = Date::from_calendar_date(2024, Month::January, 1).unwrap_or(Date::MIN);
-        Self { start: PrimitiveDateTime::new(start, Time::MIDNIGHT) }
+        Self { start: new_year(2024) }
     }
+}
+
+/// The first moment of a year.
+fn new_year(year: i32) -> PrimitiveDateTime {
+    let day = Date::from_calendar_date(year, Month::January, 1).unwrap_or(Date::MIN);
+    PrimitiveDateTime::new(day, Time::MIDNIGHT)
 }
 
 impl Calendar {
@@ -25,6 +30,13 @@ impl Calendar {
         let day = Date::from_calendar_date(year.into(), month.try_into().ok()?, day).ok()?;
         let time = Time::from_hms(hour, minute, second).ok()?;
         Some(Self { start: PrimitiveDateTime::new(day, time) })
+    }
+
+    /// The controller is started so many seconds after 1970 (UTC).
+    #[must_use]
+    pub fn starting_at_unix(seconds: u64) -> Self {
+        let seconds = Duration::seconds(i64::try_from(seconds).unwrap_or(i64::MAX));
+        Self { start: new_year(1970).saturating_add(seconds) }
     }
 
     /// The date `elapsed` nanoseconds after the start; the last one that exists, where that lies beyond it.
@@ -56,6 +68,11 @@ mod tests {
         assert_eq!(calendar.after(999_999_999), NEW_YEAR);
         assert_eq!(calendar.after(11 * hour), DateTime { day: 2, hour: 0, ..NEW_YEAR });
         assert_eq!(calendar.after(u64::MAX).year, 2299);
+    }
+
+    #[test]
+    fn the_date_of_a_computer() {
+        assert_eq!(Calendar::starting_at_unix(1_167_659_123).after(0), NEW_YEAR);
     }
 
     #[test]

@@ -29,6 +29,13 @@ impl Languages {
         &self.active
     }
 
+    /// Adds a language, if it is missing.
+    pub fn install(&mut self, language: &str) {
+        if !self.installed.iter().any(|known| known == language) {
+            self.installed.push(language.to_owned());
+        }
+    }
+
     /// `setLanguage`: `false` if it is not installed. Letter case counts.
     pub fn change(&mut self, language: &str) -> bool {
         let installed = self.installed.iter().any(|known| known == language);

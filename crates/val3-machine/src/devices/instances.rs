@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use val3_bytecode::{DataDef, Image, Program};
 use val3_lang::memory::{Place, Shape, StoreId};
+use val3_lang::ports::CodePlace;
 
 use super::Devices;
 
@@ -25,12 +26,12 @@ impl Devices {
         }
     }
 
-    /// The program, line and file that the task that runs is in.
-    pub(super) fn place(&self) -> (String, u32, String) {
-        let held = self.instances.get(usize::from(self.origin.instance)).and_then(Option::as_ref);
+    /// The program, the line of the file and the file of a place.
+    pub(super) fn place(&self, at: CodePlace) -> (String, u32, String) {
+        let held = self.instances.get(usize::from(at.instance)).and_then(Option::as_ref);
         let found = held.and_then(|Held { image, .. }| {
-            let program: &Program = image.programs.get(usize::from(self.origin.program))?;
-            let line = program.line_of(self.origin.line).and_then(|number| program.lines.get(number));
+            let program: &Program = image.programs.get(usize::from(at.program))?;
+            let line = program.line_of(at.line).and_then(|number| program.lines.get(number));
             let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
             Some((program.name.clone(), line.map_or(0, |line| line.row), file))
         });

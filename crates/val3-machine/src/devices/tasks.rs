@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::memory::StoreId;
-use val3_lang::ports::{Origin, Ports, TaskChange, TaskNumber};
+use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
 use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
@@ -19,7 +19,7 @@ impl Ports for Devices {
         self.origin = origin;
     }
 
-    fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange) {
+    fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange, at: Option<CodePlace>) {
         let (state, code) = match change {
             TaskChange::Created => ("created", None),
             TaskChange::Ended => ("ended", None),
@@ -31,7 +31,7 @@ impl Ports for Devices {
         if change == TaskChange::Created {
             self.names.insert(task, name.to_owned());
         }
-        let (program, line, file) = self.place();
+        let (program, line, file) = self.place(at.unwrap_or(self.origin.at));
         self.record(What::Task { state, name: name.to_owned(), program: program.clone(), line, code });
         if let Some(code) = code {
             let message = runtime_errors::find(code).map_or("", |error| error.short);
@@ -55,7 +55,7 @@ impl Ports for Devices {
 
 impl Host for Devices {
     fn lacking(&mut self, instruction: &str) {
-        let (program, line, file) = self.place();
+        let (program, line, file) = self.place(self.origin.at);
         self.record(What::Lacking { instruction: instruction.to_owned(), program, line, file });
         self.lacks = true;
     }

@@ -48,6 +48,8 @@ pub(super) struct Channel {
     pub(super) image: f64,
     /// What the hardware has.
     pub(super) hardware: f64,
+    /// The value that was told last.
+    told: f64,
     /// The value at which the operator holds it.
     pub(super) lock: Option<f64>,
     pub(super) simulated: bool,
@@ -90,7 +92,7 @@ impl IoTable {
         }
         let id = SignalId(u32::try_from(self.channels.len()).unwrap_or(u32::MAX));
         self.by_path.insert(signal.path.clone(), id);
-        self.channels.push(Channel { signal, image: 0.0, hardware: 0.0, lock: None, simulated: false, fault: None });
+        self.channels.push(Channel::new(signal));
         self.lead_links();
         id
     }
@@ -211,15 +213,25 @@ impl IoTable {
 }
 
 impl Channel {
+    fn new(signal: Signal) -> Self {
+        Self { signal, image: 0.0, hardware: 0.0, told: 0.0, lock: None, simulated: false, fault: None }
+    }
+
     fn refresh_input(&mut self) -> Option<f64> {
-        let seen = self.lock.unwrap_or(self.hardware);
-        (std::mem::replace(&mut self.image, seen) != seen).then_some(seen)
+        self.image = self.lock.unwrap_or(self.hardware);
+        self.tell()
     }
 
     fn refresh_output(&mut self) -> Option<f64> {
         if self.simulated {
             return None;
         }
-        (std::mem::replace(&mut self.hardware, self.image) != self.image).then_some(self.image)
+        self.hardware = self.image;
+        self.tell()
+    }
+
+    /// The value, if it is another one than before.
+    fn tell(&mut self) -> Option<f64> {
+        (std::mem::replace(&mut self.told, self.image) != self.image).then_some(self.image)
     }
 }

@@ -49,9 +49,18 @@ impl Reading {
                 Step::Ended(Answer { key, entry: Entry::Unchanged })
             }
             _ if key == keys::RETURN || keys::is_menu(key) => Step::Ended(Answer { key, entry: self.entry() }),
-            _ if self.editor.as_mut().is_some_and(|editor| editor.press(key)) => Step::Edited,
-            _ => Step::Nothing,
+            _ => self.edit(key),
         }
+    }
+
+    /// A lone 0 gives way to what is typed, so that a sign or a point may follow.
+    fn edit(&mut self, key: u16) -> Step {
+        let Some(editor) = &mut self.editor else { return Step::Nothing };
+        let types_number = keys::character(key).is_some_and(of_a_number);
+        if matches!(self.asked, Asked::Number { .. }) && types_number && editor.text() == "0" {
+            *editor = LineEditor::new("", of_a_number);
+        }
+        if editor.press(key) { Step::Edited } else { Step::Nothing }
     }
 
     /// What is accepted. A number that was not edited keeps the digits that are not shown; what is no number, such as
@@ -136,6 +145,8 @@ mod tests {
     fn a_number_is_edited_as_text() {
         assert_eq!(read(number(1.0, "1"), &[50, 46, 53, 270]).1, answer(270, Entry::Number(12.5)));
         assert_eq!(read(number(0.0, "0"), &[53, 270]).1, answer(270, Entry::Number(5.0)));
+        assert_eq!(read(number(0.0, "0"), &[45, 46, 53, 270]).1, answer(270, Entry::Number(-0.5)));
+        assert_eq!(read(number(0.0, "0"), &[263, 48, 270]).1, answer(270, Entry::Number(0.0)));
         assert_eq!(read(number(5.0, "5"), &[265, 45, 270]).1, answer(270, Entry::Number(-5.0)));
     }
 

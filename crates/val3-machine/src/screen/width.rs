@@ -12,6 +12,17 @@ pub fn display_columns(text: &str) -> usize {
     text.chars().map(columns_of).sum()
 }
 
+/// The beginning of `text` that takes no more than `columns`.
+#[must_use]
+pub fn fitting(text: &str, columns: usize) -> &str {
+    let mut taken = 0;
+    let beyond = text.char_indices().find(|(_, character)| {
+        taken += columns_of(*character);
+        taken > columns
+    });
+    beyond.and_then(|(at, _)| text.get(..at)).unwrap_or(text)
+}
+
 /// The columns of one character: 0, 1 or 2.
 pub(super) fn columns_of(character: char) -> usize {
     character.width().unwrap_or(1)
@@ -19,7 +30,12 @@ pub(super) fn columns_of(character: char) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::display_columns;
+    use super::{display_columns, fitting};
+
+    #[test]
+    fn what_fits_ends_before_a_character() {
+        assert_eq!([0, 1, 2, 3, 4].map(|columns| fitting("a中b", columns)), ["", "a", "a", "a中", "a中b"]);
+    }
 
     #[test]
     fn ascii_counts_as_len_does() {

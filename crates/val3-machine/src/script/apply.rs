@@ -99,6 +99,9 @@ impl Entry {
         for link in self.unlock.all() {
             tried(devices.unlock_io(link));
         }
+        for (link, simulated) in &self.simulate {
+            tried(devices.simulate_io(link, *simulated));
+        }
         if let Some(fault) = &self.fault {
             problems.extend(devices.fail(fault).err());
         }
@@ -110,6 +113,12 @@ impl Entry {
             Some(true) => devices.robot.press_emergency_stop(),
             Some(false) => devices.robot.release_emergency_stop(),
             None => {}
+        }
+        if let Some(fault) = &self.safety_fault {
+            devices.robot.set_safety_fault(fault.signal());
+        }
+        if let Some(calibrated) = self.calibrated {
+            devices.robot.set_calibrated(calibrated);
         }
         if let Some(mode) = self.mode {
             devices.robot.set_mode(mode.0, now);
@@ -139,6 +148,12 @@ impl Devices {
     fn unlock_io(&mut self, link: &str) -> Result<(), NoSignal> {
         let signal = self.known_signal(link)?;
         self.io.unlock(signal);
+        Ok(())
+    }
+
+    fn simulate_io(&mut self, link: &str, simulated: bool) -> Result<(), NoSignal> {
+        let signal = self.known_signal(link)?;
+        self.io.simulate(signal, simulated);
         Ok(())
     }
 

@@ -63,6 +63,24 @@ impl Level {
     }
 }
 
+/// A fault of the safety circuit.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(untagged, expecting = "write the name of a signal, or false where there is no fault any more")]
+pub(super) enum SafetyFault {
+    Signal(String),
+    Present(bool),
+}
+
+impl SafetyFault {
+    /// The name of the signal, `None` without a fault.
+    pub(super) fn signal(&self) -> Option<String> {
+        match self {
+            Self::Signal(name) => Some(name.clone()),
+            Self::Present(present) => present.then(String::new),
+        }
+    }
+}
+
 /// The value of a variable.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(untagged, expecting = "a variable is set to true, false, a number or a text")]

@@ -74,6 +74,18 @@ impl ChannelConfig {
         }
     }
 
+    /// Takes over the parameters of another configuration of the same channel, but for its other end. Of a channel of
+    /// another kind those are taken over that every kind has.
+    pub fn take_over(&mut self, other: &Self) {
+        let stays = |setting: &&Setting| match setting {
+            Setting::Port(_) | Setting::Target(_) => false,
+            Setting::Timeout(_) | Setting::EndOfString(_) => true,
+            _ => self.kind == other.kind,
+        };
+        let taken: Vec<Setting> = other.settings.iter().filter(stays).cloned().collect();
+        self.settings.splice(0..0, taken);
+    }
+
     /// The channel behind `line`, with the parameters of the configuration.
     ///
     /// # Errors
@@ -141,6 +153,20 @@ mod tests {
         assert_eq!(found[1].settings, motion);
         assert_eq!((found[2].port(), found[2].target()), (Some(2000), "192.168.0.254".parse().ok()));
         assert_eq!(found[0].settings.len(), 2);
+    }
+
+    #[test]
+    fn another_end_leaves_the_other_parameters() {
+        let found = channels(FILE);
+        let own = vec![Setting::Port(7)];
+        let mut server =
+            ChannelConfig { link: r"Socket\Motion".to_owned(), kind: LineKind::Server, settings: own.clone() };
+        let mut client = ChannelConfig { kind: LineKind::Client, ..server.clone() };
+        client.take_over(&found[0]);
+        assert_eq!(client.settings, own, "what a serial line has alone");
+        server.take_over(&found[1]);
+        let kept = [Setting::Timeout(-1.0), Setting::EndOfString(13), Setting::Nagle(false), Setting::Port(7)];
+        assert_eq!(server.settings, kept);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 use crate::call::Call;
 use crate::declare::instruction;
-use crate::runtime_errors;
+use crate::runtime_errors::{self, TaskState};
 use crate::values::Text;
 use crate::values::numbers;
 
@@ -22,10 +22,13 @@ instruction! {
     function (num nErrorCode) -> string = help;
 }
 
-/// In English, the only language that the virtual controller explains errors in; empty for a number that is no error.
+/// In English, the only language in which the virtual controller explains; empty for a number that is not in 12.1.
 fn help(_: &mut Call<'_>, number: f64) -> Text {
-    let number = u16::try_from(numbers::round(number) as i64).ok();
-    number.and_then(runtime_errors::find).map(|error| Text::from(error.short)).unwrap_or_default()
+    let number = numbers::round(number) as i64;
+    let states = [TaskState::Absent, TaskState::Halted, TaskState::Running];
+    let state = states.into_iter().find(|state| i64::from(state.number()) == number).map(TaskState::meaning);
+    let error = || u16::try_from(number).ok().and_then(runtime_errors::find).map(|error| error.short);
+    state.or_else(error).map(Text::from).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -33,11 +36,14 @@ mod tests {
     use crate::testing::check;
 
     #[test]
-    fn explains_errors_and_nothing_else() {
+    fn explains_what_task_status_gives() {
+        check("help(-1)", "\"no task of this name\"");
+        check("help(0)", "\"task suspended\"");
+        check("help(1)", "\"task running\"");
         check("help(10)", "\"division by zero\"");
         check("help(250)", "\"licence missing or trial over\"");
-        for state in ["help(-1)", "help(0)", "help(1)", "help(12)", "help(1e300)"] {
-            check(state, "\"\"");
+        for unknown in ["help(-2)", "help(12)", "help(1e300)"] {
+            check(unknown, "\"\"");
         }
     }
 

@@ -173,6 +173,19 @@ fn inputs_change_when_a_cycle_begins_and_outputs_when_it_ends() {
 }
 
 #[test]
+fn an_output_that_the_outside_sets_changes_too() {
+    let mut cell = cell();
+    let id = cell.id("BasicIO-1\\%Q0");
+    cell.io.set(id, 1.0);
+    let [change] = cell.io.refresh_outputs()[..] else { panic!("no change") };
+    assert_eq!((change.signal, change.value), (id, 1.0));
+    cell.io.lock(id, Some(0.0));
+    assert_eq!(cell.io.refresh_outputs().len(), 1);
+    cell.io.set(id, 1.0);
+    assert!(cell.io.refresh_outputs().is_empty(), "the operator holds it");
+}
+
+#[test]
 fn a_locked_input_has_a_value_that_differs_from_the_hardware() {
     let mut cell = cell();
     let input = cell.links("I", 1)[0];

@@ -1,0 +1,50 @@
+//! Signals that end a run from outside: what it holds, such as the terminal and its record, is given back first.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicUsize;
+use std::sync::atomic::Ordering::Relaxed;
+
+use crate::user_error::UserError;
+
+/// Exit code of a process that a signal ends, less the number of the signal, as shells count.
+const EXIT_SIGNAL: u8 = 128;
+
+/// The signal that was caught, 0 before one was.
+#[derive(Debug, Default)]
+pub(super) struct Signals {
+    caught: Arc<AtomicUsize>,
+}
+
+impl Signals {
+    /// The exit code that a signal asks for, if one was caught.
+    pub(super) fn exit_code(&self) -> Option<u8> {
+        let signal = u8::try_from(self.caught.load(Relaxed)).ok().filter(|signal| *signal != 0)?;
+        Some(EXIT_SIGNAL.saturating_add(signal))
+    }
+
+    /// Catches Ctrl-C, the end of the terminal and what asks a process to end. The second signal has its usual effect.
+    ///
+    /// # Errors
+    /// The system refuses.
+    #[cfg(unix)]
+    pub(super) fn catch() -> Result<Self, UserError> {
+        use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+        use signal_hook::flag::{register, register_conditional_default, register_usize};
+
+        let (signals, seen) = (Self::default(), Arc::default());
+        for signal in [SIGHUP, SIGINT, SIGTERM] {
+            let number = usize::try_from(signal).unwrap_or_default();
+            register_conditional_default(signal, Arc::clone(&seen))
+                .and_then(|_| register(signal, Arc::clone(&seen)))
+                .and_then(|_| register_usize(signal, Arc::clone(&signals.caught), number))
+                .map_err(|error| UserError::new(format!("cannot catch signals: {error}")))?;
+        }
+        Ok(signals)
+    }
+
+    /// Signals have their usual effect.
+    #[cfg(not(unix))]
+    pub(super) fn catch() -> Result<Self, UserError> {
+        Ok(Self::default())
+    }
+}
