@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
+use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
 use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
@@ -53,6 +54,17 @@ pub enum Step {
     Lacking,
 }
 
+/// Why a program cannot be started.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum NotStarted {
+    /// The application has none of this name.
+    NoProgram,
+    /// Nobody gives its parameters values.
+    HasParameters,
+    /// The run-time error with which its task would begin.
+    Fault(Fault),
+}
+
 impl Controller {
     /// An application in memory with the libraries that load with it; no task runs yet. `path` is its folder on the
     /// media (`Disk://app`).
@@ -81,14 +93,18 @@ impl Controller {
 
     /// Starts a program without parameters in the task `~application` (5.2).
     ///
-    /// Whether there is such a program.
-    pub fn start(&mut self, program: &str) -> bool {
-        let Some(instance) = self.vm.space.instance(self.application) else { return false };
-        let (name, number) = (task_name(&instance.image), instance.image.program(program));
-        let Some(number) = number else { return false };
+    /// # Errors
+    /// It cannot be started.
+    pub fn start(&mut self, program: &str) -> Result<(), NotStarted> {
+        let image = self.vm.space.instance(self.application).map(|instance| Arc::clone(&instance.image));
+        let image = image.ok_or(NotStarted::NoProgram)?;
+        let number = image.program(program).ok_or(NotStarted::NoProgram)?;
+        if image.programs.get(usize::from(number)).is_some_and(|program| !program.params.is_empty()) {
+            return Err(NotStarted::HasParameters);
+        }
         self.devices.origin(self.outside());
-        let started = self.vm.start(&name, (self.application, number), PRIORITY, &mut self.devices);
-        started.is_ok()
+        let started = self.vm.start(&task_name(&image), (self.application, number), PRIORITY, &mut self.devices);
+        started.map_or_else(|fault| Err(NotStarted::Fault(fault)), |_| Ok(()))
     }
 
     /// Stops the application as the operator does: `stop` runs, then all tasks are killed in the reverse order of
@@ -125,7 +141,7 @@ impl Controller {
     /// Lets `stop` run.
     fn begin_stop(&mut self) {
         self.phase = Phase::Stopping;
-        if !self.start("stop") {
+        if self.start("stop").is_err() {
             self.end();
         }
     }

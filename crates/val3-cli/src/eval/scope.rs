@@ -151,7 +151,7 @@ impl Scope {
     /// Executes the program of the text to its end.
     fn execute(&mut self, is_string: bool) -> Vec<Answer> {
         let mut answers = Vec::new();
-        if !self.controller.start(NAME) {
+        if self.controller.start(NAME).is_err() {
             return vec![Answer::Fault("the text cannot be started".to_owned())];
         }
         loop {

@@ -1,9 +1,12 @@
 //! From the arguments of `val3 run` to a controller with the application in memory.
 
 use std::process::ExitCode;
+use std::sync::Arc;
 
+use val3_analysis::db::{Database, Project};
+use val3_bytecode::Image;
 use val3_compile::CompileError;
-use val3_machine::controller::Controller;
+use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::devices::Devices;
 
 use super::settings::Settings;
@@ -53,6 +56,13 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
             return Ok(Opened::Faulty(ExitCode::from(EXIT_USAGE)));
         }
     };
+    let mut controller = controller(args, db, project, image)?;
+    start(&mut controller, &args.program)?;
+    Ok(Opened::Ready(Box::new(controller)))
+}
+
+/// A controller with the application in memory, and the cell around it.
+fn controller(args: &RunArgs, db: &Database, project: Project, image: Arc<Image>) -> Result<Controller, UserError> {
     let settings = Settings::of(args, project.configuration(db).map(|configuration| configuration.file(db)))?;
     let mut media = Media::of(db, project)?;
     settings.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
@@ -64,15 +74,21 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     lines::connect(&mut devices.lines, &disk, args, &settings)?;
     let mut controller = Controller::new(devices, image, application, settings.line_cost);
     outside::arrange(&mut controller, args)?;
-    started(controller, args)
+    Ok(controller)
 }
 
-fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
-    if !controller.start(&args.program) {
-        let message = format!("the application has no program `{}`", args.program);
-        return Err(UserError::new(message).with_help("name the program to start with by --program"));
-    }
-    Ok(Opened::Ready(Box::new(controller)))
+fn start(controller: &mut Controller, program: &str) -> Result<(), UserError> {
+    controller.start(program).map_err(|reason| match reason {
+        NotStarted::NoProgram => UserError::new(format!("the application has no program `{program}`"))
+            .with_help("name the program to start with by --program"),
+        NotStarted::HasParameters => {
+            UserError::new(format!("`{program}` has parameters, and a run cannot give them values")).with_help(format!(
+                "start a program without parameters that calls it, or call it: val3 eval --app DIR 'call {program}(…)'"
+            ))
+        }
+        NotStarted::Fault(fault) => UserError::new(format!("`{program}` cannot be started: error {}", fault.0))
+            .with_help(format!("`val3 explain {}` tells what it means", fault.0)),
+    })
 }
 
 /// Shows a limit of this controller where the application exceeds it.

@@ -100,6 +100,14 @@ fn events_are_equal_bytes_in_each_run() {
 }
 
 #[test]
+fn a_program_with_parameters_cannot_begin() {
+    let folder = Folder::with("program count(num& x_nParts)\nbegin\n  x_nParts=1\nend\nprogram start()\nbegin\nend");
+    let run = folder.val3(&["run", "--program", "count"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+    assert!(run.stderr.starts_with("error: `count` has parameters, and a run cannot give them values\n"), "{run:?}");
+}
+
+#[test]
 fn another_program_may_begin() {
     let folder = failing("taskKill(\"divide\")");
     ends(&folder.val3(&["run", "--program", "stop"]), 0, "stop\nstop\n");

@@ -99,7 +99,7 @@ impl Cell {
         let main = ControllerPath::root("Disk").join("main").unwrap();
         let image = OnDisk(self.path("")).image(&main, LibraryFiles { files: Vec::new(), encrypted: false }).unwrap();
         let mut controller = Controller::new(devices, image, main.to_string(), LINE_COST);
-        assert!(controller.start("start"));
+        controller.start("start").unwrap();
         controller
     }
 

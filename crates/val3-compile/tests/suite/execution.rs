@@ -27,7 +27,7 @@ fn run(listing: &str) -> String {
     const LONGEST: Time = 10_000_000_000;
     let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE_COST);
-    assert!(controller.start("start"));
+    controller.start("start").unwrap();
     let mut text = String::new();
     while controller.now() < LONGEST {
         let step = controller.step();
