@@ -2,14 +2,16 @@
 
 use val3_bytecode::{Param, Passing, Program};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Link, Memory, Place, StoreId, View};
+use val3_lang::memory::{Link, Memory, Place, StoreId, View};
 use val3_lang::values::Text;
 
-use crate::arguments::Given;
+use crate::arguments::{Given, on_frame};
 use crate::task::Base;
+use crate::window::NARROW;
 
 /// The first lanes behind a frame.
-pub(crate) fn behind(base: Base, program: &Program) -> Base {
+#[inline]
+pub(crate) fn behind(base: &Base, program: &Program) -> Base {
     let size = &program.frame;
     Base {
         num: base.num + size.lanes.num,
@@ -23,24 +25,28 @@ pub(crate) fn behind(base: Base, program: &Program) -> Base {
 }
 
 /// Makes the frame of `program` at `base`; its parameters are [passed](pass) then.
-pub(crate) fn enter(memory: &mut Memory, program: &Program, base: Base, most: u32) -> Result<()> {
+#[inline]
+pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     let end = behind(base, program);
     if end.bytes > most {
         return Err(Fault::STACK_FULL);
     }
     let stack = &mut memory.stack;
-    fill(&mut stack.nums, base.num, end.num, 0.0);
+    fill(&mut stack.nums, base.num, end.num.max(base.num.saturating_add(NARROW)), 0.0);
     let template = base.num as usize..base.num as usize + program.nums.len();
     if let Some(nums) = stack.nums.get_mut(template) {
         nums.copy_from_slice(&program.nums);
     }
-    fill(&mut stack.texts, base.text, end.text, Text::new());
-    clear(&mut stack.texts, base.text, end.text, Text::new());
-    fill(&mut stack.links, base.link, end.link, Link::None);
-    clear(&mut stack.links, base.link, end.link, Link::None);
     fill(&mut stack.places, base.place, end.place, Place::first(StoreId::STACK));
     fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
-    stack.parts.truncate(base.part as usize);
+    if program.frame.lanes.text > 0 {
+        fill(&mut stack.texts, base.text, end.text, Text::new());
+        clear(&mut stack.texts, base.text, end.text, Text::new());
+    }
+    if program.frame.lanes.link > 0 {
+        fill(&mut stack.links, base.link, end.link, Link::None);
+        clear(&mut stack.links, base.link, end.link, Link::None);
+    }
     for part in &program.parts {
         let store = memory.create_local(part);
         memory.stack.parts.push(store);
@@ -49,7 +55,8 @@ pub(crate) fn enter(memory: &mut Memory, program: &Program, base: Base, most: u3
 }
 
 /// Drops what the frame at `base` holds in memory.
-pub(crate) fn leave(memory: &mut Memory, base: Base) {
+#[inline]
+pub(crate) fn leave(memory: &mut Memory, base: &Base) {
     while memory.stack.parts.len() > base.part as usize {
         if let Some(part) = memory.stack.parts.pop() {
             memory.remove(part);
@@ -66,7 +73,7 @@ pub(crate) fn pass_number(nums: &mut [f64], from: u32, to: u32) -> Result<()> {
 
 /// Gives a parameter of the frame at `base` its argument.
 #[inline]
-pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Given) -> Result<()> {
+pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Given) -> Result<()> {
     let from = match argument {
         Given::Value(place) => place,
         Given::Container(view) => match param.passing {
@@ -75,11 +82,7 @@ pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Giv
         },
     };
     match param.passing {
-        Passing::Value(_, lanes) => {
-            let Base { num, text, link, part, .. } = base;
-            let to = Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes);
-            memory.copy(&param.kind, from, to)
-        }
+        Passing::Value(_, lanes) => memory.copy(&param.kind, from, on_frame(base, lanes)),
         Passing::UserValue(part) => {
             let part = memory.stack.parts.get((base.part + part) as usize).copied().ok_or(Fault::INTERPRETER)?;
             memory.copy(&param.kind, from, Place::first(part))

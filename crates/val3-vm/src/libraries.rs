@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_lang::library_errors as code;
 use val3_lang::ports::Request;
 
-use crate::execute::Machine;
+use crate::machine::Machine;
 use crate::{Host, InstanceId, LibraryOp, Space};
 
 /// The application, which is the first in memory and never leaves it.

@@ -4,7 +4,7 @@ use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
 use crate::enter::leave;
-use crate::execute::Machine;
+use crate::machine::Machine;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, Thread};
 use crate::{Grant, Host, InstanceId, Rate, Space, Stop, Task, TaskState, Turn};
@@ -55,7 +55,7 @@ impl Vm {
         let mut machine = self.machine(id, grant, (now, line_cost), stack_size, host);
         let stop = machine.run(&mut thread).unwrap_or_else(Stop::Failed);
         if let Some(frame) = thread.frames.last() {
-            machine.ports.origin(machine.origin(machine.now(), *frame, thread.line));
+            machine.ports.origin(machine.origin(machine.now(), frame, thread.line));
         }
         let lines = machine.granted - machine.budget;
         let left = if stop == Stop::Budget { grant.left(lines) } else { 0 };
@@ -116,7 +116,7 @@ impl Vm {
     fn sweep(&mut self) {
         for mut task in self.roster.take_over() {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
-            leave(&mut self.space.memory, Base::default());
+            leave(&mut self.space.memory, &Base::default());
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
         }
     }
