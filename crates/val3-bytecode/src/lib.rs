@@ -14,4 +14,6 @@ pub use disassembly::disassemble;
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
 pub use op::{Op, Register, Step, Whole, WholeKind};
 pub use program::{FrameSize, Line, Param, Passing, Program, SourceRange, Storage, Variable};
-pub use site::{ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Operand, ProgramRef, SlotSite, TaskSite};
+pub use site::{
+    ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Operand, Pass, ProgramRef, SlotSite, TaskSite,
+};

@@ -130,6 +130,13 @@ pub struct Line {
 }
 
 impl Program {
+    /// Its frame has nothing but numbers and places.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let Lanes { text, link, part, .. } = self.frame.lanes;
+        [text, link, part, self.frame.views] == [0; 4]
+    }
+
     /// The line that a step belongs to, by its number in [`lines`](Self::lines).
     ///
     /// The next round of a `for` belongs to the line with its head.

@@ -20,6 +20,7 @@ mod literals;
 mod loops;
 mod moves;
 mod operators;
+mod passes;
 mod places;
 mod pool;
 mod program;

@@ -2,43 +2,61 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{ArgumentSite, CallSite, Image, Operand, Passing, Program, ProgramRef};
+use val3_bytecode::{CallSite, Image, Pass, Program, ProgramRef};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::types::BaseType;
 
-use crate::arguments::{Given, place};
-use crate::enter::{behind, enter, leave, pass, pass_number};
+use crate::arguments::place;
+use crate::enter::{behind, enter, enter_plain, get, leave, pass, write};
 use crate::instance::Imported;
 use crate::machine::Machine;
 use crate::task::{Base, Thread};
 use crate::{Frame, InstanceId};
 
-/// The innermost program of a task with its frame, where it is one of the same application.
-type Innermost<'i> = Option<(Frame, &'i Program)>;
-
 impl Machine<'_> {
     /// Calls a program, which returns to the step and line at `back`.
     #[inline]
-    pub(crate) fn call<'i>(
+    pub(crate) fn call(
         &mut self,
         thread: &mut Thread,
-        image: &'i Image,
-        caller: (&Frame, &Program),
+        image: &Image,
+        (frame, caller): (&Frame, &Program),
         site: &CallSite,
         (back, back_line): (usize, u32),
-    ) -> Result<Innermost<'i>> {
-        let (instance, program) = self.resolve(caller.0.instance, site.program)?;
-        let base = behind(&caller.0.base, caller.1);
-        let own = instance == caller.0.instance;
-        let callee = if own { image.programs.get(usize::from(program)) } else { None };
-        match callee {
-            Some(callee) => self.open(callee, &base, caller.0, site)?,
-            None => self.open_other((instance, program), &base, caller.0, site)?,
+    ) -> Result<()> {
+        let (instance, program) = self.resolve(frame.instance, site.program)?;
+        let base = behind(&frame.base, caller);
+        if instance == frame.instance {
+            let callee = image.programs.get(usize::from(program)).ok_or(Fault::INTERPRETER)?;
+            match &site.passes {
+                Some(passes) => self.open_plain(callee, &base, frame, passes)?,
+                None => self.open(callee, &base, frame, site)?,
+            }
+        } else {
+            self.open_other((instance, program), &base, frame, site)?;
         }
         let back = u32::try_from(back).unwrap_or(u32::MAX);
-        let frame = Frame { instance, program, back, back_line, base };
-        thread.frames.push(frame);
-        Ok(callee.map(|callee| (frame, callee)))
+        thread.frames.push(Frame { instance, program, back, back_line, base });
+        Ok(())
+    }
+
+    /// Makes the frame of a plain program, and passes its arguments.
+    #[inline]
+    fn open_plain(&mut self, callee: &Program, base: &Base, caller: &Frame, passes: &[Pass]) -> Result<()> {
+        let memory = &mut self.space.memory;
+        enter_plain(memory, callee, base, self.stack_size)?;
+        for pass in passes {
+            match *pass {
+                Pass::Number(from, to) => {
+                    let value = get(&memory.stack.nums, caller.base.num + u32::from(from))?;
+                    write(&mut memory.stack.nums, base.num + u32::from(to), value)?;
+                }
+                Pass::Reference(from, to) => {
+                    let from = place(memory, &caller.base, from)?;
+                    write(&mut memory.stack.places, base.place + to, from)?;
+                }
+            }
+        }
+        Ok(())
     }
 
     /// Makes the frame of a program of a library.
@@ -49,22 +67,12 @@ impl Machine<'_> {
     }
 
     /// Makes the frame of a program at `base`, and passes its arguments.
-    #[inline]
     fn open(&mut self, callee: &Program, base: &Base, caller: &Frame, site: &CallSite) -> Result<()> {
         enter(&mut self.space.memory, callee, base, self.stack_size)?;
         let mut arguments = callee.params.iter().zip(&site.arguments);
-        let passed = arguments.try_for_each(|(param, argument)| match (param.passing, *argument) {
-            (Passing::Value(BaseType::Num | BaseType::Bool, to), ArgumentSite::Value(Operand::Frame(from), _)) => {
-                pass_number(&mut self.space.memory.stack.nums, caller.base.num + from.num, base.num + to.num)
-            }
-            (_, ArgumentSite::Value(operand, _)) => {
-                let from = place(&self.space.memory, &caller.base, operand)?;
-                pass(&mut self.space.memory, base, param, Given::Value(from))
-            }
-            _ => {
-                let given = self.scope(caller)?.given(argument)?;
-                pass(&mut self.space.memory, base, param, given)
-            }
+        let passed = arguments.try_for_each(|(param, argument)| {
+            let given = self.scope(caller)?.given(argument)?;
+            pass(&mut self.space.memory, base, param, given)
         });
         passed.inspect_err(|_| leave(&mut self.space.memory, base))
     }
@@ -76,22 +84,6 @@ impl Machine<'_> {
                 Some(Some(Imported::Program(instance, number))) => Ok((*instance, *number)),
                 _ => Err(Fault::LIBRARY_ITEM_MISSING),
             },
-        }
-    }
-
-    /// Ends the innermost program, which has this frame.
-    #[inline]
-    pub(crate) fn end_program<'i>(
-        &mut self,
-        thread: &mut Thread,
-        image: &'i Image,
-        frame: &Frame,
-    ) -> Result<Innermost<'i>> {
-        leave(&mut self.space.memory, &frame.base);
-        thread.frames.pop();
-        match thread.frames.last() {
-            Some(caller) if caller.instance == frame.instance => Ok(Some((*caller, program_of(caller, image)?))),
-            _ => Ok(None),
         }
     }
 }

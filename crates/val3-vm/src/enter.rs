@@ -25,32 +25,35 @@ pub(crate) fn behind(base: &Base, program: &Program) -> Base {
 }
 
 /// Makes the frame of `program` at `base`; its parameters are [passed](pass) then.
-#[inline]
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
-    let end = behind(base, program);
-    if end.bytes > most {
-        return Err(Fault::STACK_FULL);
-    }
-    let stack = &mut memory.stack;
-    fill(&mut stack.nums, base.num, end.num.max(base.num.saturating_add(NARROW)), 0.0);
-    let template = base.num as usize..base.num as usize + program.nums.len();
-    if let Some(nums) = stack.nums.get_mut(template) {
-        nums.copy_from_slice(&program.nums);
-    }
-    fill(&mut stack.places, base.place, end.place, Place::first(StoreId::STACK));
+    enter_plain(memory, program, base, most)?;
+    let (end, stack) = (behind(base, program), &mut memory.stack);
     fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
-    if program.frame.lanes.text > 0 {
-        fill(&mut stack.texts, base.text, end.text, Text::new());
-        clear(&mut stack.texts, base.text, end.text, Text::new());
-    }
-    if program.frame.lanes.link > 0 {
-        fill(&mut stack.links, base.link, end.link, Link::None);
-        clear(&mut stack.links, base.link, end.link, Link::None);
-    }
+    fill(&mut stack.texts, base.text, end.text, Text::new());
+    clear(&mut stack.texts, base.text, end.text, Text::new());
+    fill(&mut stack.links, base.link, end.link, Link::None);
+    clear(&mut stack.links, base.link, end.link, Link::None);
     for part in &program.parts {
         let store = memory.create_local(part);
         memory.stack.parts.push(store);
     }
+    Ok(())
+}
+
+/// As [`enter`], for a program whose frame has nothing but numbers and places.
+///
+/// The stack has the numbers of a narrow frame behind each base.
+#[inline]
+pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
+    if base.bytes.saturating_add(program.stack_bytes) > most {
+        return Err(Fault::STACK_FULL);
+    }
+    let stack = &mut memory.stack;
+    let lanes = program.frame.lanes.num.max(NARROW);
+    fill(&mut stack.nums, base.num, base.num.saturating_add(lanes), 0.0);
+    fill(&mut stack.places, base.place, base.place + program.frame.places, Place::first(StoreId::STACK));
+    let template = base.num as usize..base.num as usize + program.nums.len();
+    stack.nums.get_mut(template).ok_or(Fault::INTERPRETER)?.copy_from_slice(&program.nums);
     Ok(())
 }
 
@@ -62,13 +65,6 @@ pub(crate) fn leave(memory: &mut Memory, base: &Base) {
             memory.remove(part);
         }
     }
-}
-
-/// Copies a number from the frame of the caller: what most arguments are.
-#[inline]
-pub(crate) fn pass_number(nums: &mut [f64], from: u32, to: u32) -> Result<()> {
-    let value = nums.get(from as usize).copied().ok_or(Fault::INTERPRETER)?;
-    write(nums, to, value)
 }
 
 /// Gives a parameter of the frame at `base` its argument.
@@ -92,16 +88,28 @@ pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Gi
     }
 }
 
-fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
+#[inline]
+pub(crate) fn get(nums: &[f64], at: u32) -> Result<f64> {
+    nums.get(at as usize).copied().ok_or(Fault::INTERPRETER)
+}
+
+#[inline]
+pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
     *lanes.get_mut(at as usize).ok_or(Fault::INTERPRETER)? = value;
     Ok(())
 }
 
 /// Makes room up to `end`; a frame that was there before may leave its values.
+#[inline]
 fn fill<T: Copy>(lanes: &mut Vec<T>, start: u32, end: u32, value: T) {
     if end > start && lanes.len() < end as usize {
-        lanes.resize(end as usize, value);
+        grow(lanes, end, value);
     }
+}
+
+#[cold]
+fn grow<T: Copy>(lanes: &mut Vec<T>, end: u32, value: T) {
+    lanes.resize(end as usize, value);
 }
 
 fn clear<T: Copy>(lanes: &mut [T], start: u32, end: u32, value: T) {

@@ -13,6 +13,7 @@ use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
 use crate::arithmetic::{is_beyond, remainder, truth};
 use crate::calls::program_of;
+use crate::enter::leave;
 use crate::machine::Machine;
 use crate::task::Thread;
 use crate::window::{Narrow, Window};
@@ -42,12 +43,12 @@ impl Machine<'_> {
             let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
             let instance = self.instance(frame.instance)?;
             let (image, data) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
-            let leave = if Narrow::suits(program_of(&frame, &image)?) {
+            let left = if Narrow::suits(program_of(&frame, &image)?) {
                 self.programs::<Narrow>(thread, frame, (&image, &data))
             } else {
                 self.programs::<[f64]>(thread, frame, (&image, &data))
             };
-            if let Leave::Turn(stop) = leave? {
+            if let Leave::Turn(stop) = left? {
                 return Ok(stop);
             }
         }
@@ -61,11 +62,11 @@ impl Machine<'_> {
         application: (&Image, &[StoreId]),
     ) -> Result<Leave> {
         let mut at = Cursor { next: thread.next as usize, line: thread.line, budget: self.budget };
-        let leave = self.steps::<W>(thread, frame, application, &mut at);
+        let left = self.steps::<W>(thread, frame, application, &mut at);
         thread.next = u32::try_from(at.next).unwrap_or(u32::MAX);
         thread.line = at.line;
         self.budget = at.budget;
-        leave
+        left
     }
 
     /// The steps. `at` is kept in registers: whoever needs it gets it as a value.
@@ -109,12 +110,16 @@ impl Machine<'_> {
             };
         }
         // Goes on in the innermost program.
-        macro_rules! change {
-            ($changed:expr) => {{
-                match $changed {
-                    Some((inner, code)) if W::suits(code) => (frame, program) = (inner, code),
-                    _ if thread.frames.is_empty() => return Ok(Leave::Turn(Stop::Ended)),
-                    _ => return Ok(Leave::Elsewhere),
+        macro_rules! innermost {
+            () => {{
+                match thread.frames.last() {
+                    None => return Ok(Leave::Turn(Stop::Ended)),
+                    Some(inner) if inner.instance == frame.instance => frame = *inner,
+                    Some(_) => return Ok(Leave::Elsewhere),
+                }
+                program = program_of(&frame, image)?;
+                if !W::suits(program) {
+                    return Ok(Leave::Elsewhere);
                 }
                 nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
             }};
@@ -244,13 +249,15 @@ impl Machine<'_> {
 
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    let changed = self.call(thread, image, (&frame, program), site, (at.next, at.line))?;
+                    self.call(thread, image, (&frame, program), site, (at.next, at.line))?;
                     at.next = 0;
-                    change!(changed);
+                    innermost!();
                 }
                 Op::Return => {
+                    leave(&mut self.space.memory, &frame.base);
+                    thread.frames.pop();
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
-                    change!(self.end_program(thread, image, &frame)?);
+                    innermost!();
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
@@ -278,7 +285,21 @@ impl Machine<'_> {
                     };
                     nums.set(to, truth(answer))?;
                 }
-                op => outside!(self.on_values(op, &frame, program))?,
+                // All others by name: only then is no number of an operation beyond the table of jumps.
+                Op::TextConstant { .. }
+                | Op::TextMove { .. }
+                | Op::Concatenate { .. }
+                | Op::TextEqual { .. }
+                | Op::LocateFirst { .. }
+                | Op::Locate { .. }
+                | Op::Locate2 { .. }
+                | Op::Locate3 { .. }
+                | Op::LocateKey { .. }
+                | Op::Field { .. }
+                | Op::LoadText { .. }
+                | Op::StoreText { .. }
+                | Op::Copy { .. }
+                | Op::Compare { .. } => outside!(self.on_values(step.op, &frame, program))?,
             }
         }
         Err(Fault::INTERPRETER)

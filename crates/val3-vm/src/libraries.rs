@@ -56,7 +56,7 @@ impl Machine<'_> {
         if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
         }
-        let is_in = |task: &crate::Task| task.thread.frames.iter().any(|frame| frame.instance == library);
+        let is_in = |task: &Box<crate::Task>| task.thread.frames.iter().any(|frame| frame.instance == library);
         self.roster.tasks.iter().any(is_in).then_some(code::IN_USE)
     }
 
