@@ -6,17 +6,17 @@ use val3_lang::memory::{Kind, Lanes};
 
 use crate::{ArgumentSite, CallSite, CopySite, InstructionSite, Op, Operand, Program, ProgramRef, Register, SlotSite};
 
-/// The operations of a program, one a line; those that begin an instruction line have its number before them.
+/// The steps of a program, one a line; those that begin an instruction line have its number before them.
 ///
 /// Lanes are written as `n3` (numbers), `t0` (texts), `l0` (links), places as `p2`.
 #[must_use]
 pub fn disassemble(program: &Program) -> String {
     let mut text = String::new();
-    for (at, op) in (0u32..).zip(&program.code) {
+    for (at, step) in (0u32..).zip(&program.code) {
         let line = program.lines.iter().position(|line| line.op == at);
         let number = line.map_or(String::new(), |line| (line + 1).to_string());
         // Writing to a string does not fail.
-        let _ = writeln!(text, "{number:>4} {at:>5}  {}", shown(op, program));
+        let _ = writeln!(text, "{number:>4} {at:>5}  {}", shown(&step.op, program));
     }
     text
 }

@@ -12,6 +12,8 @@ mod site;
 
 pub use disassembly::disassemble;
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
-pub use op::{Op, Register, Whole, WholeKind};
+pub use op::{Op, Register, Step, Whole, WholeKind};
 pub use program::{FrameSize, Line, Param, Passing, Program, SourceRange, Storage, Variable};
-pub use site::{ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Operand, ProgramRef, SlotSite, TaskSite};
+pub use site::{
+    ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Operand, Pass, ProgramRef, SlotSite, TaskSite,
+};

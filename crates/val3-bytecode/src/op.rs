@@ -60,23 +60,35 @@ impl Whole {
     }
 }
 
-/// One operation. Targets of jumps are numbers of operations in the program.
+/// One operation, and whether an instruction line begins with it: what the scheduler counts, and where the task stops
+/// for others.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    /// What it does.
+    pub op: Op,
+    /// A line begins.
+    pub line: bool,
+}
+
+/// One operation. Targets of jumps are numbers of steps in the program.
 #[allow(missing_docs, reason = "the line above each tells its operands")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Op {
-    /// An instruction line begins: what the scheduler counts and where the task stops for others.
+    /// Does nothing: for a [step](Step) that does no more than begin an instruction line.
     Line,
     /// Goes on elsewhere.
     Jump { to: u32 },
-    /// Goes on elsewhere, where an instruction line begins: both in one.
-    JumpToLine { to: u32 },
     /// Goes on elsewhere if `condition` is false.
     JumpUnless { condition: Register, to: u32 },
     /// Goes on elsewhere if `condition` is true.
     JumpIf { condition: Register, to: u32 },
-    /// Goes on elsewhere unless `a < b`.
+    /// Goes on elsewhere if `a < b`.
+    IfLess { a: Register, b: Register, to: u32 },
+    /// Goes on elsewhere if `a <= b`.
+    IfLessEqual { a: Register, b: Register, to: u32 },
+    /// Goes on elsewhere unless `a < b`; it goes there if one of them is no number.
     UnlessLess { a: Register, b: Register, to: u32 },
-    /// Goes on elsewhere unless `a <= b`.
+    /// Goes on elsewhere unless `a <= b`; it goes there if one of them is no number.
     UnlessLessEqual { a: Register, b: Register, to: u32 },
     /// Goes on elsewhere unless `a == b`.
     UnlessEqual { a: Register, b: Register, to: u32 },
@@ -172,8 +184,8 @@ pub enum Op {
 
     /// Begins a `for`: goes to `exit` if the counter is beyond `limit`; the step is the lane behind `limit`.
     ForTest { counter: Register, limit: Register, exit: u32 },
-    /// The next round of a `for`, which counts as a line: adds the step and goes to `body` unless the counter is
-    /// beyond `limit`.
+    /// The next round of a `for`, which begins a line: adds the step and goes to `body` unless the counter is beyond
+    /// `limit`.
     ForNext { counter: Register, limit: Register, body: u32 },
 }
 
@@ -182,9 +194,10 @@ impl Op {
     pub fn target_mut(&mut self) -> Option<&mut u32> {
         match self {
             Self::Jump { to }
-            | Self::JumpToLine { to }
             | Self::JumpUnless { to, .. }
             | Self::JumpIf { to, .. }
+            | Self::IfLess { to, .. }
+            | Self::IfLessEqual { to, .. }
             | Self::UnlessLess { to, .. }
             | Self::UnlessLessEqual { to, .. }
             | Self::UnlessEqual { to, .. }

@@ -6,7 +6,7 @@ use val3_lang::memory::{Kind, Lanes, PartInit};
 use val3_lang::types::{BaseType, Container};
 use val3_lang::values::Text;
 
-use crate::{CallSite, CopySite, InstructionSite, Op, TaskSite};
+use crate::{CallSite, CopySite, InstructionSite, Op, Step, TaskSite};
 
 /// A program, ready to run.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,8 +30,8 @@ pub struct Program {
     pub nums: Vec<f64>,
     /// The containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
-    /// The operations.
-    pub code: Vec<Op>,
+    /// What it does, step by step.
+    pub code: Vec<Step>,
     /// Instruction lines in the order of the text.
     pub lines: Vec<Line>,
     /// Text constants.
@@ -121,7 +121,7 @@ pub struct SourceRange {
 /// An instruction line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Line {
-    /// Its first operation.
+    /// Its first step.
     pub op: u32,
     /// Where it stands in the file.
     pub range: SourceRange,
@@ -130,12 +130,19 @@ pub struct Line {
 }
 
 impl Program {
-    /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
+    /// Its frame has nothing but numbers and places.
+    #[must_use]
+    pub fn is_plain(&self) -> bool {
+        let Lanes { text, link, part, .. } = self.frame.lanes;
+        [text, link, part, self.frame.views] == [0; 4]
+    }
+
+    /// The line that a step belongs to, by its number in [`lines`](Self::lines).
     ///
     /// The next round of a `for` belongs to the line with its head.
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
-        let op = match self.code.get(op as usize) {
+        let op = match self.code.get(op as usize).map(|step| &step.op) {
             Some(Op::ForNext { body, .. }) => body.saturating_sub(1),
             _ => op,
         };

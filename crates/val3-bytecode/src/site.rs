@@ -110,6 +110,18 @@ pub struct CallSite {
     pub program: ProgramRef,
     /// One argument for each parameter.
     pub arguments: Vec<ArgumentSite>,
+    /// The same, where it is quick: the program is one of this application, its frame is
+    /// [plain](crate::Program::is_plain), and all arguments are numbers on the frame or references.
+    pub passes: Option<Vec<Pass>>,
+}
+
+/// What a call does for one parameter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Pass {
+    /// Copies a number from the frame of the caller to that of the program.
+    Number(Register, Register),
+    /// Lets the place with this number refer to a value of the caller.
+    Reference(Operand, u32),
 }
 
 /// The creation of a task (5.10).

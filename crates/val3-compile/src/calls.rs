@@ -31,7 +31,7 @@ impl Coder<'_, '_> {
         if arguments.len() != params.len() {
             return Err(Limit::Unclear);
         }
-        Ok(CallSite { program, arguments })
+        Ok(CallSite { program, arguments, passes: None })
     }
 
     fn called_program(&mut self, callee: ExprId) -> Result<(ProgramRef, Project, File)> {

@@ -2,16 +2,18 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_bytecode::{CallSite, CopySite, InstructionSite, Line, Op, Register, SourceRange, TaskSite};
+use val3_bytecode::{CallSite, CopySite, InstructionSite, Line, Op, Register, SourceRange, Step, TaskSite};
 use val3_lang::values::Text;
 use val3_syntax::TextRange;
 
 use crate::error::{Limit, Result};
 
-/// The operations of a program and what they refer to. Until [`finish`](Self::finish) the targets of jumps are labels.
+/// The steps of a program and what they refer to. Until [`finish`](Self::finish) the targets of jumps are labels.
 #[derive(Debug, Default)]
 pub(crate) struct Code {
-    ops: Vec<Op>,
+    steps: Vec<Step>,
+    /// A line begins with the next step.
+    begins: bool,
     labels: Vec<u32>,
     constants: FxHashMap<SmolStr, Register>,
     /// Where the lines of the file begin.
@@ -22,6 +24,13 @@ pub(crate) struct Code {
     pub(crate) instructions: Vec<InstructionSite>,
     pub(crate) calls: Vec<CallSite>,
     pub(crate) tasks: Vec<TaskSite>,
+}
+
+/// An end of the code.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Mark {
+    steps: usize,
+    begins: bool,
 }
 
 /// A place in the code that jumps lead to.
@@ -36,18 +45,32 @@ impl Code {
     }
 
     /// Adds an operation.
+    ///
+    /// One that a task comes back to while it waits does not begin its line: the line counts once.
     pub(crate) fn emit(&mut self, op: Op) {
-        self.ops.push(op);
+        if matches!(op, Op::Instruction { .. }) {
+            self.begin();
+        }
+        let line = std::mem::take(&mut self.begins);
+        self.steps.push(Step { op, line });
     }
 
-    /// How many operations there are.
-    pub(crate) fn mark(&self) -> u32 {
-        count(&self.ops)
+    /// Begins the line that is still to begin, if there is one, apart from what comes next.
+    pub(crate) fn begin(&mut self) {
+        if std::mem::take(&mut self.begins) {
+            self.steps.push(Step { op: Op::Line, line: true });
+        }
     }
 
-    /// Takes back the operations since.
-    pub(crate) fn take_back(&mut self, mark: u32) {
-        self.ops.truncate(mark as usize);
+    /// Where the code ends now.
+    pub(crate) fn mark(&self) -> Mark {
+        Mark { steps: self.steps.len(), begins: self.begins }
+    }
+
+    /// Takes back the steps since.
+    pub(crate) fn take_back(&mut self, mark: Mark) {
+        self.steps.truncate(mark.steps);
+        self.begins = mark.begins;
     }
 
     /// A label that gets its place later.
@@ -58,7 +81,8 @@ impl Code {
 
     /// The label stands here.
     pub(crate) fn place(&mut self, label: Label) {
-        let here = count(&self.ops);
+        self.begin();
+        let here = count(&self.steps);
         if let Some(slot) = self.labels.get_mut(label.0 as usize) {
             *slot = here;
         }
@@ -73,8 +97,30 @@ impl Code {
 
     /// An instruction line begins.
     pub(crate) fn line(&mut self, range: TextRange) {
-        self.lines.push(Line { op: count(&self.ops), range: source_range(range), row: self.row(range) });
-        self.emit(Op::Line);
+        let line = self.later_line(range);
+        self.begin_line(line);
+    }
+
+    /// A line that stands here in the text and [begins](Self::begin_line) further on in the code; its number.
+    pub(crate) fn later_line(&mut self, range: TextRange) -> usize {
+        self.lines.push(Line { op: 0, range: source_range(range), row: self.row(range) });
+        self.lines.len() - 1
+    }
+
+    /// The line with this number begins.
+    pub(crate) fn begin_line(&mut self, line: usize) {
+        self.begin();
+        let here = count(&self.steps);
+        if let Some(line) = self.lines.get_mut(line) {
+            line.op = here;
+        }
+        self.begins = true;
+    }
+
+    /// The next round of a `for`, which counts as its line.
+    pub(crate) fn next_round(&mut self, op: Op) {
+        self.begin();
+        self.steps.push(Step { op, line: true });
     }
 
     /// The line of the file in which a range begins, from 1.
@@ -117,27 +163,14 @@ impl Code {
         self.emit(Op::CreateTask { site });
     }
 
-    /// The operations, with the places of labels in their jumps.
-    pub(crate) fn finish(&mut self) -> Result<Vec<Op>> {
-        u32::try_from(self.ops.len()).map_err(|_| Limit::Operations)?;
-        for target in self.ops.iter_mut().filter_map(Op::target_mut) {
+    /// The steps, with the places of labels in their jumps.
+    pub(crate) fn finish(&mut self) -> Result<Vec<Step>> {
+        u32::try_from(self.steps.len()).map_err(|_| Limit::Operations)?;
+        let mut steps = std::mem::take(&mut self.steps);
+        for target in steps.iter_mut().filter_map(|step| step.op.target_mut()) {
             *target = self.labels.get(*target as usize).copied().ok_or(Limit::Unclear)?;
         }
-        let mut ops = std::mem::take(&mut self.ops);
-        join_lines(&mut ops);
-        Ok(ops)
-    }
-}
-
-/// Lets a jump to a line begin that line.
-fn join_lines(ops: &mut [Op]) {
-    for at in 0..ops.len() {
-        if let Some(Op::Jump { to }) = ops.get(at).copied()
-            && ops.get(to as usize) == Some(&Op::Line)
-            && let Some(op) = ops.get_mut(at)
-        {
-            *op = Op::JumpToLine { to };
-        }
+        Ok(steps)
     }
 }
 

@@ -23,7 +23,7 @@ impl Coder<'_, '_> {
                 self.branch_equality(id, *op, (*left, *right), when, label)
             }
             Expr::Binary(op, left, right) if self.base(*left).builtin() == Some(BaseType::Num) => {
-                self.branch_order(id, *op, (*left, *right), when, label)
+                self.branch_order(*op, (*left, *right), when, label)
             }
             _ => self.branch_value(id, when, label),
         }
@@ -77,24 +77,17 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// A jump unless a comparison holds is one operation; with a number that is none, none of them holds.
-    fn branch_order(
-        &mut self,
-        id: ExprId,
-        op: BinaryOp,
-        (left, right): (ExprId, ExprId),
-        when: bool,
-        label: Label,
-    ) -> Result<()> {
-        if when {
-            return self.branch_value(id, when, label);
-        }
-        let ((a, b), to) = (self.nums(left, right)?, label.0);
-        self.emit(match op {
-            BinaryOp::Less => Op::UnlessLess { a, b, to },
-            BinaryOp::LessOrEqual => Op::UnlessLessEqual { a, b, to },
-            BinaryOp::Greater => Op::UnlessLess { a: b, b: a, to },
-            _ => Op::UnlessLessEqual { a: b, b: a, to },
+    /// A comparison and the jump are one operation. With a number that is none no comparison holds, so that the
+    /// contrary of `a < b` is not `b <= a`.
+    fn branch_order(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
+        let ((left, right), to) = (self.nums(left, right)?, label.0);
+        let swapped = matches!(op, BinaryOp::Greater | BinaryOp::GreaterOrEqual);
+        let (a, b) = if swapped { (right, left) } else { (left, right) };
+        self.emit(match (op, when) {
+            (BinaryOp::Less | BinaryOp::Greater, true) => Op::IfLess { a, b, to },
+            (BinaryOp::Less | BinaryOp::Greater, false) => Op::UnlessLess { a, b, to },
+            (_, true) => Op::IfLessEqual { a, b, to },
+            (_, false) => Op::UnlessLessEqual { a, b, to },
         });
         Ok(())
     }

@@ -21,6 +21,7 @@ mod loops;
 mod missing;
 mod moves;
 mod operators;
+mod passes;
 mod places;
 mod pool;
 mod program;

@@ -19,15 +19,18 @@ struct Counter {
 }
 
 impl Coder<'_, '_> {
+    /// The condition stands behind the block, so that a round takes one jump.
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
-        let (again, end) = (self.code.here(), self.code.label());
-        self.code.line(head(stmt, self.body.range(condition)));
-        self.condition(condition, false, end)?;
+        let line = self.code.later_line(head(stmt, self.body.range(condition)));
+        let test = self.code.label();
+        self.emit(Op::Jump { to: test.0 });
+        let again = self.code.here();
         self.block(block)?;
-        self.emit(Op::Jump { to: again.0 });
-        self.code.place(end);
-        Ok(())
+        self.code.place(test);
+        self.range = head(stmt, self.body.range(condition));
+        self.code.begin_line(line);
+        self.condition(condition, true, again)
     }
 
     pub(crate) fn do_stmt(&mut self, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
@@ -74,7 +77,7 @@ impl Coder<'_, '_> {
         self.block(block)?;
         let counted = self.load(variable, None)?;
         self.move_num(counter, counted);
-        self.emit(Op::ForNext { counter, limit, body: body.0 });
+        self.code.next_round(Op::ForNext { counter, limit, body: body.0 });
         self.code.place(exit);
         self.store_counter(variable, counter)
     }

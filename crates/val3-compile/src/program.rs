@@ -40,8 +40,9 @@ impl Coder<'_, '_> {
         let variables = self.variables(&params)?;
         let stack_bytes = self.frame.bytes();
         self.block(&self.body.block)?;
+        self.code.begin();
         self.emit(Op::Return);
-        let ops = self.code.finish()?;
+        let code = self.code.finish()?;
         let Code { lines, texts, copies, instructions, calls, tasks, .. } = std::mem::take(&mut self.code);
         let (frame, nums, parts) = std::mem::take(&mut self.frame).finish();
         Ok(Program {
@@ -54,7 +55,7 @@ impl Coder<'_, '_> {
             stack_bytes,
             nums,
             parts,
-            code: ops,
+            code,
             lines,
             texts,
             copies,

@@ -26,6 +26,28 @@ pub(crate) enum Given {
     Container(View),
 }
 
+/// Where a value is.
+#[inline]
+pub(crate) fn place(memory: &Memory, base: &Base, operand: Operand) -> Result<Place> {
+    match operand {
+        Operand::Frame(lanes) => Ok(on_frame(base, lanes)),
+        Operand::Place(register, lanes) => Ok(located(memory, base, register)?.behind(lanes)),
+    }
+}
+
+/// A place on the frame.
+pub(crate) fn on_frame(base: &Base, lanes: Lanes) -> Place {
+    let Base { num, text, link, part, .. } = *base;
+    Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes)
+}
+
+/// A place that was looked up, or a parameter by reference.
+#[inline]
+pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Result<Place> {
+    let at = base.place as usize + usize::from(register);
+    memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
+}
+
 impl Scope<'_> {
     /// The container, and the first of its values that can be reached.
     #[inline]
@@ -54,25 +76,6 @@ impl Scope<'_> {
         }
     }
 
-    pub(crate) fn place(&self, operand: Operand) -> Result<Place> {
-        match operand {
-            Operand::Frame(lanes) => Ok(self.on_frame(lanes)),
-            Operand::Place(register, lanes) => Ok(self.located(register)?.behind(lanes)),
-        }
-    }
-
-    pub(crate) fn on_frame(&self, lanes: Lanes) -> Place {
-        let Base { num, text, link, part, .. } = self.base;
-        Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes)
-    }
-
-    /// A place that was looked up, or a parameter by reference.
-    #[inline]
-    pub(crate) fn located(&self, register: Register) -> Result<Place> {
-        let at = self.base.place as usize + usize::from(register);
-        self.memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
-    }
-
     pub(crate) fn num(&self, register: Register) -> Result<f64> {
         let at = self.base.num as usize + usize::from(register);
         self.memory.stack.nums.get(at).copied().ok_or(Fault::INTERPRETER)
@@ -82,8 +85,8 @@ impl Scope<'_> {
     #[inline]
     pub(crate) fn argument(&self, site: &ArgumentSite) -> Result<Argument> {
         Ok(match *site {
-            ArgumentSite::Value(operand, base) => Argument::Value(self.place(operand)?, base),
-            ArgumentSite::UserValue(operand) => Argument::UserValue(self.place(operand)?),
+            ArgumentSite::Value(operand, base) => Argument::Value(place(self.memory, &self.base, operand)?, base),
+            ArgumentSite::UserValue(operand) => Argument::UserValue(place(self.memory, &self.base, operand)?),
             ArgumentSite::View(whole, start) => Argument::View(self.part_of(whole, start)?),
             ArgumentSite::Slot(whole, at) => Argument::Slot(self.slot(whole, at)?),
             ArgumentSite::Library(number) => Argument::Library(number),
@@ -94,7 +97,9 @@ impl Scope<'_> {
     #[inline]
     pub(crate) fn given(&self, site: &ArgumentSite) -> Result<Given> {
         match *site {
-            ArgumentSite::Value(operand, _) | ArgumentSite::UserValue(operand) => self.place(operand).map(Given::Value),
+            ArgumentSite::Value(operand, _) | ArgumentSite::UserValue(operand) => {
+                place(self.memory, &self.base, operand).map(Given::Value)
+            }
             ArgumentSite::View(whole, start) => self.part_of(whole, start).map(Given::Container),
             ArgumentSite::Slot(..) | ArgumentSite::Library(_) => Err(Fault::INTERPRETER),
         }
@@ -126,7 +131,7 @@ impl Scope<'_> {
             }
             SlotSite::Key(register) => {
                 let lane = Lanes { text: u32::from(register), ..Lanes::default() };
-                SlotAt::Key(*self.memory.text(self.on_frame(lane))?)
+                SlotAt::Key(*self.memory.text(on_frame(&self.base, lane))?)
             }
         };
         Ok(Slot { view, at })

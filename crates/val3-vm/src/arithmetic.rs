@@ -20,6 +20,12 @@ pub(crate) fn concatenate(texts: &mut [Text], to: Register, (a, b): (Register, R
     Ok(())
 }
 
+/// A truth value as a number.
+#[inline]
+pub(crate) fn truth(value: bool) -> f64 {
+    f64::from(u8::from(value))
+}
+
 /// The remainder has the sign of the left side (3.2.2).
 pub(crate) fn remainder(a: f64, b: f64) -> Result<f64> {
     if b == 0.0 { Err(Fault(DIVISION_BY_ZERO)) } else { Ok(a % b) }

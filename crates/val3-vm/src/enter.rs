@@ -2,14 +2,16 @@
 
 use val3_bytecode::{Param, Passing, Program};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Link, Memory, Place, StoreId, View};
+use val3_lang::memory::{Link, Memory, Place, StoreId, View};
 use val3_lang::values::Text;
 
-use crate::arguments::Given;
+use crate::arguments::{Given, on_frame};
 use crate::task::Base;
+use crate::window::NARROW;
 
 /// The first lanes behind a frame.
-pub(crate) fn behind(base: Base, program: &Program) -> Base {
+#[inline]
+pub(crate) fn behind(base: &Base, program: &Program) -> Base {
     let size = &program.frame;
     Base {
         num: base.num + size.lanes.num,
@@ -23,24 +25,14 @@ pub(crate) fn behind(base: Base, program: &Program) -> Base {
 }
 
 /// Makes the frame of `program` at `base`; its parameters are [passed](pass) then.
-pub(crate) fn enter(memory: &mut Memory, program: &Program, base: Base, most: u32) -> Result<()> {
-    let end = behind(base, program);
-    if end.bytes > most {
-        return Err(Fault::STACK_FULL);
-    }
-    let stack = &mut memory.stack;
-    fill(&mut stack.nums, base.num, end.num, 0.0);
-    let template = base.num as usize..base.num as usize + program.nums.len();
-    if let Some(nums) = stack.nums.get_mut(template) {
-        nums.copy_from_slice(&program.nums);
-    }
+pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
+    enter_plain(memory, program, base, most)?;
+    let (end, stack) = (behind(base, program), &mut memory.stack);
+    fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
     fill(&mut stack.texts, base.text, end.text, Text::new());
     clear(&mut stack.texts, base.text, end.text, Text::new());
     fill(&mut stack.links, base.link, end.link, Link::None);
     clear(&mut stack.links, base.link, end.link, Link::None);
-    fill(&mut stack.places, base.place, end.place, Place::first(StoreId::STACK));
-    fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
-    stack.parts.truncate(base.part as usize);
     for part in &program.parts {
         let store = memory.create_local(part);
         memory.stack.parts.push(store);
@@ -48,8 +40,26 @@ pub(crate) fn enter(memory: &mut Memory, program: &Program, base: Base, most: u3
     Ok(())
 }
 
+/// As [`enter`], for a program whose frame has nothing but numbers and places.
+///
+/// The stack has the numbers of a narrow frame behind each base.
+#[inline]
+pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
+    if base.bytes.saturating_add(program.stack_bytes) > most {
+        return Err(Fault::STACK_FULL);
+    }
+    let stack = &mut memory.stack;
+    let lanes = program.frame.lanes.num.max(NARROW);
+    fill(&mut stack.nums, base.num, base.num.saturating_add(lanes), 0.0);
+    fill(&mut stack.places, base.place, base.place + program.frame.places, Place::first(StoreId::STACK));
+    let template = base.num as usize..base.num as usize + program.nums.len();
+    stack.nums.get_mut(template).ok_or(Fault::INTERPRETER)?.copy_from_slice(&program.nums);
+    Ok(())
+}
+
 /// Drops what the frame at `base` holds in memory.
-pub(crate) fn leave(memory: &mut Memory, base: Base) {
+#[inline]
+pub(crate) fn leave(memory: &mut Memory, base: &Base) {
     memory.cut_links(base.link);
     while memory.stack.parts.len() > base.part as usize {
         if let Some(part) = memory.stack.parts.pop() {
@@ -58,16 +68,9 @@ pub(crate) fn leave(memory: &mut Memory, base: Base) {
     }
 }
 
-/// Copies a number from the frame of the caller: what most arguments are.
-#[inline]
-pub(crate) fn pass_number(nums: &mut [f64], from: u32, to: u32) -> Result<()> {
-    let value = nums.get(from as usize).copied().ok_or(Fault::INTERPRETER)?;
-    write(nums, to, value)
-}
-
 /// Gives a parameter of the frame at `base` its argument.
 #[inline]
-pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Given) -> Result<()> {
+pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Given) -> Result<()> {
     let from = match argument {
         Given::Value(place) => place,
         Given::Container(view) => match param.passing {
@@ -76,11 +79,7 @@ pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Giv
         },
     };
     match param.passing {
-        Passing::Value(_, lanes) => {
-            let Base { num, text, link, part, .. } = base;
-            let to = Place::new(StoreId::STACK, Lanes { num, text, link, part } + lanes);
-            memory.copy(&param.kind, from, to)
-        }
+        Passing::Value(_, lanes) => memory.copy(&param.kind, from, on_frame(base, lanes)),
         Passing::UserValue(part) => {
             let part = memory.stack.parts.get((base.part + part) as usize).copied().ok_or(Fault::INTERPRETER)?;
             memory.copy(&param.kind, from, Place::first(part))
@@ -90,16 +89,28 @@ pub(crate) fn pass(memory: &mut Memory, base: Base, param: &Param, argument: Giv
     }
 }
 
-fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
+#[inline]
+pub(crate) fn get(nums: &[f64], at: u32) -> Result<f64> {
+    nums.get(at as usize).copied().ok_or(Fault::INTERPRETER)
+}
+
+#[inline]
+pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
     *lanes.get_mut(at as usize).ok_or(Fault::INTERPRETER)? = value;
     Ok(())
 }
 
 /// Makes room up to `end`; a frame that was there before may leave its values.
+#[inline]
 fn fill<T: Copy>(lanes: &mut Vec<T>, start: u32, end: u32, value: T) {
     if end > start && lanes.len() < end as usize {
-        lanes.resize(end as usize, value);
+        grow(lanes, end, value);
     }
+}
+
+#[cold]
+fn grow<T: Copy>(lanes: &mut Vec<T>, end: u32, value: T) {
+    lanes.resize(end as usize, value);
 }
 
 fn clear<T: Copy>(lanes: &mut [T], start: u32, end: u32, value: T) {

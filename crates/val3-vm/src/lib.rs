@@ -5,12 +5,15 @@
 
 mod arguments;
 mod arithmetic;
+mod calls;
 mod enter;
 mod execute;
 mod host;
 mod instance;
+mod instruction;
 mod interface;
 mod libraries;
+mod machine;
 mod resume;
 mod roster;
 mod schedule;
@@ -18,7 +21,9 @@ mod services;
 mod space;
 mod task;
 mod turn;
+mod values;
 mod vm;
+mod window;
 
 pub use host::{Host, LibraryOp, Loaded};
 pub use instance::{Instance, InstanceId};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_lang::library_errors as code;
 use val3_lang::ports::Request;
 
-use crate::execute::Machine;
+use crate::machine::Machine;
 use crate::{Host, InstanceId, LibraryOp, Space};
 
 /// The application, which is the first in memory and never leaves it.
@@ -56,7 +56,7 @@ impl Machine<'_> {
         if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
         }
-        let is_in = |task: &crate::Task| task.thread.frames.iter().any(|frame| frame.instance == library);
+        let is_in = |task: &Box<crate::Task>| task.thread.frames.iter().any(|frame| frame.instance == library);
         self.roster.tasks.iter().any(is_in).then_some(code::IN_USE)
     }
 

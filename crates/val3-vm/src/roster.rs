@@ -12,8 +12,8 @@ use crate::{InstanceId, Rate, Task, TaskState};
 /// Every task that was created and has not ended.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Roster {
-    /// By creation. The task that runs is here too, without its stack.
-    pub(crate) tasks: Vec<Task>,
+    /// By creation. The task that runs is here too, without its thread.
+    pub(crate) tasks: Vec<Box<Task>>,
     /// Some of them have ended or were killed, and are still to be removed.
     any_over: bool,
     next: u64,
@@ -26,7 +26,20 @@ impl Roster {
     }
 
     pub(crate) fn position(&self, id: TaskNumber) -> Option<usize> {
-        self.tasks.binary_search_by_key(&id, |task| task.id).ok()
+        let at = self.first_from(id);
+        self.tasks.get(at).filter(|task| task.id == id).map(|_| at)
+    }
+
+    /// Where the task is, or the next one created behind it.
+    ///
+    /// As long as none of those between them has ended, a task is as far from the first as their numbers are.
+    pub(crate) fn first_from(&self, id: TaskNumber) -> usize {
+        let first = self.tasks.first().map_or(0, |task| task.id.0);
+        let guess = usize::try_from(id.0.saturating_sub(first)).unwrap_or(usize::MAX);
+        match self.tasks.get(guess) {
+            Some(task) if task.id == id => guess,
+            _ => self.tasks.partition_point(|task| task.id < id),
+        }
     }
 
     /// The name suits and is free.
@@ -42,7 +55,7 @@ impl Roster {
 
     /// One more period is possible.
     pub(crate) fn check_period(&self, period: u64) -> Result<()> {
-        let mut periods: Vec<u64> = self.tasks.iter().filter_map(period_of).chain([period]).collect();
+        let mut periods: Vec<u64> = self.tasks.iter().filter_map(|task| period_of(task)).chain([period]).collect();
         periods.sort_unstable();
         periods.dedup();
         if periods.len() > MAX_PERIODS { Err(Fault(PERIODS)) } else { Ok(()) }
@@ -58,7 +71,8 @@ impl Roster {
     pub(crate) fn add(&mut self, id: TaskNumber, name: &str, owner: InstanceId, rate: Rate, new: NewThread) {
         let NewThread { thread, stack_size } = new;
         let (name, state) = (name.to_owned(), TaskState::Running);
-        self.tasks.push(Task { id, name, owner, rate, state, thread, stack_size, left: 0 });
+        let thread = Box::new(thread);
+        self.tasks.push(Box::new(Task { id, name, owner, rate, state, thread, stack_size, left: 0 }));
     }
 
     /// A task is over: its name is free, and it is removed behind the turn.
@@ -70,14 +84,11 @@ impl Roster {
     }
 
     /// Takes out the tasks that are over.
-    pub(crate) fn take_over(&mut self) -> Vec<Task> {
+    pub(crate) fn take_over(&mut self) -> Vec<Box<Task>> {
         if !std::mem::take(&mut self.any_over) {
             return Vec::new();
         }
-        let (over, left) =
-            std::mem::take(&mut self.tasks).into_iter().partition(|task| task.state == TaskState::Killed);
-        self.tasks = left;
-        over
+        self.tasks.extract_if(.., |task| task.state == TaskState::Killed).collect()
     }
 
     /// A task of this application or library is at work.

@@ -78,7 +78,7 @@ impl Schedule {
 
     /// The periods of tasks that do not run pass, so that one that is resumed goes on at the beginning of one.
     fn pass_periods(&self, vm: &mut Vm) {
-        let is_passed = |task: &&Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
+        let is_passed = |task: &&Box<Task>| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
         let passed: Vec<TaskNumber> =
             vm.tasks().iter().filter(is_passed).filter(|task| !task.is_running()).map(|task| task.id).collect();
         for id in passed {
@@ -147,7 +147,7 @@ impl Schedule {
     /// The next asynchronous task that can run, with the lines of its turn.
     fn next_turn(&self, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let tasks = vm.tasks();
-        let from = tasks.partition_point(|task| task.id < self.next);
+        let from = vm.roster.first_from(self.next);
         let (task, lines) = tasks.iter().skip(from).find_map(|task| Some((task, self.lines(task)?)))?;
         let first = if task.left > 0 { task.left } else { lines };
         let most = u32::try_from((end - self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX);
@@ -164,7 +164,7 @@ impl Schedule {
     }
 
     /// No other asynchronous task can run before `end`, unless this one lets it: its turns follow one another.
-    fn is_alone(&self, task: &Task, tasks: &[Task], end: Time) -> bool {
+    fn is_alone(&self, task: &Task, tasks: &[Box<Task>], end: Time) -> bool {
         let wakes = |other: &Task| other.thread.wait.and_then(|wait| wait.wake).is_some_and(|wake| wake < end);
         let is_other = |other: &Task| other.id != task.id && matches!(other.rate, Rate::Priority(_));
         !tasks.iter().any(|other| is_other(other) && other.is_running() && (!self.sleeps(other) || wakes(other)))

@@ -21,7 +21,7 @@ pub struct Task {
     /// Whether it runs.
     pub state: TaskState,
     /// Where it is.
-    pub thread: Thread,
+    pub thread: Box<Thread>,
     /// Bytes of stack it may use.
     pub stack_size: u32,
     /// Lines it may still execute in its turn, when the end of a cycle came first.

@@ -8,9 +8,9 @@ use val3_lang::memory::{Lanes, Memory, Place};
 use val3_lang::ports::{TaskChange, Time};
 use val3_lang::tasks::{period_steps, priority};
 
-use crate::arguments::{Given, Scope};
+use crate::arguments::{Given, on_frame, place};
 use crate::enter::{enter, pass};
-use crate::execute::Machine;
+use crate::machine::Machine;
 use crate::task::{Base, NewThread, Thread};
 use crate::{CYCLE, Frame, InstanceId, Rate};
 
@@ -87,14 +87,14 @@ impl Machine<'_> {
     }
 
     /// `taskCreate` and `taskCreateSync` (5.10).
-    pub(crate) fn create_task(&mut self, image: &Image, frame: Frame, site: &TaskSite) -> Result<()> {
-        let instance = self.space.instance(frame.instance).ok_or(Fault::INTERPRETER)?;
-        let scope = Scope { memory: &self.space.memory, instance, base: frame.base };
+    pub(crate) fn create_task(&mut self, image: &Image, (frame, line): (&Frame, u32), site: &TaskSite) -> Result<()> {
+        self.ports.origin(self.origin(self.now(), frame, line));
+        let scope = self.scope(frame)?;
         let name = Lanes { text: u32::from(site.name), ..Lanes::default() };
-        let name = self.space.memory.text(scope.on_frame(name))?.as_str().to_owned();
+        let name = self.space.memory.text(on_frame(&frame.base, name))?.as_str().to_owned();
         self.roster.check_name(frame.instance, &name, image.version)?;
         let rate = scope.num(site.rate)?;
-        let overrun = site.overrun.map(|operand| scope.place(operand)).transpose()?;
+        let overrun = site.overrun.map(|operand| place(&self.space.memory, &frame.base, operand)).transpose()?;
         let arguments = site.call.arguments.iter().map(|site| scope.given(site)).collect::<Result<Vec<_>>>()?;
         let rate = self.rate(rate, overrun)?;
         let program = self.resolve(frame.instance, site.call.program)?;
@@ -137,9 +137,9 @@ impl Machine<'_> {
         let lanes = stack.ends();
         let (place, view) = (length(&stack.places), length(&stack.views));
         let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
-        enter(&mut self.space.memory, callee, base, u32::MAX)?;
+        enter(&mut self.space.memory, callee, &base, u32::MAX)?;
         for (param, argument) in callee.params.iter().zip(arguments) {
-            pass(&mut self.space.memory, base, param, *argument)?;
+            pass(&mut self.space.memory, &base, param, *argument)?;
         }
         let stack = self.space.memory.stack.split_off(lanes, place, view);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };

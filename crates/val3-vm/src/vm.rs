@@ -4,7 +4,7 @@ use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
 use crate::enter::leave;
-use crate::execute::Machine;
+use crate::machine::Machine;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, Thread};
 use crate::{Grant, Host, InstanceId, Rate, Space, Stop, Task, TaskState, Turn};
@@ -15,12 +15,14 @@ pub struct Vm {
     /// What is in memory.
     pub space: Space,
     pub(crate) roster: Roster,
+    /// What the task that runs has instead of its thread, while none does.
+    idle: Option<Box<Thread>>,
 }
 
 impl Vm {
     /// The tasks in the order of their creation.
     #[must_use]
-    pub fn tasks(&self) -> &[Task] {
+    pub fn tasks(&self) -> &[Box<Task>] {
         &self.roster.tasks
     }
 
@@ -49,13 +51,13 @@ impl Vm {
         let nothing = Turn { stop: Stop::Waits, lines: 0, left: 0, reads_clock: false };
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return nothing };
         let stack_size = task.stack_size;
-        let mut thread = std::mem::take(&mut task.thread);
+        let mut thread = std::mem::replace(&mut task.thread, self.idle.take().unwrap_or_default());
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         let mut machine = self.machine(id, grant, (now, line_cost), stack_size, host);
         let stop = machine.run(&mut thread).unwrap_or_else(Stop::Failed);
         if let Some(frame) = thread.frames.last() {
-            machine.ports.origin(machine.origin(machine.now(), *frame, thread.line));
+            machine.ports.origin(machine.origin(machine.now(), frame, thread.line));
         }
         let lines = machine.granted - machine.budget;
         let left = if stop == Stop::Budget { grant.left(lines) } else { 0 };
@@ -91,7 +93,7 @@ impl Vm {
     }
 
     /// Puts the thread of a task back after its turn.
-    fn settle(&mut self, id: TaskNumber, mut thread: Thread, stop: Stop, host: &mut dyn Host) {
+    fn settle(&mut self, id: TaskNumber, mut thread: Box<Thread>, stop: Stop, host: &mut dyn Host) {
         let Some(at) = self.roster.position(id) else { return };
         let Some(task) = self.roster.tasks.get_mut(at) else { return };
         match stop {
@@ -103,7 +105,7 @@ impl Vm {
             Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
             Stop::Ended | Stop::Budget | Stop::Waits | Stop::Halted => {}
         }
-        task.thread = thread;
+        self.idle = Some(std::mem::replace(&mut task.thread, thread));
         if stop == Stop::Ended
             && let Some(task) = self.roster.end(at)
         {
@@ -116,7 +118,7 @@ impl Vm {
     fn sweep(&mut self) {
         for mut task in self.roster.take_over() {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
-            leave(&mut self.space.memory, Base::default());
+            leave(&mut self.space.memory, &Base::default());
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
         }
     }

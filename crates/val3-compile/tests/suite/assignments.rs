@@ -14,15 +14,13 @@ fn chains() {
     check(
         "n=m=3\nnA[n]=nA[1]=m",
         expect![[r#"
-        n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
-           1     0  Line
-                 1  Move { to: 1, from: 17 }
-                 2  Move { to: 0, from: 17 }
-           2     3  Line
-                 4  StoreElement { whole: Data(1), index: 18, from: 1 }
-                 5  StoreElement { whole: Data(1), index: 0, from: 1 }
-                 6  Return
-    "#]],
+            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
+               1     0  Move { to: 1, from: 17 }
+                     1  Move { to: 0, from: 17 }
+               2     2  StoreElement { whole: Data(1), index: 18, from: 1 }
+                     3  StoreElement { whole: Data(1), index: 0, from: 1 }
+                     4  Return
+        "#]],
     );
 }
 
@@ -31,18 +29,16 @@ fn outputs_are_set_and_inputs_read() {
     check(
         "dOut=n==1\nb=dOut\nb=d",
         expect![[r#"
-        n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
-           1     0  Line
-                 1  Equal { to: 18, a: 0, b: 17 }
-                 2  LocateFirst { to: 0, whole: Data(0) }
-                 3  Instruction =(dio p0, bool n18)
-           2     4  Line
-                 5  LocateFirst { to: 0, whole: Data(0) }
-                 6  Instruction =(dio p0) -> n2/t0/l0
-           3     7  Line
-                 8  Instruction =(dio l0) -> n2/t0/l0
-                 9  Return
-    "#]],
+            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
+               1     0  Equal { to: 18, a: 0, b: 17 }
+                     1  LocateFirst { to: 0, whole: Data(0) }
+                     2  Instruction =(dio p0, bool n18)
+               2     3  LocateFirst { to: 0, whole: Data(0) }
+                     4  Instruction =(dio p0) -> n2/t0/l0
+               3     5  Line
+                     6  Instruction =(dio l0) -> n2/t0/l0
+                     7  Return
+        "#]],
     );
 }
 
@@ -51,13 +47,11 @@ fn constant_structures_lie_in_the_frame() {
     check(
         "t={1,2,3,,,-90}\nmd={10,20,30,,,off}",
         expect![[r#"
-        n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n22=-90, n23=10, n24=20, n25=30, n28=1
-           1     0  Line
-                 1  Copy n3 from n17
-           2     2  Line
-                 3  Copy n9 from n23
-                 4  Return
-    "#]],
+            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n22=-90, n23=10, n24=20, n25=30, n28=1
+               1     0  Copy n3 from n17
+               2     1  Copy n9 from n23
+                     2  Return
+        "#]],
     );
 }
 
@@ -66,17 +60,16 @@ fn what_is_left_out_is_zero() {
     check(
         "t={n,t.x}",
         expect![[r#"
-        n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50
-           1     0  Line
-                 1  Move { to: 17, from: 0 }
-                 2  Move { to: 18, from: 3 }
-                 3  Move { to: 19, from: 23 }
-                 4  Move { to: 20, from: 23 }
-                 5  Move { to: 21, from: 23 }
-                 6  Move { to: 22, from: 23 }
-                 7  Copy n3 from n17
-                 8  Return
-    "#]],
+            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50
+               1     0  Move { to: 17, from: 0 }
+                     1  Move { to: 18, from: 3 }
+                     2  Move { to: 19, from: 23 }
+                     3  Move { to: 20, from: 23 }
+                     4  Move { to: 21, from: 23 }
+                     5  Move { to: 22, from: 23 }
+                     6  Copy n3 from n17
+                     7  Return
+        "#]],
     );
 }
 
@@ -85,30 +78,28 @@ fn points_and_tools_keep_their_links() {
     check(
         "pA[n]={{1,2,3,,,},{lefty}}\ntT={{,,n},dOut,1}",
         expect![[r#"
-        n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
-           1     0  Line
-                 1  Locate { to: 0, whole: Data(3), index: 0 }
-                 2  Copy p0 from n17
-                 3  Locate { to: 1, whole: Data(3), index: 0 }
-                 4  Copy p1+n6 from n23
-           2     5  Line
-                 6  Move { to: 26, from: 34 }
-                 7  Move { to: 27, from: 34 }
-                 8  Move { to: 28, from: 0 }
-                 9  Move { to: 29, from: 34 }
-                10  Move { to: 30, from: 34 }
-                11  Move { to: 31, from: 34 }
-                12  LocateFirst { to: 0, whole: Data(0) }
-                13  Copy l3 from p0
-                14  Move { to: 32, from: 35 }
-                15  Move { to: 33, from: 34 }
-                16  LocateFirst { to: 1, whole: Data(2) }
-                17  Copy p1 from n26
-                18  LocateFirst { to: 2, whole: Data(2) }
-                19  Copy p2+l1 from l3
-                20  StoreFirst { whole: Data(2), lane: 6, from: 32 }
-                21  StoreFirst { whole: Data(2), lane: 7, from: 33 }
-                22  Return
-    "#]],
+            n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
+               1     0  Locate { to: 0, whole: Data(3), index: 0 }
+                     1  Copy p0 from n17
+                     2  Locate { to: 1, whole: Data(3), index: 0 }
+                     3  Copy p1+n6 from n23
+               2     4  Move { to: 26, from: 34 }
+                     5  Move { to: 27, from: 34 }
+                     6  Move { to: 28, from: 0 }
+                     7  Move { to: 29, from: 34 }
+                     8  Move { to: 30, from: 34 }
+                     9  Move { to: 31, from: 34 }
+                    10  LocateFirst { to: 0, whole: Data(0) }
+                    11  Copy l3 from p0
+                    12  Move { to: 32, from: 35 }
+                    13  Move { to: 33, from: 34 }
+                    14  LocateFirst { to: 1, whole: Data(2) }
+                    15  Copy p1 from n26
+                    16  LocateFirst { to: 2, whole: Data(2) }
+                    17  Copy p2+l1 from l3
+                    18  StoreFirst { whole: Data(2), lane: 6, from: 32 }
+                    19  StoreFirst { whole: Data(2), lane: 7, from: 33 }
+                    20  Return
+        "#]],
     );
 }

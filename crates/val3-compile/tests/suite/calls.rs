@@ -46,17 +46,15 @@ fn arguments() {
     check(
         "call pick(l_n+1,nA[l_n],nA[2],sColl,tS)\ncall part:tell(\"a\")",
         expect![[r#"
-        l_n n0/t0/l0, n1=1, n3=2
-           1     0  Line
-                 1  Add { to: 2, a: 0, b: 1 }
-                 2  Locate { to: 0, whole: Data(0), index: 0 }
-                 3  LocateFirst { to: 1, whole: Data(1) }
-                 4  Call program 1(num n2, num p0, Data(0) from n3, Data(3), user p1)
-           2     5  Line
-                 6  TextConstant { to: 0, constant: 0 }
-                 7  Call import 0(string t0)
-                 8  Return
-    "#]],
+            l_n n0/t0/l0, n1=1, n3=2
+               1     0  Add { to: 2, a: 0, b: 1 }
+                     1  Locate { to: 0, whole: Data(0), index: 0 }
+                     2  LocateFirst { to: 1, whole: Data(1) }
+                     3  Call program 1(num n2, num p0, Data(0) from n3, Data(3), user p1)
+               2     4  TextConstant { to: 0, constant: 0 }
+                     5  Call import 0(string t0)
+                     6  Return
+        "#]],
     );
 }
 
@@ -72,31 +70,25 @@ fn parameters() {
         x_a View(0)
         x_c View(1)
         x_t UserValue(0)
-           1     0  Line
-                 1  Store { place: 0, lane: 0, from: 0 }
-           2     2  Line
-                 3  LocateFirst { to: 1, whole: Part(0) }
-                 4  Field { to: 2, place: 1, field: 0 }
-                 5  LoadFirst { to: 2, whole: View(2), lane: 0 }
-                 6  StoreElement { whole: View(0), index: 1, from: 2 }
-           3     7  Line
-                 8  TextConstant { to: 0, constant: 0 }
-                 9  TextConstant { to: 1, constant: 1 }
-                10  LocateKey { to: 1, whole: View(1), key: 0 }
-                11  StoreText { place: 1, from: 1 }
-           4    12  Line
-                13  Load { to: 2, place: 0, lane: 0 }
-                14  StoreFirst { whole: Part(1), lane: 0, from: 2 }
-                15  Call program 0(Part(1))
-                16  LoadFirst { to: 3, whole: Part(1), lane: 0 }
-                17  Store { place: 0, lane: 0, from: 3 }
-           5    18  Line
-                19  StoreFirst { whole: Part(2), lane: 0, from: 0 }
-                20  Call program 0(Part(2))
-                21  LoadFirst { to: 0, whole: Part(2), lane: 0 }
-           6    22  Line
-                23  Call program 0(View(0) from n4)
-                24  Return
+           1     0  Store { place: 0, lane: 0, from: 0 }
+           2     1  LocateFirst { to: 1, whole: Part(0) }
+                 2  Field { to: 2, place: 1, field: 0 }
+                 3  LoadFirst { to: 2, whole: View(2), lane: 0 }
+                 4  StoreElement { whole: View(0), index: 1, from: 2 }
+           3     5  TextConstant { to: 0, constant: 0 }
+                 6  TextConstant { to: 1, constant: 1 }
+                 7  LocateKey { to: 1, whole: View(1), key: 0 }
+                 8  StoreText { place: 1, from: 1 }
+           4     9  Load { to: 2, place: 0, lane: 0 }
+                10  StoreFirst { whole: Part(1), lane: 0, from: 2 }
+                11  Call program 0(Part(1))
+                12  LoadFirst { to: 3, whole: Part(1), lane: 0 }
+                13  Store { place: 0, lane: 0, from: 3 }
+           5    14  StoreFirst { whole: Part(2), lane: 0, from: 0 }
+                15  Call program 0(Part(2))
+                16  LoadFirst { to: 0, whole: Part(2), lane: 0 }
+           6    17  Call program 0(View(0) from n4)
+                18  Return
     "#]]
     .assert_eq(&shown);
 }
@@ -106,18 +98,16 @@ fn tasks() {
     check(
         "taskCreate \"t\"+\"1\", 10, forward(nA)\ntaskCreateSync \"s\", 0.004, bLate, part:tell(\"x\")",
         expect![[r#"
-        l_n n0/t0/l0, n1=10, n2=0.004
-           1     0  Line
-                 1  TextConstant { to: 0, constant: 0 }
-                 2  TextConstant { to: 1, constant: 1 }
-                 3  Concatenate { to: 2, a: 0, b: 1 }
-                 4  CreateTask t2, n1, program 0(Data(0))
-           2     5  Line
-                 6  TextConstant { to: 0, constant: 2 }
-                 7  LocateFirst { to: 0, whole: Data(2) }
-                 8  TextConstant { to: 1, constant: 3 }
-                 9  CreateTask t0, n2, p0, import 0(string t1)
-                10  Return
-    "#]],
+            l_n n0/t0/l0, n1=10, n2=0.004
+               1     0  TextConstant { to: 0, constant: 0 }
+                     1  TextConstant { to: 1, constant: 1 }
+                     2  Concatenate { to: 2, a: 0, b: 1 }
+                     3  CreateTask t2, n1, program 0(Data(0))
+               2     4  TextConstant { to: 0, constant: 2 }
+                     5  LocateFirst { to: 0, whole: Data(2) }
+                     6  TextConstant { to: 1, constant: 3 }
+                     7  CreateTask t0, n2, p0, import 0(string t1)
+                     8  Return
+        "#]],
     );
 }

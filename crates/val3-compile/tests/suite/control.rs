@@ -14,24 +14,19 @@ fn conditions_jump_where_they_are_decided() {
     check(
         "if i>3 and nX!=4\ni=1\nelseIf i==2 or b\ni=2\nelse\ni=3\nendIf",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n4=4, n5=1, n6=2
-           1     0  Line
-                 1  UnlessLess { a: 2, b: 0, to: 7 }
-                 2  LoadFirst { to: 3, whole: Data(0), lane: 0 }
-                 3  IfEqual { a: 3, b: 4, to: 7 }
-           2     4  Line
-                 5  Move { to: 0, from: 5 }
-                 6  Jump { to: 15 }
-           3     7  Line
-                 8  IfEqual { a: 0, b: 6, to: 10 }
-                 9  JumpUnless { condition: 1, to: 13 }
-           4    10  Line
-                11  Move { to: 0, from: 6 }
-                12  Jump { to: 15 }
-           5    13  Line
-                14  Move { to: 0, from: 2 }
-                15  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n4=4, n5=1, n6=2
+               1     0  UnlessLess { a: 2, b: 0, to: 5 }
+                     1  LoadFirst { to: 3, whole: Data(0), lane: 0 }
+                     2  IfEqual { a: 3, b: 4, to: 5 }
+               2     3  Move { to: 0, from: 5 }
+                     4  Jump { to: 10 }
+               3     5  IfEqual { a: 0, b: 6, to: 7 }
+                     6  JumpUnless { condition: 1, to: 9 }
+               4     7  Move { to: 0, from: 6 }
+                     8  Jump { to: 10 }
+               5     9  Move { to: 0, from: 2 }
+                    10  Return
+        "#]],
     );
 }
 
@@ -40,24 +35,16 @@ fn contraries_cost_nothing() {
     check(
         "if !(i<3)\ni=1\nendIf\nif b==false\ni=2\nendIf\nif !(b or i>=1)\ni=3\nendIf",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n4=1, n5=2
-           1     0  Line
-                 1  Less { to: 3, a: 0, b: 2 }
-                 2  JumpIf { condition: 3, to: 5 }
-           2     3  Line
-                 4  Move { to: 0, from: 4 }
-           3     5  Line
-                 6  JumpIf { condition: 1, to: 9 }
-           4     7  Line
-                 8  Move { to: 0, from: 5 }
-           5     9  Line
-                10  JumpIf { condition: 1, to: 15 }
-                11  LessEqual { to: 3, a: 4, b: 0 }
-                12  JumpIf { condition: 3, to: 15 }
-           6    13  Line
-                14  Move { to: 0, from: 2 }
-                15  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n3=1, n4=2
+               1     0  IfLess { a: 0, b: 2, to: 2 }
+               2     1  Move { to: 0, from: 3 }
+               3     2  JumpIf { condition: 1, to: 4 }
+               4     3  Move { to: 0, from: 4 }
+               5     4  JumpIf { condition: 1, to: 7 }
+                     5  IfLessEqual { a: 3, b: 0, to: 7 }
+               6     6  Move { to: 0, from: 2 }
+                     7  Return
+        "#]],
     );
 }
 
@@ -66,17 +53,13 @@ fn loops() {
     check(
         "while i<5\ni=i+1\nendWhile\ndo\ni=i-1\nuntil i<=0",
         expect![[r#"
-            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=5, n3=1
-               1     0  Line
-                     1  UnlessLess { a: 0, b: 2, to: 5 }
-               2     2  Line
-                     3  Add { to: 0, a: 0, b: 3 }
-                     4  JumpToLine { to: 0 }
-               3     5  Line
-                     6  Subtract { to: 0, a: 0, b: 3 }
-               4     7  Line
-                     8  UnlessLessEqual { a: 0, b: 4, to: 5 }
-                     9  Return
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=1, n3=5
+                     0  Jump { to: 2 }
+               2     1  Add { to: 0, a: 0, b: 2 }
+               1     2  IfLess { a: 0, b: 3, to: 1 }
+               3     3  Subtract { to: 0, a: 0, b: 2 }
+               4     4  UnlessLessEqual { a: 0, b: 4, to: 3 }
+                     5  Return
         "#]],
     );
 }
@@ -86,36 +69,32 @@ fn the_counter_of_a_loop_may_be_any_variable() {
     check(
         "for i=1 to nX step -2\nb=true\nendFor",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n4=1, n5=-2
-           1     0  Line
-                 1  LoadFirst { to: 2, whole: Data(0), lane: 0 }
-                 2  Move { to: 3, from: 5 }
-                 3  Move { to: 0, from: 4 }
-                 4  ForTest { counter: 0, limit: 2, exit: 8 }
-           2     5  Line
-                 6  Move { to: 1, from: 4 }
-                 7  ForNext { counter: 0, limit: 2, body: 5 }
-                 8  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n4=1, n5=-2
+               1     0  LoadFirst { to: 2, whole: Data(0), lane: 0 }
+                     1  Move { to: 3, from: 5 }
+                     2  Move { to: 0, from: 4 }
+                     3  ForTest { counter: 0, limit: 2, exit: 6 }
+               2     4  Move { to: 1, from: 4 }
+                     5  ForNext { counter: 0, limit: 2, body: 4 }
+                     6  Return
+        "#]],
     );
     check(
         "for nX=1 to 10\nb=true\nendFor",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n5=1, n6=10
-           1     0  Line
-                 1  Move { to: 2, from: 6 }
-                 2  Move { to: 3, from: 5 }
-                 3  Move { to: 4, from: 5 }
-                 4  ForTest { counter: 4, limit: 2, exit: 11 }
-                 5  StoreFirst { whole: Data(0), lane: 0, from: 4 }
-           2     6  Line
-                 7  Move { to: 1, from: 5 }
-                 8  LoadFirst { to: 7, whole: Data(0), lane: 0 }
-                 9  Move { to: 4, from: 7 }
-                10  ForNext { counter: 4, limit: 2, body: 5 }
-                11  StoreFirst { whole: Data(0), lane: 0, from: 4 }
-                12  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n5=1, n6=10
+               1     0  Move { to: 2, from: 6 }
+                     1  Move { to: 3, from: 5 }
+                     2  Move { to: 4, from: 5 }
+                     3  ForTest { counter: 4, limit: 2, exit: 9 }
+                     4  StoreFirst { whole: Data(0), lane: 0, from: 4 }
+               2     5  Move { to: 1, from: 5 }
+                     6  LoadFirst { to: 7, whole: Data(0), lane: 0 }
+                     7  Move { to: 4, from: 7 }
+                     8  ForNext { counter: 4, limit: 2, body: 4 }
+                     9  StoreFirst { whole: Data(0), lane: 0, from: 4 }
+                    10  Return
+        "#]],
     );
 }
 
@@ -125,38 +104,32 @@ fn cases_are_compared_one_after_the_other() {
         "switch i+1\ncase 1,2\nreturn\nbreak\ncase -3\ni=0\nbreak\ndefault\nb=true\nbreak\nendSwitch",
         expect![[r#"
             i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=1, n4=2, n5=-3
-               1     0  Line
-                     1  Add { to: 3, a: 0, b: 2 }
-                     2  IfEqual { a: 3, b: 2, to: 6 }
-                     3  IfEqual { a: 3, b: 4, to: 6 }
-                     4  IfEqual { a: 3, b: 5, to: 9 }
-                     5  JumpToLine { to: 12 }
-               2     6  Line
-                     7  Return
-                     8  Jump { to: 15 }
-               3     9  Line
-                    10  Move { to: 0, from: 6 }
-                    11  Jump { to: 15 }
-               4    12  Line
-                    13  Move { to: 1, from: 2 }
-                    14  Jump { to: 15 }
-                    15  Return
+               1     0  Add { to: 3, a: 0, b: 2 }
+                     1  IfEqual { a: 3, b: 2, to: 5 }
+                     2  IfEqual { a: 3, b: 4, to: 5 }
+                     3  IfEqual { a: 3, b: 5, to: 7 }
+                     4  Jump { to: 9 }
+               2     5  Return
+                     6  Jump { to: 11 }
+               3     7  Move { to: 0, from: 6 }
+                     8  Jump { to: 11 }
+               4     9  Move { to: 1, from: 2 }
+                    10  Jump { to: 11 }
+                    11  Return
         "#]],
     );
     check(
         "switch s\ncase \"a\"\ni=0\nbreak\nendSwitch",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0
-           1     0  Line
-                 1  TextConstant { to: 1, constant: 0 }
-                 2  TextEqual { to: 2, a: 0, b: 1 }
-                 3  JumpIf { condition: 2, to: 5 }
-                 4  Jump { to: 8 }
-           2     5  Line
-                 6  Move { to: 0, from: 3 }
-                 7  Jump { to: 8 }
-                 8  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0
+               1     0  TextConstant { to: 1, constant: 0 }
+                     1  TextEqual { to: 2, a: 0, b: 1 }
+                     2  JumpIf { condition: 2, to: 4 }
+                     3  Jump { to: 6 }
+               2     4  Move { to: 0, from: 3 }
+                     5  Jump { to: 6 }
+                     6  Return
+        "#]],
     );
 }
 
@@ -165,22 +138,20 @@ fn waiting_computes_the_condition_anew() {
     check(
         "wait(i>3 or b)\nb=watch(nX==2,i+1)\nwatch(b,0)",
         expect![[r#"
-        i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n3=3, n4=1, n7=2
-           1     0  Line
-                 1  Less { to: 2, a: 3, b: 0 }
-                 2  JumpIf { condition: 2, to: 4 }
-                 3  Move { to: 2, from: 1 }
-                 4  WaitUntil { condition: 2, retry: 1 }
-           2     5  Line
-                 6  Add { to: 2, a: 0, b: 4 }
-                 7  Move { to: 5, from: 2 }
-                 8  LoadFirst { to: 6, whole: Data(0), lane: 0 }
-                 9  Equal { to: 8, a: 6, b: 7 }
-                10  Watch { to: 1, condition: 8, seconds: 5, retry: 8 }
-           3    11  Line
-                12  Move { to: 2, from: 9 }
-                13  Watch { to: 5, condition: 1, seconds: 2, retry: 13 }
-                14  Return
-    "#]],
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n3=3, n4=1, n7=2
+               1     0  Line
+                     1  Less { to: 2, a: 3, b: 0 }
+                     2  JumpIf { condition: 2, to: 4 }
+                     3  Move { to: 2, from: 1 }
+                     4  WaitUntil { condition: 2, retry: 1 }
+               2     5  Add { to: 2, a: 0, b: 4 }
+                     6  Move { to: 5, from: 2 }
+                     7  LoadFirst { to: 6, whole: Data(0), lane: 0 }
+                     8  Equal { to: 8, a: 6, b: 7 }
+                     9  Watch { to: 1, condition: 8, seconds: 5, retry: 7 }
+               3    10  Move { to: 2, from: 9 }
+                    11  Watch { to: 5, condition: 1, seconds: 2, retry: 11 }
+                    12  Return
+        "#]],
     );
 }

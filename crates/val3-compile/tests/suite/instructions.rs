@@ -15,27 +15,23 @@ fn values_and_references() {
     check(
         "n=sin(n+1)\ns=toNum(s,n,b)\nputln(s+\"!\")\nmovej(pA,tT,mN)\nmovej({1,2,3,4,5,6},flange,mN)",
         expect![[r#"
-        n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
-           1     0  Line
-                 1  Add { to: 4, a: 0, b: 3 }
-                 2  Instruction sin(num n4) -> n0/t0/l0
-           2     3  Line
-                 4  Instruction toNum(string t0, num n0, bool n2) -> n3/t0/l0
-           3     5  Line
-                 6  TextConstant { to: 1, constant: 0 }
-                 7  Concatenate { to: 2, a: 0, b: 1 }
-                 8  Instruction putln(string t2)
-           4     9  Line
-                10  LocateFirst { to: 0, whole: Data(3) }
-                11  LocateFirst { to: 1, whole: Data(4) }
-                12  LocateFirst { to: 2, whole: Data(5) }
-                13  Instruction movej(point p0, tool p1, mdesc p2)
-           5    14  Line
-                15  LocateFirst { to: 0, whole: Builtin(1) }
-                16  LocateFirst { to: 1, whole: Data(5) }
-                17  Instruction movej(joint n5, tool p0, mdesc p1)
-                18  Return
-    "#]],
+            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
+               1     0  Add { to: 4, a: 0, b: 3 }
+                     1  Instruction sin(num n4) -> n0/t0/l0
+               2     2  Line
+                     3  Instruction toNum(string t0, num n0, bool n2) -> n3/t0/l0
+               3     4  TextConstant { to: 1, constant: 0 }
+                     5  Concatenate { to: 2, a: 0, b: 1 }
+                     6  Instruction putln(string t2)
+               4     7  LocateFirst { to: 0, whole: Data(3) }
+                     8  LocateFirst { to: 1, whole: Data(4) }
+                     9  LocateFirst { to: 2, whole: Data(5) }
+                    10  Instruction movej(point p0, tool p1, mdesc p2)
+               5    11  LocateFirst { to: 0, whole: Builtin(1) }
+                    12  LocateFirst { to: 1, whole: Data(5) }
+                    13  Instruction movej(joint n5, tool p0, mdesc p1)
+                    14  Return
+        "#]],
     );
 }
 
@@ -44,26 +40,25 @@ fn containers_and_slots() {
     check(
         "n=size(nA)\nn=size(nA[2])\ninsert(nA[n])\nb=isDefined(sColl[s])\nb=isDefined(part:nW)\ns=first(sColl)\nresize(nA,1,9)\nn=size(l_n)",
         expect![[r#"
-        n n0/t0/l0, l_n Part(0), b n1/t0/l0, s n2/t0/l0, n2=2, n4=1, n5=9
-           1     0  Line
-                 1  Instruction size(Data(0)) -> n0/t0/l0
-           2     2  Line
-                 3  Instruction size(Data(0) from n2) -> n0/t0/l0
-           3     4  Line
-                 5  Move { to: 3, from: 0 }
-                 6  Instruction insert(Data(0)[1 from n3])
-           4     7  Line
-                 8  Instruction isDefined(Data(1)[t0]) -> n1/t0/l0
-           5     9  Line
-                10  Instruction isDefined(Import(0)) -> n1/t0/l0
-           6    11  Line
-                12  Instruction first(Data(1)) -> n2/t0/l0
-           7    13  Line
-                14  Instruction resize(Data(0), num n4, num n5)
-           8    15  Line
-                16  Instruction size(Part(0)) -> n0/t0/l0
-                17  Return
-    "#]],
+            n n0/t0/l0, l_n Part(0), b n1/t0/l0, s n2/t0/l0, n2=2, n4=1, n5=9
+               1     0  Line
+                     1  Instruction size(Data(0)) -> n0/t0/l0
+               2     2  Line
+                     3  Instruction size(Data(0) from n2) -> n0/t0/l0
+               3     4  Move { to: 3, from: 0 }
+                     5  Instruction insert(Data(0)[1 from n3])
+               4     6  Line
+                     7  Instruction isDefined(Data(1)[t0]) -> n1/t0/l0
+               5     8  Line
+                     9  Instruction isDefined(Import(0)) -> n1/t0/l0
+               6    10  Line
+                    11  Instruction first(Data(1)) -> n2/t0/l0
+               7    12  Line
+                    13  Instruction resize(Data(0), num n4, num n5)
+               8    14  Line
+                    15  Instruction size(Part(0)) -> n0/t0/l0
+                    16  Return
+        "#]],
     );
 }
 
@@ -72,16 +67,15 @@ fn what_is_no_container_is_passed_in_one() {
     check(
         "toBinary(pA.trsf.x,1,\"4.0l\",nA)",
         expect![[r#"
-        n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1
-           1     0  Line
-                 1  LoadFirst { to: 3, whole: Data(3), lane: 0 }
-                 2  StoreFirst { whole: Part(0), lane: 0, from: 3 }
-                 3  TextConstant { to: 1, constant: 0 }
-                 4  Instruction toBinary(Part(0), num n4, string t1, Data(0))
-                 5  LoadFirst { to: 5, whole: Part(0), lane: 0 }
-                 6  StoreFirst { whole: Data(3), lane: 0, from: 5 }
-                 7  Return
-    "#]],
+            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1
+               1     0  LoadFirst { to: 3, whole: Data(3), lane: 0 }
+                     1  StoreFirst { whole: Part(0), lane: 0, from: 3 }
+                     2  TextConstant { to: 1, constant: 0 }
+                     3  Instruction toBinary(Part(0), num n4, string t1, Data(0))
+                     4  LoadFirst { to: 5, whole: Part(0), lane: 0 }
+                     5  StoreFirst { whole: Data(3), lane: 0, from: 5 }
+                     6  Return
+        "#]],
     );
 }
 
@@ -90,14 +84,13 @@ fn libraries() {
     check(
         "n=part:libLoad(\"Disk://part\")\npart:libSave()",
         expect![[r#"
-        n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
-           1     0  Line
-                 1  TextConstant { to: 1, constant: 0 }
-                 2  Instruction libLoad(library 0, string t1) -> n0/t0/l0
-           2     3  Line
-                 4  Instruction libSave(library 0)
-                 5  Return
-    "#]],
+            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
+               1     0  TextConstant { to: 1, constant: 0 }
+                     1  Instruction libLoad(library 0, string t1) -> n0/t0/l0
+               2     2  Line
+                     3  Instruction libSave(library 0)
+                     4  Return
+        "#]],
     );
 }
 
@@ -106,13 +99,12 @@ fn truth_values_are_read_from_inputs() {
     check(
         "n=sel(dOut,1,2)",
         expect![[r#"
-        n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1, n5=2
-           1     0  Line
-                 1  LocateFirst { to: 0, whole: Data(2) }
-                 2  Instruction =(dio p0) -> n3/t0/l0
-                 3  Instruction sel(bool n3, num n4, num n5) -> n0/t0/l0
-                 4  Return
-    "#]],
+            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1, n5=2
+               1     0  LocateFirst { to: 0, whole: Data(2) }
+                     1  Instruction =(dio p0) -> n3/t0/l0
+                     2  Instruction sel(bool n3, num n4, num n5) -> n0/t0/l0
+                     3  Return
+        "#]],
     );
 }
 
@@ -121,19 +113,17 @@ fn printing() {
     check(
         "? n\n? s\n? pA\n? dOut",
         expect![[r#"
-        n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
-           1     0  Line
-                 1  Instruction ?(num n0)
-           2     2  Line
-                 3  Instruction ?(string t0)
-           3     4  Line
-                 5  LocateFirst { to: 0, whole: Data(3) }
-                 6  Instruction ?(point p0)
-           4     7  Line
-                 8  LocateFirst { to: 0, whole: Data(2) }
-                 9  Instruction ?(dio p0)
-                10  Return
-    "#]],
+            n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
+               1     0  Line
+                     1  Instruction ?(num n0)
+               2     2  Line
+                     3  Instruction ?(string t0)
+               3     4  LocateFirst { to: 0, whole: Data(3) }
+                     5  Instruction ?(point p0)
+               4     6  LocateFirst { to: 0, whole: Data(2) }
+                     7  Instruction ?(dio p0)
+                     8  Return
+        "#]],
     );
 }
 

@@ -18,4 +18,5 @@ mod lines;
 mod media;
 mod places;
 mod programs;
+mod references;
 mod saving;

@@ -38,28 +38,25 @@ fn elements() {
     check(
         "nG[i,2]=nC[1,i,3]\nl_b[i]=l_b[2]\nsColl[\"a\"]=sColl[\"b\"]+\"c\"",
         expect![[r#"
-        i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=2, n6=1, n7=3
-           1     0  Line
-                 1  Move { to: 3, from: 6 }
-                 2  Move { to: 4, from: 0 }
-                 3  Move { to: 5, from: 7 }
-                 4  Locate3 { to: 0, whole: Data(2), i: 3 }
-                 5  Load { to: 8, place: 0, lane: 0 }
-                 6  StoreElement2 { whole: Data(1), i: 0, j: 2, from: 8 }
-           2     7  Line
-                 8  LoadElement { to: 3, whole: Part(0), index: 2 }
-                 9  StoreElement { whole: Part(0), index: 0, from: 3 }
-           3    10  Line
-                11  TextConstant { to: 0, constant: 0 }
-                12  TextConstant { to: 1, constant: 1 }
-                13  LocateKey { to: 0, whole: Data(3), key: 1 }
-                14  LoadText { to: 2, place: 0 }
-                15  TextConstant { to: 3, constant: 2 }
-                16  Concatenate { to: 4, a: 2, b: 3 }
-                17  LocateKey { to: 1, whole: Data(3), key: 0 }
-                18  StoreText { place: 1, from: 4 }
-                19  Return
-    "#]],
+            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=2, n6=1, n7=3
+               1     0  Move { to: 3, from: 6 }
+                     1  Move { to: 4, from: 0 }
+                     2  Move { to: 5, from: 7 }
+                     3  Locate3 { to: 0, whole: Data(2), i: 3 }
+                     4  Load { to: 8, place: 0, lane: 0 }
+                     5  StoreElement2 { whole: Data(1), i: 0, j: 2, from: 8 }
+               2     6  LoadElement { to: 3, whole: Part(0), index: 2 }
+                     7  StoreElement { whole: Part(0), index: 0, from: 3 }
+               3     8  TextConstant { to: 0, constant: 0 }
+                     9  TextConstant { to: 1, constant: 1 }
+                    10  LocateKey { to: 0, whole: Data(3), key: 1 }
+                    11  LoadText { to: 2, place: 0 }
+                    12  TextConstant { to: 3, constant: 2 }
+                    13  Concatenate { to: 4, a: 2, b: 3 }
+                    14  LocateKey { to: 1, whole: Data(3), key: 0 }
+                    15  StoreText { place: 1, from: 4 }
+                    16  Return
+        "#]],
     );
 }
 
@@ -68,11 +65,10 @@ fn a_single_local_used_with_an_index_is_an_array() {
     check(
         "l_a[0]=i",
         expect![[r#"
-        i n0/t0/l0, l_a Part(0), l_b Part(1), l_t Part(2)
-           1     0  Line
-                 1  StoreElement { whole: Part(0), index: 1, from: 0 }
-                 2  Return
-    "#]],
+            i n0/t0/l0, l_a Part(0), l_b Part(1), l_t Part(2)
+               1     0  StoreElement { whole: Part(0), index: 1, from: 0 }
+                     1  Return
+        "#]],
     );
 }
 
@@ -81,23 +77,20 @@ fn fields() {
     check(
         "pA[i].trsf.x=pA.trsf.y\npA.config.shoulder=lefty\nl_t.nCount=tSlot[i].pPick[1].trsf.rz",
         expect![[r#"
-        i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n3=2, n4=1
-           1     0  Line
-                 1  Locate { to: 0, whole: Data(4), index: 0 }
-                 2  LoadFirst { to: 2, whole: Data(4), lane: 1 }
-                 3  Store { place: 0, lane: 0, from: 2 }
-           2     4  Line
-                 5  StoreFirst { whole: Data(4), lane: 6, from: 3 }
-           3     6  Line
-                 7  LocateFirst { to: 0, whole: Part(1) }
-                 8  Field { to: 0, place: 0, field: 0 }
-                 9  Locate { to: 1, whole: Data(0), index: 0 }
-                10  Field { to: 1, place: 1, field: 1 }
-                11  Locate { to: 2, whole: View(1), index: 4 }
-                12  Load { to: 2, place: 2, lane: 5 }
-                13  StoreFirst { whole: View(0), lane: 0, from: 2 }
-                14  Return
-    "#]],
+            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n3=2, n4=1
+               1     0  Locate { to: 0, whole: Data(4), index: 0 }
+                     1  LoadFirst { to: 2, whole: Data(4), lane: 1 }
+                     2  Store { place: 0, lane: 0, from: 2 }
+               2     3  StoreFirst { whole: Data(4), lane: 6, from: 3 }
+               3     4  LocateFirst { to: 0, whole: Part(1) }
+                     5  Field { to: 0, place: 0, field: 0 }
+                     6  Locate { to: 1, whole: Data(0), index: 0 }
+                     7  Field { to: 1, place: 1, field: 1 }
+                     8  Locate { to: 2, whole: View(1), index: 4 }
+                     9  Load { to: 2, place: 2, lane: 5 }
+                    10  StoreFirst { whole: View(0), lane: 0, from: 2 }
+                    11  Return
+        "#]],
     );
 }
 
@@ -106,16 +99,15 @@ fn values_of_user_types() {
     check(
         "l_t=tSlot[1]=tSlot[i]",
         expect![[r#"
-        i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=1
-           1     0  Line
-                 1  Locate { to: 0, whole: Data(0), index: 0 }
-                 2  Locate { to: 1, whole: Data(0), index: 2 }
-                 3  Copy p1 from p0
-                 4  Locate { to: 2, whole: Data(0), index: 0 }
-                 5  LocateFirst { to: 3, whole: Part(1) }
-                 6  Copy p3 from p2
-                 7  Return
-    "#]],
+            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1), n2=1
+               1     0  Locate { to: 0, whole: Data(0), index: 0 }
+                     1  Locate { to: 1, whole: Data(0), index: 2 }
+                     2  Copy p1 from p0
+                     3  Locate { to: 2, whole: Data(0), index: 0 }
+                     4  LocateFirst { to: 3, whole: Part(1) }
+                     5  Copy p3 from p2
+                     6  Return
+        "#]],
     );
 }
 
@@ -124,19 +116,17 @@ fn what_is_built_in_and_what_libraries_have() {
     check(
         "i=world.trsf.x+flange.trsf.z+part:nWeight\npart:nWeight=i+part:nWeight",
         expect![[r#"
-        i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1)
-           1     0  Line
-                 1  LoadFirst { to: 2, whole: Builtin(0), lane: 0 }
-                 2  LoadFirst { to: 3, whole: Builtin(1), lane: 2 }
-                 3  Add { to: 4, a: 2, b: 3 }
-                 4  LoadFirst { to: 5, whole: Import(0), lane: 0 }
-                 5  Add { to: 0, a: 4, b: 5 }
-           2     6  Line
-                 7  LoadFirst { to: 2, whole: Import(0), lane: 0 }
-                 8  Add { to: 3, a: 0, b: 2 }
-                 9  StoreFirst { whole: Import(0), lane: 0, from: 3 }
-                10  Return
-    "#]],
+            i n0/t0/l0, l_a n1/t0/l0, l_b Part(0), l_t Part(1)
+               1     0  LoadFirst { to: 2, whole: Builtin(0), lane: 0 }
+                     1  LoadFirst { to: 3, whole: Builtin(1), lane: 2 }
+                     2  Add { to: 4, a: 2, b: 3 }
+                     3  LoadFirst { to: 5, whole: Import(0), lane: 0 }
+                     4  Add { to: 0, a: 4, b: 5 }
+               2     5  LoadFirst { to: 2, whole: Import(0), lane: 0 }
+                     6  Add { to: 3, a: 0, b: 2 }
+                     7  StoreFirst { whole: Import(0), lane: 0, from: 3 }
+                     8  Return
+        "#]],
     );
     let image = image(&format!("{TYPES}i=part:nWeight+part:nWeight\nend\n{OTHERS}"));
     let imports: Vec<_> = image.imports.iter().map(|import| (import.library, import.name.as_str())).collect();

@@ -51,6 +51,8 @@ impl Memory {
     /// 20 if one of the values is gone, 61 if its container is, 82 and 165 if a link is none that `to` may have.
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
+        // First, because it can be refused.
+        (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
         if num == 6 {
             // Transformations and joints, by far the most frequent.
             let nums: [f64; 6] = self.nums(from, 0)?;
@@ -63,7 +65,6 @@ impl Memory {
             let value = *self.text(from.behind(lane))?;
             self.set_text(to.behind(lane), value)?;
         }
-        (0..link).try_for_each(|lane| self.link(from, lane).and_then(|value| self.set_link(to, lane, value)))?;
         (0..part).try_for_each(|lane| {
             let (from, to) = (self.part(from, lane)?, self.part(to, lane)?);
             self.copy_store(from, to)

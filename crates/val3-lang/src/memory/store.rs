@@ -194,13 +194,11 @@ pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
 #[inline]
 fn within(index: f64, size: u32) -> Result<u32> {
     let rounded = index + 0.5;
-    if rounded < 0.0 {
-        return Err(Fault::INDEX_NEGATIVE);
-    }
-    if rounded < f64::from(size) {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and below a u32")]
-        return Ok(rounded as u32);
+    if rounded >= 0.0 {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more; the greatest is beyond")]
+        let number = rounded as u32;
+        return if number < size { Ok(number) } else { Err(Fault::INDEX_TOO_LARGE) };
     }
     // A number that is none is no index either.
-    Err(Fault::INDEX_TOO_LARGE)
+    Err(if rounded < 0.0 { Fault::INDEX_NEGATIVE } else { Fault::INDEX_TOO_LARGE })
 }

@@ -1,0 +1,94 @@
+//! Instructions: their arguments, their call, and what they ask of the run time.
+
+use val3_bytecode::{Handler, Image, InstructionSite};
+use val3_lang::call::{Call, Flow, Wait, Waiting};
+use val3_lang::fault::Result;
+use val3_lang::memory::Memory;
+use val3_lang::ports::{Ports, Tasks, nanoseconds};
+
+use crate::arguments::place;
+use crate::machine::Machine;
+use crate::services::{Changes, Services};
+use crate::task::Thread;
+use crate::{Frame, Stop, TaskState};
+
+impl Machine<'_> {
+    /// Executes an instruction; `Some` if the turn ends with it.
+    pub(crate) fn instruction(
+        &mut self,
+        thread: &mut Thread,
+        image: &Image,
+        (frame, line): (&Frame, u32),
+        site: &InstructionSite,
+    ) -> Result<Option<Stop>> {
+        let now = self.now();
+        self.ports.origin(self.origin(now, frame, line));
+        let Some(Handler(run)) = site.run else {
+            self.ports.lacking(&site.name);
+            return Ok(Some(Stop::Lacking));
+        };
+        let mut arguments = std::mem::take(&mut self.arguments);
+        let scope = self.scope(frame)?;
+        arguments.clear();
+        for argument in &site.arguments {
+            arguments.push(scope.argument(argument)?);
+        }
+        let result = site.result.map(|operand| place(&self.space.memory, &frame.base, operand)).transpose()?;
+        let mut services = Services {
+            roster: self.roster,
+            instances: &mut self.space.instances,
+            changes: Changes::new(),
+            request: None,
+            owner: frame.instance,
+        };
+        let reach: (&mut Memory, &mut dyn Ports, &mut dyn Tasks) = (&mut self.space.memory, self.ports, &mut services);
+        let mut call = Call::new(reach, (now, thread.waiting), (image.version, image.unit), &arguments, result);
+        let flow = run(&mut call)?;
+        self.reads_clock |= call.reads_clock;
+        self.arguments = arguments;
+        let Services { changes, request, .. } = services;
+        changes.iter().for_each(|(task, name, change, at)| self.ports.task(*task, name, *change, *at));
+        if !changes.is_empty() {
+            self.end_with_turn();
+        }
+        if let Some(request) = request {
+            let code = self.fulfil(frame.instance, request);
+            result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
+        }
+        match flow {
+            Flow::Done(()) => thread.waiting = None,
+            Flow::Wait(wait) => {
+                thread.waiting = Some(Waiting::then(thread.waiting, wait, now));
+                thread.wait = Some(wait);
+                return Ok(Some(Stop::Waits));
+            }
+        }
+        Ok(self.is_stopped().then_some(Stop::Halted))
+    }
+
+    /// The task has halted or killed itself.
+    fn is_stopped(&self) -> bool {
+        let at = self.roster.position(self.task).and_then(|at| self.roster.tasks.get(at));
+        at.is_some_and(|task| task.state != TaskState::Running)
+    }
+
+    /// `watch`: its answer, or that the task waits (5.10). Instructions in its condition have waits of their own.
+    pub(crate) fn watch(&mut self, thread: &mut Thread, holds: bool, seconds: f64) -> Option<bool> {
+        let now = self.now();
+        let wake = thread.watched.map(|since| since.saturating_add(nanoseconds(seconds)));
+        let answer = match wake {
+            _ if holds => Some(true),
+            Some(wake) if now >= wake => Some(false),
+            _ => None,
+        };
+        if answer.is_some() {
+            thread.watched = None;
+        } else {
+            let since = thread.watched.unwrap_or(now);
+            thread.watched = Some(since);
+            let wake = Some(since.saturating_add(nanoseconds(seconds)));
+            thread.wait = Some(Wait { wake, ..Wait::FOR_OTHERS });
+        }
+        answer
+    }
+}

@@ -1,0 +1,76 @@
+//! The numbers of a frame, as operations reach them.
+
+use val3_bytecode::{Program, Register};
+use val3_lang::fault::{Fault, Result};
+
+use crate::Frame;
+
+/// How many numbers a narrow frame has at most. The stack has that many behind the start of each frame, so that a register of one
+/// byte always finds its number.
+pub(crate) const NARROW: u32 = 256;
+
+/// The numbers of a narrow frame.
+pub(crate) type Narrow = [f64; NARROW as usize];
+
+/// The numbers of a frame.
+pub(crate) trait Window {
+    /// The frames of a program are of this width.
+    fn suits(program: &Program) -> bool;
+
+    /// The numbers of a frame among those of the stack.
+    fn of<'s>(nums: &'s mut [f64], frame: &Frame, program: &Program) -> Result<&'s mut Self>;
+
+    fn get(&self, register: Register) -> Result<f64>;
+
+    fn set(&mut self, register: Register, value: f64) -> Result<()>;
+}
+
+/// A frame of at most 256 numbers: nearly every one. No access to it needs a check.
+impl Window for Narrow {
+    #[inline(always)]
+    fn suits(program: &Program) -> bool {
+        program.frame.lanes.num <= NARROW
+    }
+
+    #[inline(always)]
+    fn of<'s>(nums: &'s mut [f64], frame: &Frame, _: &Program) -> Result<&'s mut Self> {
+        let nums = nums.get_mut(frame.base.num as usize..).and_then(|nums| nums.first_chunk_mut());
+        nums.ok_or(Fault::INTERPRETER)
+    }
+
+    #[inline(always)]
+    fn get(&self, register: Register) -> Result<f64> {
+        let [low, _] = register.to_le_bytes();
+        self.as_slice().get(usize::from(low)).copied().ok_or(Fault::INTERPRETER)
+    }
+
+    #[inline(always)]
+    fn set(&mut self, register: Register, value: f64) -> Result<()> {
+        let [low, _] = register.to_le_bytes();
+        *self.as_mut_slice().get_mut(usize::from(low)).ok_or(Fault::INTERPRETER)? = value;
+        Ok(())
+    }
+}
+
+/// A frame of any width.
+impl Window for [f64] {
+    fn suits(program: &Program) -> bool {
+        program.frame.lanes.num > NARROW
+    }
+
+    fn of<'s>(nums: &'s mut [f64], frame: &Frame, program: &Program) -> Result<&'s mut Self> {
+        let start = frame.base.num as usize;
+        nums.get_mut(start..start + program.frame.lanes.num as usize).ok_or(Fault::INTERPRETER)
+    }
+
+    #[inline]
+    fn get(&self, register: Register) -> Result<f64> {
+        self.get(usize::from(register)).copied().ok_or(Fault::INTERPRETER)
+    }
+
+    #[inline]
+    fn set(&mut self, register: Register, value: f64) -> Result<()> {
+        *self.get_mut(usize::from(register)).ok_or(Fault::INTERPRETER)? = value;
+        Ok(())
+    }
+}
