@@ -17,6 +17,8 @@ use crate::error::{Limit, Result};
 use crate::kinds::Kinds;
 use crate::variables::shape;
 
+pub(crate) use fathers::unhang;
+
 /// A container with its values, and the links of these values.
 pub(crate) struct Loaded {
     pub(crate) init: PartInit,

@@ -12,7 +12,7 @@ use val3_lang::memory::{FieldKind, Kind};
 use val3_lang::types::Arm;
 use val3_syntax::view::View;
 
-use crate::data::{Found, Loaded};
+use crate::data::{Found, Loaded, unhang};
 use crate::error::{Limit, Result, there};
 
 /// The types of a project.
@@ -85,9 +85,10 @@ impl<'db> Kinds<'db> {
     /// The public data of the type's project are its fields, with their values at the start (7.1).
     fn make(&mut self, project: Project) -> Result<UserKind> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
-        for (decl, base, Loaded { init, links: found }) in self.data_of(project, |decl| decl.public)? {
+        for (decl, base, Loaded { mut init, links: found }) in self.data_of(project, |decl| decl.public)? {
             let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
-            links.extend(found.into_iter().map(|found| (number, found)));
+            let found = unhang(&mut init).into_iter().chain(found);
+            links.extend(found.map(|found| (number, found)));
             fields.push(FieldKind { name: decl.name.to_string(), init });
             bases.push(base);
         }

@@ -21,6 +21,7 @@ mod synchronous;
 mod task_control;
 mod task_errors;
 mod turns;
+mod user_types;
 mod waiting;
 
 /// What an application prints until it has ended, and the numbers of the errors of its tasks. Whoever runs it again sees

@@ -130,11 +130,12 @@ fn user_types() {
     check(
         listing,
         expect![[r#"
-        public tSlot [2] - ([3] - - (9),[1] (none),[1] (4,0,0,0,0,0,none))
-        0 [(1, 1)][0].0 -> Port(Dio, "a\\b")
-        0 [(1, 2)][0].0 -> Father(FatherLink { library: None, name: "tSlot", at: "0", fields: [("fF", "0")] })
-        0 [(0, 1)][0].0 -> Port(Dio, "a\\b")
-    "#]],
+            public tSlot [2] - ([3] - - (9),[1] (none),[1] (4,0,0,0,0,0,none))
+            0 [(1, 1)][0].0 -> Port(Dio, "a\\b")
+            0 [(1, 2)][0].0 -> Father(FatherLink { library: None, name: "tSlot", at: "0", fields: [("fF", "0")] })
+            0 [(0, 1)][0].0 -> Port(Dio, "a\\b")
+            0 [(0, 2)][0].0 -> Father(FatherLink { library: None, name: "world", at: "0", fields: [] })
+        "#]],
     );
 }
 
