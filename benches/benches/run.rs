@@ -50,7 +50,7 @@ fn compiled(name: &str) -> Arc<Image> {
 fn run(image: Arc<Image>) -> Option<String> {
     let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     let mut controller = Controller::new(devices, image, "Disk://main".to_owned(), LINE);
-    assert!(controller.start("start"), "no program start");
+    controller.start("start").expect("a program start");
     let mut logged = None;
     loop {
         let step = controller.step();

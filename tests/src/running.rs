@@ -53,7 +53,7 @@ impl Running {
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
         let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE);
-        assert!(controller.start("start"), "no program start");
+        controller.start("start").expect("a program start");
         Self { controller, events: Vec::new() }
     }
 
