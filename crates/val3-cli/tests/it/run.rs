@@ -150,3 +150,10 @@ fn sum(from: u32) -> String {
     let parts: String = (from..from + 100).map(|number| format!("+{number}")).collect();
     format!("  n=n{parts}\n")
 }
+
+#[test]
+fn a_line_without_link_can_be_connected() {
+    let run = Folder::with("sio siHost\nsiHost=\"hello\"\n").val3(&["run"]);
+    ends(&run, 1, "");
+    assert!(run.stderr.contains("error[123]") && run.stderr.contains("--line"), "{run:?}");
+}
