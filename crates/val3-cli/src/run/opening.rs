@@ -99,7 +99,7 @@ fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
         code: None,
         message: format!("this controller cannot load the application: {}", error.limit),
         help: error.limit.help(),
-        label: "here",
+        label: "more than it can hold",
         path: &path,
         line: error.row,
     };

@@ -300,3 +300,10 @@ fn a_run_that_nobody_reads_ends() {
         assert_eq!(child.wait().unwrap().code(), Some(0));
     }
 }
+
+#[test]
+fn a_line_without_link_can_be_connected() {
+    let run = Folder::with("sio siHost\nsiHost=\"hello\"\n").val3(&["run"]);
+    ends(&run, 1, "");
+    assert!(run.stderr.contains("error[123]") && run.stderr.contains("--line"), "{run:?}");
+}
