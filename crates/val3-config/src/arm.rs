@@ -43,6 +43,7 @@ mod tests {
         assert_eq!(named("six-axis"), Some(Arm::SixAxis));
         assert_eq!(named("tx2-60l"), Some(Arm::SixAxis));
         assert_eq!(named("TS60"), Some(Arm::Scara));
+        assert_eq!(named("tp80"), Some(Arm::Scara));
         assert_eq!(named("other"), Some(Arm::Vrb));
         assert_eq!(named("txt"), None);
         assert_eq!(named("kr210"), None);

@@ -1,7 +1,7 @@
 //! `docs/fidelity.md` against the catalogue: each section of the manual lists its instructions, those without a handler
 //! apart, and what it says to be kept by exists.
 
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+#![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;

@@ -89,6 +89,52 @@ fn copies() {
     );
 }
 
+/// What the project of the type says of its fields is their value, not their reference (7.3).
+#[test]
+fn fields_have_no_reference_at_first() {
+    let listing = r#"
+        type Station "Disk://Station/Station.pjx"
+        private Station tPlace[1]
+        program show(frame& x_fPart)
+        begin
+          ? x_fPart
+          ? position(x_fPart,world)
+        end
+        program start()
+          Station l_tPlace
+        begin
+          taskCreate "local",100,local()
+          wait(taskStatus("local")!=1)
+          taskCreate "global",100,show(tPlace[0].fTable)
+          wait(taskStatus("global")!=1)
+          append(tPlace)
+          link(tPlace[1].fTable,world)
+          call show(tPlace[1].fTable)
+        end
+        program local()
+          Station l_tPlace
+        begin
+          call show(l_tPlace.fTable)
+        end
+        --- Station
+        === Station/Station.dtx
+        <?xml version="1.0"?>
+        <Database><Datas><Data name="fTable" access="public" xsi:type="array" type="frame" size="1">
+        <Value key="0" x="7" fatherId="world[0]" /></Data></Datas></Database>
+    "#;
+    check(
+        listing,
+        expect![[r#"
+            {{7,0,0,0,0,0}}
+            error 163
+            {{7,0,0,0,0,0}}
+            error 163
+            {{7,0,0,0,0,0}}
+            {7,0,0,0,0,0}
+        "#]],
+    );
+}
+
 /// A program that is called can hang what it was given on what is its own only as long as both last.
 #[test]
 fn a_reference_that_ends_with_a_program_is_none() {

@@ -95,7 +95,7 @@ impl Arm {
     pub fn from_model(model: &str) -> Self {
         match model.trim().get(..2).map(str::to_ascii_lowercase).as_deref() {
             Some("rx" | "tx") => Self::SixAxis,
-            Some("rs" | "ts") => Self::Scara,
+            Some("rs" | "ts" | "tp") => Self::Scara,
             _ => Self::Vrb,
         }
     }
