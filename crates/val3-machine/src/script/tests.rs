@@ -45,11 +45,11 @@ fn what_is_wrong_is_shown_where_it_stands() {
     check_error(
         "[[at]]\nt = 1\nky = 270",
         expect![[r#"
-        TOML parse error at line 3, column 1
-          |
-        3 | ky = 270
-          | ^^
-        unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `fault`, `set`, `power`, `estop`, `mode`, `monitor_speed`, `key`, `keys`, `stop`"#]],
+            TOML parse error at line 3, column 1
+              |
+            3 | ky = 270
+              | ^^
+            unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `simulate`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `key`, `keys`, `stop`"#]],
     );
     check_error(
         "[[at]]\nkey = 270",
