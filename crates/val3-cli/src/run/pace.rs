@@ -37,6 +37,11 @@ impl Pace {
         self.until.is_some_and(|until| now >= until)
     }
 
+    /// The clock on the wall counts, and others may follow what happens.
+    pub(crate) fn keeps_time(&self, controller: &Controller) -> bool {
+        self.started.is_some() || controller.devices.lines.reach_outside()
+    }
+
     /// Waits until the clock on the wall has come as far. In virtual time it counts while a program uses a line to the
     /// outside, which could not answer in time otherwise.
     pub(crate) fn follow(&self, controller: &Controller) {
