@@ -267,3 +267,18 @@ fn a_run_that_nobody_reads_ends() {
         assert_eq!(child.wait().unwrap().code(), Some(0));
     }
 }
+
+#[test]
+fn tasks_of_one_name_in_two_libraries_are_two() {
+    let library = |tidy: &str| {
+        format!(
+            "num nZero\npublic program go()\nbegin\ntaskCreate \"t\",10,divide()\nend\nprogram divide()\nbegin\n\
+             nZero=1/nZero\nend\n{tidy}"
+        )
+    };
+    let tidy = "public program tidy()\nbegin\ntaskKill(\"t\")\nend\n";
+    let main = "library a \"first\"\nlibrary b \"second\"\nprogram start()\nbegin\ncall a:go()\ncall b:go()\ndelay(1)\n\
+                call a:tidy()\nend\n";
+    let folder = Folder::with(&format!("--- main\n{main}--- first\n{}--- second\n{}", library(tidy), library("")));
+    ends(&folder.val3(&["run", "usrapp/main"]), 1, "");
+}
