@@ -84,7 +84,10 @@ impl Controller {
     /// Whether there is such a program.
     pub fn start(&mut self, program: &str) -> bool {
         let Some(instance) = self.vm.space.instance(self.application) else { return false };
-        let (name, number) = (task_name(&instance.image), instance.image.program(program));
+        let image = &instance.image;
+        let takes_nothing =
+            |number: &u16| image.programs.get(usize::from(*number)).is_some_and(|it| it.params.is_empty());
+        let (name, number) = (task_name(image), image.program(program).filter(takes_nothing));
         let Some(number) = number else { return false };
         self.devices.origin(self.outside());
         let started = self.vm.start(&name, (self.application, number), PRIORITY, &mut self.devices);
@@ -201,6 +204,12 @@ impl Controller {
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
         self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
+    }
+
+    /// When the script goes on: the one thing that can still happen where no task can.
+    #[must_use]
+    pub fn next_scripted(&self) -> Option<Time> {
+        self.script.next_due()
     }
 
     /// Something outside may speak at any time.

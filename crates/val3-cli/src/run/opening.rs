@@ -61,7 +61,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
 
 fn started(mut controller: Controller, args: &RunArgs) -> Result<Opened, UserError> {
     if !controller.start(&args.program) {
-        let message = format!("the application has no program `{}`", args.program);
+        let message = format!("the application has no program `{}` without parameters", args.program);
         return Err(UserError::new(message).with_help("name the program to start with by --program"));
     }
     Ok(Opened::Ready(Box::new(controller)))

@@ -72,7 +72,7 @@ impl Pace {
             self.follow(controller);
             return true;
         }
-        let next = controller.next_due().map(|due| self.until.map_or(due, |until| due.min(until)));
+        let next = controller.next_scripted().map(|due| self.until.map_or(due, |until| due.min(until)));
         self.jump(controller, next)
     }
 
