@@ -93,6 +93,9 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
             _ if audience.has_left() => Some(End::Unread),
             _ => signals.exit_code().map(End::BrokenOff),
         };
+        if pace.keeps_time(controller) {
+            audience.flush()?;
+        }
         if let Some(end) = end.or_else(|| wait(&pace, controller, step)) {
             break end;
         }

@@ -219,6 +219,12 @@ impl Controller {
         self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
     }
 
+    /// When the script goes on: the one thing that can still happen where no task can.
+    #[must_use]
+    pub fn next_scripted(&self) -> Option<Time> {
+        self.script.next_due()
+    }
+
     /// Something outside may speak at any time.
     #[must_use]
     pub fn hears_outside(&self) -> bool {

@@ -36,6 +36,11 @@ impl Audience {
         })
     }
 
+    /// Lets those who follow the record see what has happened so far.
+    pub(super) fn flush(&mut self) -> Result<(), UserError> {
+        self.record.flush()
+    }
+
     /// Those who read what the run writes have gone.
     pub(super) fn has_left(&self) -> bool {
         self.record.is_abandoned() || self.console.is_abandoned()
@@ -52,7 +57,7 @@ impl Audience {
         for line in &read {
             self.console.say(line)?;
         }
-        self.record.close()?;
+        self.record.flush()?;
         Ok(self.console)
     }
 }

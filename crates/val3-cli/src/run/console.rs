@@ -68,7 +68,11 @@ impl Console {
         let What::Task { state, name, .. } = &event.what else { return };
         match *state {
             "error" => self.failed.push(name.to_owned()),
-            "resumed" | "killed" if event.task.is_some() => self.failed.retain(|failed| failed != name),
+            "resumed" | "killed" if event.task.is_some() => {
+                // Libraries may have tasks of the same name.
+                let handled = self.failed.iter().position(|failed| failed == name);
+                handled.map(|at| self.failed.swap_remove(at));
+            }
             _ => {}
         }
     }

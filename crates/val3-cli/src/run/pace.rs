@@ -37,6 +37,11 @@ impl Pace {
         self.until.is_some_and(|until| now >= until)
     }
 
+    /// The clock on the wall counts, and others may follow what happens.
+    pub(crate) fn keeps_time(&self, controller: &Controller) -> bool {
+        self.started.is_some() || controller.devices.lines.reach_outside()
+    }
+
     /// Waits until the clock on the wall has come as far. In virtual time it counts while a program uses a line to the
     /// outside, which could not answer in time otherwise.
     pub(crate) fn follow(&self, controller: &Controller) {
@@ -67,7 +72,7 @@ impl Pace {
             self.follow(controller);
             return true;
         }
-        let next = controller.next_due().map(|due| self.until.map_or(due, |until| due.min(until)));
+        let next = controller.next_scripted().map(|due| self.until.map_or(due, |until| due.min(until)));
         self.jump(controller, next)
     }
 

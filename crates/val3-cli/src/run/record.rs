@@ -45,7 +45,7 @@ impl Record {
     }
 
     /// Writes what is still held back.
-    pub(crate) fn close(&mut self) -> Result<(), UserError> {
+    pub(crate) fn flush(&mut self) -> Result<(), UserError> {
         let written = self.out.as_mut().map_or(Ok(()), |out| out.flush());
         self.judge(written)
     }

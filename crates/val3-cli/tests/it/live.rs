@@ -138,3 +138,16 @@ fn a_signal_leaves_a_whole_record() {
     assert!(events.contains(r#""kind":"print","text":"1""#), "{events}");
     assert!(events.ends_with("\"kind\":\"end\",\"reason\":\"stopped\"}\n"), "{events}");
 }
+
+/// Whoever reads the events of a run in real time sees them as they happen.
+#[test]
+fn events_can_be_followed() {
+    let folder = Folder::with("?1\ndelay(3600)\n");
+    let mut command = folder.command(&["run", "--time", "real", "--events", "-", "usrapp/main"]);
+    let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+    let events = std::io::BufReader::new(child.stdout.take().unwrap());
+    let printed = std::io::BufRead::lines(events).map(Result::unwrap).find(|line| line.contains(r#""print""#));
+    assert!(printed.is_some());
+    child.kill().unwrap();
+    child.wait().unwrap();
+}

@@ -123,11 +123,12 @@ fn a_script_and_keys_stand_for_people() {
 
 #[test]
 fn wrong_usage() {
-    let folder = Folder::with(ENDLESS);
+    let folder = Folder::with(&format!("{ENDLESS}\n    program work(num x_nValue)\n    begin\n    end\n"));
     folder.write("bad.toml", "[[at]]\nt = 2\nsett = { nKey = 4 }\n");
     for (arguments, word) in [
         (&["run", "no/such"][..], "no/such"),
         (&["run", "--program", "nothing"], "nothing"),
+        (&["run", "--program", "work"], "`work` without parameters"),
         (&["run", "--until=-1"], "--until"),
         (&["run", "--script", "no.toml"], "no.toml"),
         (&["run", "--script", "bad.toml"], "sett"),
@@ -223,6 +224,9 @@ fn a_run_whose_tasks_are_all_suspended_does_not_wait_for_its_limit() {
     ends(&folder.val3(&["run", "--until", "1000"]), 1, "");
     let end = events(&folder, &["--until", "1000"], "end");
     assert_eq!((&end[0]["t"], &end[0]["reason"]), (&0.004.into(), &"error".into()));
+    folder.write("key.toml", "[[at]]\nt = 0\nkey = 97\n");
+    let end = events(&folder, &["--script", "key.toml"], "end");
+    assert_eq!(end[0]["t"], 0.004, "nobody waits until the key comes up");
     folder.write("operator.toml", "[[at]]\nt = 5\nstop = true\n");
     ends(&folder.val3(&["run", "--until", "1000", "--script", "operator.toml"]), 0, "");
 }
@@ -306,4 +310,19 @@ fn a_line_without_link_can_be_connected() {
     let run = Folder::with("sio siHost\nsiHost=\"hello\"\n").val3(&["run"]);
     ends(&run, 1, "");
     assert!(run.stderr.contains("error[123]") && run.stderr.contains("--line"), "{run:?}");
+}
+
+#[test]
+fn tasks_of_one_name_in_two_libraries_are_two() {
+    let library = |tidy: &str| {
+        format!(
+            "num nZero\npublic program go()\nbegin\ntaskCreate \"t\",10,divide()\nend\nprogram divide()\nbegin\n\
+             nZero=1/nZero\nend\n{tidy}"
+        )
+    };
+    let tidy = "public program tidy()\nbegin\ntaskKill(\"t\")\nend\n";
+    let main = "library a \"first\"\nlibrary b \"second\"\nprogram start()\nbegin\ncall a:go()\ncall b:go()\ndelay(1)\n\
+                call a:tidy()\nend\n";
+    let folder = Folder::with(&format!("--- main\n{main}--- first\n{}--- second\n{}", library(tidy), library("")));
+    ends(&folder.val3(&["run", "usrapp/main"]), 1, "");
 }
