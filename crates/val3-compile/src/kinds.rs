@@ -8,6 +8,7 @@ use val3_analysis::items::data::{self, DataDecl};
 use val3_analysis::items::parse;
 use val3_analysis::items::project::{data_files, items, resolve_type};
 use val3_analysis::ty::Base;
+use val3_bytecode::LinkTarget;
 use val3_lang::memory::{FieldKind, Kind};
 use val3_lang::types::Arm;
 use val3_syntax::view::View;
@@ -82,13 +83,15 @@ impl<'db> Kinds<'db> {
         Ok(made)
     }
 
-    /// The public data of the type's project are its fields, with their values at the start (7.1).
+    /// The public data of the type's project are its fields, with their values at the start (7.1). Fathers do not count:
+    /// fields have no reference before a program or the file of a variable gives them one (7.3).
     fn make(&mut self, project: Project) -> Result<UserKind> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for (decl, base, Loaded { mut init, links: found }) in self.data_of(project, |decl| decl.public)? {
             let number = u32::try_from(fields.len()).map_err(|_| Limit::Items)?;
-            let found = unhang(&mut init).into_iter().chain(found);
-            links.extend(found.map(|found| (number, found)));
+            unhang(&mut init);
+            let kept = found.into_iter().filter(|found| !matches!(found.target, LinkTarget::Father(_)));
+            links.extend(kept.map(|found| (number, found)));
             fields.push(FieldKind { name: decl.name.to_string(), init });
             bases.push(base);
         }

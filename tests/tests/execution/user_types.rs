@@ -21,6 +21,8 @@ fn new_values_are_as_the_type_says_and_have_no_references() {
         end
         program start()
         begin
+          link(sRow[1].fTray,world)
+          link(sRow[1].pParts[1],world)
           call frame(sRow[1].fTray)
           call point(sRow[1].pParts[1])
           append(sRow)

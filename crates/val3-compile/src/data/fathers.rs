@@ -51,30 +51,12 @@ pub(super) fn hang(value: &mut Element, father: FatherLink, number: u32, links: 
     }
 }
 
-/// Takes the links to what every controller has out of the values of a user type. New values of a type are not linked
-/// (7.3); those that files declare get these links when they are loaded.
-pub(crate) fn unhang(init: &mut PartInit) -> Vec<Found> {
-    let mut links = Vec::new();
-    for (number, value) in (0u32..).zip(&mut init.values) {
-        let Some(value) = value else { continue };
-        if let Some(link) = value.links.first_mut()
-            && let Link::Data(place) = *link
-        {
-            *link = Link::None;
-            links.push(Found { path: Vec::new(), value: number, link: 0, target: LinkTarget::Father(root(place)) });
-        }
-        for (field, part) in (0u32..).zip(&mut value.parts) {
-            links.extend(unhang(part).iter().map(|found| found.within(number, field)));
-        }
+/// Takes the links to what every controller has out of these values.
+pub(crate) fn unhang(init: &mut PartInit) {
+    for value in init.values.iter_mut().flatten() {
+        value.links.iter_mut().filter(|link| matches!(link, Link::Data(_))).for_each(|link| *link = Link::None);
+        value.parts.iter_mut().for_each(unhang);
     }
-    links
-}
-
-fn root(place: Place) -> FatherLink {
-    let base = if place.store == Memory::WORLD { BaseType::Frame } else { BaseType::Tool };
-    let name = builtins::BUILTINS.iter().find(|builtin| builtin.is_variable && builtin.ty == base);
-    let name = name.map_or("", |builtin| builtin.name).to_owned();
-    FatherLink { library: None, name, at: "0".to_owned(), fields: Vec::new() }
 }
 
 #[cfg(test)]

@@ -134,7 +134,6 @@ fn user_types() {
             0 [(1, 1)][0].0 -> Port(Dio, "a\\b")
             0 [(1, 2)][0].0 -> Father(FatherLink { library: None, name: "tSlot", at: "0", fields: [("fF", "0")] })
             0 [(0, 1)][0].0 -> Port(Dio, "a\\b")
-            0 [(0, 2)][0].0 -> Father(FatherLink { library: None, name: "world", at: "0", fields: [] })
         "#]],
     );
 }

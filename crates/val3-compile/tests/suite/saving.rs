@@ -269,9 +269,7 @@ fn everything_is_read_as_it_was_saved() {
             </Data>
             <Data name="tSlot" access="public" xsi:type="array" type="Slot" size="3">
               <Value key="0">
-                <Field name="fIn" xsi:type="array" type="frame" size="1">
-                  <Value key="0" fatherId="world[0]" />
-                </Field>
+                <Field name="fIn" xsi:type="array" type="frame" size="1" />
                 <Field name="nValues" xsi:type="array" type="num" size="2" />
                 <Field name="pPick" xsi:type="array" type="pointRx" size="1">
                   <Value key="0" y="3" fatherId="tSlot[1].fIn[0]" />
