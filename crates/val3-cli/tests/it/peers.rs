@@ -70,7 +70,7 @@ fn ask(stream: &TcpStream, text: &str) -> String {
 #[track_caller]
 fn replays(folder: &Folder, end: &str, first: &Run) {
     let recorded = folder.read("events.jsonl");
-    assert!(recorded.contains(r#""kind":"line""#), "{recorded}");
+    assert!(recorded.contains(r#""kind":"line""#) && recorded.contains(r#""kind":"clock","wall":true"#), "{recorded}");
     folder.write("recorded.jsonl", &recorded);
     let again = run(folder, end, &["--replay", "recorded.jsonl"]);
     assert_eq!((again.code, &again.stdout), (first.code, &first.stdout));
