@@ -70,7 +70,7 @@ fn ask(stream: &TcpStream, text: &str) -> String {
 #[track_caller]
 fn replays(folder: &Folder, end: &str, first: &Run) {
     let recorded = folder.read("events.jsonl");
-    assert!(recorded.contains(r#""kind":"line""#) && recorded.contains(r#""kind":"clock","wall":true"#), "{recorded}");
+    assert!(recorded.contains(r#""kind":"line""#), "{recorded}");
     folder.write("recorded.jsonl", &recorded);
     let again = run(folder, end, &["--replay", "recorded.jsonl"]);
     assert_eq!((again.code, &again.stdout), (first.code, &first.stdout));
@@ -103,6 +103,7 @@ fn a_server_is_recorded_and_replayed() {
     let first = folder.val3(&["run", "--until", "20", "--events", "events.jsonl"]);
     peer.join().unwrap();
     assert_eq!((first.code, first.stdout.as_str()), (0, "one\ntwo\ngrün\nend\n"), "{first:?}");
+    assert!(folder.read("events.jsonl").contains(r#""kind":"clock","wall":true"#), "it waits for its peer");
     replays(&folder, &end, &first);
 }
 
