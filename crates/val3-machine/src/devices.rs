@@ -127,6 +127,9 @@ impl Devices {
 
     /// Records what lines have answered.
     pub(crate) fn record_lines(&mut self, now: Time) {
+        if let Some(wall) = self.lines.take_use() {
+            self.record_outside(now, What::Clock { wall });
+        }
         for (link, entry) in self.lines.take_told() {
             self.record_outside(now, What::Line { link, entry });
         }

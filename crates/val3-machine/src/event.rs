@@ -137,6 +137,11 @@ pub enum What {
         #[serde(flatten)]
         entry: Entry,
     },
+    /// Whose time passes from here on: that of the wall while a program uses a serial line or socket.
+    Clock {
+        /// The clock on the wall decides, also in virtual time.
+        wall: bool,
+    },
     /// A library was loaded, saved or deleted.
     Lib {
         /// `load`, `save` or `delete`.

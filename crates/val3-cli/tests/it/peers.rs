@@ -103,6 +103,7 @@ fn a_server_is_recorded_and_replayed() {
     let first = folder.val3(&["run", "--until", "20", "--events", "events.jsonl"]);
     peer.join().unwrap();
     assert_eq!((first.code, first.stdout.as_str()), (0, "one\ntwo\ngrün\nend\n"), "{first:?}");
+    assert!(folder.read("events.jsonl").contains(r#""kind":"clock","wall":true"#), "it waits for its peer");
     replays(&folder, &end, &first);
 }
 

@@ -16,6 +16,8 @@ pub struct Lines {
     pub(super) sending: BTreeMap<TaskNumber, Sending>,
     /// What lines have answered since it was taken, if they are recorded.
     told: Option<Told>,
+    /// Some line was in use when it was last asked.
+    was_in_use: bool,
     /// What lines answer instead of those outside.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
 }
@@ -140,6 +142,12 @@ impl Lines {
     #[must_use]
     pub fn are_in_use(&self) -> bool {
         self.lines.iter().any(|known| known.in_use)
+    }
+
+    /// Whether a program uses a line, if that is otherwise than when it was asked before. A replay gives the same.
+    pub(super) fn take_use(&mut self) -> Option<bool> {
+        let in_use = self.are_in_use();
+        (std::mem::replace(&mut self.was_in_use, in_use) != in_use).then_some(in_use)
     }
 
     /// A program uses a line to the outside: an idle controller has to wait for the clock on the wall.
