@@ -187,6 +187,8 @@ pub enum Op {
     /// The next round of a `for`, which begins a line: adds the step and goes to `body` unless the counter is beyond
     /// `limit`.
     ForNext { counter: Register, limit: Register, body: u32 },
+    /// As `ForNext`, where the step is known to be above 0.
+    ForNextUp { counter: Register, limit: Register, body: u32 },
 }
 
 impl Op {
@@ -205,7 +207,8 @@ impl Op {
             | Self::WaitUntil { retry: to, .. }
             | Self::Watch { retry: to, .. }
             | Self::ForTest { exit: to, .. }
-            | Self::ForNext { body: to, .. } => Some(to),
+            | Self::ForNext { body: to, .. }
+            | Self::ForNextUp { body: to, .. } => Some(to),
             _ => None,
         }
     }

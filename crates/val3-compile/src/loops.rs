@@ -36,6 +36,7 @@ impl Coder<'_, '_> {
     /// Start, limit and step are computed once, in this order, before the counter gets its first value.
     pub(crate) fn for_stmt(&mut self, stmt: &Stmt, parts: [Option<ExprId>; 4], block: &[Stmt]) -> Result<()> {
         let [Some(counter), Some(start), Some(stop), step] = parts else { return Err(Limit::Unclear) };
+        let is_up = step.is_none_or(|step| self.constant(step).is_some_and(|(_, step)| step > 0.0));
         let (exit, body) = (self.code.label(), self.code.label());
         self.code.line(head(stmt, self.body.range(step.unwrap_or(stop))));
         let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
@@ -55,7 +56,9 @@ impl Coder<'_, '_> {
         self.block(block)?;
         let counted = self.load(variable, None)?;
         self.move_num(counter, counted);
-        self.code.next_round(Op::ForNext { counter, limit, body: body.0 });
+        let body = body.0;
+        let next = if is_up { Op::ForNextUp { counter, limit, body } } else { Op::ForNext { counter, limit, body } };
+        self.code.next_round(next);
         self.code.place(exit);
         self.store_counter(variable, counter)
     }

@@ -146,6 +146,32 @@ impl Store {
         }
     }
 
+    /// Where a number of a one-dimensional array of numbers is: there is none beyond the size, as each has one lane.
+    ///
+    /// # Errors
+    /// 21 below zero, 20 for a container that is none.
+    #[inline]
+    pub(super) fn lane1(&self, view: View, index: f64) -> Result<usize> {
+        match self.shape {
+            Shape::Array { dims: 1, .. } => Ok(view.start as usize + rounded(index)? as usize),
+            _ => Err(Fault::INDEX_TOO_LARGE),
+        }
+    }
+
+    /// As [`lane1`](Self::lane1), of an array of two dimensions.
+    ///
+    /// # Errors
+    /// 21 below zero, 20 beyond the second size or for a container that is none.
+    #[inline]
+    pub(super) fn lane2(&self, [i, j]: [f64; 2]) -> Result<usize> {
+        match self.shape {
+            Shape::Array { dims: 2, sizes: [_, columns, _] } => {
+                Ok(rounded(i)? as usize * columns as usize + within(j, columns)? as usize)
+            }
+            _ => Err(Fault::INDEX_TOO_LARGE),
+        }
+    }
+
     /// The number of a value of an array of three dimensions.
     ///
     /// # Errors
@@ -189,16 +215,24 @@ pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
 }
 
-/// The whole number nearest to `index` if it is one of `size` indexes. `round` is floor(x + 0.5), as everywhere in
-/// VAL 3; above zero, cutting the fraction is the floor.
+/// The whole number nearest to `index` if it is one of `size` indexes.
 #[inline]
 fn within(index: f64, size: u32) -> Result<u32> {
-    let rounded = index + 0.5;
-    if rounded >= 0.0 {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more; the greatest is beyond")]
-        let number = rounded as u32;
-        return if number < size { Ok(number) } else { Err(Fault::INDEX_TOO_LARGE) };
+    let number = rounded(index)?;
+    if number < size { Ok(number) } else { Err(Fault::INDEX_TOO_LARGE) }
+}
+
+/// The whole number nearest to `index`; the greatest of all for any beyond. `round` is floor(x + 0.5), as everywhere
+/// in VAL 3; above zero, cutting the fraction is the floor.
+///
+/// # Errors
+/// 21 below zero; 20 for a number that is none, which is no index either.
+#[inline]
+fn rounded(index: f64) -> Result<u32> {
+    let raised = index + 0.5;
+    if raised >= 0.0 {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and it saturates")]
+        return Ok(raised as u32);
     }
-    // A number that is none is no index either.
-    Err(if rounded < 0.0 { Fault::INDEX_NEGATIVE } else { Fault::INDEX_TOO_LARGE })
+    Err(if raised < 0.0 { Fault::INDEX_NEGATIVE } else { Fault::INDEX_TOO_LARGE })
 }

@@ -93,8 +93,8 @@ impl Stores {
     #[inline]
     pub fn element_num(&self, view: View, index: f64) -> Result<f64> {
         let store = self.get(view.store)?;
-        let number = store.number1(view, index)?;
-        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+        let lane = store.lane1(view, index)?;
+        store.nums.get(lane).copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// Writes what [`element_num`](Self::element_num) reads.
@@ -104,8 +104,8 @@ impl Stores {
     #[inline]
     pub fn set_element_num(&mut self, view: View, index: f64, value: f64) -> Result<()> {
         let store = self.get_mut(view.store)?;
-        let number = store.number1(view, index)?;
-        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        let lane = store.lane1(view, index)?;
+        *store.nums.get_mut(lane).ok_or(Fault::INDEX_TOO_LARGE)? = value;
         Ok(())
     }
 
@@ -116,8 +116,8 @@ impl Stores {
     #[inline]
     pub fn element2_num(&self, id: StoreId, at: [f64; 2]) -> Result<f64> {
         let store = self.get(id)?;
-        let number = store.number2(at)?;
-        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+        let lane = store.lane2(at)?;
+        store.nums.get(lane).copied().ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// Writes what [`element2_num`](Self::element2_num) reads.
@@ -127,8 +127,8 @@ impl Stores {
     #[inline]
     pub fn set_element2_num(&mut self, id: StoreId, at: [f64; 2], value: f64) -> Result<()> {
         let store = self.get_mut(id)?;
-        let number = store.number2(at)?;
-        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        let lane = store.lane2(at)?;
+        *store.nums.get_mut(lane).ok_or(Fault::INDEX_TOO_LARGE)? = value;
         Ok(())
     }
 }
