@@ -49,6 +49,9 @@ pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Resul
 }
 
 /// The container, and the first of its values that can be reached; `parts` and `views` are those of the stack.
+///
+/// The interpreter has its own way to global data; what it needs there does not have to make room for this.
+#[cold]
 pub(crate) fn container(
     kind: WholeKind,
     instance: &Instance,

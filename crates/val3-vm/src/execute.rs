@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, Op, WholeKind};
+use val3_bytecode::{Image, Op};
 use val3_lang::call::Wait;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{StoreId, View};
@@ -97,12 +97,12 @@ impl Machine<'_> {
         }
         macro_rules! view {
             ($whole:expr) => {
-                match $whole.kind() {
-                    WholeKind::Data(number) => View::whole(*data.get(usize::from(number)).ok_or(Fault::INTERPRETER)?),
-                    kind => {
+                match $whole.data() {
+                    Some(number) => View::whole(*data.get(usize::from(number)).ok_or(Fault::INTERPRETER)?),
+                    None => {
                         let instance = self.space.instances.get(usize::from(frame.instance.0));
                         let frames = (&*self.space.memory.stack.parts, &*self.space.memory.stack.views);
-                        container(kind, instance.ok_or(Fault::INTERPRETER)?, frames, &frame.base)?
+                        container($whole.kind(), instance.ok_or(Fault::INTERPRETER)?, frames, &frame.base)?
                     }
                 }
             };
