@@ -45,6 +45,14 @@ impl Whole {
         (number <= Self::MASK).then_some(Self(tag << Self::BITS | number))
     }
 
+    /// Its number among the global data of the application, if it is one of them: what most are.
+    #[inline]
+    #[must_use]
+    pub fn data(self) -> Option<u16> {
+        // The tag of data is 0.
+        (self.0 <= Self::MASK).then_some(self.0)
+    }
+
     /// Where it is found.
     #[inline]
     #[must_use]
@@ -187,6 +195,8 @@ pub enum Op {
     /// The next round of a `for`, which begins a line: adds the step and goes to `body` unless the counter is beyond
     /// `limit`.
     ForNext { counter: Register, limit: Register, body: u32 },
+    /// As `ForNext`, where the step is known to be above 0.
+    ForNextUp { counter: Register, limit: Register, body: u32 },
 }
 
 impl Op {
@@ -205,7 +215,8 @@ impl Op {
             | Self::WaitUntil { retry: to, .. }
             | Self::Watch { retry: to, .. }
             | Self::ForTest { exit: to, .. }
-            | Self::ForNext { body: to, .. } => Some(to),
+            | Self::ForNext { body: to, .. }
+            | Self::ForNextUp { body: to, .. } => Some(to),
             _ => None,
         }
     }
@@ -220,6 +231,8 @@ mod tests {
         let last = [WholeKind::Data(8_191), WholeKind::Part(8_191), WholeKind::View(8_191), WholeKind::Import(8_191)];
         for kind in last.into_iter().chain([WholeKind::Data(0), WholeKind::Builtin(1)]) {
             assert_eq!(Whole::new(kind).map(Whole::kind), Some(kind));
+            let number = if let WholeKind::Data(number) = kind { Some(number) } else { None };
+            assert_eq!(Whole::new(kind).and_then(Whole::data), number);
         }
         assert_eq!(Whole::new(WholeKind::Data(8_192)), None);
     }

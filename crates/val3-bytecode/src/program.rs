@@ -143,7 +143,7 @@ impl Program {
     #[must_use]
     pub fn line_of(&self, op: u32) -> Option<usize> {
         let op = match self.code.get(op as usize).map(|step| &step.op) {
-            Some(Op::ForNext { body, .. }) => body.saturating_sub(1),
+            Some(Op::ForNext { body, .. } | Op::ForNextUp { body, .. }) => body.saturating_sub(1),
             _ => op,
         };
         let before = |(_, line): &(usize, &Line)| line.op <= op;

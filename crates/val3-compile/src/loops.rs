@@ -16,6 +16,8 @@ struct Counter {
     register: Register,
     /// The register with the limit, before that with the step.
     limit: Register,
+    /// It surely counts up.
+    is_up: bool,
 }
 
 impl Coder<'_, '_> {
@@ -66,10 +68,12 @@ impl Coder<'_, '_> {
         self.num_to(stop, limit)?;
         self.step(step, limit + 1)?;
         self.move_num(register, start);
-        Ok(Counter { variable, register, limit })
+        let is_up = step.is_none_or(|step| self.constant(step).is_some_and(|(_, step)| step > 0.0));
+        Ok(Counter { variable, register, limit, is_up })
     }
 
-    fn rounds(&mut self, &Counter { variable, register: counter, limit }: &Counter, block: &[Stmt]) -> Result<()> {
+    fn rounds(&mut self, counts: &Counter, block: &[Stmt]) -> Result<()> {
+        let Counter { variable, register: counter, limit, is_up } = *counts;
         let (exit, body) = (self.code.label(), self.code.label());
         self.emit(Op::ForTest { counter, limit, exit: exit.0 });
         self.code.place(body);
@@ -77,7 +81,9 @@ impl Coder<'_, '_> {
         self.block(block)?;
         let counted = self.load(variable, None)?;
         self.move_num(counter, counted);
-        self.code.next_round(Op::ForNext { counter, limit, body: body.0 });
+        let body = body.0;
+        let next = if is_up { Op::ForNextUp { counter, limit, body } } else { Op::ForNext { counter, limit, body } };
+        self.code.next_round(next);
         self.code.place(exit);
         self.store_counter(variable, counter)
     }

@@ -5,12 +5,13 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, Op, WholeKind};
+use val3_bytecode::{Image, Op};
 use val3_lang::call::Wait;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{StoreId, View};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
+use crate::arguments::container;
 use crate::arithmetic::{is_beyond, remainder, truth};
 use crate::calls::program_of;
 use crate::enter::leave;
@@ -96,15 +97,12 @@ impl Machine<'_> {
         }
         macro_rules! view {
             ($whole:expr) => {
-                match $whole.kind() {
-                    WholeKind::Data(number) => match data.get(usize::from(number)) {
-                        Some(store) => View::whole(*store),
-                        None => return Err(Fault::INTERPRETER),
-                    },
-                    _ => {
-                        let view = self.scope(&frame)?.view($whole)?;
-                        nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
-                        view
+                match $whole.data() {
+                    Some(number) => View::whole(*data.get(usize::from(number)).ok_or(Fault::INTERPRETER)?),
+                    None => {
+                        let instance = self.space.instances.get(usize::from(frame.instance.0));
+                        let frames = (&*self.space.memory.stack.parts, &*self.space.memory.stack.views);
+                        container($whole.kind(), instance.ok_or(Fault::INTERPRETER)?, frames, &frame.base)?
                     }
                 }
             };
@@ -127,10 +125,10 @@ impl Machine<'_> {
 
         while let Some(step) = program.code.get(at.next) {
             if step.line {
-                if at.budget == 0 {
-                    return Ok(Leave::Turn(Stop::Budget));
+                match at.budget.checked_sub(1) {
+                    Some(left) => at.budget = left,
+                    None => return Ok(Leave::Turn(Stop::Budget)),
                 }
-                at.budget -= 1;
                 #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more steps")]
                 (at.line = at.next as u32);
             }
@@ -243,6 +241,14 @@ impl Machine<'_> {
                     let counted = nums.get(counter)? + step;
                     nums.set(counter, counted)?;
                     if !is_beyond(counted, nums.get(limit)?, step) {
+                        at.next = body as usize;
+                    }
+                }
+
+                Op::ForNextUp { counter, limit, body } => {
+                    let counted = nums.get(counter)? + nums.get(limit + 1)?;
+                    nums.set(counter, counted)?;
+                    if !(counted > nums.get(limit)?) {
                         at.next = body as usize;
                     }
                 }

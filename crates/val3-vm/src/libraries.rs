@@ -56,8 +56,8 @@ impl Machine<'_> {
         if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
         }
-        let is_in = |task: &Box<crate::Task>| task.thread.frames.iter().any(|frame| frame.instance == library);
-        self.roster.tasks.iter().any(is_in).then_some(code::IN_USE)
+        let mut frames = self.roster.tasks.iter().flat_map(|task| &task.thread.frames);
+        frames.any(|frame| frame.instance == library).then_some(code::IN_USE)
     }
 
     fn save(&mut self, owner: InstanceId, library: Option<u16>, path: Option<&str>) -> u16 {

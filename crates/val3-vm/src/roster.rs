@@ -13,6 +13,7 @@ use crate::{InstanceId, Rate, Task, TaskState};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Roster {
     /// By creation. The task that runs is here too, without its thread.
+    #[allow(clippy::vec_box, reason = "when one of a thousand ends, only pointers move")]
     pub(crate) tasks: Vec<Box<Task>>,
     /// Some of them have ended or were killed, and are still to be removed.
     any_over: bool,
@@ -84,6 +85,7 @@ impl Roster {
     }
 
     /// Takes out the tasks that are over.
+    #[allow(clippy::vec_box, reason = "as they are kept")]
     pub(crate) fn take_over(&mut self) -> Vec<Box<Task>> {
         if !std::mem::take(&mut self.any_over) {
             return Vec::new();

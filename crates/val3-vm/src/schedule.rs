@@ -78,9 +78,9 @@ impl Schedule {
 
     /// The periods of tasks that do not run pass, so that one that is resumed goes on at the beginning of one.
     fn pass_periods(&self, vm: &mut Vm) {
-        let is_passed = |task: &&Box<Task>| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
-        let passed: Vec<TaskNumber> =
-            vm.tasks().iter().filter(is_passed).filter(|task| !task.is_running()).map(|task| task.id).collect();
+        let halted = vm.tasks().iter().filter(|task| !task.is_running());
+        let is_passed = |task: &Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
+        let passed: Vec<TaskNumber> = halted.filter(|task| is_passed(task)).map(|task| task.id).collect();
         for id in passed {
             if let Some(Rate::Period { period, next, .. }) = vm.rate_mut(id) {
                 *next = (self.now / *period + 1) * *period;

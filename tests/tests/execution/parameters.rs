@@ -193,3 +193,25 @@ fn a_reference_passed_on_is_the_same_variable() {
         "#]],
     );
 }
+
+/// A program with so many numbers that its frame is a wide one calls others with a narrow one, and is called by them.
+#[test]
+fn frames_of_any_width_call_each_other() {
+    let locals: String = (0..45).map(|number| format!("  trsf l_tr{number}\n")).collect();
+    let sum: String =
+        (0..45).map(|number| format!("  l_tr{number}.rz=x_nDepth\n  x_nSum=x_nSum+l_tr{number}.rz\n")).collect();
+    let listing = format!(
+        "program wide(num x_nDepth, num& x_nSum)\n{locals}begin\n{sum}  call narrow(x_nDepth,x_nSum)\n  \
+         x_nSum=x_nSum+l_tr44.rz\nend\n\
+         program narrow(num x_nDepth, num& x_nSum)\nbegin\n  if x_nDepth>1\n    call wide(x_nDepth-1,x_nSum)\n  endIf\n  \
+         x_nSum=x_nSum+1000*x_nDepth\nend\n\
+         program start()\n  num l_nSum\nbegin\n  call wide(2,l_nSum)\n  ? l_nSum\nend\n"
+    );
+    check(
+        &listing,
+        // 46 times 2 and 1, and 1000 times each of them.
+        expect![[r#"
+            3138
+        "#]],
+    );
+}

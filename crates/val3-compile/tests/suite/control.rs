@@ -91,7 +91,7 @@ fn the_counter_of_a_loop_may_be_any_variable() {
                2     5  Move { to: 1, from: 5 }
                      6  LoadFirst { to: 7, whole: Data(0), lane: 0 }
                      7  Move { to: 4, from: 7 }
-                     8  ForNext { counter: 4, limit: 2, body: 4 }
+                     8  ForNextUp { counter: 4, limit: 2, body: 4 }
                      9  StoreFirst { whole: Data(0), lane: 0, from: 4 }
                     10  Return
         "#]],

@@ -146,6 +146,28 @@ impl Store {
         }
     }
 
+    /// Where a number of a one-dimensional array of numbers is: the lane is one of `nums` only if the index is one of
+    /// the array, for each value has one lane.
+    #[inline]
+    pub(super) fn lane1(&self, view: View, index: f64) -> Option<usize> {
+        match self.shape {
+            Shape::Array { dims: 1, .. } => Some(view.start as usize + rounded(index)? as usize),
+            _ => None,
+        }
+    }
+
+    /// As [`lane1`](Self::lane1), of an array of two dimensions.
+    #[inline]
+    pub(super) fn lane2(&self, [i, j]: [f64; 2]) -> Option<usize> {
+        match self.shape {
+            Shape::Array { dims: 2, sizes: [_, columns, _] } => {
+                let (i, j) = (rounded(i)?, rounded(j)?);
+                (j < columns).then_some(i as usize * columns as usize + j as usize)
+            }
+            _ => None,
+        }
+    }
+
     /// The number of a value of an array of three dimensions.
     ///
     /// # Errors
@@ -189,16 +211,21 @@ pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
 }
 
-/// The whole number nearest to `index` if it is one of `size` indexes. `round` is floor(x + 0.5), as everywhere in
-/// VAL 3; above zero, cutting the fraction is the floor.
+/// The whole number nearest to `index` if it is one of `size` indexes. A number that is none is no index either.
 #[inline]
 fn within(index: f64, size: u32) -> Result<u32> {
-    let rounded = index + 0.5;
-    if rounded >= 0.0 {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more; the greatest is beyond")]
-        let number = rounded as u32;
-        return if number < size { Ok(number) } else { Err(Fault::INDEX_TOO_LARGE) };
+    match rounded(index) {
+        Some(number) if number < size => Ok(number),
+        None if index < 0.0 => Err(Fault::INDEX_NEGATIVE),
+        _ => Err(Fault::INDEX_TOO_LARGE),
     }
-    // A number that is none is no index either.
-    Err(if rounded < 0.0 { Fault::INDEX_NEGATIVE } else { Fault::INDEX_TOO_LARGE })
+}
+
+/// The whole number nearest to `index`, or the greatest there is; `None` below zero. `round` is floor(x + 0.5), as
+/// everywhere in VAL 3; above zero, cutting the fraction is the floor.
+#[inline]
+fn rounded(index: f64) -> Option<u32> {
+    let raised = index + 0.5;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and it saturates")]
+    (raised >= 0.0).then_some(raised as u32)
 }

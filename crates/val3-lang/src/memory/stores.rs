@@ -42,10 +42,7 @@ impl Stores {
     /// 61 if it is gone.
     #[inline]
     pub fn get(&self, id: StoreId) -> Result<&Store> {
-        match self.items.get(id.index as usize) {
-            Some(store) if store.generation == id.generation => Ok(store),
-            _ => Err(Fault::INTERPRETER),
-        }
+        self.living(id).ok_or(Fault::INTERPRETER)
     }
 
     /// As [`get`](Self::get), to be changed.
@@ -54,10 +51,17 @@ impl Stores {
     /// 61 if it is gone.
     #[inline]
     pub fn get_mut(&mut self, id: StoreId) -> Result<&mut Store> {
-        match self.items.get_mut(id.index as usize) {
-            Some(store) if store.generation == id.generation => Ok(store),
-            _ => Err(Fault::INTERPRETER),
-        }
+        self.living_mut(id).ok_or(Fault::INTERPRETER)
+    }
+
+    #[inline]
+    fn living(&self, id: StoreId) -> Option<&Store> {
+        self.items.get(id.index as usize).filter(|store| store.generation == id.generation)
+    }
+
+    #[inline]
+    fn living_mut(&mut self, id: StoreId) -> Option<&mut Store> {
+        self.items.get_mut(id.index as usize).filter(|store| store.generation == id.generation)
     }
 }
 
@@ -92,9 +96,8 @@ impl Stores {
     /// 21 for an index below zero, 20 for one beyond the size.
     #[inline]
     pub fn element_num(&self, view: View, index: f64) -> Result<f64> {
-        let store = self.get(view.store)?;
-        let number = store.number1(view, index)?;
-        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+        let found = self.living(view.store).and_then(|store| store.nums.get(store.lane1(view, index)?));
+        found.copied().ok_or_else(|| self.fault1(view, index))
     }
 
     /// Writes what [`element_num`](Self::element_num) reads.
@@ -103,10 +106,19 @@ impl Stores {
     /// 21 for an index below zero, 20 for one beyond the size.
     #[inline]
     pub fn set_element_num(&mut self, view: View, index: f64, value: f64) -> Result<()> {
-        let store = self.get_mut(view.store)?;
-        let number = store.number1(view, index)?;
-        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
-        Ok(())
+        let store = self.living_mut(view.store);
+        if let Some(number) = store.and_then(|store| store.lane1(view, index).and_then(|lane| store.nums.get_mut(lane)))
+        {
+            *number = value;
+            return Ok(());
+        }
+        Err(self.fault1(view, index))
+    }
+
+    /// Why there is no value under an index.
+    #[cold]
+    fn fault1(&self, view: View, index: f64) -> Fault {
+        self.get(view.store).and_then(|store| store.number1(view, index)).err().unwrap_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// A value of an array of numbers or truth values of two dimensions.
@@ -115,9 +127,8 @@ impl Stores {
     /// 21 for an index below zero, 20 for one beyond the size.
     #[inline]
     pub fn element2_num(&self, id: StoreId, at: [f64; 2]) -> Result<f64> {
-        let store = self.get(id)?;
-        let number = store.number2(at)?;
-        store.nums.get(number as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+        let found = self.living(id).and_then(|store| store.nums.get(store.lane2(at)?));
+        found.copied().ok_or_else(|| self.fault2(id, at))
     }
 
     /// Writes what [`element2_num`](Self::element2_num) reads.
@@ -126,9 +137,17 @@ impl Stores {
     /// 21 for an index below zero, 20 for one beyond the size.
     #[inline]
     pub fn set_element2_num(&mut self, id: StoreId, at: [f64; 2], value: f64) -> Result<()> {
-        let store = self.get_mut(id)?;
-        let number = store.number2(at)?;
-        *store.nums.get_mut(number as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
-        Ok(())
+        let store = self.living_mut(id);
+        if let Some(number) = store.and_then(|store| store.lane2(at).and_then(|lane| store.nums.get_mut(lane))) {
+            *number = value;
+            return Ok(());
+        }
+        Err(self.fault2(id, at))
+    }
+
+    /// Why there is no value under two indexes.
+    #[cold]
+    fn fault2(&self, id: StoreId, at: [f64; 2]) -> Fault {
+        self.get(id).and_then(|store| store.number2(at)).err().unwrap_or(Fault::INDEX_TOO_LARGE)
     }
 }
