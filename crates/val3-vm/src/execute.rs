@@ -150,14 +150,14 @@ impl Machine<'_> {
             };
         }
 
-        // Goes on in the innermost program.
-        macro_rules! innermost {
-            () => {{
-                match thread.frames.last() {
-                    None => return Ok(Leave::Turn(Stop::Ended)),
-                    Some(inner) if inner.instance == frame.instance => frame = *inner,
-                    Some(_) => return Ok(Leave::Elsewhere),
+        // Goes on in the program with another frame.
+        macro_rules! change {
+            ($frame:expr) => {{
+                let other: Frame = $frame;
+                if other.instance != frame.instance {
+                    return Ok(Leave::Elsewhere);
                 }
+                frame = other;
                 program = program_of(&frame, image)?;
                 if !W::suits(program) {
                     return Ok(Leave::Elsewhere);
@@ -296,15 +296,19 @@ impl Machine<'_> {
 
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    self.call(thread, image, (&frame, program), site, (at.next, at.line))?;
+                    let inner = self.call(image, (&frame, program), site, (at.next, at.line))?;
+                    thread.frames.push(inner);
                     at.next = 0;
-                    innermost!();
+                    change!(inner);
                 }
                 Op::Return => {
                     leave(&mut self.space.memory, &frame.base);
                     thread.frames.pop();
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
-                    innermost!();
+                    match thread.frames.last() {
+                        Some(caller) => change!(*caller),
+                        None => return Ok(Leave::Turn(Stop::Ended)),
+                    }
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
