@@ -3,7 +3,7 @@
 use val3_bytecode::{ArgumentSite, Operand, Register, SlotSite, Whole, WholeKind};
 use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Memory, Place, Slot, SlotAt, Stack, StoreId, View};
+use val3_lang::memory::{Lanes, Memory, Place, Slot, SlotAt, StoreId, View};
 
 use crate::Instance;
 use crate::instance::Imported;
@@ -48,45 +48,32 @@ pub(crate) fn located(memory: &Memory, base: &Base, register: Register) -> Resul
     memory.stack.places.get(at).copied().ok_or(Fault::INTERPRETER)
 }
 
-/// The container, and the first of its values that can be reached; `parts` and `views` are those of the stack.
-///
-/// The interpreter has its own way to global data; what it needs there does not have to make room for this.
-#[cold]
-pub(crate) fn container(
-    kind: WholeKind,
-    instance: &Instance,
-    (parts, views): (&[StoreId], &[View]),
-    base: &Base,
-) -> Result<View> {
-    match kind {
-        WholeKind::Data(number) => {
-            instance.data.get(usize::from(number)).copied().map(View::whole).ok_or(Fault::INTERPRETER)
-        }
-        WholeKind::Part(number) => {
-            let at = base.part as usize + usize::from(number);
-            parts.get(at).copied().map(View::whole).ok_or(Fault::INTERPRETER)
-        }
-        WholeKind::View(number) => {
-            let at = base.view as usize + usize::from(number);
-            views.get(at).copied().ok_or(Fault::INTERPRETER)
-        }
-        WholeKind::Import(number) => match instance.imports.get(usize::from(number)) {
-            Some(Some(Imported::Data(store))) => Ok(View::whole(*store)),
-            _ => Err(Fault::LIBRARY_ITEM_MISSING),
-        },
-        WholeKind::Builtin(number) => Ok(View::whole(match number {
-            0 => Memory::WORLD,
-            _ => Memory::FLANGE,
-        })),
-    }
-}
-
 impl Scope<'_> {
     /// The container, and the first of its values that can be reached.
     #[inline]
     pub(crate) fn view(&self, whole: Whole) -> Result<View> {
-        let Stack { parts, views, .. } = &self.memory.stack;
-        container(whole.kind(), self.instance, (parts, views), &self.base)
+        let Self { memory, instance, base } = self;
+        match whole.kind() {
+            WholeKind::Data(number) => {
+                instance.data.get(usize::from(number)).copied().map(View::whole).ok_or(Fault::INTERPRETER)
+            }
+            WholeKind::Part(number) => {
+                let at = base.part as usize + usize::from(number);
+                memory.stack.parts.get(at).copied().map(View::whole).ok_or(Fault::INTERPRETER)
+            }
+            WholeKind::View(number) => {
+                let at = base.view as usize + usize::from(number);
+                memory.stack.views.get(at).copied().ok_or(Fault::INTERPRETER)
+            }
+            WholeKind::Import(number) => match instance.imports.get(usize::from(number)) {
+                Some(Some(Imported::Data(store))) => Ok(View::whole(*store)),
+                _ => Err(Fault::LIBRARY_ITEM_MISSING),
+            },
+            WholeKind::Builtin(number) => Ok(View::whole(match number {
+                0 => Memory::WORLD,
+                _ => Memory::FLANGE,
+            })),
+        }
     }
 
     pub(crate) fn num(&self, register: Register) -> Result<f64> {

@@ -9,41 +9,39 @@ use crate::arguments::place;
 use crate::enter::{behind, enter, enter_plain, get, leave, pass, write};
 use crate::instance::Imported;
 use crate::machine::Machine;
-use crate::task::{Base, Thread};
+use crate::task::Base;
 use crate::{Frame, InstanceId};
 
 impl Machine<'_> {
-    /// Calls a program, which returns to the step and line at `back`.
-    #[inline]
+    /// The frame of a program that is called, with its arguments; it returns to the step and line at `back`.
+    ///
+    /// The frame is made in registers: one that is written and read again at once costs more than all of the rest.
+    #[inline(always)]
     pub(crate) fn call(
         &mut self,
-        thread: &mut Thread,
         image: &Image,
         (frame, caller): (&Frame, &Program),
         site: &CallSite,
         (back, back_line): (usize, u32),
-    ) -> Result<()> {
-        let (instance, program) = self.resolve(frame.instance, site.program)?;
+    ) -> Result<Frame> {
         let base = behind(&frame.base, caller);
-        if instance == frame.instance {
-            let callee = image.programs.get(usize::from(program)).ok_or(Fault::INTERPRETER)?;
-            match &site.passes {
-                Some(passes) => self.open_plain(callee, &base, frame, passes)?,
-                None => self.open(callee, &base, frame, site)?,
+        let (instance, program) = match (site.program, &site.passes) {
+            (ProgramRef::Own(number), Some(passes)) => {
+                let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+                self.open_plain(callee, base, frame, passes)?;
+                (frame.instance, number)
             }
-        } else {
-            self.open_other((instance, program), &base, frame, site)?;
-        }
-        let back = u32::try_from(back).unwrap_or(u32::MAX);
-        thread.frames.push(Frame { instance, program, back, back_line, base });
-        Ok(())
+            _ => self.open_any(base, frame, site)?,
+        };
+        #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more steps")]
+        Ok(Frame { base, back: back as u32, back_line, instance, program })
     }
 
     /// Makes the frame of a plain program, and passes its arguments.
-    #[inline]
-    fn open_plain(&mut self, callee: &Program, base: &Base, caller: &Frame, passes: &[Pass]) -> Result<()> {
+    #[inline(always)]
+    fn open_plain(&mut self, callee: &Program, base: Base, caller: &Frame, passes: &[Pass]) -> Result<()> {
         let memory = &mut self.space.memory;
-        enter_plain(memory, callee, base, self.stack_size)?;
+        enter_plain(memory, callee, &base, self.stack_size)?;
         for pass in passes {
             match *pass {
                 Pass::Number(from, to) => {
@@ -59,22 +57,20 @@ impl Machine<'_> {
         Ok(())
     }
 
-    /// Makes the frame of a program of a library.
-    fn open_other(&mut self, program: (InstanceId, u16), base: &Base, caller: &Frame, site: &CallSite) -> Result<()> {
-        let image = Arc::clone(&self.instance(program.0)?.image);
-        let callee = image.programs.get(usize::from(program.1)).ok_or(Fault::INTERPRETER)?;
-        self.open(callee, base, caller, site)
-    }
-
-    /// Makes the frame of a program at `base`, and passes its arguments.
-    fn open(&mut self, callee: &Program, base: &Base, caller: &Frame, site: &CallSite) -> Result<()> {
-        enter(&mut self.space.memory, callee, base, self.stack_size)?;
+    /// Makes the frame of any program at `base`, and passes its arguments.
+    #[inline(never)]
+    fn open_any(&mut self, base: Base, caller: &Frame, site: &CallSite) -> Result<(InstanceId, u16)> {
+        let (instance, number) = self.resolve(caller.instance, site.program)?;
+        let image = Arc::clone(&self.instance(instance)?.image);
+        let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
+        enter(&mut self.space.memory, callee, &base, self.stack_size)?;
         let mut arguments = callee.params.iter().zip(&site.arguments);
         let passed = arguments.try_for_each(|(param, argument)| {
             let given = self.scope(caller)?.given(argument)?;
-            pass(&mut self.space.memory, base, param, given)
+            pass(&mut self.space.memory, &base, param, given)
         });
-        passed.inspect_err(|_| leave(&mut self.space.memory, base))
+        passed.inspect_err(|_| leave(&mut self.space.memory, &base))?;
+        Ok((instance, number))
     }
 
     pub(crate) fn resolve(&self, from: InstanceId, program: ProgramRef) -> Result<(InstanceId, u16)> {

@@ -10,7 +10,7 @@ use crate::task::Base;
 use crate::window::NARROW;
 
 /// The first lanes behind a frame.
-#[inline]
+#[inline(always)]
 pub(crate) fn behind(base: &Base, program: &Program) -> Base {
     let size = &program.frame;
     Base {
@@ -20,7 +20,8 @@ pub(crate) fn behind(base: &Base, program: &Program) -> Base {
         part: base.part + size.lanes.part,
         place: base.place + size.places,
         view: base.view + size.views,
-        bytes: base.bytes.saturating_add(program.stack_bytes),
+        // No more than a stack has: the frame was let in.
+        bytes: base.bytes.wrapping_add(program.stack_bytes),
     }
 }
 
@@ -43,14 +44,14 @@ pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u
 /// As [`enter`], for a program whose frame has nothing but numbers and places.
 ///
 /// The stack has the numbers of a narrow frame behind each base.
-#[inline]
+#[inline(always)]
 pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     if base.bytes.saturating_add(program.stack_bytes) > most {
         return Err(Fault::STACK_FULL);
     }
     let stack = &mut memory.stack;
     let lanes = program.frame.lanes.num.max(NARROW);
-    fill(&mut stack.nums, base.num, base.num.saturating_add(lanes), 0.0);
+    fill(&mut stack.nums, base.num, base.num + lanes, 0.0);
     fill(&mut stack.places, base.place, base.place + program.frame.places, Place::first(StoreId::STACK));
     let template = base.num as usize..base.num as usize + program.nums.len();
     stack.nums.get_mut(template).ok_or(Fault::INTERPRETER)?.copy_from_slice(&program.nums);
@@ -101,7 +102,7 @@ pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
 }
 
 /// Makes room up to `end`; a frame that was there before may leave its values.
-#[inline]
+#[inline(always)]
 fn fill<T: Copy>(lanes: &mut Vec<T>, start: u32, end: u32, value: T) {
     if end > start && lanes.len() < end as usize {
         grow(lanes, end, value);

@@ -5,20 +5,20 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, Op};
+use val3_bytecode::{Image, Op, WholeKind};
 use val3_lang::call::Wait;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{StoreId, View};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
 
-use crate::arguments::container;
 use crate::arithmetic::{is_beyond, remainder, truth};
 use crate::calls::program_of;
 use crate::enter::leave;
+use crate::instance::Imported;
 use crate::machine::Machine;
 use crate::task::Thread;
 use crate::window::{Narrow, Window};
-use crate::{Frame, Stop};
+use crate::{Frame, Instance, Stop};
 
 /// Where the interpreter is, and the lines that it may still begin.
 pub(crate) struct Cursor {
@@ -35,6 +35,27 @@ pub(crate) enum Leave {
     Elsewhere,
     /// The turn is over.
     Turn(Stop),
+}
+
+/// A container of the frame or of a library, where there is one: parts, views and applications are those of the
+/// machine.
+#[cold]
+fn container(
+    kind: WholeKind,
+    frame: &Frame,
+    (parts, views, instances): (&[StoreId], &[View], &[Instance]),
+) -> Option<View> {
+    match kind {
+        WholeKind::Part(number) => parts.get(frame.base.part as usize + usize::from(number)).copied().map(View::whole),
+        WholeKind::View(number) => views.get(frame.base.view as usize + usize::from(number)).copied(),
+        WholeKind::Import(number) => {
+            match instances.get(usize::from(frame.instance.0))?.imports.get(usize::from(number)) {
+                Some(Some(Imported::Data(store))) => Some(View::whole(*store)),
+                _ => None,
+            }
+        }
+        WholeKind::Data(_) | WholeKind::Builtin(_) => None,
+    }
 }
 
 impl Machine<'_> {
@@ -56,6 +77,7 @@ impl Machine<'_> {
     }
 
     /// Executes programs of one application until it is left.
+    #[inline(never)]
     fn programs<W: Window + ?Sized>(
         &mut self,
         thread: &mut Thread,
@@ -95,26 +117,47 @@ impl Machine<'_> {
                 result
             }};
         }
-        macro_rules! view {
-            ($whole:expr) => {
-                match $whole.data() {
-                    Some(number) => View::whole(*data.get(usize::from(number)).ok_or(Fault::INTERPRETER)?),
+        // `$found` in the container `$view`. What is not found there is left to the general way, which tells why.
+        macro_rules! found {
+            ($view:ident in $whole:expr, $found:expr) => {{
+                let view = match $whole.data() {
+                    Some(number) => data.get(usize::from(number)).copied().map(View::whole),
                     None => {
-                        let instance = self.space.instances.get(usize::from(frame.instance.0));
-                        let frames = (&*self.space.memory.stack.parts, &*self.space.memory.stack.views);
-                        container($whole.kind(), instance.ok_or(Fault::INTERPRETER)?, frames, &frame.base)?
+                        let (parts, views) = (&*self.space.memory.stack.parts, &*self.space.memory.stack.views);
+                        container($whole.kind(), &frame, (parts, views, &self.space.instances))
                     }
+                };
+                match view {
+                    Some($view) => $found,
+                    None => None,
+                }
+            }};
+        }
+        macro_rules! load {
+            ($step:ident, $to:expr, $found:expr) => {
+                match $found {
+                    Some(number) => nums.set($to, *number)?,
+                    None => outside!(self.on_values($step.op, &frame, program))?,
                 }
             };
         }
-        // Goes on in the innermost program.
-        macro_rules! innermost {
-            () => {{
-                match thread.frames.last() {
-                    None => return Ok(Leave::Turn(Stop::Ended)),
-                    Some(inner) if inner.instance == frame.instance => frame = *inner,
-                    Some(_) => return Ok(Leave::Elsewhere),
+        macro_rules! store {
+            ($step:ident, $from:expr, $found:expr) => {
+                match $found {
+                    Some(number) => *number = nums.get($from)?,
+                    None => outside!(self.on_values($step.op, &frame, program))?,
                 }
+            };
+        }
+
+        // Goes on in the program with another frame.
+        macro_rules! change {
+            ($frame:expr) => {{
+                let other: Frame = $frame;
+                if other.instance != frame.instance {
+                    return Ok(Leave::Elsewhere);
+                }
+                frame = other;
                 program = program_of(&frame, image)?;
                 if !W::suits(program) {
                     return Ok(Leave::Elsewhere);
@@ -197,28 +240,26 @@ impl Machine<'_> {
                 Op::NotEqual { to, a, b } => nums.set(to, truth(nums.get(a)? != nums.get(b)?))?,
 
                 Op::LoadFirst { to, whole, lane } => {
-                    let view = view!(whole);
-                    nums.set(to, self.space.memory.stores.first_num(view, u32::from(lane))?)?;
+                    load!(step, to, found!(view in whole, self.space.memory.stores.first(view, lane)));
                 }
                 Op::StoreFirst { whole, lane, from } => {
-                    let (view, value) = (view!(whole), nums.get(from)?);
-                    self.space.memory.stores.set_first_num(view, u32::from(lane), value)?;
+                    store!(step, from, found!(view in whole, self.space.memory.stores.first_mut(view, lane)));
                 }
                 Op::LoadElement { to, whole, index } => {
-                    let (view, index) = (view!(whole), nums.get(index)?);
-                    nums.set(to, self.space.memory.stores.element_num(view, index)?)?;
+                    let at = nums.get(index)?;
+                    load!(step, to, found!(view in whole, self.space.memory.stores.element(view, at)));
                 }
                 Op::StoreElement { whole, index, from } => {
-                    let (view, index, value) = (view!(whole), nums.get(index)?, nums.get(from)?);
-                    self.space.memory.stores.set_element_num(view, index, value)?;
+                    let at = nums.get(index)?;
+                    store!(step, from, found!(view in whole, self.space.memory.stores.element_mut(view, at)));
                 }
                 Op::LoadElement2 { to, whole, i, j } => {
-                    let (view, indexes) = (view!(whole), [nums.get(i)?, nums.get(j)?]);
-                    nums.set(to, self.space.memory.stores.element2_num(view.store, indexes)?)?;
+                    let at = [nums.get(i)?, nums.get(j)?];
+                    load!(step, to, found!(view in whole, self.space.memory.stores.element2(view, at)));
                 }
                 Op::StoreElement2 { whole, i, j, from } => {
-                    let (view, indexes, value) = (view!(whole), [nums.get(i)?, nums.get(j)?], nums.get(from)?);
-                    self.space.memory.stores.set_element2_num(view.store, indexes, value)?;
+                    let at = [nums.get(i)?, nums.get(j)?];
+                    store!(step, from, found!(view in whole, self.space.memory.stores.element2_mut(view, at)));
                 }
                 Op::Load { to, place, lane } => {
                     let value = self.load_num(&frame, place, lane)?;
@@ -255,15 +296,21 @@ impl Machine<'_> {
 
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    self.call(thread, image, (&frame, program), site, (at.next, at.line))?;
+                    let inner = self.call(image, (&frame, program), site, (at.next, at.line))?;
+                    thread.frames.push(inner);
                     at.next = 0;
-                    innermost!();
+                    change!(inner);
                 }
                 Op::Return => {
                     leave(&mut self.space.memory, &frame.base);
-                    thread.frames.pop();
+                    let [.., caller, _] = thread.frames.as_slice() else {
+                        // The frame stays: it tells where the task has ended.
+                        return Ok(Leave::Turn(Stop::Ended));
+                    };
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
-                    innermost!();
+                    let caller = *caller;
+                    thread.frames.pop();
+                    change!(caller);
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;

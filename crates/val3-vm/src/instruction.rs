@@ -1,7 +1,8 @@
 //! Instructions: their arguments, their call, and what they ask of the run time.
 
+use smallvec::SmallVec;
 use val3_bytecode::{Handler, Image, InstructionSite};
-use val3_lang::call::{Call, Flow, Wait, Waiting};
+use val3_lang::call::{Argument, Call, Flow, Wait, Waiting};
 use val3_lang::fault::Result;
 use val3_lang::memory::Memory;
 use val3_lang::ports::{Ports, Tasks, nanoseconds};
@@ -27,9 +28,8 @@ impl Machine<'_> {
             self.ports.lacking(&site.name);
             return Ok(Some(Stop::Lacking));
         };
-        let mut arguments = std::mem::take(&mut self.arguments);
         let scope = self.scope(frame)?;
-        arguments.clear();
+        let mut arguments = SmallVec::<[Argument; 4]>::new();
         for argument in &site.arguments {
             arguments.push(scope.argument(argument)?);
         }
@@ -45,9 +45,9 @@ impl Machine<'_> {
         let mut call = Call::new(reach, (now, thread.waiting), (image.version, image.unit), &arguments, result);
         let flow = run(&mut call)?;
         self.reads_clock |= call.reads_clock;
-        self.arguments = arguments;
         let Services { changes, request, .. } = services;
         changes.iter().for_each(|(task, name, change, at)| self.ports.task(*task, name, *change, *at));
+        let is_stopped = !changes.is_empty() && self.is_stopped();
         if !changes.is_empty() {
             self.end_with_turn();
         }
@@ -63,7 +63,7 @@ impl Machine<'_> {
                 return Ok(Some(Stop::Waits));
             }
         }
-        Ok(self.is_stopped().then_some(Stop::Halted))
+        Ok(is_stopped.then_some(Stop::Halted))
     }
 
     /// The task has halted or killed itself.

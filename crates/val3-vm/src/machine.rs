@@ -1,6 +1,5 @@
 //! What the interpreter works on during one turn.
 
-use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{CodePlace, Origin, TaskNumber, Time};
 
@@ -27,8 +26,6 @@ pub(crate) struct Machine<'v> {
     pub(crate) line_cost: Time,
     /// Something asked for the time.
     pub(crate) reads_clock: bool,
-    /// The arguments of the last instruction; their room serves the next one.
-    pub(crate) arguments: Vec<Argument>,
 }
 
 impl Machine<'_> {

@@ -12,6 +12,7 @@ use crate::machine::Machine;
 
 impl Machine<'_> {
     /// Executes an operation that does more than compute numbers.
+    #[inline(never)]
     pub(crate) fn on_values(&mut self, op: Op, frame: &Frame, program: &Program) -> Result<()> {
         match op {
             Op::TextConstant { to, constant } => {
@@ -26,20 +27,37 @@ impl Machine<'_> {
             }
             Op::TextEqual { to, a, b } => self.set(frame, to, truth(self.text(frame, a)? == self.text(frame, b)?)),
 
+            Op::LoadFirst { to, whole, lane } => {
+                let place = self.space.memory.element(self.view(frame, whole)?, 0)?;
+                self.set(frame, to, self.space.memory.num(place, u32::from(lane))?)
+            }
+            Op::StoreFirst { whole, lane, from } => {
+                let place = self.space.memory.element(self.view(frame, whole)?, 0)?;
+                self.space.memory.set_num(place, u32::from(lane), self.get(frame, from)?)
+            }
+            Op::LoadElement { to, whole, index } => {
+                let place = self.element(frame, whole, index)?;
+                self.set(frame, to, self.space.memory.num(place, 0)?)
+            }
+            Op::StoreElement { whole, index, from } => {
+                let place = self.element(frame, whole, index)?;
+                self.space.memory.set_num(place, 0, self.get(frame, from)?)
+            }
+            Op::LoadElement2 { to, whole, i, j } => {
+                let place = self.element2(frame, whole, [i, j])?;
+                self.set(frame, to, self.space.memory.num(place, 0)?)
+            }
+            Op::StoreElement2 { whole, i, j, from } => {
+                let place = self.element2(frame, whole, [i, j])?;
+                self.space.memory.set_num(place, 0, self.get(frame, from)?)
+            }
+
             Op::LocateFirst { to, whole } => {
-                let view = self.scope(frame)?.view(whole)?;
-                self.set_place(frame, to, self.space.memory.element(view, 0)?)
+                let place = self.space.memory.element(self.view(frame, whole)?, 0)?;
+                self.set_place(frame, to, place)
             }
-            Op::Locate { to, whole, index } => {
-                let (view, index) = (self.view(frame, whole)?, self.get(frame, index)?);
-                let store = self.space.memory.store(view.store)?;
-                self.set_place(frame, to, store.place(view.store, store.number1(view, index)?))
-            }
-            Op::Locate2 { to, whole, i, j } => {
-                let (view, at) = (self.view(frame, whole)?, [self.get(frame, i)?, self.get(frame, j)?]);
-                let store = self.space.memory.store(view.store)?;
-                self.set_place(frame, to, store.place(view.store, store.number2(at)?))
-            }
+            Op::Locate { to, whole, index } => self.set_place(frame, to, self.element(frame, whole, index)?),
+            Op::Locate2 { to, whole, i, j } => self.set_place(frame, to, self.element2(frame, whole, [i, j])?),
             Op::Locate3 { to, whole, i } => {
                 let at = [self.get(frame, i)?, self.get(frame, i + 1)?, self.get(frame, i + 2)?];
                 let view = self.view(frame, whole)?;
@@ -97,6 +115,20 @@ impl Machine<'_> {
 
     fn view(&self, frame: &Frame, whole: Whole) -> Result<View> {
         self.scope(frame)?.view(whole)
+    }
+
+    /// A value of an array.
+    fn element(&self, frame: &Frame, whole: Whole, index: Register) -> Result<Place> {
+        let view = self.view(frame, whole)?;
+        let store = self.space.memory.store(view.store)?;
+        Ok(store.place(view.store, store.number1(view, self.get(frame, index)?)?))
+    }
+
+    /// A value of an array of two dimensions.
+    fn element2(&self, frame: &Frame, whole: Whole, [i, j]: [Register; 2]) -> Result<Place> {
+        let view = self.view(frame, whole)?;
+        let store = self.space.memory.store(view.store)?;
+        Ok(store.place(view.store, store.number2([self.get(frame, i)?, self.get(frame, j)?])?))
     }
 
     fn get(&self, frame: &Frame, register: Register) -> Result<f64> {

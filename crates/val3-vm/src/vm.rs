@@ -88,7 +88,6 @@ impl Vm {
             end: now + Time::from(budget) * line_cost,
             line_cost,
             reads_clock: false,
-            arguments: Vec::new(),
         }
     }
 

@@ -212,6 +212,14 @@ end
 }
 
 #[test]
+fn a_task_ends_where_and_when_its_last_line_does() {
+    let folder = Folder::with("num n\nprogram before()\nbegin\nend\nprogram start()\nbegin\n  n=1\n  n=n+1\nend\n");
+    let told = events(&folder, &["--line-cost", "500"], "task");
+    let ended = told.iter().find(|event| event["state"] == "ended").unwrap();
+    assert_eq!((&ended["t"], &ended["program"], &ended["line"]), (&0.001.into(), &"start".into(), &6.into()));
+}
+
+#[test]
 fn a_run_ends_at_its_limit_to_the_dot() {
     let folder = Folder::with("  wait(clock()<0)\n");
     let end = events(&folder, &["--until", "2"], "end");

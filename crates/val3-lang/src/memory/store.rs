@@ -148,7 +148,7 @@ impl Store {
 
     /// Where a number of a one-dimensional array of numbers is: the lane is one of `nums` only if the index is one of
     /// the array, for each value has one lane.
-    #[inline]
+    #[inline(always)]
     pub(super) fn lane1(&self, view: View, index: f64) -> Option<usize> {
         match self.shape {
             Shape::Array { dims: 1, .. } => Some(view.start as usize + rounded(index)? as usize),
@@ -157,7 +157,7 @@ impl Store {
     }
 
     /// As [`lane1`](Self::lane1), of an array of two dimensions.
-    #[inline]
+    #[inline(always)]
     pub(super) fn lane2(&self, [i, j]: [f64; 2]) -> Option<usize> {
         match self.shape {
             Shape::Array { dims: 2, sizes: [_, columns, _] } => {
@@ -223,7 +223,7 @@ fn within(index: f64, size: u32) -> Result<u32> {
 
 /// The whole number nearest to `index`, or the greatest there is; `None` below zero. `round` is floor(x + 0.5), as
 /// everywhere in VAL 3; above zero, cutting the fraction is the floor.
-#[inline]
+#[inline(always)]
 fn rounded(index: f64) -> Option<u32> {
     let raised = index + 0.5;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and it saturates")]

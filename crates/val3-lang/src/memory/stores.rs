@@ -54,100 +54,64 @@ impl Stores {
         self.living_mut(id).ok_or(Fault::INTERPRETER)
     }
 
-    #[inline]
+    #[inline(always)]
     fn living(&self, id: StoreId) -> Option<&Store> {
         self.items.get(id.index as usize).filter(|store| store.generation == id.generation)
     }
 
-    #[inline]
+    #[inline(always)]
     fn living_mut(&mut self, id: StoreId) -> Option<&mut Store> {
         self.items.get_mut(id.index as usize).filter(|store| store.generation == id.generation)
     }
 }
 
-/// Numbers of arrays, without a place in between: what loops over numbers do most.
+/// Numbers of containers, without a place in between: what loops over numbers do most. `None` stands for all that goes
+/// wrong; [`Memory::element`](super::Memory::element) and [`Store::number1`] tell what.
 impl Stores {
     /// A number of the first value of a view.
-    ///
-    /// # Errors
-    /// 20 if there is none.
-    #[inline]
-    pub fn first_num(&self, view: View, lane: u32) -> Result<f64> {
-        let store = self.get(view.store)?;
-        let at = view.start * store.kind.size.num + lane;
-        store.nums.get(at as usize).copied().ok_or(Fault::INDEX_TOO_LARGE)
+    #[inline(always)]
+    #[must_use]
+    pub fn first(&self, view: View, lane: u16) -> Option<&f64> {
+        let store = self.living(view.store)?;
+        store.nums.get((view.start * store.kind.size.num) as usize + usize::from(lane))
     }
 
-    /// Writes what [`first_num`](Self::first_num) reads.
-    ///
-    /// # Errors
-    /// 20 if there is no value.
-    #[inline]
-    pub fn set_first_num(&mut self, view: View, lane: u32, value: f64) -> Result<()> {
-        let store = self.get_mut(view.store)?;
-        let at = view.start * store.kind.size.num + lane;
-        *store.nums.get_mut(at as usize).ok_or(Fault::INDEX_TOO_LARGE)? = value;
-        Ok(())
+    /// As [`first`](Self::first), to be written.
+    #[inline(always)]
+    pub fn first_mut(&mut self, view: View, lane: u16) -> Option<&mut f64> {
+        let store = self.living_mut(view.store)?;
+        store.nums.get_mut((view.start * store.kind.size.num) as usize + usize::from(lane))
     }
 
     /// A value of an array of numbers or truth values.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn element_num(&self, view: View, index: f64) -> Result<f64> {
-        let found = self.living(view.store).and_then(|store| store.nums.get(store.lane1(view, index)?));
-        found.copied().ok_or_else(|| self.fault1(view, index))
+    #[inline(always)]
+    #[must_use]
+    pub fn element(&self, view: View, index: f64) -> Option<&f64> {
+        let store = self.living(view.store)?;
+        store.nums.get(store.lane1(view, index)?)
     }
 
-    /// Writes what [`element_num`](Self::element_num) reads.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn set_element_num(&mut self, view: View, index: f64, value: f64) -> Result<()> {
-        let store = self.living_mut(view.store);
-        if let Some(number) = store.and_then(|store| store.lane1(view, index).and_then(|lane| store.nums.get_mut(lane)))
-        {
-            *number = value;
-            return Ok(());
-        }
-        Err(self.fault1(view, index))
-    }
-
-    /// Why there is no value under an index.
-    #[cold]
-    fn fault1(&self, view: View, index: f64) -> Fault {
-        self.get(view.store).and_then(|store| store.number1(view, index)).err().unwrap_or(Fault::INDEX_TOO_LARGE)
+    /// As [`element`](Self::element), to be written.
+    #[inline(always)]
+    pub fn element_mut(&mut self, view: View, index: f64) -> Option<&mut f64> {
+        let store = self.living_mut(view.store)?;
+        let lane = store.lane1(view, index)?;
+        store.nums.get_mut(lane)
     }
 
     /// A value of an array of numbers or truth values of two dimensions.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn element2_num(&self, id: StoreId, at: [f64; 2]) -> Result<f64> {
-        let found = self.living(id).and_then(|store| store.nums.get(store.lane2(at)?));
-        found.copied().ok_or_else(|| self.fault2(id, at))
+    #[inline(always)]
+    #[must_use]
+    pub fn element2(&self, view: View, at: [f64; 2]) -> Option<&f64> {
+        let store = self.living(view.store)?;
+        store.nums.get(store.lane2(at)?)
     }
 
-    /// Writes what [`element2_num`](Self::element2_num) reads.
-    ///
-    /// # Errors
-    /// 21 for an index below zero, 20 for one beyond the size.
-    #[inline]
-    pub fn set_element2_num(&mut self, id: StoreId, at: [f64; 2], value: f64) -> Result<()> {
-        let store = self.living_mut(id);
-        if let Some(number) = store.and_then(|store| store.lane2(at).and_then(|lane| store.nums.get_mut(lane))) {
-            *number = value;
-            return Ok(());
-        }
-        Err(self.fault2(id, at))
-    }
-
-    /// Why there is no value under two indexes.
-    #[cold]
-    fn fault2(&self, id: StoreId, at: [f64; 2]) -> Fault {
-        self.get(id).and_then(|store| store.number2(at)).err().unwrap_or(Fault::INDEX_TOO_LARGE)
+    /// As [`element2`](Self::element2), to be written.
+    #[inline(always)]
+    pub fn element2_mut(&mut self, view: View, at: [f64; 2]) -> Option<&mut f64> {
+        let store = self.living_mut(view.store)?;
+        let lane = store.lane2(at)?;
+        store.nums.get_mut(lane)
     }
 }
