@@ -38,7 +38,7 @@ pub(crate) enum Leave {
 }
 
 /// A container of the frame or of a library, where there is one: parts, views and applications are those of the
-/// machine.
+/// machine. It is marked as rare so that the way to global data, by far the most frequent, needs no registers for it.
 #[cold]
 fn container(
     kind: WholeKind,
@@ -117,7 +117,7 @@ impl Machine<'_> {
                 result
             }};
         }
-        // `$found` in the container `$view`. What is not found there is left to the general way, which tells why.
+        // `$found` in the container `$view`; `None` where it takes the general way, which tells why there is none.
         macro_rules! found {
             ($view:ident in $whole:expr, $found:expr) => {{
                 let view = match $whole.data() {
@@ -133,6 +133,7 @@ impl Machine<'_> {
                 }
             }};
         }
+        // Reads a number of a container that was found.
         macro_rules! load {
             ($step:ident, $to:expr, $found:expr) => {
                 match $found {
@@ -141,6 +142,7 @@ impl Machine<'_> {
                 }
             };
         }
+        // Writes one.
         macro_rules! store {
             ($step:ident, $from:expr, $found:expr) => {
                 match $found {
@@ -149,7 +151,6 @@ impl Machine<'_> {
                 }
             };
         }
-
         // Goes on in the program with another frame.
         macro_rules! change {
             ($frame:expr) => {{
