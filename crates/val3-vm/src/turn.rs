@@ -143,7 +143,8 @@ impl Machine<'_> {
         }
         let stack = self.space.memory.stack.split_off(lanes, place, view);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
-        Ok(Thread { frames: vec![frame], stack, ..Thread::default() })
+        let line = callee.lines.first().map_or(0, |line| line.op);
+        Ok(Thread { frames: vec![frame], line, stack, ..Thread::default() })
     }
 }
 

@@ -128,7 +128,7 @@ fn wrong_usage() {
     for (arguments, word) in [
         (&["run", "no/such"][..], "no/such"),
         (&["run", "--program", "nothing"], "nothing"),
-        (&["run", "--program", "work"], "`work` without parameters"),
+        (&["run", "--program", "work"], "`work` has parameters"),
         (&["run", "--until=-1"], "--until"),
         (&["run", "--script", "no.toml"], "no.toml"),
         (&["run", "--script", "bad.toml"], "sett"),
