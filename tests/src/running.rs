@@ -53,7 +53,7 @@ impl Running {
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
         let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE);
-        controller.start("start").expect("a program start");
+        assert_eq!(controller.start("start"), Ok(()));
         Self { controller, events: Vec::new() }
     }
 
