@@ -107,18 +107,19 @@ export class Client implements vscode.Disposable {
     this.life = life;
     const running = new QuietClient("val3", "VAL 3", server, this.options(life));
     this.running = running;
-    running.onDidChangeState(({ oldState, newState }) => {
+    running.onDidChangeState(({ newState }) => {
       this.states.fire(newState);
       life.hasRun ||= newState === State.Running;
-      if (oldState === State.Running && life.hasDied) {
-        this.mourn();
-      }
     });
+    // Later, when the client has done what it does at the end of a connection.
+    life.death.catch(() => setTimeout(() => life.hasRun && this.mourn(life)));
     try {
       // The client waits for good where the server dies while it starts.
       await Promise.race([running.start(), life.death]);
     } catch (fault) {
-      if (life.hasRun && life.hasDied) {
+      if (life.hasRun && (life.hasDied || isGone(fault))) {
+        // It died so soon that the client takes it for one that did not start.
+        this.mourn(life);
         return;
       }
       const reason = life.hasDied || isGone(fault) ? "it ended before it answered" : fault instanceof Error ? fault.message : String(fault);
@@ -127,14 +128,19 @@ export class Client implements vscode.Disposable {
     }
   }
 
-  /** The server ran and died. */
-  private mourn(): void {
+  /** The server ran and died, which is noticed in more than one way. */
+  private mourn(life: Life): void {
+    if (life.isMourned) {
+      return;
+    }
+    life.isMourned = true;
     if (this.deaths.add(Date.now()) === "again") {
       this.output.warn("The server ended by itself and is started again.");
       offerCalmly("The VAL 3 server ended unexpectedly. It is started again.", SHOW_OUTPUT);
       void this.startAnew();
     } else {
       this.output.error("The server ended by itself again and again. It is not started any more.");
+      void this.stop();
       offer(`The VAL 3 server ended unexpectedly ${TOO_MANY} times within three minutes and is not started any more. `
         + "Until it runs, nothing is checked or completed.", RESTART, SHOW_OUTPUT);
     }
@@ -196,6 +202,8 @@ class Life {
   hasRun = false;
   /** It closed the connection, though nobody had asked for it. */
   hasDied = false;
+  /** The user was told of its death. */
+  isMourned = false;
   /** Fails when it dies. */
   readonly death: Promise<never>;
   private fail: (reason: Error) => void = () => undefined;

@@ -102,6 +102,8 @@ const STEPS = {
       await kill();
       await until(() => begun() > before, "no server is started again");
     }
+    // VS Code shows no fourth message within 800 ms, only a mark in the status bar.
+    await user.page.waitForTimeout(1000);
     await kill();
     await found(user, "nLeft", 0);
     await user.told("The VAL 3 server ended unexpectedly 4 times within three minutes and is not started any more.", "Restart");
