@@ -17,7 +17,7 @@ use crate::user_error::UserError;
 pub(crate) use arm::set as set_arm;
 pub(crate) use compiling::{compile, first_error, load_laid};
 pub(crate) use images::Images;
-pub(crate) use laid::{Files, Laid};
+pub(crate) use laid::Files;
 pub(crate) use media::Media;
 
 /// The application that is meant: the only one there, or the only one with a program of this name.

@@ -5,8 +5,8 @@ use val3_lang::fault::{Fault, Result};
 
 use crate::Frame;
 
-/// How many numbers a narrow frame has at most. The stack has that many behind the start of each frame, so that a register of one
-/// byte always finds its number.
+/// How many numbers a narrow frame has at most. The stack has that many behind the start of each frame, so that a
+/// register of one byte always finds its number.
 pub(crate) const NARROW: u32 = 256;
 
 /// The numbers of a narrow frame.

@@ -11,7 +11,8 @@ use val3_check::rule::Severity;
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_compile::CompileError;
 
-use super::{Files, Laid};
+use super::Files;
+use super::laid::Laid;
 
 /// Reads the project of a project file, with these files laid over the disk.
 ///

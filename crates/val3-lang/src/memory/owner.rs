@@ -83,8 +83,10 @@ impl Memory {
     #[inline]
     pub fn cut_links(&mut self, end: u32) {
         if self.stack.links.len() > end as usize {
-            let ends = |link: &&mut Link| matches!(link, Link::Data(place) if place.store == StoreId::STACK && place.link >= end);
-            self.stack.links.iter_mut().take(end as usize).filter(ends).for_each(|link| *link = Link::None);
+            let ends = |place: &Place| place.store == StoreId::STACK && place.link >= end;
+            let kept = self.stack.links.iter_mut().take(end as usize);
+            let dangling = kept.filter(|link| matches!(link, Link::Data(place) if ends(place)));
+            dangling.for_each(|link| *link = Link::None);
         }
     }
 
