@@ -145,7 +145,7 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut che
 }
 
 /// One finding of this rule is enough for an application, so that the place where it stands means little.
-pub(crate) fn is_said_once(rule: &Rule) -> bool {
+pub fn is_said_once(rule: &Rule) -> bool {
     rule.code == MISSING_ADD_ON
 }
 

@@ -23,5 +23,5 @@ pub mod suppression;
 pub mod testing;
 pub mod topics;
 
-pub use check::{Alone, Checked, Unit, check_alone, check_member, check_unit, finish, units};
+pub use check::{Alone, Checked, Unit, check_alone, check_member, check_unit, finish, is_said_once, units};
 pub use statistics::{Statistics, statistics};

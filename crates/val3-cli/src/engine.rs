@@ -21,11 +21,9 @@ use crate::report::{Report, Statistics};
 use crate::translation::Translator;
 use crate::user_error::UserError;
 
-/// Pieces of work up to which nothing is freed before the end: freeing takes longer than using more memory.
-const AT_ONCE: usize = 4096;
-
-/// Pieces of work between which, beyond that, the code of programs is freed that nobody will ask for again.
-const BATCH: usize = 1536;
+/// Pieces of work between which the code of programs is freed that nobody will ask for again. Memory that a process
+/// touches for the first time costs more than freeing what it no longer needs.
+const BATCH: usize = 1024;
 
 /// Findings that are translated together: those of a file stand together, and share what is known of it.
 const CHUNK: usize = 32;
@@ -131,7 +129,7 @@ fn check_units(
     threads: &ThreadPool,
 ) -> Checked {
     let progress = Progress::new(units.len());
-    let is_large = units.len() > AT_ONCE;
+    let is_large = units.len() > BATCH;
     let check = |db: &mut Database, unit: &Unit| {
         let found = check_unit(db, *unit, settings);
         progress.advance();

@@ -2,10 +2,10 @@
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
-use val3_analysis::db::{Db, Project};
+use val3_analysis::db::{Db, File, Project};
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
-use val3_check::{Alone, Checked, Unit, check_alone, check_member, finish, units};
+use val3_check::{Alone, Checked, Unit, check_alone, check_member, finish, is_said_once, units};
 
 /// What every application is checked for.
 #[salsa::input(debug)]
@@ -21,6 +21,27 @@ pub fn project_diagnostics(db: &dyn Db, settings: CheckSettings, project: Projec
     let units = units(db, &[project]);
     let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
     finish(db, &units, settings.settings(db), checked).findings
+}
+
+/// What is wrong in one program of a project: the findings of [`project_diagnostics`] that lie in `file`, without a look
+/// at the other programs beyond what the application does. `None` where `file` is no program of the project, or where
+/// findings elsewhere decide which stand here.
+pub fn program_diagnostics(
+    db: &dyn Db,
+    settings: CheckSettings,
+    project: Project,
+    file: File,
+) -> Option<Vec<Diagnostic>> {
+    let own = Unit::Program(project, file);
+    if !units(db, &[project]).contains(&own) {
+        return None;
+    }
+    // What the project finds may lie in programs: the libraries that they load. Nothing else lies in another file.
+    let units = [Unit::Project(project), own];
+    let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
+    let mut found = finish(db, &units, settings.settings(db), checked).findings;
+    found.retain(|finding| finding.place.file == file);
+    (!found.iter().any(|finding| is_said_once(finding.rule))).then_some(found)
 }
 
 #[salsa::tracked]
@@ -51,6 +72,11 @@ mod tests {
 
     const CELL: &str = "num nA\nnA=1\ncall other()\nprogram other()\nbegin\n  nB=2\nend\n\
                         --- part\npublic num nWeight\nprogram pick()\nbegin\n  nWeight=nC\nend";
+
+    const FINDINGS_FROM_ELSEWHERE: &str = "library part \"Disk://part/part.pjx\"\nnum nA\n\
+        //val3: allow(V0302) silences nothing\nnA=part:libLoad(\"Disk://patr\")\ncall part:init()\n\
+        call show(nA)\nprogram show(num x_nA)\nbegin\n  cls()\nend\n\
+        --- part\npublic program init()\nbegin\n  putln(\"part\")\nend";
 
     #[test]
     fn an_edit_checks_again_what_it_concerns() {
@@ -105,6 +131,39 @@ mod tests {
         }
         workspace.projects.iter().for_each(|project| _ = project_diagnostics(db, settings, *project));
         assert!(ran.lock().unwrap().iter().any(|name| name.starts_with("application(")));
+    }
+
+    #[test]
+    fn a_program_has_the_findings_of_the_whole_check() {
+        let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").into();
+        let fixture = Fixture::parse(FINDINGS_FROM_ELSEWHERE);
+        let files = fixture.files.into_iter().map(|(path, text)| (format!("{ROOT}/{path}"), text));
+        let written = load_into(Database::default(), &Memory::new(files), &[ROOT.into()]).unwrap();
+        let mut judged = BTreeSet::new();
+        for workspace in [load_into(Database::default(), &Disk, &[examples]).unwrap(), written] {
+            let db = &workspace.db;
+            let codes: BTreeSet<&str> = rules::all().iter().map(|rule| rule.code).collect();
+            let every = Selection { only: Some(codes.clone()), named: codes, ..Selection::default() };
+            let settings = CheckSettings::new(db, WorkspaceSettings::new(db, &workspace.projects, &every).unwrap());
+            for project in workspace.projects {
+                let whole = project_diagnostics(db, settings, project);
+                for file in val3_analysis::items::project::program_files(db, project) {
+                    let expected: Vec<_> = whole.iter().filter(|found| found.place.file == *file).cloned().collect();
+                    match program_diagnostics(db, settings, project, *file) {
+                        Some(found) => assert_eq!(sorted(found), sorted(expected.clone())),
+                        None => assert!(whole.iter().any(|found| is_said_once(found.rule))),
+                    }
+                    judged.extend(expected.iter().map(|found| found.rule.code));
+                }
+            }
+        }
+        // A library that cannot be found is a finding of the project, a comment that silences nothing one of the whole.
+        assert!(["V0604", "V0702", "V0114"].iter().all(|code| judged.contains(code)), "{judged:?}");
+    }
+
+    fn sorted(mut found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        found.sort_by_key(|found| (found.place.range.start(), found.rule.code, found.message.clone()));
+        found
     }
 
     #[test]

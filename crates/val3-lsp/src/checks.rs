@@ -5,8 +5,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rustc_hash::FxHashSet;
 use salsa::Cancelled;
+use tower_lsp::lsp_types::{Diagnostic, Url};
 use val3_analysis::db::{File, Project};
 
+use crate::convert;
 use crate::pool::Lane;
 use crate::published::{self, ProjectFindings};
 use crate::snapshot::Snapshot;
@@ -33,6 +35,8 @@ pub(crate) struct Checks {
 /// Projects that are checked together, by all threads of a lane.
 struct Batch {
     projects: Vec<Project>,
+    /// Files that were edited, whose findings somebody waits for.
+    edited: FxHashSet<File>,
     next: AtomicUsize,
     /// Threads that still work on it.
     working: AtomicUsize,
@@ -93,7 +97,7 @@ impl World {
         if first.is_empty() {
             self.check_next();
         } else {
-            self.start_batch(first, Lane::Latency);
+            self.start_batch(first, edited, Lane::Latency);
         }
     }
 
@@ -112,14 +116,15 @@ impl World {
             self.checks.first_is_done = true;
             self.end_progress();
         } else {
-            self.start_batch(batch, Lane::Background);
+            self.start_batch(batch, FxHashSet::default(), Lane::Background);
         }
     }
 
-    fn start_batch(&self, projects: Vec<Project>, lane: Lane) {
+    fn start_batch(&self, projects: Vec<Project>, edited: FxHashSet<File>, lane: Lane) {
         let threads = self.pool.threads().min(projects.len());
         let batch = Arc::new(Batch {
             projects,
+            edited,
             next: AtomicUsize::new(0),
             working: AtomicUsize::new(threads),
             generation: self.checks.started,
@@ -165,6 +170,13 @@ impl World {
         self.check_next();
     }
 
+    /// The findings of a project in one file, unless they are those of an earlier state.
+    fn found_in_file(&mut self, generation: u64, project: Project, found: (Url, Vec<Diagnostic>)) {
+        if generation == self.checks.generation {
+            self.published.file(project, found, &self.documents, &self.outbox);
+        }
+    }
+
     /// The findings of a project, unless they are those of an earlier state.
     fn found(&mut self, generation: u64, found: ProjectFindings) {
         if generation == self.checks.generation {
@@ -176,11 +188,27 @@ impl World {
 /// Checks projects until none is left.
 fn work(batch: &Batch, snapshot: &Snapshot) {
     while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
-        let found = published::findings(snapshot, *project);
         let generation = batch.generation;
+        for (file, found) in found_early(batch, snapshot, *project) {
+            let found = (snapshot.uri(file), found);
+            let project = *project;
+            snapshot.inbox.post(move |world| world.found_in_file(generation, project, found));
+        }
+        let found = published::findings(snapshot, *project);
         snapshot.inbox.post(move |world| world.found(generation, found));
         if batch.lane == Lane::Background {
             val3_analysis::occurrences::index(snapshot.db(), *project);
         }
     }
+}
+
+/// All findings in the edited programs of `project`, before the rest of it is checked. A file that several projects
+/// share has those of each of them.
+fn found_early<'a>(
+    batch: &'a Batch,
+    snapshot: &'a Snapshot,
+    project: Project,
+) -> impl Iterator<Item = (File, Vec<Diagnostic>)> + 'a {
+    let own = batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project]);
+    own.filter_map(move |file| Some((file, convert::program_diagnostics(snapshot, project, file)?)))
 }

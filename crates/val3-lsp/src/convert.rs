@@ -37,6 +37,12 @@ pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Ve
     files.into_iter().map(|(file, found)| (snapshot.uri(file), found)).collect()
 }
 
+/// The findings of a project in one of its programs, where they are known before those in the others.
+pub(crate) fn program_diagnostics(snapshot: &Snapshot, project: Project, file: File) -> Option<Vec<Diagnostic>> {
+    let found = ide::program_diagnostics(snapshot.db(), snapshot.settings?, project, file)?;
+    Some(found.iter().map(|found| diagnostic(snapshot, found)).collect())
+}
+
 /// One finding.
 pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diagnostic {
     let related = found.related.iter().map(|note| DiagnosticRelatedInformation {

@@ -74,6 +74,18 @@ impl Published {
         changed.iter().for_each(|uri| self.send(uri, documents, outbox));
     }
 
+    /// Takes in the findings of a project in one file, before those in its others are known.
+    pub(crate) fn file(
+        &mut self,
+        project: Project,
+        (uri, found): (Url, Vec<Diagnostic>),
+        documents: &Documents,
+        outbox: &Outbox,
+    ) {
+        self.found.entry(Finder::Project(project)).or_default().insert(uri.clone(), found);
+        self.send(&uri, documents, outbox);
+    }
+
     /// Projects that are no more have no findings.
     pub(crate) fn keep(&mut self, projects: &[Project], documents: &Documents, outbox: &Outbox) {
         let kept: FxHashSet<Project> = projects.iter().copied().collect();

@@ -44,10 +44,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         return;
     }
     let used = variable_use::of_params(program);
+    let is_lost = |name: &str| used.get(name).is_some_and(|uses| uses.written && !uses.may_read());
+    if !used.keys().any(|name| is_lost(name)) {
+        return;
+    }
     let by_value = |name: &str| program.header.params.iter().any(|param| param.name == name && !param.by_reference);
     for Declared { name, range, .. } in all_params(program.db, program.file) {
-        let is_lost = used.get(&name).is_some_and(|uses| uses.written && !uses.may_read());
-        if is_lost && by_value(&name) && !variable_use::is_linkable(program, &name) {
+        if is_lost(&name) && by_value(&name) && !variable_use::is_linkable(program, &name) {
             found.report(&RULE, range, word(&name));
         }
     }

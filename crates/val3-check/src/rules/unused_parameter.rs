@@ -38,10 +38,14 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    if program.header.public || program.header.params.is_empty() || program.body.block.is_empty() {
+    let params = &program.header.params;
+    if program.header.public || params.is_empty() || program.body.block.is_empty() {
         return;
     }
     let used = variable_use::of_params(program);
+    if params.iter().all(|param| used.contains_key(&param.name)) {
+        return;
+    }
     for Declared { name, range, .. } in all_params(program.db, program.file) {
         if !used.contains_key(&name) {
             found.report(&RULE, range, word(program.name(), &name));
