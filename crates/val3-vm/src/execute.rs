@@ -61,6 +61,7 @@ fn container(
 impl Machine<'_> {
     /// Executes lines until the turn ends.
     pub(crate) fn run(&mut self, thread: &mut Thread) -> Result<Stop> {
+        self.run_native(thread)?;
         loop {
             let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
             let instance = self.instance(frame.instance)?;
@@ -299,7 +300,7 @@ impl Machine<'_> {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let inner = self.call(image, (&frame, program), site, (at.next, at.line))?;
                     thread.frames.push(inner);
-                    at.next = 0;
+                    (at.next, at.line) = (0, 0);
                     change!(inner);
                 }
                 Op::Return => {

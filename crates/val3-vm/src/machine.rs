@@ -24,6 +24,8 @@ pub(crate) struct Machine<'v> {
     /// The time at which the budget is used up, and what a line takes: the time now follows from both.
     pub(crate) end: Time,
     pub(crate) line_cost: Time,
+    /// The end of the cycle that machine code has come to, if it is a later one.
+    pub(crate) cycle: Option<Time>,
     /// Something asked for the time.
     pub(crate) reads_clock: bool,
 }

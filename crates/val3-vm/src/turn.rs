@@ -40,6 +40,8 @@ pub struct Turn {
     pub lines: u32,
     /// The lines that are left, where it was interrupted.
     pub left: u32,
+    /// The end of the cycle that it ended in, if machine code has gone beyond its own.
+    pub cycle: Option<Time>,
     /// Something asked for the time.
     pub reads_clock: bool,
 }
@@ -53,13 +55,15 @@ pub struct Grant {
     pub each: u32,
     /// In all.
     pub most: u32,
+    /// In all in machine code, while nothing else happens; no more than `most` where something may.
+    pub far: u32,
 }
 
 impl Grant {
     /// One turn.
     #[must_use]
     pub const fn once(lines: u32) -> Self {
-        Self { first: lines, each: 0, most: lines }
+        Self { first: lines, each: 0, most: lines, far: 0 }
     }
 
     /// The lines that may be executed if no other task becomes able to run.
@@ -170,7 +174,7 @@ mod tests {
 
     #[test]
     fn turns_that_follow_one_another_end_where_single_ones_do() {
-        let alone = Grant { first: 3, each: 10, most: 2000 };
+        let alone = Grant { first: 3, each: 10, most: 2000, far: 0 };
         assert_eq!(alone.budget(), 2000);
         assert_eq!([0, 1, 3, 4, 13, 14, 23].map(|lines| alone.left(lines)), [3, 2, 0, 9, 0, 9, 0]);
         let among_others = Grant { each: 0, ..alone };

@@ -1,0 +1,89 @@
+//! The machine that runs machine code: a WebAssembly engine, which keeps it within its memory.
+
+use std::fmt;
+
+use rustc_hash::FxHashMap;
+use val3_bytecode::Image;
+use wasmtime::{Config, Engine, Func, Instance, Memory, MemoryType, Module, Store, TypedFunc};
+
+use crate::blocks::Blocks;
+use crate::containers::Shared;
+use crate::layout::{END, PAGE};
+use crate::module::Plan;
+
+/// What a function is given: see [`local`](crate::local).
+pub(crate) type Given = (u32, u32, u32, u32, u32, u32);
+
+/// The function of a program: where its frame is and where to begin; whether it has stopped, and the lines left.
+pub(crate) type Entry = TypedFunc<Given, (u32, u32)>;
+
+/// The engine with the memory that all modules share.
+pub(crate) struct Machinery {
+    store: Store<()>,
+    memory: Memory,
+    remainder: Func,
+}
+
+/// A module, ready to run.
+pub(crate) struct Compiled {
+    pub(crate) shared: Shared,
+    programs: FxHashMap<u16, (Entry, Blocks)>,
+}
+
+impl Machinery {
+    /// An engine without modules.
+    pub(crate) fn new() -> wasmtime::Result<Self> {
+        let engine = Engine::new(&Config::new())?;
+        let mut store = Store::new(&engine, ());
+        let pages = END / PAGE;
+        let memory = Memory::new(&mut store, MemoryType::new(pages, Some(pages)))?;
+        let remainder = Func::wrap(&mut store, |a: f64, b: f64| a % b);
+        Ok(Self { store, memory, remainder })
+    }
+
+    /// Compiles the programs of a plan.
+    pub(crate) fn compile(&mut self, plan: Plan, image: &Image) -> wasmtime::Result<Compiled> {
+        let encoded = plan.encode(image).unwrap_or_default();
+        let module = Module::new(self.store.engine(), encoded)?;
+        let imports = [self.remainder.into(), self.memory.into()];
+        let instance = Instance::new(&mut self.store, &module, &imports)?;
+        let mut programs = FxHashMap::default();
+        for number in &plan.programs {
+            let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
+            if let Some(program) = image.programs.get(usize::from(*number)) {
+                programs.insert(*number, (entry, Blocks::of(program)));
+            }
+        }
+        Ok(Compiled { shared: plan.shared, programs })
+    }
+
+    /// The memory.
+    pub(crate) fn bytes(&mut self) -> &mut [u8] {
+        self.memory.data_mut(&mut self.store)
+    }
+
+    /// Runs a program.
+    pub(crate) fn call(&mut self, entry: &Entry, given: Given) -> wasmtime::Result<(u32, u32)> {
+        entry.call(&mut self.store, given)
+    }
+}
+
+impl Compiled {
+    /// The function of a program and how it is told to begin at a step; `None` where it cannot.
+    pub(crate) fn entry(&self, program: u16, step: u32) -> Option<(&Entry, u32)> {
+        let (entry, blocks) = self.programs.get(&program)?;
+        Some((entry, blocks.at(step)? + 1))
+    }
+}
+
+impl fmt::Debug for Compiled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Compiled").field("programs", &self.programs.keys()).finish_non_exhaustive()
+    }
+}
+
+impl fmt::Debug for Machinery {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Machinery").finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,277 @@
+//! The machine code of operations.
+
+use val3_bytecode::{Op, Register, Whole};
+use wasm_encoder::Instruction::{
+    F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub, I32Eqz,
+};
+use wasm_encoder::{BlockType, Instruction, ValType};
+
+use crate::body::{Body, number_at, number_behind, whole_at};
+use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
+use crate::local;
+use crate::module::REMAINDER;
+use crate::operands::{container, registers};
+
+/// Instructions on what is on the stack.
+type Act = &'static [Instruction<'static>];
+
+impl Body<'_> {
+    /// The code of the step at hand. Whether the step behind it is never reached from it.
+    pub(crate) fn operation(&mut self) -> bool {
+        let (step, number) = self.step;
+        if !self.has_code(step.op) {
+            self.stop_at(number);
+            return true;
+        }
+        if step.line {
+            self.begin_line();
+        }
+        match step.op {
+            Op::Jump { to } => {
+                self.jump(to);
+                return true;
+            }
+            Op::Return => {
+                self.end_program();
+                return true;
+            }
+            Op::Call { .. } => self.call(),
+            op => self.numbers(op),
+        }
+        false
+    }
+
+    /// Whether there is code for an operation, in the best case.
+    fn has_code(&self, op: Op) -> bool {
+        match op {
+            Op::Line | Op::Jump { .. } => true,
+            Op::Return => self.program.is_plain(),
+            Op::Call { .. } => self.can_call(op),
+            _ => {
+                let has_description = |whole| self.module.shared.description(whole).is_some();
+                registers(op).next().is_some() && container(op).is_none_or(has_description)
+            }
+        }
+    }
+
+    fn numbers(&mut self, op: Op) {
+        match op {
+            Op::JumpUnless { condition, to } => self.jump_on(condition, &[F64Eq], to),
+            Op::JumpIf { condition, to } => self.jump_on(condition, &[F64Ne], to),
+            Op::WaitUntil { condition, .. } => {
+                self.is_zero(condition);
+                self.when(Self::leave_it);
+            }
+            Op::IfLess { a, b, to } => self.branch(a, b, &[F64Lt], to),
+            Op::IfLessEqual { a, b, to } => self.branch(a, b, &[F64Le], to),
+            Op::UnlessLess { a, b, to } => self.branch(a, b, &[F64Lt, I32Eqz], to),
+            Op::UnlessLessEqual { a, b, to } => self.branch(a, b, &[F64Le, I32Eqz], to),
+            Op::UnlessEqual { a, b, to } => self.branch(a, b, &[F64Ne], to),
+            Op::IfEqual { a, b, to } => self.branch(a, b, &[F64Eq], to),
+            Op::Move { to, from } => self.set(to, |body| body.get(from)),
+            Op::Negate { to, a } => self.set(to, |body| {
+                body.get(a);
+                body.code().f64_neg();
+            }),
+            Op::Not { to, a } => self.set(to, |body| {
+                body.is_zero(a);
+                body.code().f64_convert_i32_u();
+            }),
+            Op::Add { to, a, b } => self.compute(to, (a, b), &[F64Add]),
+            Op::Subtract { to, a, b } => self.compute(to, (a, b), &[F64Sub]),
+            Op::Multiply { to, a, b } => self.compute(to, (a, b), &[F64Mul]),
+            Op::Divide { to, a, b } => {
+                self.is_zero(b);
+                self.when(Self::leave_it);
+                self.compute(to, (a, b), &[F64Div]);
+            }
+            Op::Remainder { to, a, b } => self.remainder(to, a, b),
+            Op::Less { to, a, b } => self.compute(to, (a, b), &[F64Lt, F64ConvertI32U]),
+            Op::LessEqual { to, a, b } => self.compute(to, (a, b), &[F64Le, F64ConvertI32U]),
+            Op::Equal { to, a, b } => self.compute(to, (a, b), &[F64Eq, F64ConvertI32U]),
+            Op::NotEqual { to, a, b } => self.compute(to, (a, b), &[F64Ne, F64ConvertI32U]),
+            Op::Load { to, place, lane } => {
+                self.referred(place);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(lane));
+                });
+            }
+            Op::Store { place, lane, from } => {
+                self.referred(place);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(lane));
+            }
+            Op::ForTest { counter, limit, exit } => {
+                self.is_beyond(counter, limit);
+                self.jump_if(exit);
+            }
+            Op::ForNext { counter, limit, body } => {
+                self.compute(counter, (counter, limit + 1), &[F64Add]);
+                self.is_beyond(counter, limit);
+                self.all(&[I32Eqz]);
+                self.jump_if(body);
+            }
+            Op::ForNextUp { counter, limit, body } => {
+                self.compute(counter, (counter, limit + 1), &[F64Add]);
+                self.branch(counter, limit, &[F64Gt, I32Eqz], body);
+            }
+            _ => self.containers(op),
+        }
+    }
+
+    fn containers(&mut self, op: Op) {
+        match op {
+            Op::LoadFirst { to, whole, lane } => {
+                self.first(whole, lane);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(lane));
+                });
+            }
+            Op::StoreFirst { whole, lane, from } => {
+                self.first(whole, lane);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(lane));
+            }
+            Op::LoadElement { to, whole, index } => {
+                self.element(whole, index);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(0));
+                });
+            }
+            Op::StoreElement { whole, index, from } => {
+                self.element(whole, index);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(0));
+            }
+            Op::LoadElement2 { to, whole, i, j } => {
+                self.element2(whole, i, j);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(0));
+                });
+            }
+            Op::StoreElement2 { whole, i, j, from } => {
+                self.element2(whole, i, j);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(0));
+            }
+            // A step that does no more than begin a line.
+            _ => {}
+        }
+    }
+
+    fn all(&mut self, act: Act) {
+        for instruction in act {
+            self.add(instruction);
+        }
+    }
+
+    fn is_zero(&mut self, register: Register) {
+        self.get(register);
+        self.code().f64_const(0.0.into()).f64_eq();
+    }
+
+    fn jump_on(&mut self, condition: Register, compare: Act, to: u32) {
+        self.get(condition);
+        self.code().f64_const(0.0.into());
+        self.all(compare);
+        self.jump_if(to);
+    }
+
+    fn branch(&mut self, a: Register, b: Register, compare: Act, to: u32) {
+        self.get(a);
+        self.get(b);
+        self.all(compare);
+        self.jump_if(to);
+    }
+
+    fn compute(&mut self, to: Register, (a, b): (Register, Register), act: Act) {
+        self.set(to, |body| {
+            body.get(a);
+            body.get(b);
+            body.all(act);
+        });
+    }
+
+    /// Whether the counter of a `for` has passed its limit; the step is the number behind the limit.
+    fn is_beyond(&mut self, counter: Register, limit: Register) {
+        self.get(counter);
+        self.get(limit);
+        self.all(&[F64Lt]);
+        self.get(counter);
+        self.get(limit);
+        self.all(&[F64Gt]);
+        self.get(limit + 1);
+        self.code().f64_const(0.0.into()).f64_lt().select();
+    }
+
+    /// The remainder of whole numbers takes a fraction of the time that those of others take.
+    fn remainder(&mut self, to: Register, a: Register, b: Register) {
+        self.is_zero(b);
+        self.when(Self::leave_it);
+        self.get(a);
+        self.code().local_tee(local::A).i32_trunc_sat_f64_s().local_set(local::I);
+        self.get(b);
+        self.code().local_tee(local::B).i32_trunc_sat_f64_s().local_set(local::J);
+        self.set(to, |body| {
+            body.code().local_get(local::I).f64_convert_i32_s().local_get(local::A).f64_eq();
+            body.code().local_get(local::J).f64_convert_i32_s().local_get(local::B).f64_eq().i32_and();
+            // The remainder of the least whole number by -1 would leave its range.
+            body.code().local_get(local::J).i32_const(-1).i32_ne().i32_and();
+            body.code().if_(BlockType::Result(ValType::F64));
+            body.code().local_get(local::I).local_get(local::J).i32_rem_s().f64_convert_i32_s().f64_abs();
+            body.code().local_get(local::A).f64_copysign();
+            body.code().else_().local_get(local::A).local_get(local::B).call(REMAINDER).end();
+        });
+    }
+
+    /// The address of the number that a place refers to.
+    pub(crate) fn referred(&mut self, place: Register) {
+        let at = whole_at(u32::from(place) * 4);
+        self.code().local_get(local::PLACES).i32_load(at).local_tee(local::ADDRESS).i32_eqz();
+        self.when(Self::leave_it);
+    }
+
+    /// The address of the first value of a container, if it has so many numbers.
+    fn first(&mut self, whole: Whole, lane: u16) {
+        let Some(at) = self.module.shared.description(whole) else { return };
+        self.code().i32_const(0).i32_load(whole_at(at + COUNT)).i32_const(lane.into()).i32_le_u();
+        self.when(Self::leave_it);
+        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS)).local_set(local::ADDRESS);
+    }
+
+    /// The address of a value of an array. An index is rounded (2.5.3): above zero, cutting the fraction of what is
+    /// half a unit higher is the same.
+    fn element(&mut self, whole: Whole, index: Register) {
+        let Some(at) = self.module.shared.description(whole) else { return };
+        self.index(local::A, index, at + SIZE);
+        self.code().i32_eqz();
+        self.when(Self::leave_it);
+        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
+        self.code().local_get(local::A).i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
+    }
+
+    /// The address of a value of an array of two dimensions.
+    fn element2(&mut self, whole: Whole, i: Register, j: Register) {
+        let Some(at) = self.module.shared.description(whole) else { return };
+        self.index(local::A, i, at + ROWS);
+        self.index(local::B, j, at + COLUMNS);
+        self.code().i32_and().i32_eqz();
+        self.when(Self::leave_it);
+        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
+        self.code().local_get(local::A).f64_trunc().i32_const(0).f64_load(number_behind(at + COLUMNS)).f64_mul();
+        self.code().local_get(local::B).f64_trunc().f64_add();
+        self.code().i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
+    }
+
+    /// Half a unit more than an index goes to a variable; whether it is one of the indexes, of which the number at
+    /// `size` tells how many there are.
+    fn index(&mut self, variable: u32, index: Register, size: u32) {
+        self.get(index);
+        self.code().f64_const(0.5.into()).f64_add().local_tee(variable).f64_const(0.0.into()).f64_ge();
+        self.code().local_get(variable).i32_const(0).f64_load(number_behind(size)).f64_lt().i32_and();
+    }
+}
