@@ -1,30 +1,23 @@
 //! The function that a program becomes.
 //!
 //! Its parameters tell where its frame is and where to begin, its results whether the program has ended or has stopped
-//! on the way, and the lines that are left. Blocks of code stand one behind the other, each within the ones behind it,
-//! so that a jump forward leaves some of them; a jump backward goes through the table at the head of the loop around
-//! all of them, as the entry does:
+//! on the way, and the lines that are left. It begins at its first step or at the head of a loop; how jumps become the
+//! blocks and loops of WebAssembly, [`regions`](crate::regions) tells.
 //!
-//! ```text
-//! block: stop
-//!   loop: head
-//!     block 3 { block 2 { block 1 { block 0 { table } code 0 } code 1 } code 2 } code 3
-//!   end
-//! end
-//! numbers to memory, a record of where the program has stopped
-//! ```
-//!
-//! Where there is no code for an operation, or it would be an error, the program stops before it: the interpreter does
-//! it, and raises what is to be raised.
+//! A [block](crate::flow) of steps takes its lines from the budget at once; where there are fewer left, the program
+//! stops before it. Where there is no code for an operation, or it would be an error, the program stops before the
+//! operation and gives back the lines behind: the interpreter does it, and raises what is to be raised.
 
 use val3_bytecode::{Image, Program, Register, Step};
 use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg, ValType};
 
-use crate::blocks::Blocks;
 use crate::containers::Shared;
+use crate::flow::{Flow, LineBefore};
 use crate::lanes::{Lane, Lanes, number, parameters};
 use crate::layout::{RECORD, RECORDS, STOPPED};
 use crate::local;
+use crate::operations::has_code;
+use crate::regions::Regions;
 
 /// What is known of the module that a function is part of.
 pub(crate) struct Surroundings<'m> {
@@ -39,26 +32,54 @@ pub(crate) struct Body<'m> {
     pub(crate) module: &'m Surroundings<'m>,
     pub(crate) program: &'m Program,
     pub(crate) lanes: Lanes,
-    blocks: Blocks,
+    pub(crate) regions: &'m Regions,
+    pub(crate) flow: &'m Flow,
     code: Function,
-    /// The block at hand.
-    block: u32,
-    /// How many `if` are open in it.
-    depth: u32,
+    /// What can be left or repeated, the innermost last.
+    pub(crate) labels: Vec<Label>,
     /// The step at hand, and its number.
     pub(crate) step: (Step, u32),
+    /// The line at hand.
+    pub(crate) line: LineBefore,
+    /// The lines of the block that have not begun.
+    pub(crate) ahead: u32,
+}
+
+/// What a jump leaves or repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Label {
+    /// The program stops.
+    Stop,
+    /// The step to go on with.
+    Step(u32),
+    /// The loop with this head.
+    Loop(u32),
+    /// The condition of an operation.
+    Condition,
 }
 
 /// The function of a program; its number is its place in the image.
 pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Function> {
     let program = module.image.programs.get(usize::from(number))?;
     let first = *program.code.first()?;
-    let (lanes, blocks) = (Lanes::of(program, module.image), Blocks::of(program));
+    let lanes = Lanes::of(program, module.image);
+    let regions = Regions::of(program);
+    let flow = Flow::of(program, |op| has_code(module, program, op));
     let groups = [(local::WHOLE, ValType::I32), (local::NUMBERS + lanes.variables(), ValType::F64)];
-    let code = Function::new(groups);
-    let mut body = Body { module, program, lanes, blocks, code, block: 0, depth: 0, step: (first, 0) };
+    let mut body = Body {
+        module,
+        program,
+        lanes,
+        regions: &regions,
+        flow: &flow,
+        code: Function::new(groups),
+        labels: Vec::new(),
+        step: (first, 0),
+        line: LineBefore::Kept,
+        ahead: 0,
+    };
     body.begin();
-    body.blocks();
+    body.steps();
     body.stop_here(u32::from(number));
     Some(body.code)
 }
@@ -77,7 +98,6 @@ impl Body<'_> {
             body.load(register);
             body.code().local_set(variable);
         });
-        self.code().local_get(local::NEXT).i32_const(1).i32_sub().local_set(local::NEXT);
         self.code().else_();
         let given: Vec<u32> = parameters(self.program).collect();
         let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
@@ -98,29 +118,6 @@ impl Body<'_> {
             }
         }
         self.code().end();
-    }
-
-    /// The loop with all blocks.
-    fn blocks(&mut self) {
-        let count = self.blocks.len();
-        self.code().block(BlockType::Empty).loop_(BlockType::Empty);
-        (0..count).for_each(|_| {
-            self.code().block(BlockType::Empty);
-        });
-        self.code().local_get(local::NEXT).br_table(0..count, 0);
-        let mut is_dead = false;
-        for (step, number) in self.program.code.iter().zip(0..) {
-            if let Some(block) = self.blocks.at(number) {
-                self.code().end();
-                self.block = block;
-                is_dead = false;
-            }
-            if !is_dead {
-                self.step = (*step, number);
-                is_dead = self.operation();
-            }
-        }
-        self.code().unreachable().end().end();
     }
 
     /// The end: where stopped programs come to.
@@ -202,56 +199,6 @@ impl Body<'_> {
                 self.code().f64_store(number_at(register));
             }
         }
-    }
-
-    /// What is done if the condition on the stack holds.
-    pub(crate) fn when(&mut self, act: impl FnOnce(&mut Self)) {
-        self.code().if_(BlockType::Empty);
-        self.depth += 1;
-        act(self);
-        self.depth -= 1;
-        self.code().end();
-    }
-
-    /// Goes on at another step.
-    pub(crate) fn jump(&mut self, to: u32) {
-        let Some(block) = self.blocks.at(to) else { return self.stop_at(to) };
-        if block > self.block {
-            let out = block - self.block - 1 + self.depth;
-            self.code().br(out);
-        } else {
-            let head = self.blocks.len() - 1 - self.block + self.depth;
-            self.code().i32_const(block.cast_signed()).local_set(local::NEXT).br(head);
-        }
-    }
-
-    /// Goes on at another step if the condition on the stack holds.
-    pub(crate) fn jump_if(&mut self, to: u32) {
-        self.when(|body| body.jump(to));
-    }
-
-    /// The interpreter goes on at a step.
-    pub(crate) fn stop_at(&mut self, step: u32) {
-        let out = self.blocks.len() - self.block + self.depth;
-        self.code().i32_const(step.cast_signed()).local_set(local::STEP).br(out);
-    }
-
-    /// The interpreter does this operation; a line that began with it has not begun.
-    pub(crate) fn leave_it(&mut self) {
-        let (step, number) = self.step;
-        if step.line {
-            self.code().local_get(local::BUDGET).i32_const(1).i32_add().local_set(local::BUDGET);
-        }
-        self.stop_at(number);
-    }
-
-    /// A line begins, unless none may.
-    pub(crate) fn begin_line(&mut self) {
-        let (_, number) = self.step;
-        self.code().local_get(local::BUDGET).i32_eqz();
-        self.when(|body| body.stop_at(number));
-        self.code().local_get(local::BUDGET).i32_const(1).i32_sub().local_set(local::BUDGET);
-        self.code().i32_const(number.cast_signed()).local_set(local::LINE);
     }
 }
 

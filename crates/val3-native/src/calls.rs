@@ -4,7 +4,7 @@ use val3_bytecode::{Op, Operand, Pass, Program, ProgramRef};
 use val3_lang::memory::Lanes;
 use wasm_encoder::ValType;
 
-use crate::body::{Body, number_at, whole_at};
+use crate::body::{Body, Surroundings, number_at, whole_at};
 use crate::layout::NUMBERS;
 use crate::local;
 use crate::module::FIRST_PROGRAM;
@@ -15,27 +15,24 @@ pub(crate) const SIGNATURE: ([ValType; local::PARAMETERS], [ValType; 2]) =
     ([ValType::I32; local::PARAMETERS], [ValType::I32; 2]);
 
 /// A call between programs with machine code.
-struct Call<'p> {
+pub(crate) struct Call<'p> {
     callee: &'p Program,
     function: u32,
     passes: &'p [Pass],
 }
 
-impl<'m> Body<'m> {
-    fn callee(&self, op: Op) -> Option<Call<'m>> {
-        let (passes, number) = plain_call(op, self.program)?;
-        let function = self.module.programs.iter().position(|known| *known == number)?;
-        let callee = self.module.image.programs.get(usize::from(number)).filter(|callee| takes_numbers(callee))?;
-        Some(Call { callee, function: FIRST_PROGRAM + u32::try_from(function).ok()?, passes })
-    }
+/// The program that an operation calls, if both have machine code.
+pub(crate) fn callee<'m>(module: &Surroundings<'m>, program: &'m Program, op: Op) -> Option<Call<'m>> {
+    let (passes, number) = plain_call(op, program)?;
+    let function = module.programs.iter().position(|known| *known == number)?;
+    let callee = module.image.programs.get(usize::from(number)).filter(|callee| takes_numbers(callee))?;
+    Some(Call { callee, function: FIRST_PROGRAM + u32::try_from(function).ok()?, passes })
+}
 
-    pub(crate) fn can_call(&self, op: Op) -> bool {
-        self.callee(op).is_some()
-    }
-
+impl Body<'_> {
     /// The frame of the program is behind this one; where there is no room for it, the interpreter raises the error.
     pub(crate) fn call(&mut self) {
-        let Some(Call { callee, function, passes }) = self.callee(self.step.0.op) else { return };
+        let Some(Call { callee, function, passes }) = callee(self.module, self.program, self.step.0.op) else { return };
         let size = &self.program.frame;
         let (numbers, places) = (size.lanes.num * 8, size.places * 4);
         let taken = callee.stack_bytes.cast_signed();

@@ -6,11 +6,11 @@
 //! for, at what would be an error, at the end of the lines. So programs, lines, time and errors are the same with and
 //! without, and only the interpreter has to know all of VAL 3.
 
-mod blocks;
 mod body;
 mod calls;
 mod containers;
 mod exchange;
+mod flow;
 mod lanes;
 mod layout;
 mod local;
@@ -18,13 +18,15 @@ mod machinery;
 mod module;
 mod operands;
 mod operations;
+mod regions;
 mod stretch;
+mod ways;
 
 use std::sync::{Arc, Weak};
 
 use rustc_hash::FxHashMap;
 use val3_bytecode::Image;
-use val3_vm::{Native, Stretch};
+use val3_vm::{Native, Prospect, Stretch};
 
 use crate::machinery::{Compiled, Machinery};
 use crate::module::Plan;
@@ -48,8 +50,11 @@ pub struct MachineCode {
     machinery: Option<Machinery>,
     modules: Vec<Compiled>,
     images: Vec<Weak<Image>>,
-    programs: FxHashMap<(usize, u16), State>,
+    programs: FxHashMap<Key, State>,
 }
+
+/// A program: the number of its image, and its own.
+type Key = (usize, u16);
 
 /// How far a program is.
 #[derive(Debug, Clone, Copy)]
@@ -88,7 +93,7 @@ impl MachineCode {
     }
 
     /// Translates a program; `None` where that cannot be done.
-    fn translate(&mut self, image: &Arc<Image>, program: u16) -> Option<usize> {
+    fn translate(&mut self, image: &Image, program: u16) -> Option<usize> {
         let plan = Plan::new(image, program)?;
         let machinery = match &mut self.machinery {
             Some(machinery) => machinery,
@@ -99,15 +104,14 @@ impl MachineCode {
     }
 
     /// The module of a program that is worth running; counts its turns until it is.
-    fn module(&mut self, image: &Arc<Image>, program: u16, lines: u32) -> Option<usize> {
-        let key = (self.image(image), program);
+    fn module(&mut self, key: Key, image: &Image, lines: u32) -> Option<usize> {
         match self.programs.entry(key).or_insert(State::Cold(0)) {
             State::Cold(turns) => {
                 *turns += u64::from(lines.min(TURN));
                 if *turns < self.warm {
                     return None;
                 }
-                let module = self.translate(image, program);
+                let module = self.translate(image, key.1);
                 self.programs.insert(key, module.map_or(State::Left, |module| State::Ready(module, 0)));
                 module
             }
@@ -117,29 +121,38 @@ impl MachineCode {
     }
 
     /// Judges a stretch that has executed so many lines.
-    fn judge(&mut self, key: (usize, u16), lines: u32) {
-        if let Some(State::Ready(_, poor)) = self.programs.get_mut(&key) {
-            *poor = if lines < LEAST { *poor + 1 } else { 0 };
-            if *poor > PATIENCE {
-                self.programs.insert(key, State::Left);
-            }
+    fn judge(&mut self, key: Key, lines: u32) -> Prospect {
+        let Some(State::Ready(_, poor)) = self.programs.get_mut(&key) else { return Prospect::None };
+        *poor = if lines < LEAST { *poor + 1 } else { 0 };
+        match *poor {
+            0 => return Prospect::Near,
+            1..=PATIENCE => {}
+            _ => drop(self.programs.insert(key, State::Left)),
         }
+        Prospect::None
     }
 }
 
 impl Native for MachineCode {
-    fn run(&mut self, work: &mut Stretch<'_>) {
-        let Some(frame) = work.thread.frames.last() else { return };
-        let (program, instance) = (frame.program, frame.instance);
-        let Some(image) = work.space.instance(instance).map(|instance| Arc::clone(&instance.image)) else { return };
-        let Some(module) = self.module(&image, program, work.budget) else { return };
-        let (Some(machinery), Some(code)) = (&mut self.machinery, self.modules.get(module)) else { return };
+    fn run(&mut self, work: &mut Stretch<'_>) -> Prospect {
+        let Some(frame) = work.thread.frames.last() else { return Prospect::None };
+        let Some(instance) = work.space.instance(frame.instance) else { return Prospect::None };
+        let image = Arc::clone(&instance.image);
+        let key = (self.image(&image), frame.program);
+        let Some(module) = self.module(key, &image, work.budget) else { return Prospect::None };
+        let (Some(machinery), Some(code)) = (&mut self.machinery, self.modules.get(module)) else {
+            return Prospect::None;
+        };
+        if code.entry(frame.program, work.thread.next).is_none() {
+            return Prospect::Near;
+        }
         let before = work.budget;
-        let key =
-            (self.images.iter().position(|known| known.as_ptr() == Arc::as_ptr(&image)).unwrap_or_default(), program);
         match stretch::run(machinery, code, &image, work) {
             Some(()) => self.judge(key, before - work.budget),
-            None => drop(self.programs.insert(key, State::Left)),
+            None => {
+                self.programs.insert(key, State::Left);
+                Prospect::None
+            }
         }
     }
 }

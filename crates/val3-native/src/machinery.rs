@@ -1,15 +1,17 @@
 //! The machine that runs machine code: a WebAssembly engine, which keeps it within its memory.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use rustc_hash::FxHashMap;
 use val3_bytecode::Image;
-use wasmtime::{Config, Engine, Func, Instance, Memory, MemoryType, Module, Store, TypedFunc};
+use wasmtime::error::Context as _;
+use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc};
 
-use crate::blocks::Blocks;
 use crate::containers::Shared;
-use crate::layout::{END, PAGE};
-use crate::module::Plan;
+use crate::module::{MEMORY, Plan};
+use crate::regions::Regions;
+use crate::ways::name;
 
 /// What a function is given: see [`local`](crate::local).
 pub(crate) type Given = (u32, u32, u32, u32, u32, u32);
@@ -17,17 +19,17 @@ pub(crate) type Given = (u32, u32, u32, u32, u32, u32);
 /// The function of a program: where its frame is and where to begin; whether it has stopped, and the lines left.
 pub(crate) type Entry = TypedFunc<Given, (u32, u32)>;
 
-/// The engine with the memory that all modules share.
+/// The engine with all modules.
 pub(crate) struct Machinery {
     store: Store<()>,
-    memory: Memory,
     remainder: Func,
 }
 
 /// A module, ready to run.
 pub(crate) struct Compiled {
     pub(crate) shared: Shared,
-    programs: FxHashMap<u16, (Entry, Blocks)>,
+    memory: Memory,
+    programs: FxHashMap<u16, (Entry, BTreeSet<u32>)>,
 }
 
 impl Machinery {
@@ -35,31 +37,29 @@ impl Machinery {
     pub(crate) fn new() -> wasmtime::Result<Self> {
         let engine = Engine::new(&Config::new())?;
         let mut store = Store::new(&engine, ());
-        let pages = END / PAGE;
-        let memory = Memory::new(&mut store, MemoryType::new(pages, Some(pages)))?;
         let remainder = Func::wrap(&mut store, |a: f64, b: f64| a % b);
-        Ok(Self { store, memory, remainder })
+        Ok(Self { store, remainder })
     }
 
     /// Compiles the programs of a plan.
     pub(crate) fn compile(&mut self, plan: Plan, image: &Image) -> wasmtime::Result<Compiled> {
         let encoded = plan.encode(image).unwrap_or_default();
         let module = Module::new(self.store.engine(), encoded)?;
-        let imports = [self.remainder.into(), self.memory.into()];
-        let instance = Instance::new(&mut self.store, &module, &imports)?;
+        let instance = Instance::new(&mut self.store, &module, &[self.remainder.into()])?;
+        let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;
         let mut programs = FxHashMap::default();
         for number in &plan.programs {
             let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
             if let Some(program) = image.programs.get(usize::from(*number)) {
-                programs.insert(*number, (entry, Blocks::of(program)));
+                programs.insert(*number, (entry, Regions::of(program).entries().clone()));
             }
         }
-        Ok(Compiled { shared: plan.shared, programs })
+        Ok(Compiled { shared: plan.shared, memory, programs })
     }
 
-    /// The memory.
-    pub(crate) fn bytes(&mut self) -> &mut [u8] {
-        self.memory.data_mut(&mut self.store)
+    /// The memory of a module.
+    pub(crate) fn bytes(&mut self, code: &Compiled) -> &mut [u8] {
+        code.memory.data_mut(&mut self.store)
     }
 
     /// Runs a program.
@@ -71,8 +71,8 @@ impl Machinery {
 impl Compiled {
     /// The function of a program and how it is told to begin at a step; `None` where it cannot.
     pub(crate) fn entry(&self, program: u16, step: u32) -> Option<(&Entry, u32)> {
-        let (entry, blocks) = self.programs.get(&program)?;
-        Some((entry, blocks.at(step)? + 1))
+        let (entry, begins) = self.programs.get(&program)?;
+        begins.contains(&step).then_some((entry, name(step)))
     }
 }
 

@@ -2,8 +2,8 @@
 
 use val3_bytecode::{Image, Program};
 use wasm_encoder::{
-    CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemoryType, Module,
-    TypeSection, ValType,
+    CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemorySection, MemoryType,
+    Module, TypeSection, ValType,
 };
 
 use crate::body::{Surroundings, function};
@@ -11,6 +11,9 @@ use crate::calls::{SIGNATURE, plain_call};
 use crate::containers::Shared;
 use crate::layout::{END, PAGE};
 use crate::operands::container;
+
+/// The name under which a module exports its memory.
+pub(crate) const MEMORY: &str = "memory";
 
 /// The function that computes the remainder of any numbers.
 pub(crate) const REMAINDER: u32 = 0;
@@ -75,16 +78,24 @@ impl Plan {
             MemoryType { minimum: pages, maximum: Some(pages), memory64: false, shared: false, page_size_log2: None };
         let mut imports = ImportSection::new();
         imports.import("val3", "remainder", EntityType::Function(0));
-        imports.import("val3", "memory", memory);
+        let mut memories = MemorySection::new();
+        memories.memory(memory);
         let (mut functions, mut exports, mut codes) =
             (FunctionSection::new(), ExportSection::new(), CodeSection::new());
+        exports.export(MEMORY, ExportKind::Memory, 0);
         for (number, index) in self.programs.iter().zip(FIRST_PROGRAM..) {
             functions.function(1);
             exports.export(&Self::name(*number), ExportKind::Func, index);
             codes.function(&function(&surroundings, *number)?);
         }
         let mut module = Module::new();
-        module.section(&types).section(&imports).section(&functions).section(&exports).section(&codes);
+        module
+            .section(&types)
+            .section(&imports)
+            .section(&functions)
+            .section(&memories)
+            .section(&exports)
+            .section(&codes);
         Some(module.finish())
     }
 }

@@ -1,12 +1,13 @@
 //! The machine code of operations.
 
-use val3_bytecode::{Op, Register, Whole};
+use val3_bytecode::{Op, Program, Register, Whole};
 use wasm_encoder::Instruction::{
     F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub, I32Eqz,
 };
 use wasm_encoder::{BlockType, Instruction, ValType};
 
-use crate::body::{Body, number_at, number_behind, whole_at};
+use crate::body::{Body, Surroundings, number_at, number_behind, whole_at};
+use crate::calls::callee;
 use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
 use crate::local;
 use crate::module::REMAINDER;
@@ -15,17 +16,28 @@ use crate::operands::{container, registers};
 /// Instructions on what is on the stack.
 type Act = &'static [Instruction<'static>];
 
+/// Whether there is code for an operation, in the best case.
+pub(crate) fn has_code(module: &Surroundings<'_>, program: &Program, op: Op) -> bool {
+    match op {
+        Op::Line | Op::Jump { .. } => true,
+        Op::Return => program.is_plain(),
+        Op::Call { .. } => callee(module, program, op).is_some(),
+        _ => {
+            let has_description = |whole| module.shared.description(whole).is_some();
+            registers(op).next().is_some() && container(op).is_none_or(has_description)
+        }
+    }
+}
+
 impl Body<'_> {
     /// The code of the step at hand. Whether the step behind it is never reached from it.
     pub(crate) fn operation(&mut self) -> bool {
         let (step, number) = self.step;
-        if !self.has_code(step.op) {
+        if !has_code(self.module, self.program, step.op) {
             self.stop_at(number);
             return true;
         }
-        if step.line {
-            self.begin_line();
-        }
+        self.begin_line();
         match step.op {
             Op::Jump { to } => {
                 self.jump(to);
@@ -39,19 +51,6 @@ impl Body<'_> {
             op => self.numbers(op),
         }
         false
-    }
-
-    /// Whether there is code for an operation, in the best case.
-    fn has_code(&self, op: Op) -> bool {
-        match op {
-            Op::Line | Op::Jump { .. } => true,
-            Op::Return => self.program.is_plain(),
-            Op::Call { .. } => self.can_call(op),
-            _ => {
-                let has_description = |whole| self.module.shared.description(whole).is_some();
-                registers(op).next().is_some() && container(op).is_none_or(has_description)
-            }
-        }
     }
 
     fn numbers(&mut self, op: Op) {

@@ -54,15 +54,15 @@ pub(crate) fn run(machinery: &mut Machinery, code: &Compiled, image: &Image, wor
         return Some(());
     }
     let mut exchange = Exchange::new(work.budget as usize * COPIED.0 + COPIED.1);
-    Exchange::give_stack(machinery.bytes(), &space.memory, end.num as usize)?;
-    exchange.describe_shared(machinery.bytes(), &space.memory, &code.shared, instance);
+    Exchange::give_stack(machinery.bytes(code), &space.memory, end.num as usize)?;
+    exchange.describe_shared(machinery.bytes(code), &space.memory, &code.shared, instance);
     let reached = go(machinery, (code, image), work, &mut exchange)?;
     work.budget = reached.budget;
     let memory = &mut work.space.memory;
     settle(work.thread, memory, image, &reached)?;
     let end = work.thread.frames.last().map_or(end, |frame| frame.base);
     let end = (end.num + MOST_LANES) as usize;
-    let bytes = machinery.bytes();
+    let bytes = machinery.bytes(code);
     exchange.take_back(bytes, memory, end)?;
     for frame in work.thread.frames.iter().skip(reached.frames) {
         let program = image.programs.get(usize::from(frame.program))?;
@@ -87,7 +87,7 @@ fn go(
         && let Some((entry, begin)) = code.entry(frame.program, reached.at.step)
     {
         let program = image.programs.get(usize::from(frame.program))?;
-        let bytes = machinery.bytes();
+        let bytes = machinery.bytes(code);
         exchange.describe_own(bytes, &work.space.memory, program, &frame.base);
         write(bytes, STOPPED, &0u32.to_le_bytes())?;
         let taken = frame.base.bytes.saturating_add(program.stack_bytes);
@@ -97,7 +97,7 @@ fn go(
         let (has_stopped, left) = machinery.call(entry, given).ok()?;
         reached.budget = left;
         if has_stopped != 0 {
-            reached.stopped = stopped(machinery.bytes())?;
+            reached.stopped = stopped(machinery.bytes(code))?;
             reached.at = reached.stopped.last()?.at;
             break;
         }

@@ -28,7 +28,7 @@ mod window;
 
 pub use host::{Host, LibraryOp, Loaded};
 pub use instance::{Imported, Instance, InstanceId};
-pub use native::{Native, Stretch};
+pub use native::{Native, Prospect, Stretch};
 pub use schedule::{CYCLE, Cycle, Schedule};
 pub use space::Space;
 pub use task::{Base, Frame, Rate, Task, TaskState, Thread};

@@ -83,9 +83,11 @@ impl Grant {
 impl Machine<'_> {
     /// Another task may be able to run: it has its turn when this one is over.
     pub(crate) fn end_with_turn(&mut self) {
-        let lines = self.granted - self.budget;
-        let cut = self.budget - self.budget.min(self.grant.left(lines));
-        self.budget -= cut;
+        let ahead = self.budget + self.reserve;
+        let left = ahead.min(self.grant.left(self.granted - ahead));
+        let cut = ahead - left;
+        self.budget = self.budget.min(left);
+        self.reserve = left - self.budget;
         self.granted -= cut;
         self.end -= Time::from(cut) * self.line_cost;
     }

@@ -88,6 +88,8 @@ impl Vm {
             end: now + Time::from(budget) * line_cost,
             line_cost,
             cycle: None,
+            reserve: 0,
+            is_touched: false,
             reads_clock: false,
         }
     }

@@ -60,7 +60,7 @@ impl Pace {
             return 0;
         }
         let now = controller.now();
-        [controller.next_due(), self.until].into_iter().flatten().fold(now + SECOND, Time::min)
+        [controller.next_due(), self.until].into_iter().flatten().fold(now + 100 * SECOND, Time::min)
     }
 
     /// All tasks wait until `wake`, or for the outside. Whether something can still happen.

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use proptest::prelude::*;
 use val3_native::MachineCode;
-use val3_vm::{Native, Stretch};
+use val3_vm::{Native, Prospect, Stretch};
 
 use crate::execution::{events, run};
 use crate::show::image;
@@ -16,10 +16,11 @@ use crate::show::image;
 struct Counted(MachineCode, Arc<AtomicU64>);
 
 impl Native for Counted {
-    fn run(&mut self, work: &mut Stretch<'_>) {
+    fn run(&mut self, work: &mut Stretch<'_>) -> Prospect {
         let before = work.budget;
-        self.0.run(work);
+        let prospect = self.0.run(work);
         self.1.fetch_add(u64::from(before - work.budget), Ordering::Relaxed);
+        prospect
     }
 }
 
@@ -205,6 +206,8 @@ proptest! {
 
     #[test]
     fn any_program_does_the_same(statements in statements()) {
-        run(&application(&statements));
+        let listing = application(&statements);
+        run(&listing);
+        assert!(lines(&listing) > 0, "no machine code for {listing}");
     }
 }
