@@ -14,7 +14,7 @@ use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg, Va
 use crate::containers::Shared;
 use crate::flow::{Flow, LineBefore};
 use crate::lanes::{Lane, Lanes, number, parameters};
-use crate::layout::{RECORD, RECORDS, STOPPED};
+use crate::layout::{LINE, NEXT, RECORD, RECORDS, STOPPED};
 use crate::local;
 use crate::operations::has_code;
 use crate::regions::Regions;
@@ -92,8 +92,11 @@ impl Body<'_> {
 
     /// The numbers of a new frame, or of one that is entered again, where the code has them.
     fn begin(&mut self) {
-        self.code().local_get(local::NEXT);
-        self.code().if_(BlockType::Empty);
+        self.code().local_get(local::ROOM).i32_const(0).i32_lt_s().if_(BlockType::Empty);
+        let room = local::AGAIN - 1;
+        self.code().local_get(local::ROOM).i32_const(room.cast_signed()).i32_and().local_set(local::ROOM);
+        self.code().i32_const(0).i32_load(whole_at(NEXT)).local_set(local::NEXT);
+        self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(local::LINE);
         self.each_variable(|body, register, variable| {
             body.load(register);
             body.code().local_set(variable);

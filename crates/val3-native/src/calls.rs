@@ -7,7 +7,6 @@ use wasm_encoder::ValType;
 use crate::body::{Body, Surroundings, number_at, whole_at};
 use crate::layout::NUMBERS;
 use crate::local;
-use crate::module::FIRST_PROGRAM;
 
 /// What a function is given and what it gives: [`local`] tells the parameters; whether the program has stopped, and
 /// the lines that are left.
@@ -26,7 +25,7 @@ pub(crate) fn callee<'m>(module: &Surroundings<'m>, program: &'m Program, op: Op
     let (passes, number) = plain_call(op, program)?;
     let function = module.programs.iter().position(|known| *known == number)?;
     let callee = module.image.programs.get(usize::from(number)).filter(|callee| takes_numbers(callee))?;
-    Some(Call { callee, function: FIRST_PROGRAM + u32::try_from(function).ok()?, passes })
+    Some(Call { callee, function: u32::try_from(function).ok()?, passes })
 }
 
 impl Body<'_> {
@@ -62,7 +61,7 @@ impl Body<'_> {
         self.code().local_get(local::BASE).i32_const(numbers.cast_signed()).i32_add();
         self.code().local_get(local::PLACES).i32_const(places.cast_signed()).i32_add();
         self.code().local_get(local::ROOM).i32_const(taken).i32_sub();
-        self.code().i32_const(0).local_get(local::BUDGET).i32_const(0).call(function).local_set(local::BUDGET);
+        self.code().local_get(local::BUDGET).call(function).local_set(local::BUDGET);
         let (_, number) = self.step;
         self.when(|body| body.stop_at(number + 1));
     }

@@ -3,6 +3,12 @@
 /// How many programs have stopped within one another: the first record is that of the innermost.
 pub(crate) const STOPPED: u32 = 0;
 
+/// Where the program that is entered begins.
+pub(crate) const NEXT: u32 = 4;
+
+/// The line that it is in.
+pub(crate) const LINE: u32 = 8;
+
 /// A record for each of them: program, next step, line.
 pub(crate) const RECORDS: u32 = 64;
 

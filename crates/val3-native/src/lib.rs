@@ -32,7 +32,7 @@ use crate::machinery::{Compiled, Machinery};
 use crate::module::Plan;
 
 /// Lines for which a program has had turns before it is translated: as long as translating takes, roughly.
-const WARM: u64 = 200_000;
+const WARM: u64 = 100_000;
 
 /// What a turn counts at most: what it may execute is not what it does.
 const TURN: u32 = 2_000;

@@ -6,7 +6,7 @@ use std::fmt;
 use rustc_hash::FxHashMap;
 use val3_bytecode::Image;
 use wasmtime::error::Context as _;
-use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc};
+use wasmtime::{Config, Engine, Instance, Memory, Module, Store, TypedFunc};
 
 use crate::containers::Shared;
 use crate::module::{MEMORY, Plan};
@@ -14,7 +14,7 @@ use crate::regions::Regions;
 use crate::ways::name;
 
 /// What a function is given: see [`local`](crate::local).
-pub(crate) type Given = (u32, u32, u32, u32, u32, u32);
+pub(crate) type Given = (u32, u32, u32, u32);
 
 /// The function of a program: where its frame is and where to begin; whether it has stopped, and the lines left.
 pub(crate) type Entry = TypedFunc<Given, (u32, u32)>;
@@ -22,7 +22,6 @@ pub(crate) type Entry = TypedFunc<Given, (u32, u32)>;
 /// The engine with all modules.
 pub(crate) struct Machinery {
     store: Store<()>,
-    remainder: Func,
 }
 
 /// A module, ready to run.
@@ -36,16 +35,14 @@ impl Machinery {
     /// An engine without modules.
     pub(crate) fn new() -> wasmtime::Result<Self> {
         let engine = Engine::new(&Config::new())?;
-        let mut store = Store::new(&engine, ());
-        let remainder = Func::wrap(&mut store, |a: f64, b: f64| a % b);
-        Ok(Self { store, remainder })
+        Ok(Self { store: Store::new(&engine, ()) })
     }
 
     /// Compiles the programs of a plan.
     pub(crate) fn compile(&mut self, plan: Plan, image: &Image) -> wasmtime::Result<Compiled> {
         let encoded = plan.encode(image).unwrap_or_default();
         let module = Module::new(self.store.engine(), encoded)?;
-        let instance = Instance::new(&mut self.store, &module, &[self.remainder.into()])?;
+        let instance = Instance::new(&mut self.store, &module, &[])?;
         let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;
         let mut programs = FxHashMap::default();
         for number in &plan.programs {

@@ -2,8 +2,7 @@
 
 use val3_bytecode::{Image, Program};
 use wasm_encoder::{
-    CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemorySection, MemoryType,
-    Module, TypeSection, ValType,
+    CodeSection, ExportKind, ExportSection, FunctionSection, MemorySection, MemoryType, Module, TypeSection,
 };
 
 use crate::body::{Surroundings, function};
@@ -14,12 +13,6 @@ use crate::operands::container;
 
 /// The name under which a module exports its memory.
 pub(crate) const MEMORY: &str = "memory";
-
-/// The function that computes the remainder of any numbers.
-pub(crate) const REMAINDER: u32 = 0;
-
-/// The function of the first program.
-pub(crate) const FIRST_PROGRAM: u32 = 1;
 
 /// Steps of all programs of a module: more would take longer to translate than they could save.
 const MOST_STEPS: usize = 8_000;
@@ -59,7 +52,7 @@ impl Plan {
         let codes = programs.iter().filter_map(|number| image.programs.get(usize::from(*number)));
         let mut containers = codes.flat_map(|program| &program.code).filter_map(|step| container(step.op));
         let fits = containers.all(|whole| shared.add(whole));
-        (fits && programs.contains(&root)).then(|| Self { programs, shared })
+        (fits && programs.contains(&root)).then_some(Self { programs, shared })
     }
 
     /// The name under which a module exports a program.
@@ -71,31 +64,22 @@ impl Plan {
     pub(crate) fn encode(&self, image: &Image) -> Option<Vec<u8>> {
         let surroundings = Surroundings { image, programs: &self.programs, shared: &self.shared };
         let mut types = TypeSection::new();
-        types.ty().function([ValType::F64; 2], [ValType::F64]);
         types.ty().function(SIGNATURE.0, SIGNATURE.1);
         let pages = u64::from(END / PAGE);
         let memory =
             MemoryType { minimum: pages, maximum: Some(pages), memory64: false, shared: false, page_size_log2: None };
-        let mut imports = ImportSection::new();
-        imports.import("val3", "remainder", EntityType::Function(0));
         let mut memories = MemorySection::new();
         memories.memory(memory);
         let (mut functions, mut exports, mut codes) =
             (FunctionSection::new(), ExportSection::new(), CodeSection::new());
         exports.export(MEMORY, ExportKind::Memory, 0);
-        for (number, index) in self.programs.iter().zip(FIRST_PROGRAM..) {
-            functions.function(1);
+        for (number, index) in self.programs.iter().zip(0..) {
+            functions.function(0);
             exports.export(&Self::name(*number), ExportKind::Func, index);
             codes.function(&function(&surroundings, *number)?);
         }
         let mut module = Module::new();
-        module
-            .section(&types)
-            .section(&imports)
-            .section(&functions)
-            .section(&memories)
-            .section(&exports)
-            .section(&codes);
+        module.section(&types).section(&functions).section(&memories).section(&exports).section(&codes);
         Some(module.finish())
     }
 }

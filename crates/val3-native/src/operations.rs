@@ -1,16 +1,14 @@
 //! The machine code of operations.
 
 use val3_bytecode::{Op, Program, Register, Whole};
-use wasm_encoder::Instruction::{
-    F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub, I32Eqz,
-};
-use wasm_encoder::{BlockType, Instruction, ValType};
+use wasm_encoder::Instruction;
+use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
 
 use crate::body::{Body, Surroundings, number_at, number_behind, whole_at};
 use crate::calls::callee;
+use crate::lanes::Lane;
 use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
 use crate::local;
-use crate::module::REMAINDER;
 use crate::operands::{container, registers};
 
 /// Instructions on what is on the stack.
@@ -63,8 +61,8 @@ impl Body<'_> {
             }
             Op::IfLess { a, b, to } => self.branch(a, b, &[F64Lt], to),
             Op::IfLessEqual { a, b, to } => self.branch(a, b, &[F64Le], to),
-            Op::UnlessLess { a, b, to } => self.branch(a, b, &[F64Lt, I32Eqz], to),
-            Op::UnlessLessEqual { a, b, to } => self.branch(a, b, &[F64Le, I32Eqz], to),
+            Op::UnlessLess { a, b, to } => self.branch_unless(a, b, &[F64Lt], to),
+            Op::UnlessLessEqual { a, b, to } => self.branch_unless(a, b, &[F64Le], to),
             Op::UnlessEqual { a, b, to } => self.branch(a, b, &[F64Ne], to),
             Op::IfEqual { a, b, to } => self.branch(a, b, &[F64Eq], to),
             Op::Move { to, from } => self.set(to, |body| body.get(from)),
@@ -108,12 +106,11 @@ impl Body<'_> {
             Op::ForNext { counter, limit, body } => {
                 self.compute(counter, (counter, limit + 1), &[F64Add]);
                 self.is_beyond(counter, limit);
-                self.all(&[I32Eqz]);
-                self.jump_if(body);
+                self.unless(|code| code.jump(body));
             }
             Op::ForNextUp { counter, limit, body } => {
                 self.compute(counter, (counter, limit + 1), &[F64Add]);
-                self.branch(counter, limit, &[F64Gt, I32Eqz], body);
+                self.branch_unless(counter, limit, &[F64Gt], body);
             }
             _ => self.containers(op),
         }
@@ -187,6 +184,13 @@ impl Body<'_> {
         self.jump_if(to);
     }
 
+    fn branch_unless(&mut self, a: Register, b: Register, compare: Act, to: u32) {
+        self.get(a);
+        self.get(b);
+        self.all(compare);
+        self.unless(|body| body.jump(to));
+    }
+
     fn compute(&mut self, to: Register, (a, b): (Register, Register), act: Act) {
         self.set(to, |body| {
             body.get(a);
@@ -207,23 +211,42 @@ impl Body<'_> {
         self.code().f64_const(0.0.into()).f64_lt().select();
     }
 
-    /// The remainder of whole numbers takes a fraction of the time that those of others take.
+    /// The remainder by a whole number: that of the whole part, and the fraction, which is exact. Others, and those of
+    /// numbers that are no `i32`, are left to the interpreter, as is the one by -1, which may leave the range.
     fn remainder(&mut self, to: Register, a: Register, b: Register) {
-        self.is_zero(b);
-        self.when(Self::leave_it);
+        let known = if let Lane::Constant(divisor) = self.lanes.get(b) { whole(divisor) } else { None };
+        match known {
+            Some(0 | -1) => {
+                self.code().i32_const(1);
+                self.when(Self::leave_it);
+            }
+            Some(_) => {}
+            None => {
+                self.get(b);
+                self.code().i32_trunc_sat_f64_s().local_tee(local::J).f64_convert_i32_s();
+                self.get(b);
+                self.code().f64_ne();
+                // 0 and -1.
+                self.code().local_get(local::J).i32_const(1).i32_add().i32_const(2).i32_lt_u().i32_or();
+                self.when(Self::leave_it);
+            }
+        }
         self.get(a);
-        self.code().local_tee(local::A).i32_trunc_sat_f64_s().local_set(local::I);
-        self.get(b);
-        self.code().local_tee(local::B).i32_trunc_sat_f64_s().local_set(local::J);
+        self.code().i32_trunc_sat_f64_s().local_tee(local::I).f64_convert_i32_s().local_tee(local::A);
+        self.get(a);
+        self.code().f64_trunc().f64_ne();
+        self.when(Self::leave_it);
         self.set(to, |body| {
-            body.code().local_get(local::I).f64_convert_i32_s().local_get(local::A).f64_eq();
-            body.code().local_get(local::J).f64_convert_i32_s().local_get(local::B).f64_eq().i32_and();
-            // The remainder of the least whole number by -1 would leave its range.
-            body.code().local_get(local::J).i32_const(-1).i32_ne().i32_and();
-            body.code().if_(BlockType::Result(ValType::F64));
-            body.code().local_get(local::I).local_get(local::J).i32_rem_s().f64_convert_i32_s().f64_abs();
-            body.code().local_get(local::A).f64_copysign();
-            body.code().else_().local_get(local::A).local_get(local::B).call(REMAINDER).end();
+            body.code().local_get(local::I);
+            match known {
+                Some(divisor) => body.code().i32_const(divisor),
+                None => body.code().local_get(local::J),
+            };
+            body.code().i32_rem_s().f64_convert_i32_s();
+            body.get(a);
+            body.code().local_get(local::A).f64_sub().f64_add().f64_abs();
+            body.get(a);
+            body.code().f64_copysign();
         });
     }
 
@@ -247,8 +270,7 @@ impl Body<'_> {
     fn element(&mut self, whole: Whole, index: Register) {
         let Some(at) = self.module.shared.description(whole) else { return };
         self.index(local::A, index, at + SIZE);
-        self.code().i32_eqz();
-        self.when(Self::leave_it);
+        self.unless(Self::leave_it);
         self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
         self.code().local_get(local::A).i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
     }
@@ -258,8 +280,8 @@ impl Body<'_> {
         let Some(at) = self.module.shared.description(whole) else { return };
         self.index(local::A, i, at + ROWS);
         self.index(local::B, j, at + COLUMNS);
-        self.code().i32_and().i32_eqz();
-        self.when(Self::leave_it);
+        self.code().i32_and();
+        self.unless(Self::leave_it);
         self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
         self.code().local_get(local::A).f64_trunc().i32_const(0).f64_load(number_behind(at + COLUMNS)).f64_mul();
         self.code().local_get(local::B).f64_trunc().f64_add();
@@ -273,4 +295,11 @@ impl Body<'_> {
         self.code().f64_const(0.5.into()).f64_add().local_tee(variable).f64_const(0.0.into()).f64_ge();
         self.code().local_get(variable).i32_const(0).f64_load(number_behind(size)).f64_lt().i32_and();
     }
+}
+
+/// The whole number that a number is, if it is one.
+fn whole(number: f64) -> Option<i32> {
+    #[allow(clippy::cast_possible_truncation, reason = "what does not fit is not equal any more")]
+    let whole = number as i32;
+    (f64::from(whole) == number).then_some(whole)
 }

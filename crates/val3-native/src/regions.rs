@@ -130,3 +130,16 @@ fn loops(jumps: &[(u32, u32)]) -> Vec<(u32, u32)> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::loops;
+
+    #[test]
+    fn loops_stand_within_one_another() {
+        assert_eq!(loops(&[(0, 5), (9, 3), (7, 4), (7, 3)]), [(3, 10), (4, 8)]);
+        let crossing = [(5, 1), (8, 3), (12, 7)];
+        assert_eq!(loops(&crossing), [(1, 13), (3, 13), (7, 13)], "each reaches as far as the one it crosses");
+        assert!(loops(&[(1, 2)]).is_empty());
+    }
+}

@@ -5,7 +5,8 @@ use val3_lang::memory::{Memory, Place, StoreId};
 use val3_vm::{Frame, Stretch, Thread};
 
 use crate::exchange::{Exchange, read, write};
-use crate::layout::{DEPTH, MOST_NUMBERS, MOST_PLACES, NUMBERS, PLACES, RECORD, RECORDS, STOPPED};
+use crate::layout::{DEPTH, LINE, MOST_NUMBERS, MOST_PLACES, NEXT, NUMBERS, PLACES, RECORD, RECORDS, STOPPED};
+use crate::local;
 use crate::machinery::{Compiled, Machinery};
 use crate::module::{MOST_LANES, MOST_PLACES_OF_ONE};
 
@@ -89,11 +90,13 @@ fn go(
         let program = image.programs.get(usize::from(frame.program))?;
         let bytes = machinery.bytes(code);
         exchange.describe_own(bytes, &work.space.memory, program, &frame.base);
-        write(bytes, STOPPED, &0u32.to_le_bytes())?;
+        for (at, word) in [(STOPPED, 0), (NEXT, begin), (LINE, reached.at.line)] {
+            write(bytes, at, &word.to_le_bytes())?;
+        }
         let taken = frame.base.bytes.saturating_add(program.stack_bytes);
         let room = work.stack_size.saturating_sub(taken).min(DEPTH * LEAST_BYTES);
         let base = (NUMBERS + frame.base.num * 8, PLACES + frame.base.place * 4);
-        let given = (base.0, base.1, room, begin, reached.budget, reached.at.line);
+        let given = (base.0, base.1, room | local::AGAIN, reached.budget);
         let (has_stopped, left) = machinery.call(entry, given).ok()?;
         reached.budget = left;
         if has_stopped != 0 {

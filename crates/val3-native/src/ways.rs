@@ -123,6 +123,14 @@ impl Body<'_> {
         self.close();
     }
 
+    /// What is done if the condition on the stack does not hold.
+    pub(crate) fn unless(&mut self, act: impl FnOnce(&mut Self)) {
+        self.code().if_(BlockType::Empty).else_();
+        self.labels.push(Label::Condition);
+        act(self);
+        self.close();
+    }
+
     /// Goes on at another step.
     pub(crate) fn jump(&mut self, to: u32) {
         self.keep_line(to);

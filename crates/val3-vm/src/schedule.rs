@@ -14,6 +14,9 @@ pub const CYCLE: Time = 4_000_000;
 /// Lines that a synchronous task executes at most in a cycle (5.5).
 const SYNCHRONOUS_LINES: u32 = 3000;
 
+/// Lines that a task executes at most before others outside may look: some hundredths of a second.
+const MOST_LINES: Time = 20_000_000;
+
 /// The clock and the round of the scheduler.
 #[derive(Debug, Clone)]
 pub struct Schedule {
@@ -176,7 +179,8 @@ impl Schedule {
             Rate::Period { next, .. } => Some(next),
             Rate::Priority(_) => other.thread.wait.and_then(|wait| wait.wake),
         });
-        let quiet = wakes.fold(self.quiet, Time::min) / CYCLE * CYCLE;
+        let most = self.now + MOST_LINES * self.line_cost;
+        let quiet = wakes.fold(self.quiet.min(most), Time::min) / CYCLE * CYCLE;
         u32::try_from(quiet.saturating_sub(self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX)
     }
 

@@ -59,8 +59,7 @@ impl Pace {
         if self.started.is_some() || self.attended || controller.hears_outside() {
             return 0;
         }
-        let now = controller.now();
-        [controller.next_due(), self.until].into_iter().flatten().fold(now + 100 * SECOND, Time::min)
+        [controller.next_due(), self.until].into_iter().flatten().min().unwrap_or(Time::MAX)
     }
 
     /// All tasks wait until `wake`, or for the outside. Whether something can still happen.

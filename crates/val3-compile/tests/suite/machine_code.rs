@@ -166,7 +166,7 @@ fn write(statements: &[Statement], loops: &mut u32, text: &mut String) {
             Statement::For(to, body) => {
                 *loops += 1;
                 let counter = format!("l_n{loops}");
-                let step = if *loops % 2 == 0 { "" } else { " step 0.5" };
+                let step = if (*loops).is_multiple_of(2) { "" } else { " step 0.5" };
                 writeln!(text, "for {counter}=0 to {to}{step}").unwrap();
                 write(body, loops, text);
                 text.push_str("endFor\n");
