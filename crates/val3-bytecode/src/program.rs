@@ -6,7 +6,7 @@ use val3_lang::memory::{Kind, Lanes, PartInit};
 use val3_lang::types::{BaseType, Container};
 use val3_lang::values::Text;
 
-use crate::{CallSite, CopySite, InstructionSite, Op, Step, TaskSite};
+use crate::{CallSite, CopySite, InstructionSite, Op, Register, Step, TaskSite};
 
 /// A program, ready to run.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +28,8 @@ pub struct Program {
     pub stack_bytes: u32,
     /// The numbers of a new frame, as many as it has: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
+    /// The registers among them that hold constants: nothing ever writes them.
+    pub constants: Vec<Register>,
     /// The containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
     /// What it does, step by step.

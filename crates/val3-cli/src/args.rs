@@ -231,6 +231,9 @@ pub(crate) struct RunArgs {
     /// What a line takes on the controller's clock, in microseconds [default: 2]
     #[arg(long, value_name = "US", value_parser = microseconds)]
     pub(crate) line_cost: Option<Time>,
+    /// Interpret every line, and compile nothing to machine code
+    #[arg(long)]
+    pub(crate) interpret: bool,
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,

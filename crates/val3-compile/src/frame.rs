@@ -25,6 +25,17 @@ pub(crate) struct Frame {
     pub(crate) parts: Vec<PartInit>,
 }
 
+/// A frame that is complete.
+pub(crate) struct Finished {
+    pub(crate) size: FrameSize,
+    /// The numbers of a new frame.
+    pub(crate) nums: Vec<f64>,
+    /// The registers that hold constants.
+    pub(crate) constants: Vec<Register>,
+    /// The containers of a new frame.
+    pub(crate) parts: Vec<PartInit>,
+}
+
 /// A sort of registers.
 #[derive(Debug, Clone, Copy)]
 enum Sort {
@@ -173,12 +184,15 @@ impl Frame {
         }
     }
 
-    /// The size of the frame, the numbers of a new one, and its containers.
-    pub(crate) fn finish(mut self) -> (FrameSize, Vec<f64>, Vec<PartInit>) {
+    /// What the code needs to know of the frame.
+    pub(crate) fn finish(mut self) -> Finished {
         let [num, text, link, place, view] = self.pools.map(|pool| pool.size());
         let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
         self.nums.resize(num as usize, 0.0);
-        (FrameSize { lanes: Lanes { num, text, link, part }, places: place, views: view }, self.nums, self.parts)
+        let size = FrameSize { lanes: Lanes { num, text, link, part }, places: place, views: view };
+        let mut constants: Vec<Register> = self.constants.into_values().collect();
+        constants.sort_unstable();
+        Finished { size, nums: self.nums, constants, parts: self.parts }
     }
 }
 

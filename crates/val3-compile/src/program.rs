@@ -11,7 +11,7 @@ use val3_syntax::TextRange;
 use crate::code::Code;
 use crate::coder::Coder;
 use crate::error::{CompileError, Result};
-use crate::frame::Frame;
+use crate::frame::{Finished, Frame};
 use crate::unit::Unit;
 
 /// Compiles the program in a file, which has this number among the files of the image.
@@ -44,16 +44,17 @@ impl Coder<'_, '_> {
         self.emit(Op::Return);
         let code = self.code.finish()?;
         let Code { lines, texts, copies, instructions, calls, tasks, .. } = std::mem::take(&mut self.code);
-        let (frame, nums, parts) = std::mem::take(&mut self.frame).finish();
+        let Finished { size, nums, constants, parts } = std::mem::take(&mut self.frame).finish();
         Ok(Program {
             name: signature.name.to_string(),
             public: signature.public,
             file: 0,
             params,
             variables,
-            frame,
+            frame: size,
             stack_bytes,
             nums,
+            constants,
             parts,
             code,
             lines,

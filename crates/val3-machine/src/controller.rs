@@ -194,12 +194,16 @@ impl Controller {
 
     fn cycle(&mut self) -> Cycle {
         let start = self.schedule.now;
-        let end = (start / CYCLE + 1) * CYCLE;
         self.follow_script(start);
         self.devices.begin_cycle(start);
-        let cycle = self.schedule.cycle(&mut self.vm, end, &mut self.devices);
+        let (cycle, end) = self.schedule.cycle(&mut self.vm, &mut self.devices);
         self.devices.end_cycle(end);
         cycle
+    }
+
+    /// Nothing happens from outside until a time: a task that computes alone need not be interrupted before.
+    pub fn expect_quiet(&mut self, until: Time) {
+        self.schedule.quiet = until;
     }
 
     /// Leaves out the time until the cycle of `time`: nothing can happen before.

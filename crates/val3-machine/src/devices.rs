@@ -19,6 +19,7 @@ use std::sync::Arc;
 
 use val3_bytecode::Image;
 use val3_lang::ports::{Origin, TaskNumber, Time};
+use val3_vm::Native;
 
 use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
@@ -62,6 +63,8 @@ pub struct Devices {
     files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
+    /// Machine code for what tasks do most, if there is any.
+    pub native: Option<Box<dyn Native>>,
     /// What has happened and was not taken yet.
     events: Vec<Event>,
     /// A task was at an instruction that is not there.
@@ -116,6 +119,7 @@ impl Devices {
             instances: Vec::new(),
             sources: BTreeMap::new(),
             read: None,
+            native: None,
         }
     }
 

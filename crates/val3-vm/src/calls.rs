@@ -6,7 +6,7 @@ use val3_bytecode::{CallSite, Image, Pass, Program, ProgramRef};
 use val3_lang::fault::{Fault, Result};
 
 use crate::arguments::place;
-use crate::enter::{behind, enter, enter_plain, get, leave, pass, write};
+use crate::enter::{enter, enter_plain, get, leave, pass, write};
 use crate::instance::Imported;
 use crate::machine::Machine;
 use crate::task::Base;
@@ -24,7 +24,7 @@ impl Machine<'_> {
         site: &CallSite,
         (back, back_line): (usize, u32),
     ) -> Result<Frame> {
-        let base = behind(&frame.base, caller);
+        let base = frame.base.behind(caller);
         let (instance, program) = match (site.program, &site.passes) {
             (ProgramRef::Own(number), Some(passes)) => {
                 let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;

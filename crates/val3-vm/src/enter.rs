@@ -9,26 +9,10 @@ use crate::arguments::{Given, on_frame};
 use crate::task::Base;
 use crate::window::NARROW;
 
-/// The first lanes behind a frame.
-#[inline(always)]
-pub(crate) fn behind(base: &Base, program: &Program) -> Base {
-    let size = &program.frame;
-    Base {
-        num: base.num + size.lanes.num,
-        text: base.text + size.lanes.text,
-        link: base.link + size.lanes.link,
-        part: base.part + size.lanes.part,
-        place: base.place + size.places,
-        view: base.view + size.views,
-        // No more than a stack has: the frame was let in.
-        bytes: base.bytes.wrapping_add(program.stack_bytes),
-    }
-}
-
 /// Makes the frame of `program` at `base`; its parameters are [passed](pass) then.
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     enter_plain(memory, program, base, most)?;
-    let (end, stack) = (behind(base, program), &mut memory.stack);
+    let (end, stack) = (base.behind(program), &mut memory.stack);
     fill(&mut stack.views, base.view, end.view, View::whole(StoreId::STACK));
     fill(&mut stack.texts, base.text, end.text, Text::new());
     clear(&mut stack.texts, base.text, end.text, Text::new());

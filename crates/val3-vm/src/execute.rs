@@ -59,8 +59,8 @@ fn container(
 }
 
 impl Machine<'_> {
-    /// Executes lines until the turn ends.
-    pub(crate) fn run(&mut self, thread: &mut Thread) -> Result<Stop> {
+    /// Executes lines until the budget is used up or the turn ends.
+    pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<Stop> {
         loop {
             let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
             let instance = self.instance(frame.instance)?;
@@ -299,7 +299,7 @@ impl Machine<'_> {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let inner = self.call(image, (&frame, program), site, (at.next, at.line))?;
                     thread.frames.push(inner);
-                    at.next = 0;
+                    (at.next, at.line) = (0, 0);
                     change!(inner);
                 }
                 Op::Return => {
@@ -314,6 +314,7 @@ impl Machine<'_> {
                     change!(caller);
                 }
                 Op::Instruction { site } => {
+                    self.is_touched = true;
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     if let Some(stop) = outside!(self.instruction(thread, image, (&frame, at.line), site))? {
                         at.next -= usize::from(stop == Stop::Waits);
@@ -321,6 +322,7 @@ impl Machine<'_> {
                     }
                 }
                 Op::CreateTask { site } => {
+                    self.is_touched = true;
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     outside!(self.create_task(image, (&frame, at.line), site))?;
                 }

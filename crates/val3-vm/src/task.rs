@@ -1,5 +1,6 @@
 //! A task: a program in execution with what it takes to go on (5.1).
 
+use val3_bytecode::Program;
 use val3_lang::call::{Wait, Waiting};
 use val3_lang::fault::Fault;
 use val3_lang::memory::{Place, Stack};
@@ -106,25 +107,50 @@ pub struct Frame {
     pub instance: InstanceId,
     /// The program, by number.
     pub program: u16,
-    /// The operation to go on with when the program called from here ends.
-    pub(crate) back: u32,
+    /// The operation that its caller goes on with when it ends.
+    pub back: u32,
     /// The first operation of the line of that call.
-    pub(crate) back_line: u32,
+    pub back_line: u32,
     /// Where its lanes begin.
-    pub(crate) base: Base,
+    pub base: Base,
 }
 
 /// Where the lanes of a frame begin.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) struct Base {
-    pub(crate) num: u32,
-    pub(crate) text: u32,
-    pub(crate) link: u32,
-    pub(crate) part: u32,
-    pub(crate) place: u32,
-    pub(crate) view: u32,
+pub struct Base {
+    /// Its numbers.
+    pub num: u32,
+    /// Its texts.
+    pub text: u32,
+    /// Its links.
+    pub link: u32,
+    /// Its containers.
+    pub part: u32,
+    /// Its places.
+    pub place: u32,
+    /// Its containers by reference.
+    pub view: u32,
     /// Bytes of the declared stack that the frames before take.
-    pub(crate) bytes: u32,
+    pub bytes: u32,
+}
+
+impl Base {
+    /// The first lanes behind the frame of a program that begins here.
+    #[inline(always)]
+    #[must_use]
+    pub fn behind(&self, program: &Program) -> Self {
+        let size = &program.frame;
+        Self {
+            num: self.num + size.lanes.num,
+            text: self.text + size.lanes.text,
+            link: self.link + size.lanes.link,
+            part: self.part + size.lanes.part,
+            place: self.place + size.places,
+            view: self.view + size.views,
+            // No more than a stack has: the frame was let in.
+            bytes: self.bytes.wrapping_add(program.stack_bytes),
+        }
+    }
 }
 
 impl Task {

@@ -8,6 +8,7 @@ use val3_bytecode::Image;
 use val3_compile::CompileError;
 use val3_machine::controller::{Controller, NotStarted};
 use val3_machine::devices::Devices;
+use val3_native::MachineCode;
 
 use super::settings::Settings;
 use super::{lines, outside};
@@ -71,6 +72,9 @@ fn controller(args: &RunArgs, db: &Database, project: Project, image: Arc<Image>
     outside::declare_io(&mut devices, db, project);
     outside::describe(&mut devices, &disk, args);
     settings.apply(&mut devices);
+    if !args.interpret {
+        devices.native = Some(Box::new(MachineCode::default()));
+    }
     lines::connect(&mut devices.lines, &disk, args, &settings)?;
     let mut controller = Controller::new(devices, image, application, settings.line_cost);
     outside::arrange(&mut controller, args)?;

@@ -287,13 +287,14 @@ fn each_example_runs_the_same_twice() {
         for application in std::fs::read_dir(format!("{examples}/{cell}/usr/usrapp")).unwrap() {
             let folder = Folder::empty();
             let path = application.unwrap().path();
-            let run = || {
-                let run = folder.val3(&["run", path.to_str().unwrap(), "--until", "60", "--events", "events.jsonl"]);
+            let run = |how: &str| {
+                let path = path.to_str().unwrap();
+                let run = folder.val3(&["run", path, "--until", "60", "--events", "events.jsonl", how]);
                 let events = std::fs::read_to_string(folder.path().join("events.jsonl")).ok();
                 (run.code, run.stdout, run.stderr, events)
             };
-            let first = run();
-            assert!(first == run(), "{path:?} {first:?}");
+            let first = run("--time=virtual");
+            assert!(first == run("--time=virtual") && first == run("--interpret"), "{path:?} {first:?}");
             ran += usize::from(first.3.is_some_and(|events| events.contains("\"kind\":\"end\"")));
         }
     }

@@ -7,8 +7,10 @@ use val3_bytecode::Image;
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Step};
 use val3_machine::devices::{Devices, Libraries};
-use val3_machine::event::What;
+use val3_machine::event::{Event, What};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+use val3_native::MachineCode;
+use val3_vm::Native;
 
 use crate::show::image;
 
@@ -20,31 +22,45 @@ impl Libraries for NoLibraries {
     }
 }
 
-/// What an application prints until it has ended, then the numbers of the errors of its tasks.
-#[track_caller]
-fn run(listing: &str) -> String {
+const LONGEST: Time = 10_000_000_000;
+
+/// What happens while an application runs, until it has ended.
+pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>) -> Vec<Event> {
     const LINE_COST: Time = 2_000;
-    const LONGEST: Time = 10_000_000_000;
-    let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
-    let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE_COST);
+    let mut devices = Devices::new(Roots::default(), Box::new(NoLibraries));
+    devices.native = native;
+    let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), LINE_COST);
     controller.start("start").unwrap();
-    let mut text = String::new();
+    let mut events = Vec::new();
     while controller.now() < LONGEST {
+        controller.expect_quiet(controller.next_due().map_or(LONGEST, |due| due.min(LONGEST)));
         let step = controller.step();
-        for event in controller.devices.take_events() {
-            match event.what {
-                What::Print { text: line } => text += &(line + "\n"),
-                What::Error { code, line, .. } => text += &format!("error {code} in line {line:?}\n"),
-                _ => {}
-            }
-        }
+        events.extend(controller.devices.take_events());
         match step {
-            Step::Finished | Step::Stuck | Step::Lacking => return text,
+            Step::Finished | Step::Stuck | Step::Lacking => return events,
             Step::Idle(Some(wake)) => controller.jump(wake),
             Step::Idle(None) | Step::Busy => {}
         }
     }
-    text + "goes on\n"
+    panic!("goes on: {events:?}");
+}
+
+/// What an application prints until it has ended, then the numbers of the errors of its tasks. It does the same, at the
+/// same times, with and without machine code.
+#[track_caller]
+pub(crate) fn run(listing: &str) -> String {
+    let image = Arc::new(image(listing));
+    let interpreted = events(&image, None);
+    let compiled = events(&image, Some(Box::new(MachineCode::after(0))));
+    assert_eq!(interpreted, compiled, "the machine code of {listing}");
+    interpreted
+        .into_iter()
+        .filter_map(|event| match event.what {
+            What::Print { text } => Some(text + "\n"),
+            What::Error { code, line, .. } => Some(format!("error {code} in line {line:?}\n")),
+            _ => None,
+        })
+        .collect()
 }
 
 fn check(listing: &str, expected: Expect) {

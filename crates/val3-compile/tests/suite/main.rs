@@ -15,6 +15,7 @@ mod instructions;
 mod libraries;
 mod library_tasks;
 mod lines;
+mod machine_code;
 mod media;
 mod places;
 mod programs;

@@ -1,0 +1,213 @@
+//! Machine code does what the interpreter does: [`run`] executes each program with and without.
+
+use std::fmt::Write as _;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use proptest::prelude::*;
+use val3_native::MachineCode;
+use val3_vm::{Native, Prospect, Stretch};
+
+use crate::execution::{events, run};
+use crate::show::image;
+
+/// Machine code that counts the lines it has executed.
+#[derive(Debug)]
+struct Counted(MachineCode, Arc<AtomicU64>);
+
+impl Native for Counted {
+    fn run(&mut self, work: &mut Stretch<'_>) -> Prospect {
+        let before = work.budget;
+        let prospect = self.0.run(work);
+        self.1.fetch_add(u64::from(before - work.budget), Ordering::Relaxed);
+        prospect
+    }
+}
+
+/// How many lines of a program machine code executes.
+fn lines(listing: &str) -> u64 {
+    let count = Arc::new(AtomicU64::new(0));
+    events(&Arc::new(image(listing)), Some(Box::new(Counted(MachineCode::after(0), Arc::clone(&count)))));
+    count.load(Ordering::Relaxed)
+}
+
+#[test]
+fn numbers_arrays_and_calls_are_machine_code() {
+    let loops = "
+        num nSum
+        program start()
+          num i
+          num j
+        begin
+          for i=1 to 100
+            j=i
+            while j>0
+              if j%3==0
+                nSum=nSum+i*j
+              else
+                nSum=nSum-j/2
+              endIf
+              j=j-1
+            endWhile
+          endFor
+        end";
+    let arrays = "
+        num nA[100]
+        num nG[10,10]
+        program start()
+          num i
+          num j
+          num l_nB[50]
+        begin
+          for i=0 to 99
+            nA[i]=i*i
+          endFor
+          for i=0 to 9
+            for j=0 to 9
+              nG[i,j]=nA[i*10+j]
+              l_nB[i+j]=nG[j,i]
+            endFor
+          endFor
+        end";
+    let calls = "
+        program fib(num x_n, num& x_r)
+          num l_a
+          num l_b
+        begin
+          if x_n<2
+            x_r=x_n
+            return
+          endIf
+          call fib(x_n-1,l_a)
+          call fib(x_n-2,l_b)
+          x_r=l_a+l_b
+        end
+        program start()
+          num n
+        begin
+          call fib(15,n)
+        end";
+    for (listing, least) in [(loops, 20_000), (arrays, 500), (calls, 6_000)] {
+        let found = lines(listing);
+        assert!(found > least, "{found} lines of {listing}");
+    }
+}
+
+/// What a statement is made of, by numbers: the same for the same numbers.
+#[derive(Debug, Clone)]
+enum Statement {
+    Assign(String, String),
+    If(String, Vec<Self>, Vec<Self>),
+    For(String, Vec<Self>),
+    While(Vec<Self>),
+    Call(String, String),
+    Print(String),
+    Leave(String),
+}
+
+fn variable() -> impl Strategy<Value = String> {
+    let indexed =
+        (prop::sample::select(vec!["nA", "l_nB"]), 0..6).prop_map(|(array, index)| format!("{array}[{index}]"));
+    let computed =
+        prop::sample::select(vec!["nA[l_nI]", "l_nB[l_nJ/2]", "nG[l_nI,1]", "nG[1,l_nJ]"]).prop_map(str::to_owned);
+    let plain = prop::sample::select(vec!["l_nI", "l_nJ", "l_nK", "nX", "nY"]).prop_map(str::to_owned);
+    prop_oneof![6 => plain, 1 => indexed, 2 => computed]
+}
+
+fn expression() -> impl Strategy<Value = String> {
+    let number = prop::sample::select(vec!["0", "1", "2", "3", "-1", "0.5", "7", "1e9"]).prop_map(str::to_owned);
+    let leaf = prop_oneof![3 => variable(), 2 => number];
+    leaf.prop_recursive(3, 8, 2, |inner| {
+        let operator = prop::sample::select(vec!["+", "-", "*", "+", "-", "/", "%"]);
+        prop_oneof![
+            4 => (inner.clone(), operator, inner.clone()).prop_map(|(a, operator, b)| format!("({a}{operator}{b})")),
+            1 => inner.prop_map(|a| format!("(-{a})")),
+        ]
+    })
+}
+
+fn condition() -> impl Strategy<Value = String> {
+    let operator = prop::sample::select(vec!["<", "<=", ">", ">=", "==", "!="]);
+    let compared = (expression(), operator, expression()).prop_map(|(a, operator, b)| format!("{a}{operator}{b}")).boxed();
+    let pair = (compared.clone(), prop::sample::select(vec!["and", "or", "xor"]), compared.clone());
+    prop_oneof![3 => compared, 1 => pair.prop_map(|(a, operator, b)| format!("({a}) {operator} !({b})"))]
+}
+
+fn statements() -> impl Strategy<Value = Vec<Statement>> {
+    let leaf = prop_oneof![
+        6 => (variable(), expression()).prop_map(|(to, value)| Statement::Assign(to, value)),
+        1 => (expression(), variable()).prop_map(|(given, result)| Statement::Call(given, result)),
+        1 => expression().prop_map(Statement::Print),
+        1 => condition().prop_map(Statement::Leave),
+    ];
+    let statement = leaf.prop_recursive(3, 16, 4, |inner| {
+        let block = prop::collection::vec(inner, 1..4);
+        prop_oneof![
+            2 => (condition(), block.clone(), block.clone()).prop_map(|(on, yes, no)| Statement::If(on, yes, no)),
+            2 => ("[1-9]", block.clone()).prop_map(|(to, body)| Statement::For(to, body)),
+            1 => block.prop_map(Statement::While),
+        ]
+    });
+    prop::collection::vec(statement, 2..7)
+}
+
+/// The text of statements; each loop has a counter of its own, so that it ends.
+fn write(statements: &[Statement], loops: &mut u32, text: &mut String) {
+    for statement in statements {
+        match statement {
+            Statement::Assign(to, value) => writeln!(text, "{to}={value}").unwrap(),
+            Statement::If(on, yes, no) => {
+                writeln!(text, "if {on}").unwrap();
+                write(yes, loops, text);
+                text.push_str("else\n");
+                write(no, loops, text);
+                text.push_str("endIf\n");
+            }
+            Statement::For(to, body) => {
+                *loops += 1;
+                let counter = format!("l_n{loops}");
+                let step = if (*loops).is_multiple_of(2) { "" } else { " step 0.5" };
+                writeln!(text, "for {counter}=0 to {to}{step}").unwrap();
+                write(body, loops, text);
+                text.push_str("endFor\n");
+            }
+            Statement::While(body) => {
+                *loops += 1;
+                let counter = format!("l_n{loops}");
+                writeln!(text, "{counter}=0\nwhile {counter}<5\n{counter}={counter}+1").unwrap();
+                write(body, loops, text);
+                text.push_str("endWhile\n");
+            }
+            Statement::Call(given, result) => writeln!(text, "call twice({given},{result})").unwrap(),
+            Statement::Print(value) => writeln!(text, "? {value}").unwrap(),
+            Statement::Leave(on) => writeln!(text, "if {on}\nnY=nY+1\nreturn\nendIf").unwrap(),
+        }
+    }
+}
+
+/// An application whose program `work` consists of statements.
+fn application(statements: &[Statement]) -> String {
+    let (mut body, mut loops) = (String::new(), 0);
+    write(statements, &mut loops, &mut body);
+    let counters: String = (1..=loops).fold(String::new(), |text, number| text + &format!("num l_n{number}\n"));
+    format!(
+        "num nX\nnum nY\nnum nA[6]\nnum nG[3,4]\n\
+         program twice(num x_nGiven, num& x_nResult)\nbegin\nif x_nGiven>100\nreturn\nendIf\n\
+         x_nResult=x_nGiven*2+x_nResult\nnX=x_nResult\nend\n\
+         program work(num x_nRound, num& x_nDone)\nnum l_nI\nnum l_nJ\nnum l_nK\nnum l_nB[6]\n{counters}begin\n\
+         l_nI=x_nRound%4\nl_nJ=3\nx_nDone=x_nDone+1\n{body}end\n\
+         program start()\nnum l_nRound\nnum l_nDone\nbegin\nfor l_nRound=1 to 40\ncall work(l_nRound,l_nDone)\nendFor\n\
+         ? nX\n? nY\n? l_nDone\n? nA[1]\n? nG[1,1]\nend\n"
+    )
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn any_program_does_the_same(statements in statements()) {
+        let listing = application(&statements);
+        run(&listing);
+        assert!(lines(&listing) > 0, "no machine code for {listing}");
+    }
+}

@@ -1,0 +1,221 @@
+//! The function that a program becomes.
+//!
+//! Its parameters tell where its frame is and where to begin, its results whether the program has ended or has stopped
+//! on the way, and the lines that are left. It begins at its first step or at the head of a loop; how jumps become the
+//! blocks and loops of WebAssembly, [`regions`](crate::regions) tells.
+//!
+//! A [block](crate::flow) of steps takes its lines from the budget at once; where there are fewer left, the program
+//! stops before it. Where there is no code for an operation, or it would be an error, the program stops before the
+//! operation and gives back the lines behind: the interpreter does it, and raises what is to be raised.
+
+use val3_bytecode::{Image, Program, Register, Step};
+use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg, ValType};
+
+use crate::containers::Shared;
+use crate::flow::{Flow, LineBefore};
+use crate::lanes::{Lane, Lanes, number, parameters};
+use crate::layout::{LINE, NEXT, RECORD, RECORDS, STOPPED};
+use crate::local;
+use crate::operations::has_code;
+use crate::regions::Regions;
+
+/// What is known of the module that a function is part of.
+pub(crate) struct Surroundings<'m> {
+    pub(crate) image: &'m Image,
+    /// The programs with machine code, in the order of their functions.
+    pub(crate) programs: &'m [u16],
+    pub(crate) shared: &'m Shared,
+}
+
+/// The code of one program in the making.
+pub(crate) struct Body<'m> {
+    pub(crate) module: &'m Surroundings<'m>,
+    pub(crate) program: &'m Program,
+    pub(crate) lanes: Lanes,
+    pub(crate) regions: &'m Regions,
+    pub(crate) flow: &'m Flow,
+    code: Function,
+    /// What can be left or repeated, the innermost last.
+    pub(crate) labels: Vec<Label>,
+    /// The step at hand, and its number.
+    pub(crate) step: (Step, u32),
+    /// The line at hand.
+    pub(crate) line: LineBefore,
+    /// The lines of the block that have not begun.
+    pub(crate) ahead: u32,
+}
+
+/// What a jump leaves or repeats.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Label {
+    /// The program stops.
+    Stop,
+    /// The step to go on with.
+    Step(u32),
+    /// The loop with this head.
+    Loop(u32),
+    /// The condition of an operation.
+    Condition,
+}
+
+/// The function of a program; its number is its place in the image.
+pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Function> {
+    let program = module.image.programs.get(usize::from(number))?;
+    let first = *program.code.first()?;
+    let lanes = Lanes::of(program, module.image);
+    let regions = Regions::of(program);
+    let flow = Flow::of(program, |op| has_code(module, program, op));
+    let groups = [(local::WHOLE, ValType::I32), (local::NUMBERS + lanes.variables(), ValType::F64)];
+    let mut body = Body {
+        module,
+        program,
+        lanes,
+        regions: &regions,
+        flow: &flow,
+        code: Function::new(groups),
+        labels: Vec::new(),
+        step: (first, 0),
+        line: LineBefore::Kept,
+        ahead: 0,
+    };
+    body.begin();
+    body.steps();
+    body.stop_here(u32::from(number));
+    Some(body.code)
+}
+
+impl Body<'_> {
+    /// Behind the code so far.
+    pub(crate) fn code(&mut self) -> InstructionSink<'_> {
+        self.code.instructions()
+    }
+
+    /// The numbers of a new frame, or of one that is entered again, where the code has them.
+    fn begin(&mut self) {
+        self.code().local_get(local::ROOM).i32_const(0).i32_lt_s().if_(BlockType::Empty);
+        let room = local::AGAIN - 1;
+        self.code().local_get(local::ROOM).i32_const(room.cast_signed()).i32_and().local_set(local::ROOM);
+        self.code().i32_const(0).i32_load(whole_at(NEXT)).local_set(local::NEXT);
+        self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(local::LINE);
+        self.each_variable(|body, register, variable| {
+            body.load(register);
+            body.code().local_set(variable);
+        });
+        self.code().else_();
+        let given: Vec<u32> = parameters(self.program).collect();
+        let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
+        for (register, lane) in lanes {
+            let value = number(self.program, register).unwrap_or_default();
+            match lane {
+                Lane::Variable(variable) if given.contains(&u32::from(register)) => {
+                    self.load(register);
+                    self.code().local_set(variable);
+                }
+                Lane::Variable(variable) if value.to_bits() != 0 => {
+                    self.code().f64_const(value.into()).local_set(variable);
+                }
+                Lane::Memory if !given.contains(&u32::from(register)) => {
+                    self.code().local_get(local::BASE).f64_const(value.into()).f64_store(number_at(register));
+                }
+                _ => {}
+            }
+        }
+        self.code().end();
+    }
+
+    /// The end: where stopped programs come to.
+    fn stop_here(&mut self, number: u32) {
+        let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
+        for (register, lane) in lanes {
+            let mut keep = |value: &dyn Fn(&mut InstructionSink<'_>)| {
+                let mut code = self.code.instructions();
+                code.local_get(local::BASE);
+                value(&mut code);
+                code.f64_store(number_at(register));
+            };
+            match lane {
+                Lane::Variable(variable) => keep(&|code| {
+                    code.local_get(variable);
+                }),
+                Lane::Constant(value) => keep(&|code| {
+                    code.f64_const(value.into());
+                }),
+                Lane::Memory => {}
+            }
+        }
+        let field = |number: u32| whole_at(RECORDS + number * 4);
+        self.code().i32_const(0).i32_load(whole_at(STOPPED)).local_tee(local::I);
+        #[allow(clippy::cast_possible_wrap, reason = "a small constant, and the number of a program")]
+        let (record, number) = (RECORD as i32, number as i32);
+        self.code().i32_const(record).i32_mul().local_tee(local::J).i32_const(number).i32_store(field(0));
+        self.code().local_get(local::J).local_get(local::STEP).i32_store(field(1));
+        self.code().local_get(local::J).local_get(local::LINE).i32_store(field(2));
+        self.code().i32_const(0).local_get(local::I).i32_const(1).i32_add().i32_store(whole_at(STOPPED));
+        self.code().i32_const(1).local_get(local::BUDGET).end();
+    }
+
+    fn each_variable(&mut self, act: impl Fn(&mut Self, Register, u32)) {
+        let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
+        for (register, lane) in lanes {
+            if let Lane::Variable(variable) = lane {
+                act(self, register, variable);
+            }
+        }
+    }
+
+    fn load(&mut self, register: Register) {
+        self.code().local_get(local::BASE).f64_load(number_at(register));
+    }
+
+    /// Adds an instruction behind the code so far.
+    pub(crate) fn add(&mut self, instruction: &Instruction<'_>) {
+        self.code.instruction(instruction);
+    }
+
+    /// A number of the frame.
+    pub(crate) fn get(&mut self, register: Register) {
+        match self.lanes.get(register) {
+            Lane::Constant(value) => {
+                self.code().f64_const(value.into());
+            }
+            Lane::Variable(variable) => {
+                self.code().local_get(variable);
+            }
+            Lane::Memory => self.load(register),
+        }
+    }
+
+    /// Writes a number of the frame.
+    pub(crate) fn set(&mut self, register: Register, value: impl FnOnce(&mut Self)) {
+        match self.lanes.get(register) {
+            Lane::Constant(_) => {
+                value(self);
+                self.code().drop();
+            }
+            Lane::Variable(variable) => {
+                value(self);
+                self.code().local_set(variable);
+            }
+            Lane::Memory => {
+                self.code().local_get(local::BASE);
+                value(self);
+                self.code().f64_store(number_at(register));
+            }
+        }
+    }
+}
+
+/// A number behind an address.
+pub(crate) fn number_at(lane: u16) -> MemArg {
+    MemArg { offset: u64::from(lane) * 8, align: 3, memory_index: 0 }
+}
+
+/// A number of an address in all.
+pub(crate) fn number_behind(offset: u32) -> MemArg {
+    MemArg { offset: offset.into(), align: 3, memory_index: 0 }
+}
+
+/// A whole number behind an address.
+pub(crate) fn whole_at(offset: u32) -> MemArg {
+    MemArg { offset: offset.into(), align: 2, memory_index: 0 }
+}

@@ -1,0 +1,180 @@
+//! What the interpreter's memory and that of machine code exchange: numbers there, and back again.
+
+use rustc_hash::FxHashMap;
+use val3_bytecode::{Passing, Program, WholeKind};
+use val3_lang::memory::{Lanes, Memory, Place, Shape, StoreId, View};
+use val3_vm::{Base, Frame, Imported, Instance};
+
+use crate::containers::{Shared, by_reference, local};
+use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, ROWS, SIZE, VALUES};
+
+/// The containers whose numbers were copied.
+#[derive(Debug)]
+pub(crate) struct Exchange {
+    /// The address of the first number of each, and how many there are.
+    known: FxHashMap<StoreId, (u32, u32)>,
+    /// The first address that is free.
+    free: u32,
+    /// How many numbers may still be copied: more would take longer than the interpreter.
+    credit: usize,
+}
+
+impl Exchange {
+    pub(crate) fn new(credit: usize) -> Self {
+        Self { known: FxHashMap::default(), free: VALUES, credit }
+    }
+
+    /// Copies the numbers of all frames, of which `end` are in use.
+    pub(crate) fn give_stack(bytes: &mut [u8], memory: &Memory, end: usize) -> Option<()> {
+        write_numbers(bytes, NUMBERS, memory.stack.nums.get(..end)?)
+    }
+
+    /// Copies them back, with what was changed in containers.
+    pub(crate) fn take_back(&self, bytes: &[u8], memory: &mut Memory, end: usize) -> Option<()> {
+        read_numbers(bytes, NUMBERS, memory.stack.nums.get_mut(..end)?)?;
+        for (id, (address, _)) in &self.known {
+            let store = memory.stores.get_mut(*id).ok()?;
+            read_numbers(bytes, *address, &mut store.nums)?;
+        }
+        Some(())
+    }
+
+    /// Where the first number of a container is, and how many there are; `None` if there is no room for them.
+    fn numbers(&mut self, bytes: &mut [u8], memory: &Memory, id: StoreId) -> Option<(u32, u32)> {
+        if let Some(known) = self.known.get(&id) {
+            return Some(*known);
+        }
+        let nums = &memory.stores.get(id).ok()?.nums;
+        self.credit = self.credit.checked_sub(nums.len())?;
+        let count = u32::try_from(nums.len()).ok()?;
+        let end = count.checked_mul(8)?.checked_add(self.free).filter(|end| *end <= END)?;
+        let address = std::mem::replace(&mut self.free, end);
+        write_numbers(bytes, address, nums)?;
+        self.known.insert(id, (address, count));
+        Some((address, count))
+    }
+
+    /// Describes the containers that all programs of a module share.
+    pub(crate) fn describe_shared(&mut self, bytes: &mut [u8], memory: &Memory, shared: &Shared, instance: &Instance) {
+        for (whole, at) in shared.iter() {
+            let view = match whole.kind() {
+                WholeKind::Data(number) => instance.data.get(usize::from(number)).copied().map(View::whole),
+                WholeKind::Import(number) => match instance.imports.get(usize::from(number)) {
+                    Some(Some(Imported::Data(store))) => Some(View::whole(*store)),
+                    _ => None,
+                },
+                _ => None,
+            };
+            self.describe(bytes, memory, view, at);
+        }
+    }
+
+    /// Describes containers and places of the frame that is entered.
+    pub(crate) fn describe_own(&mut self, bytes: &mut [u8], memory: &Memory, program: &Program, base: &Base) {
+        let stack = &memory.stack;
+        for (number, id) in (0..program.frame.lanes.part).zip(stack.parts.iter().skip(base.part as usize)) {
+            if let Some(at) = local(number) {
+                self.describe(bytes, memory, Some(View::whole(*id)), at);
+            }
+        }
+        for (number, view) in (0..program.frame.views).zip(stack.views.iter().skip(base.view as usize)) {
+            if let Some(at) = by_reference(number) {
+                self.describe(bytes, memory, Some(*view), at);
+            }
+        }
+        for (number, place) in
+            (base.place..base.place + program.frame.places).zip(stack.places.iter().skip(base.place as usize))
+        {
+            let address = self.address(bytes, memory, *place).unwrap_or_default();
+            let _ = write(bytes, PLACES + number * 4, &address.to_le_bytes());
+        }
+    }
+
+    /// Describes one container; none has no values.
+    fn describe(&mut self, bytes: &mut [u8], memory: &Memory, view: Option<View>, at: u32) {
+        let description = view.and_then(|view| self.description(bytes, memory, view)).unwrap_or_default();
+        let _ = write(bytes, at, &description);
+    }
+
+    fn description(&mut self, bytes: &mut [u8], memory: &Memory, view: View) -> Option<[u8; CONTAINER as usize]> {
+        let store = memory.stores.get(view.store).ok()?;
+        let (address, count) = self.numbers(bytes, memory, view.store)?;
+        let skipped = view.start * store.kind.size.num;
+        let left = count.saturating_sub(skipped);
+        let is_of_numbers = store.kind.size == Lanes::nums(1);
+        let (size, rows, columns) = match store.shape {
+            Shape::Array { dims: 1, .. } if is_of_numbers => (left, 0, 0),
+            Shape::Array { dims: 2, sizes: [rows, columns, _] } if is_of_numbers => (0, rows, columns),
+            _ => (0, 0, 0),
+        };
+        let mut description = [0; CONTAINER as usize];
+        write(&mut description, ADDRESS, &(address + skipped * 8).to_le_bytes())?;
+        write(&mut description, COUNT, &left.to_le_bytes())?;
+        for (at, number) in [(SIZE, size), (ROWS, rows), (COLUMNS, columns)] {
+            write(&mut description, at, &f64::from(number).to_le_bytes())?;
+        }
+        Some(description)
+    }
+
+    /// The address of the first number of a place.
+    fn address(&mut self, bytes: &mut [u8], memory: &Memory, place: Place) -> Option<u32> {
+        if place.store == StoreId::STACK {
+            return Some(NUMBERS + place.num * 8);
+        }
+        let (first, count) = self.numbers(bytes, memory, place.store)?;
+        // The value may have left its container.
+        (place.num < count).then(|| first + place.num * 8)
+    }
+
+    /// The place behind an address.
+    fn place(&self, address: u32) -> Option<Place> {
+        if address < VALUES {
+            return Some(Place::on_stack(Lanes::nums(address.checked_sub(NUMBERS)? / 8)));
+        }
+        let holds = |(start, count): (u32, u32)| (start..start + count * 8).contains(&address);
+        let (id, (start, _)) = self.known.iter().find(|(_, numbers)| holds(**numbers))?;
+        Some(Place::new(*id, Lanes::nums((address - start) / 8)))
+    }
+
+    /// What the parameters by reference of a frame that machine code has made refer to.
+    pub(crate) fn take_references(&self, bytes: &[u8], memory: &mut Memory, frame: &Frame, program: &Program) {
+        let first = frame.base.place;
+        let references = program.params.iter().filter_map(|param| match param.passing {
+            Passing::Reference(number) => Some(first + number),
+            _ => None,
+        });
+        for number in references {
+            let place = read(bytes, PLACES + number * 4).and_then(|address| self.place(u32::from_le_bytes(address)));
+            if let Some((slot, place)) = memory.stack.places.get_mut(number as usize).zip(place) {
+                *slot = place;
+            }
+        }
+    }
+}
+
+/// Writes numbers, one behind the other.
+fn write_numbers(bytes: &mut [u8], at: u32, numbers: &[f64]) -> Option<()> {
+    let (slots, _) = bytes.get_mut(at as usize..)?.as_chunks_mut::<8>();
+    let slots = slots.get_mut(..numbers.len())?;
+    slots.iter_mut().zip(numbers).for_each(|(slot, number)| *slot = number.to_le_bytes());
+    Some(())
+}
+
+/// Reads as many numbers as there are.
+fn read_numbers(bytes: &[u8], at: u32, numbers: &mut [f64]) -> Option<()> {
+    let (slots, _) = bytes.get(at as usize..)?.as_chunks::<8>();
+    let slots = slots.get(..numbers.len())?;
+    numbers.iter_mut().zip(slots).for_each(|(number, slot)| *number = f64::from_le_bytes(*slot));
+    Some(())
+}
+
+/// Writes bytes; `None` beyond the end.
+pub(crate) fn write(bytes: &mut [u8], at: u32, value: &[u8]) -> Option<()> {
+    bytes.get_mut(at as usize..)?.get_mut(..value.len())?.copy_from_slice(value);
+    Some(())
+}
+
+/// Reads bytes; `None` beyond the end.
+pub(crate) fn read<const N: usize>(bytes: &[u8], at: u32) -> Option<[u8; N]> {
+    bytes.get(at as usize..)?.first_chunk().copied()
+}

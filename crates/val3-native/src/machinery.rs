@@ -1,0 +1,86 @@
+//! The machine that runs machine code: a WebAssembly engine, which keeps it within its memory.
+
+use std::collections::BTreeSet;
+use std::fmt;
+
+use rustc_hash::FxHashMap;
+use val3_bytecode::Image;
+use wasmtime::error::Context as _;
+use wasmtime::{Config, Engine, Instance, Memory, Module, Store, TypedFunc};
+
+use crate::containers::Shared;
+use crate::module::{MEMORY, Plan};
+use crate::regions::Regions;
+use crate::ways::name;
+
+/// What a function is given: see [`local`](crate::local).
+pub(crate) type Given = (u32, u32, u32, u32);
+
+/// The function of a program: where its frame is and where to begin; whether it has stopped, and the lines left.
+pub(crate) type Entry = TypedFunc<Given, (u32, u32)>;
+
+/// The engine with all modules.
+pub(crate) struct Machinery {
+    store: Store<()>,
+}
+
+/// A module, ready to run.
+pub(crate) struct Compiled {
+    pub(crate) shared: Shared,
+    memory: Memory,
+    programs: FxHashMap<u16, (Entry, BTreeSet<u32>)>,
+}
+
+impl Machinery {
+    /// An engine without modules.
+    pub(crate) fn new() -> wasmtime::Result<Self> {
+        let engine = Engine::new(&Config::new())?;
+        Ok(Self { store: Store::new(&engine, ()) })
+    }
+
+    /// Compiles the programs of a plan.
+    pub(crate) fn compile(&mut self, plan: Plan, image: &Image) -> wasmtime::Result<Compiled> {
+        let encoded = plan.encode(image).unwrap_or_default();
+        let module = Module::new(self.store.engine(), encoded)?;
+        let instance = Instance::new(&mut self.store, &module, &[])?;
+        let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;
+        let mut programs = FxHashMap::default();
+        for number in &plan.programs {
+            let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
+            if let Some(program) = image.programs.get(usize::from(*number)) {
+                programs.insert(*number, (entry, Regions::of(program).entries().clone()));
+            }
+        }
+        Ok(Compiled { shared: plan.shared, memory, programs })
+    }
+
+    /// The memory of a module.
+    pub(crate) fn bytes(&mut self, code: &Compiled) -> &mut [u8] {
+        code.memory.data_mut(&mut self.store)
+    }
+
+    /// Runs a program.
+    pub(crate) fn call(&mut self, entry: &Entry, given: Given) -> wasmtime::Result<(u32, u32)> {
+        entry.call(&mut self.store, given)
+    }
+}
+
+impl Compiled {
+    /// The function of a program and how it is told to begin at a step; `None` where it cannot.
+    pub(crate) fn entry(&self, program: u16, step: u32) -> Option<(&Entry, u32)> {
+        let (entry, begins) = self.programs.get(&program)?;
+        begins.contains(&step).then_some((entry, name(step)))
+    }
+}
+
+impl fmt::Debug for Compiled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Compiled").field("programs", &self.programs.keys()).finish_non_exhaustive()
+    }
+}
+
+impl fmt::Debug for Machinery {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Machinery").finish_non_exhaustive()
+    }
+}

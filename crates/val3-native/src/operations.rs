@@ -1,0 +1,305 @@
+//! The machine code of operations.
+
+use val3_bytecode::{Op, Program, Register, Whole};
+use wasm_encoder::Instruction;
+use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
+
+use crate::body::{Body, Surroundings, number_at, number_behind, whole_at};
+use crate::calls::callee;
+use crate::lanes::Lane;
+use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
+use crate::local;
+use crate::operands::{container, registers};
+
+/// Instructions on what is on the stack.
+type Act = &'static [Instruction<'static>];
+
+/// Whether there is code for an operation, in the best case.
+pub(crate) fn has_code(module: &Surroundings<'_>, program: &Program, op: Op) -> bool {
+    match op {
+        Op::Line | Op::Jump { .. } => true,
+        Op::Return => program.is_plain(),
+        Op::Call { .. } => callee(module, program, op).is_some(),
+        _ => {
+            let has_description = |whole| module.shared.description(whole).is_some();
+            registers(op).next().is_some() && container(op).is_none_or(has_description)
+        }
+    }
+}
+
+impl Body<'_> {
+    /// The code of the step at hand. Whether the step behind it is never reached from it.
+    pub(crate) fn operation(&mut self) -> bool {
+        let (step, number) = self.step;
+        if !has_code(self.module, self.program, step.op) {
+            self.stop_at(number);
+            return true;
+        }
+        self.begin_line();
+        match step.op {
+            Op::Jump { to } => {
+                self.jump(to);
+                return true;
+            }
+            Op::Return => {
+                self.end_program();
+                return true;
+            }
+            Op::Call { .. } => self.call(),
+            op => self.numbers(op),
+        }
+        false
+    }
+
+    fn numbers(&mut self, op: Op) {
+        match op {
+            Op::JumpUnless { condition, to } => self.jump_on(condition, &[F64Eq], to),
+            Op::JumpIf { condition, to } => self.jump_on(condition, &[F64Ne], to),
+            Op::WaitUntil { condition, .. } => {
+                self.is_zero(condition);
+                self.when(Self::leave_it);
+            }
+            Op::IfLess { a, b, to } => self.branch(a, b, &[F64Lt], to),
+            Op::IfLessEqual { a, b, to } => self.branch(a, b, &[F64Le], to),
+            Op::UnlessLess { a, b, to } => self.branch_unless(a, b, &[F64Lt], to),
+            Op::UnlessLessEqual { a, b, to } => self.branch_unless(a, b, &[F64Le], to),
+            Op::UnlessEqual { a, b, to } => self.branch(a, b, &[F64Ne], to),
+            Op::IfEqual { a, b, to } => self.branch(a, b, &[F64Eq], to),
+            Op::Move { to, from } => self.set(to, |body| body.get(from)),
+            Op::Negate { to, a } => self.set(to, |body| {
+                body.get(a);
+                body.code().f64_neg();
+            }),
+            Op::Not { to, a } => self.set(to, |body| {
+                body.is_zero(a);
+                body.code().f64_convert_i32_u();
+            }),
+            Op::Add { to, a, b } => self.compute(to, (a, b), &[F64Add]),
+            Op::Subtract { to, a, b } => self.compute(to, (a, b), &[F64Sub]),
+            Op::Multiply { to, a, b } => self.compute(to, (a, b), &[F64Mul]),
+            Op::Divide { to, a, b } => {
+                self.is_zero(b);
+                self.when(Self::leave_it);
+                self.compute(to, (a, b), &[F64Div]);
+            }
+            Op::Remainder { to, a, b } => self.remainder(to, a, b),
+            Op::Less { to, a, b } => self.compute(to, (a, b), &[F64Lt, F64ConvertI32U]),
+            Op::LessEqual { to, a, b } => self.compute(to, (a, b), &[F64Le, F64ConvertI32U]),
+            Op::Equal { to, a, b } => self.compute(to, (a, b), &[F64Eq, F64ConvertI32U]),
+            Op::NotEqual { to, a, b } => self.compute(to, (a, b), &[F64Ne, F64ConvertI32U]),
+            Op::Load { to, place, lane } => {
+                self.referred(place);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(lane));
+                });
+            }
+            Op::Store { place, lane, from } => {
+                self.referred(place);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(lane));
+            }
+            Op::ForTest { counter, limit, exit } => {
+                self.is_beyond(counter, limit);
+                self.jump_if(exit);
+            }
+            Op::ForNext { counter, limit, body } => {
+                self.compute(counter, (counter, limit + 1), &[F64Add]);
+                self.is_beyond(counter, limit);
+                self.unless(|code| code.jump(body));
+            }
+            Op::ForNextUp { counter, limit, body } => {
+                self.compute(counter, (counter, limit + 1), &[F64Add]);
+                self.branch_unless(counter, limit, &[F64Gt], body);
+            }
+            _ => self.containers(op),
+        }
+    }
+
+    fn containers(&mut self, op: Op) {
+        match op {
+            Op::LoadFirst { to, whole, lane } => {
+                self.first(whole, lane);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(lane));
+                });
+            }
+            Op::StoreFirst { whole, lane, from } => {
+                self.first(whole, lane);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(lane));
+            }
+            Op::LoadElement { to, whole, index } => {
+                self.element(whole, index);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(0));
+                });
+            }
+            Op::StoreElement { whole, index, from } => {
+                self.element(whole, index);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(0));
+            }
+            Op::LoadElement2 { to, whole, i, j } => {
+                self.element2(whole, i, j);
+                self.set(to, |body| {
+                    body.code().local_get(local::ADDRESS).f64_load(number_at(0));
+                });
+            }
+            Op::StoreElement2 { whole, i, j, from } => {
+                self.element2(whole, i, j);
+                self.code().local_get(local::ADDRESS);
+                self.get(from);
+                self.code().f64_store(number_at(0));
+            }
+            // A step that does no more than begin a line.
+            _ => {}
+        }
+    }
+
+    fn all(&mut self, act: Act) {
+        for instruction in act {
+            self.add(instruction);
+        }
+    }
+
+    fn is_zero(&mut self, register: Register) {
+        self.get(register);
+        self.code().f64_const(0.0.into()).f64_eq();
+    }
+
+    fn jump_on(&mut self, condition: Register, compare: Act, to: u32) {
+        self.get(condition);
+        self.code().f64_const(0.0.into());
+        self.all(compare);
+        self.jump_if(to);
+    }
+
+    fn branch(&mut self, a: Register, b: Register, compare: Act, to: u32) {
+        self.get(a);
+        self.get(b);
+        self.all(compare);
+        self.jump_if(to);
+    }
+
+    fn branch_unless(&mut self, a: Register, b: Register, compare: Act, to: u32) {
+        self.get(a);
+        self.get(b);
+        self.all(compare);
+        self.unless(|body| body.jump(to));
+    }
+
+    fn compute(&mut self, to: Register, (a, b): (Register, Register), act: Act) {
+        self.set(to, |body| {
+            body.get(a);
+            body.get(b);
+            body.all(act);
+        });
+    }
+
+    /// Whether the counter of a `for` has passed its limit; the step is the number behind the limit.
+    fn is_beyond(&mut self, counter: Register, limit: Register) {
+        self.get(counter);
+        self.get(limit);
+        self.all(&[F64Lt]);
+        self.get(counter);
+        self.get(limit);
+        self.all(&[F64Gt]);
+        self.get(limit + 1);
+        self.code().f64_const(0.0.into()).f64_lt().select();
+    }
+
+    /// The remainder by a whole number: that of the whole part, and the fraction, which is exact. Others, and those of
+    /// numbers that are no `i32`, are left to the interpreter, as is the one by -1, which may leave the range.
+    fn remainder(&mut self, to: Register, a: Register, b: Register) {
+        let known = if let Lane::Constant(divisor) = self.lanes.get(b) { whole(divisor) } else { None };
+        match known {
+            Some(0 | -1) => {
+                self.code().i32_const(1);
+                self.when(Self::leave_it);
+            }
+            Some(_) => {}
+            None => {
+                self.get(b);
+                self.code().i32_trunc_sat_f64_s().local_tee(local::J).f64_convert_i32_s();
+                self.get(b);
+                self.code().f64_ne();
+                // 0 and -1.
+                self.code().local_get(local::J).i32_const(1).i32_add().i32_const(2).i32_lt_u().i32_or();
+                self.when(Self::leave_it);
+            }
+        }
+        self.get(a);
+        self.code().i32_trunc_sat_f64_s().local_tee(local::I).f64_convert_i32_s().local_tee(local::A);
+        self.get(a);
+        self.code().f64_trunc().f64_ne();
+        self.when(Self::leave_it);
+        self.set(to, |body| {
+            body.code().local_get(local::I);
+            match known {
+                Some(divisor) => body.code().i32_const(divisor),
+                None => body.code().local_get(local::J),
+            };
+            body.code().i32_rem_s().f64_convert_i32_s();
+            body.get(a);
+            body.code().local_get(local::A).f64_sub().f64_add().f64_abs();
+            body.get(a);
+            body.code().f64_copysign();
+        });
+    }
+
+    /// The address of the number that a place refers to.
+    pub(crate) fn referred(&mut self, place: Register) {
+        let at = whole_at(u32::from(place) * 4);
+        self.code().local_get(local::PLACES).i32_load(at).local_tee(local::ADDRESS).i32_eqz();
+        self.when(Self::leave_it);
+    }
+
+    /// The address of the first value of a container, if it has so many numbers.
+    fn first(&mut self, whole: Whole, lane: u16) {
+        let Some(at) = self.module.shared.description(whole) else { return };
+        self.code().i32_const(0).i32_load(whole_at(at + COUNT)).i32_const(lane.into()).i32_le_u();
+        self.when(Self::leave_it);
+        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS)).local_set(local::ADDRESS);
+    }
+
+    /// The address of a value of an array. An index is rounded (2.5.3): above zero, cutting the fraction of what is
+    /// half a unit higher is the same.
+    fn element(&mut self, whole: Whole, index: Register) {
+        let Some(at) = self.module.shared.description(whole) else { return };
+        self.index(local::A, index, at + SIZE);
+        self.unless(Self::leave_it);
+        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
+        self.code().local_get(local::A).i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
+    }
+
+    /// The address of a value of an array of two dimensions.
+    fn element2(&mut self, whole: Whole, i: Register, j: Register) {
+        let Some(at) = self.module.shared.description(whole) else { return };
+        self.index(local::A, i, at + ROWS);
+        self.index(local::B, j, at + COLUMNS);
+        self.code().i32_and();
+        self.unless(Self::leave_it);
+        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
+        self.code().local_get(local::A).f64_trunc().i32_const(0).f64_load(number_behind(at + COLUMNS)).f64_mul();
+        self.code().local_get(local::B).f64_trunc().f64_add();
+        self.code().i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
+    }
+
+    /// Half a unit more than an index goes to a variable; whether it is one of the indexes, of which the number at
+    /// `size` tells how many there are.
+    fn index(&mut self, variable: u32, index: Register, size: u32) {
+        self.get(index);
+        self.code().f64_const(0.5.into()).f64_add().local_tee(variable).f64_const(0.0.into()).f64_ge();
+        self.code().local_get(variable).i32_const(0).f64_load(number_behind(size)).f64_lt().i32_and();
+    }
+}
+
+/// The whole number that a number is, if it is one.
+fn whole(number: f64) -> Option<i32> {
+    #[allow(clippy::cast_possible_truncation, reason = "what does not fit is not equal any more")]
+    let whole = number as i32;
+    (f64::from(whole) == number).then_some(whole)
+}

@@ -1,0 +1,187 @@
+//! The ways through a program: blocks, loops, jumps, and the exits to the interpreter.
+
+use wasm_encoder::BlockType;
+
+use crate::body::{Body, Label};
+use crate::flow::LineBefore;
+use crate::local;
+use crate::regions::Region;
+
+impl Body<'_> {
+    /// All steps.
+    pub(crate) fn steps(&mut self) {
+        self.open_block(Label::Stop);
+        self.open_region(self.regions.program());
+        let mut is_dead = false;
+        for (step, number) in self.program.code.iter().zip(0..) {
+            is_dead = !self.arrive(number, is_dead);
+            if !is_dead {
+                self.step = (*step, number);
+                is_dead = self.operation();
+            }
+        }
+        self.code().unreachable();
+        while self.labels.pop().is_some() {
+            self.code().end();
+        }
+    }
+
+    fn open_block(&mut self, label: Label) {
+        self.code().block(BlockType::Empty);
+        self.labels.push(label);
+    }
+
+    fn close(&mut self) {
+        self.code().end();
+        self.labels.pop();
+    }
+
+    /// Opens the blocks that end in a region, and leads on to where it is entered.
+    fn open_region(&mut self, region: &Region) {
+        for label in region.labels.iter().rev() {
+            self.open_block(Label::Step(*label));
+        }
+        self.code().local_get(local::NEXT);
+        self.when(|body| {
+            for entry in &region.entries {
+                body.code().local_get(local::NEXT).i32_const(name(*entry).cast_signed()).i32_eq();
+                body.when(|body| body.enter(region, *entry));
+            }
+        });
+    }
+
+    /// Goes to a step by which a region is entered. Where that is the head of another, it leads on.
+    fn enter(&mut self, region: &Region, entry: u32) {
+        let label = self.regions.label(region, entry);
+        let is_here = label == entry && (region.head == entry || self.regions.at(entry).is_none());
+        if is_here {
+            self.code().i32_const(0).local_set(local::NEXT);
+        }
+        if let Some(out) = self.depth(Label::Step(label)) {
+            self.code().br(out);
+        }
+    }
+
+    /// Comes to a step, on the way from the one before unless that `is_dead`. Whether any way leads there.
+    fn arrive(&mut self, step: u32, is_dead: bool) -> bool {
+        while let Some(Label::Loop(head)) = self.labels.last()
+            && self.regions.at(*head).is_none_or(|region| region.end <= step)
+        {
+            self.close();
+        }
+        if !is_dead {
+            self.keep_line(step);
+        }
+        let mut is_reached = !is_dead;
+        while self.labels.last() == Some(&Label::Step(step)) {
+            self.close();
+            is_reached = true;
+        }
+        if let Some(region) = self.regions.at(step) {
+            self.code().loop_(BlockType::Empty);
+            self.labels.push(Label::Loop(step));
+            self.open_region(region);
+        }
+        if is_reached {
+            self.begin_block(step);
+        }
+        is_reached
+    }
+
+    /// Takes the lines of a block from the budget, if one begins here.
+    fn begin_block(&mut self, step: u32) {
+        let Some(block) = self.flow.block(step) else { return };
+        (self.line, self.ahead) = (block.line.unwrap_or(LineBefore::Kept), block.lines);
+        if block.lines > 0 {
+            let lines = block.lines.cast_signed();
+            self.code().local_get(local::BUDGET).i32_const(lines).i32_lt_u();
+            self.when(|body| body.stop_at(step));
+            self.code().local_get(local::BUDGET).i32_const(lines).i32_sub().local_set(local::BUDGET);
+        }
+    }
+
+    /// The line of the step at hand begins, if one does.
+    pub(crate) fn begin_line(&mut self) {
+        let (step, number) = self.step;
+        if step.line {
+            self.ahead = self.ahead.saturating_sub(1);
+            self.line = LineBefore::Known(number);
+        }
+    }
+
+    /// How many labels are within this one.
+    fn depth(&self, label: Label) -> Option<u32> {
+        let within = self.labels.iter().rev().position(|known| *known == label)?;
+        u32::try_from(within).ok()
+    }
+
+    /// What is done if the condition on the stack holds.
+    pub(crate) fn when(&mut self, act: impl FnOnce(&mut Self)) {
+        self.code().if_(BlockType::Empty);
+        self.labels.push(Label::Condition);
+        act(self);
+        self.close();
+    }
+
+    /// What is done if the condition on the stack does not hold.
+    pub(crate) fn unless(&mut self, act: impl FnOnce(&mut Self)) {
+        self.code().if_(BlockType::Empty).else_();
+        self.labels.push(Label::Condition);
+        act(self);
+        self.close();
+    }
+
+    /// Goes on at another step.
+    pub(crate) fn jump(&mut self, to: u32) {
+        self.keep_line(to);
+        let (_, from) = self.step;
+        let label = if to <= from { Label::Loop(to) } else { Label::Step(to) };
+        if let Some(out) = self.depth(label) {
+            self.code().br(out);
+        } else if let Some(out) = self.depth(Label::Step(self.regions.way(from, to))) {
+            self.code().i32_const(name(to).cast_signed()).local_set(local::NEXT).br(out);
+        } else {
+            self.stop_at(to);
+        }
+    }
+
+    /// Goes on at another step if the condition on the stack holds.
+    pub(crate) fn jump_if(&mut self, to: u32) {
+        self.when(|body| body.jump(to));
+    }
+
+    /// The line at hand goes to its variable where the block that follows looks for it there.
+    fn keep_line(&mut self, next: u32) {
+        if self.flow.block(next).is_some_and(|block| block.line == Some(LineBefore::Kept)) {
+            self.write_line();
+        }
+    }
+
+    fn write_line(&mut self) {
+        if let LineBefore::Known(line) = self.line {
+            self.code().i32_const(line.cast_signed()).local_set(local::LINE);
+        }
+    }
+
+    /// The interpreter goes on at a step.
+    pub(crate) fn stop_at(&mut self, step: u32) {
+        self.write_line();
+        let out = self.depth(Label::Stop).unwrap_or_default();
+        self.code().i32_const(step.cast_signed()).local_set(local::STEP).br(out);
+    }
+
+    /// The interpreter does the operation at hand, and begins its line and those behind it in the block.
+    pub(crate) fn leave_it(&mut self) {
+        let (step, number) = self.step;
+        let lines = self.ahead + u32::from(step.line);
+        if lines > 0 {
+            self.code().local_get(local::BUDGET).i32_const(lines.cast_signed()).i32_add().local_set(local::BUDGET);
+        }
+        self.stop_at(number);
+    }
+}
+
+/// What a step is called where the code is told to begin with it; 0 stands for none.
+pub(crate) fn name(step: u32) -> u32 {
+    step.wrapping_add(1)
+}
