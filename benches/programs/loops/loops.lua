@@ -1,5 +1,5 @@
 local sum = 0
-for i = 1, 3000 do
+for i = 1, 6000 do
   local j = i
   while j >= 1 do
     if j % 3 == 0 then

@@ -1,6 +1,6 @@
 def main():
     total = 0
-    for i in range(1, 3001):
+    for i in range(1, 6001):
         j = i
         while j >= 1:
             if j % 3 == 0:

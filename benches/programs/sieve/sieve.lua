@@ -1,5 +1,5 @@
 local composite, primes = {}, 0
-for _ = 1, 5 do
+for _ = 1, 15 do
   for i = 2, 1000000 do
     composite[i] = false
   end

@@ -1,6 +1,6 @@
 def main():
     composite = [False] * 1000001
-    for _ in range(5):
+    for _ in range(15):
         for i in range(2, 1000001):
             composite[i] = False
         primes = 0

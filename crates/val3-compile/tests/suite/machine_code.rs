@@ -93,6 +93,78 @@ fn numbers_arrays_and_calls_are_machine_code() {
     }
 }
 
+#[test]
+fn others_have_their_turns_at_the_same_times() {
+    let computing = "
+        num nCount
+        num nTicks
+        bool bLate
+        program watch()
+        begin
+          while true
+            ? nCount
+            ? clock()
+            delay(0.05)
+          endWhile
+        end
+        program tick()
+        begin
+          while true
+            nTicks=nTicks+1
+            delay(0)
+          endWhile
+        end
+        program start()
+          num i
+        begin
+          for i=1 to 60000
+            nCount=nCount+i%7
+          endFor
+          ? clock()
+          taskCreate \"watch\",10,watch()
+          for i=1 to 60000
+            nCount=nCount-i%7
+          endFor
+          ? clock()
+          taskCreateSync \"tick\",0.02,bLate,tick()
+          for i=1 to 60000
+            nCount=nCount+1
+          endFor
+          ? clock()
+          taskKill(\"watch\")
+          taskKill(\"tick\")
+          delay(0)
+          for i=1 to 60000
+            nCount=nCount+1
+          endFor
+          ? clock()
+          ? nTicks
+        end";
+    let printed = run(computing);
+    assert_eq!(printed.lines().last(), Some("12"), "{printed}");
+    assert!(lines(computing) > 300_000);
+}
+
+#[test]
+fn errors_come_where_they_come_from() {
+    for (line, error) in [
+        ("nX=nA[i]", 20),
+        ("nX=nA[5-i]", 21),
+        ("nX=i/(i-9)", 10),
+        ("nX=i%(i-9)", 10),
+        ("nG[i,i]=1", 20),
+        ("call deep(i)", 41),
+    ] {
+        let listing = format!(
+            "num nX\nnum nA[8]\nnum nG[20,5]\nprogram deep(num x_n)\nbegin\nnX=nX+1\nif x_n>5\ncall deep(x_n+1)\n\
+             endIf\nend\nprogram start()\nnum i\nbegin\nfor i=0 to 100\nnX=nX+1\n{line}\nendFor\nend\n"
+        );
+        let printed = run(&listing);
+        assert!(printed.starts_with(&format!("error {error} ")), "{line}: {printed}");
+        assert!(lines(&listing) > 0, "{line}");
+    }
+}
+
 /// What a statement is made of, by numbers: the same for the same numbers.
 #[derive(Debug, Clone)]
 enum Statement {
@@ -128,7 +200,8 @@ fn expression() -> impl Strategy<Value = String> {
 
 fn condition() -> impl Strategy<Value = String> {
     let operator = prop::sample::select(vec!["<", "<=", ">", ">=", "==", "!="]);
-    let compared = (expression(), operator, expression()).prop_map(|(a, operator, b)| format!("{a}{operator}{b}")).boxed();
+    let compared =
+        (expression(), operator, expression()).prop_map(|(a, operator, b)| format!("{a}{operator}{b}")).boxed();
     let pair = (compared.clone(), prop::sample::select(vec!["and", "or", "xor"]), compared.clone());
     prop_oneof![3 => compared, 1 => pair.prop_map(|(a, operator, b)| format!("({a}) {operator} !({b})"))]
 }
