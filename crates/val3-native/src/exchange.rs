@@ -6,7 +6,7 @@ use val3_lang::memory::{Lanes, Memory, Place, Shape, StoreId, View};
 use val3_vm::{Base, Frame, Imported, Instance};
 
 use crate::containers::{Shared, by_reference, local};
-use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, ROWS, SIZE, VALUES};
+use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, ROWS, SIZE, VALUES, WIDTH};
 
 /// The containers whose numbers were copied.
 #[derive(Debug)]
@@ -92,7 +92,8 @@ impl Exchange {
 
     /// Describes one container; none has no values.
     fn describe(&mut self, bytes: &mut [u8], memory: &Memory, view: Option<View>, at: u32) {
-        let description = view.and_then(|view| self.description(bytes, memory, view)).unwrap_or_default();
+        let description =
+            view.and_then(|view| self.description(bytes, memory, view)).unwrap_or([0; CONTAINER as usize]);
         let _ = write(bytes, at, &description);
     }
 
@@ -110,6 +111,7 @@ impl Exchange {
         let mut description = [0; CONTAINER as usize];
         write(&mut description, ADDRESS, &(address + skipped * 8).to_le_bytes())?;
         write(&mut description, COUNT, &left.to_le_bytes())?;
+        write(&mut description, WIDTH, &columns.to_le_bytes())?;
         for (at, number) in [(SIZE, size), (ROWS, rows), (COLUMNS, columns)] {
             write(&mut description, at, &f64::from(number).to_le_bytes())?;
         }

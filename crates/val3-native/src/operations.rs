@@ -7,7 +7,7 @@ use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F6
 use crate::body::{Body, Surroundings, number_at, number_behind, whole_at};
 use crate::calls::callee;
 use crate::lanes::Lane;
-use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
+use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE, WIDTH};
 use crate::local;
 use crate::operands::{container, registers};
 
@@ -283,9 +283,9 @@ impl Body<'_> {
         self.code().i32_and();
         self.unless(Self::leave_it);
         self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
-        self.code().local_get(local::A).f64_trunc().i32_const(0).f64_load(number_behind(at + COLUMNS)).f64_mul();
-        self.code().local_get(local::B).f64_trunc().f64_add();
-        self.code().i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
+        self.code().local_get(local::A).i32_trunc_f64_s().i32_const(0).i32_load(whole_at(at + WIDTH)).i32_mul();
+        self.code().local_get(local::B).i32_trunc_f64_s().i32_add();
+        self.code().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
     }
 
     /// Half a unit more than an index goes to a variable; whether it is one of the indexes, of which the number at
