@@ -23,7 +23,7 @@ use crate::user_error::UserError;
 
 /// Pieces of work between which the code of programs is freed that nobody will ask for again. Memory that a process
 /// touches for the first time costs more than freeing what it no longer needs.
-const BATCH: usize = 1024;
+const BATCH: usize = 1500;
 
 /// Findings that are translated together: those of a file stand together, and share what is known of it.
 const CHUNK: usize = 32;

@@ -31,7 +31,7 @@ pub(crate) struct Surroundings<'m> {
 pub(crate) struct Body<'m> {
     pub(crate) module: &'m Surroundings<'m>,
     pub(crate) program: &'m Program,
-    pub(crate) lanes: Lanes,
+    pub(crate) lanes: &'m Lanes,
     pub(crate) regions: &'m Regions,
     pub(crate) flow: &'m Flow,
     code: Function,
@@ -69,7 +69,7 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     let mut body = Body {
         module,
         program,
-        lanes,
+        lanes: &lanes,
         regions: &regions,
         flow: &flow,
         code: Function::new(groups),
@@ -90,77 +90,77 @@ impl Body<'_> {
         self.code.instructions()
     }
 
-    /// The numbers of a new frame, or of one that is entered again, where the code has them.
+    /// The numbers of a new frame, or of one that is entered again, go where the code has them.
     fn begin(&mut self) {
         self.code().local_get(local::ROOM).i32_const(0).i32_lt_s().if_(BlockType::Empty);
+        self.enter_again();
+        self.code().else_();
+        self.enter_new();
+        self.code().end();
+    }
+
+    fn enter_again(&mut self) {
         let room = local::AGAIN - 1;
         self.code().local_get(local::ROOM).i32_const(room.cast_signed()).i32_and().local_set(local::ROOM);
         self.code().i32_const(0).i32_load(whole_at(NEXT)).local_set(local::NEXT);
         self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(local::LINE);
-        self.each_variable(|body, register, variable| {
-            body.load(register);
-            body.code().local_set(variable);
-        });
-        self.code().else_();
+        for (register, lane) in self.lanes.iter() {
+            if let Lane::Variable(variable) = lane {
+                self.load(register);
+                self.code().local_set(variable);
+            }
+        }
+    }
+
+    /// The caller has written the parameters; a variable is 0 at first.
+    fn enter_new(&mut self) {
         let given: Vec<u32> = parameters(self.program).collect();
-        let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
-        for (register, lane) in lanes {
+        for (register, lane) in self.lanes.iter() {
+            let is_given = given.contains(&u32::from(register));
             let value = number(self.program, register).unwrap_or_default();
             match lane {
-                Lane::Variable(variable) if given.contains(&u32::from(register)) => {
+                Lane::Variable(variable) if is_given => {
                     self.load(register);
                     self.code().local_set(variable);
                 }
                 Lane::Variable(variable) if value.to_bits() != 0 => {
                     self.code().f64_const(value.into()).local_set(variable);
                 }
-                Lane::Memory if !given.contains(&u32::from(register)) => {
+                Lane::Memory if !is_given => {
                     self.code().local_get(local::BASE).f64_const(value.into()).f64_store(number_at(register));
                 }
                 _ => {}
             }
         }
-        self.code().end();
     }
 
-    /// The end: where stopped programs come to.
+    /// The end: where a program comes to that stops.
     fn stop_here(&mut self, number: u32) {
-        let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
-        for (register, lane) in lanes {
-            let mut keep = |value: &dyn Fn(&mut InstructionSink<'_>)| {
-                let mut code = self.code.instructions();
-                code.local_get(local::BASE);
-                value(&mut code);
-                code.f64_store(number_at(register));
-            };
-            match lane {
-                Lane::Variable(variable) => keep(&|code| {
-                    code.local_get(variable);
-                }),
-                Lane::Constant(value) => keep(&|code| {
-                    code.f64_const(value.into());
-                }),
-                Lane::Memory => {}
-            }
-        }
-        let field = |number: u32| whole_at(RECORDS + number * 4);
-        self.code().i32_const(0).i32_load(whole_at(STOPPED)).local_tee(local::I);
-        #[allow(clippy::cast_possible_wrap, reason = "a small constant, and the number of a program")]
-        let (record, number) = (RECORD as i32, number as i32);
-        self.code().i32_const(record).i32_mul().local_tee(local::J).i32_const(number).i32_store(field(0));
-        self.code().local_get(local::J).local_get(local::STEP).i32_store(field(1));
-        self.code().local_get(local::J).local_get(local::LINE).i32_store(field(2));
-        self.code().i32_const(0).local_get(local::I).i32_const(1).i32_add().i32_store(whole_at(STOPPED));
+        self.write_numbers();
+        self.write_record(number);
         self.code().i32_const(1).local_get(local::BUDGET).end();
     }
 
-    fn each_variable(&mut self, act: impl Fn(&mut Self, Register, u32)) {
-        let lanes: Vec<(Register, Lane)> = self.lanes.iter().collect();
-        for (register, lane) in lanes {
-            if let Lane::Variable(variable) = lane {
-                act(self, register, variable);
+    /// The numbers of the frame go where the interpreter looks for them.
+    fn write_numbers(&mut self) {
+        for (register, lane) in self.lanes.iter() {
+            if lane != Lane::Memory {
+                self.code().local_get(local::BASE);
+                self.get(register);
+                self.code().f64_store(number_at(register));
             }
         }
+    }
+
+    /// A record tells where the program has stopped.
+    fn write_record(&mut self, number: u32) {
+        let field = |number: u32| whole_at(RECORDS + number * 4);
+        self.code().i32_const(0).i32_load(whole_at(STOPPED)).local_tee(local::I);
+        self.code().i32_const(RECORD.cast_signed()).i32_mul().local_tee(local::J);
+        self.code().i32_const(number.cast_signed()).i32_store(field(0));
+        self.code().local_get(local::J).local_get(local::STEP).i32_store(field(1));
+        self.code().local_get(local::J).local_get(local::LINE).i32_store(field(2));
+        self.code().i32_const(0).local_get(local::I).i32_const(1).i32_add().i32_store(whole_at(STOPPED));
     }
 
     fn load(&mut self, register: Register) {
