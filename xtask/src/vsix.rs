@@ -30,9 +30,10 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 /// # Errors
 /// When the build fails.
 pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
-    let build = ["build", "--locked", "--package", "val3-cli"];
-    let profile: &[&str] = if arguments.debug { &[] } else { &["--release"] };
-    project::succeed(&mut project::cargo(&[&build, profile].concat()))?;
+    // With the features of the whole workspace, so that what its tests have built is not built again.
+    let of_tests = ["--workspace", "--bin", "val3"];
+    let which: &[&str] = if arguments.debug { &of_tests } else { &["--package", "val3-cli", "--release"] };
+    project::succeed(&mut project::cargo(&[&["build", "--locked"], which].concat()))?;
     let folder = if arguments.debug { "debug" } else { "release" };
     Ok(project::target_folder()?.join(folder).join(format!("val3{}", std::env::consts::EXE_SUFFIX)))
 }

@@ -24,12 +24,14 @@ impl Libraries for NoLibraries {
 
 const LONGEST: Time = 10_000_000_000;
 
+/// What a line takes, in nanoseconds.
+pub(crate) const LINE_COST: Time = 2_000;
+
 /// What happens while an application runs, until it has ended.
-pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>) -> Vec<Event> {
-    const LINE_COST: Time = 2_000;
+pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_cost: Time) -> Vec<Event> {
     let mut devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     devices.native = native;
-    let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), LINE_COST);
+    let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), line_cost);
     controller.start("start").unwrap();
     let mut events = Vec::new();
     while controller.now() < LONGEST {
@@ -49,9 +51,15 @@ pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>) -> Vec
 /// same times, with and without machine code.
 #[track_caller]
 pub(crate) fn run(listing: &str) -> String {
+    run_at(listing, LINE_COST)
+}
+
+/// As [`run`], with lines that take so many nanoseconds.
+#[track_caller]
+pub(crate) fn run_at(listing: &str, line_cost: Time) -> String {
     let image = Arc::new(image(listing));
-    let interpreted = events(&image, None);
-    let compiled = events(&image, Some(Box::new(MachineCode::after(0))));
+    let interpreted = events(&image, None, line_cost);
+    let compiled = events(&image, Some(Box::new(MachineCode::after(0))), line_cost);
     assert_eq!(interpreted, compiled, "the machine code of {listing}");
     interpreted
         .into_iter()

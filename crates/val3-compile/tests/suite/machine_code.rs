@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use val3_native::MachineCode;
 use val3_vm::{Native, Prospect, Stretch};
 
-use crate::execution::{events, run};
+use crate::execution::{LINE_COST, events, run, run_at};
 use crate::show::image;
 
 /// Machine code that counts the lines it has executed.
@@ -27,7 +27,7 @@ impl Native for Counted {
 /// How many lines of a program machine code executes.
 fn lines(listing: &str) -> u64 {
     let count = Arc::new(AtomicU64::new(0));
-    events(&Arc::new(image(listing)), Some(Box::new(Counted(MachineCode::after(0), Arc::clone(&count)))));
+    events(&Arc::new(image(listing)), Some(Box::new(Counted(MachineCode::after(0), Arc::clone(&count)))), LINE_COST);
     count.load(Ordering::Relaxed)
 }
 
@@ -142,6 +142,10 @@ fn others_have_their_turns_at_the_same_times() {
         end";
     let printed = run(computing);
     assert_eq!(printed.lines().last(), Some("12"), "{printed}");
+    // Lines that end behind the end of a cycle.
+    for line_cost in [1_700, 2_999, 7_001] {
+        run_at(computing, line_cost);
+    }
     assert!(lines(computing) > 300_000);
 }
 
