@@ -55,7 +55,13 @@ impl Exchange {
     }
 
     /// Describes the containers that all programs of a module share.
-    pub(crate) fn describe_shared(&mut self, bytes: &mut [u8], memory: &Memory, shared: &Shared, instance: &Instance) {
+    pub(crate) fn describe_shared(
+        &mut self,
+        bytes: &mut [u8],
+        memory: &Memory,
+        shared: &Shared,
+        instance: &Instance,
+    ) -> Option<()> {
         for (whole, at) in shared.iter() {
             let view = match whole.kind() {
                 WholeKind::Data(number) => instance.data.get(usize::from(number)).copied().map(View::whole),
@@ -65,36 +71,44 @@ impl Exchange {
                 },
                 _ => None,
             };
-            self.describe(bytes, memory, view, at);
+            self.describe(bytes, memory, view, at)?;
         }
+        Some(())
     }
 
     /// Describes containers and places of the frame that is entered.
-    pub(crate) fn describe_own(&mut self, bytes: &mut [u8], memory: &Memory, program: &Program, base: &Base) {
+    pub(crate) fn describe_own(
+        &mut self,
+        bytes: &mut [u8],
+        memory: &Memory,
+        program: &Program,
+        base: &Base,
+    ) -> Option<()> {
         let stack = &memory.stack;
         for (number, id) in (0..program.frame.lanes.part).zip(stack.parts.iter().skip(base.part as usize)) {
             if let Some(at) = local(number) {
-                self.describe(bytes, memory, Some(View::whole(*id)), at);
+                self.describe(bytes, memory, Some(View::whole(*id)), at)?;
             }
         }
         for (number, view) in (0..program.frame.views).zip(stack.views.iter().skip(base.view as usize)) {
             if let Some(at) = by_reference(number) {
-                self.describe(bytes, memory, Some(*view), at);
+                self.describe(bytes, memory, Some(*view), at)?;
             }
         }
         for (number, place) in
             (base.place..base.place + program.frame.places).zip(stack.places.iter().skip(base.place as usize))
         {
             let address = self.address(bytes, memory, *place).unwrap_or_default();
-            let _ = write(bytes, PLACES + number * 4, &address.to_le_bytes());
+            write(bytes, PLACES + number * 4, &address.to_le_bytes())?;
         }
+        Some(())
     }
 
     /// Describes one container; none has no values.
-    fn describe(&mut self, bytes: &mut [u8], memory: &Memory, view: Option<View>, at: u32) {
+    fn describe(&mut self, bytes: &mut [u8], memory: &Memory, view: Option<View>, at: u32) -> Option<()> {
         let description =
             view.and_then(|view| self.description(bytes, memory, view)).unwrap_or([0; CONTAINER as usize]);
-        let _ = write(bytes, at, &description);
+        write(bytes, at, &description)
     }
 
     fn description(&mut self, bytes: &mut [u8], memory: &Memory, view: View) -> Option<[u8; CONTAINER as usize]> {

@@ -40,7 +40,7 @@ impl Machinery {
 
     /// Compiles the programs of a plan.
     pub(crate) fn compile(&mut self, plan: Plan, image: &Image) -> wasmtime::Result<Compiled> {
-        let encoded = plan.encode(image).unwrap_or_default();
+        let encoded = plan.encode(image).context("a program is not there")?;
         let module = Module::new(self.store.engine(), encoded)?;
         let instance = Instance::new(&mut self.store, &module, &[])?;
         let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;

@@ -56,7 +56,7 @@ pub(crate) fn run(machinery: &mut Machinery, code: &Compiled, image: &Image, wor
     }
     let mut exchange = Exchange::new(work.budget as usize * COPIED.0 + COPIED.1);
     Exchange::give_stack(machinery.bytes(code), &space.memory, end.num as usize)?;
-    exchange.describe_shared(machinery.bytes(code), &space.memory, &code.shared, instance);
+    exchange.describe_shared(machinery.bytes(code), &space.memory, &code.shared, instance)?;
     let reached = go(machinery, (code, image), work, &mut exchange)?;
     work.budget = reached.budget;
     let memory = &mut work.space.memory;
@@ -89,7 +89,7 @@ fn go(
     {
         let program = image.programs.get(usize::from(frame.program))?;
         let bytes = machinery.bytes(code);
-        exchange.describe_own(bytes, &work.space.memory, program, &frame.base);
+        exchange.describe_own(bytes, &work.space.memory, program, &frame.base)?;
         for (at, word) in [(STOPPED, 0), (NEXT, begin), (LINE, reached.at.line)] {
             write(bytes, at, &word.to_le_bytes())?;
         }

@@ -179,7 +179,7 @@ impl Schedule {
             Rate::Period { next, .. } => Some(next),
             Rate::Priority(_) => other.thread.wait.and_then(|wait| wait.wake),
         });
-        let most = self.now + MOST_LINES * self.line_cost;
+        let most = self.now.saturating_add(MOST_LINES.saturating_mul(self.line_cost));
         let quiet = wakes.fold(self.quiet.min(most), Time::min) / CYCLE * CYCLE;
         u32::try_from(quiet.saturating_sub(self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX)
     }
