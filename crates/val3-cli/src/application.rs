@@ -1,10 +1,15 @@
 //! An application on its way to the controller, for the commands that execute: found, read, checked, compiled.
 
 mod arm;
+mod cell;
 mod compiling;
+mod controller;
 mod images;
 mod laid;
+mod lines;
 mod media;
+mod pace;
+mod settings;
 
 use camino::Utf8Path;
 use val3_analysis::db::Project;
@@ -16,9 +21,13 @@ use crate::user_error::UserError;
 
 pub(crate) use arm::set as set_arm;
 pub(crate) use compiling::{compile, first_error, load_laid};
-pub(crate) use images::Images;
+pub(crate) use controller::controller;
 pub(crate) use laid::Files;
-pub(crate) use media::Media;
+pub(crate) use lines::{LineArg, Tape};
+pub(crate) use pace::Pace;
+
+use images::Images;
+use media::Media;
 
 /// The application that is meant: the only one there, or the only one with a program of this name.
 pub(crate) fn only_application(

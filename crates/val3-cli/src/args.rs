@@ -1,21 +1,21 @@
 //! The command line.
 
+mod controller;
+
 use std::str::FromStr;
 
 use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
-use val3_lang::ports::{Time, nanoseconds};
-use val3_lang::values::date::DateTime;
-use val3_machine::controller_state::Calendar;
 use val3_machine::script::key_codes;
 
 use crate::baseline::Mode;
 use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
-use crate::run::LineArg;
+
+pub(crate) use controller::{ControllerArgs, LINE_COST, Root, microseconds};
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -178,9 +178,6 @@ pub(crate) struct FmtArgs {
 /// The program that an application starts with (2.2.3).
 pub(crate) const START: &str = "start";
 
-/// What a line takes unless something else is said, in microseconds.
-pub(crate) const LINE_COST: &str = "2";
-
 /// Arguments of `val3 run`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct RunArgs {
@@ -205,35 +202,12 @@ pub(crate) struct RunArgs {
     /// Codes or names of keys that are typed whenever a program reads one, separated by commas: 49,50,Return
     #[arg(long, value_name = "CODES", value_delimiter = ',', value_parser = key)]
     pub(crate) keys: Vec<u16>,
-    /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
-    #[arg(long, value_name = "NAME=DIR")]
-    pub(crate) root: Vec<Root>,
-    /// Connect a serial line or socket, instead of what the cell configures: Socket\host=server:2000,
-    /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
-    #[arg(long, value_name = "LINK=END")]
-    pub(crate) line: Vec<LineArg>,
-    /// Let sockets reach other machines, and be reached by them; else every address means this machine
-    #[arg(long)]
-    pub(crate) network: bool,
     /// Let serial lines and sockets answer as they did in a run whose --events this file holds
     #[arg(long, value_name = "FILE")]
     pub(crate) replay: Option<Utf8PathBuf>,
-    /// The arm, where the cell does not say it
-    #[arg(long, value_name = "NAME")]
-    pub(crate) arm: Option<String>,
-    /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
-    /// with --time real the one on the wall, UTC]
-    #[arg(long, value_name = "DATE", value_parser = date)]
-    pub(crate) date: Option<Calendar>,
-    /// The monitor speed in per cent
-    #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
-    pub(crate) monitor_speed: Option<u8>,
-    /// What a line takes on the controller's clock, in microseconds [default: 2]
-    #[arg(long, value_name = "US", value_parser = microseconds)]
-    pub(crate) line_cost: Option<Time>,
-    /// Interpret every line, and compile nothing to machine code
-    #[arg(long)]
-    pub(crate) interpret: bool,
+    /// The controller that it runs on
+    #[command(flatten)]
+    pub(crate) controller: ControllerArgs,
     /// Show the user page when the run has ended
     #[arg(long)]
     pub(crate) screen: bool,
@@ -258,12 +232,12 @@ pub(crate) struct EvalArgs {
     /// The application whose data, programs and libraries the texts may use
     #[arg(long, value_name = "DIR")]
     pub(crate) app: Option<Utf8PathBuf>,
-    /// The arm, where the application does not tell it
-    #[arg(long, value_name = "NAME")]
-    pub(crate) arm: Option<String>,
     /// A variable of the texts: "num nVal", "point pA[3]"; may be repeated
     #[arg(long, value_name = "TYPE NAME")]
     pub(crate) local: Vec<String>,
+    /// The controller that they run on
+    #[command(flatten)]
+    pub(crate) controller: ControllerArgs,
 }
 
 /// How time passes.
@@ -275,27 +249,6 @@ pub(crate) enum RunTime {
     Real,
 }
 
-/// A root of paths and the folder it stands for.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Root {
-    /// The name before `://`.
-    pub(crate) name: String,
-    /// The folder.
-    pub(crate) folder: Utf8PathBuf,
-}
-
-impl FromStr for Root {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (name, folder) = text
-            .split_once('=')
-            .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
-            .ok_or("write NAME=DIR, for example USB0=/media/stick")?;
-        Ok(Self { name: name.to_owned(), folder: folder.into() })
-    }
-}
-
 fn seconds(text: &str) -> Result<f64, String> {
     let seconds = text.parse().ok().filter(|seconds: &f64| (0.0..1e9).contains(seconds));
     seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
@@ -303,26 +256,6 @@ fn seconds(text: &str) -> Result<f64, String> {
 
 fn key(text: &str) -> Result<u16, String> {
     key_codes(text)?.first().copied().ok_or_else(|| "write the code or the name of a key".to_owned())
-}
-
-fn date(text: &str) -> Result<Calendar, String> {
-    let fields: Vec<u16> = text.split(['-', 'T', ' ', ':']).map_while(|field| field.parse().ok()).collect();
-    let small = |field: u16| u8::try_from(field).ok();
-    let calendar = match *fields {
-        [year, month, day, hour, minute, second] => || -> Option<Calendar> {
-            let (month, day) = (small(month)?, small(day)?);
-            let (hour, minute, second) = (small(hour)?, small(minute)?, small(second)?);
-            Calendar::starting_at(DateTime { year, month, day, hour, minute, second })
-        }(),
-        _ => None,
-    };
-    calendar.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
-}
-
-/// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.
-pub(crate) fn microseconds(text: &str) -> Result<Time, String> {
-    let micros = text.parse().ok().filter(|micros: &f64| (0.001..=1e6).contains(micros));
-    micros.map(|micros| nanoseconds(micros / 1e6)).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
 }
 
 /// Arguments of `val3 explain`.

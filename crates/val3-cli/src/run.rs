@@ -2,30 +2,27 @@
 
 mod audience;
 mod console;
-mod lines;
 mod live;
 mod opening;
 mod outside;
-mod pace;
 mod record;
-mod settings;
 mod signals;
 
 use std::process::ExitCode;
+use std::time::Instant;
 
+use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Step};
 use val3_machine::event::{EndReason, What};
 
+use crate::application::Pace;
 use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
 use audience::Audience;
 use console::Console;
 use live::Wish;
 use opening::Opened;
-use pace::Pace;
 use signals::Signals;
-
-pub(crate) use lines::LineArg;
 
 /// Exit code of a run that `--until` has ended.
 const EXIT_LIMIT: u8 = 3;
@@ -81,7 +78,7 @@ fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
 
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
-    let (pace, signals) = (Pace::new(args), Signals::catch()?);
+    let (pace, signals) = (pace(args), Signals::catch()?);
     let end = loop {
         controller.expect_quiet(pace.quiet(controller));
         let step = controller.step();
@@ -111,6 +108,12 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
     controller.devices.record_outside(controller.now(), What::End { reason });
     audience.tell(&controller.devices.take_events())?;
     Ok(end)
+}
+
+/// The pace that the arguments ask for; an operator needs the clock on the wall.
+fn pace(args: &RunArgs) -> Pace {
+    let started = args.follows_wall().then(Instant::now);
+    Pace { started, until: args.until.map(nanoseconds), attended: args.interactive }
 }
 
 /// Lets the time pass until something can happen; how the run ends, if nothing can.

@@ -95,7 +95,7 @@ impl Controller {
     ///
     /// # Errors
     /// It cannot be started.
-    pub fn start(&mut self, program: &str) -> Result<(), NotStarted> {
+    pub fn start(&mut self, program: &str) -> Result<TaskNumber, NotStarted> {
         let image = self.vm.space.instance(self.application).map(|instance| Arc::clone(&instance.image));
         let image = image.ok_or(NotStarted::NoProgram)?;
         let number = image.program(program).ok_or(NotStarted::NoProgram)?;
@@ -104,7 +104,7 @@ impl Controller {
         }
         self.devices.origin(self.outside());
         let started = self.vm.start(&task_name(&image), (self.application, number), PRIORITY, &mut self.devices);
-        started.map_or_else(|fault| Err(NotStarted::Fault(fault)), |_| Ok(()))
+        started.map_err(NotStarted::Fault)
     }
 
     /// Stops the application as the operator does: `stop` runs, then all tasks are killed in the reverse order of
@@ -127,8 +127,8 @@ impl Controller {
         self.stopped
     }
 
-    /// Kills a task from outside.
-    fn kill(&mut self, id: TaskNumber) {
+    /// Kills a task from outside. One that is not there any more is none.
+    pub fn kill(&mut self, id: TaskNumber) {
         self.devices.origin(self.outside());
         self.vm.kill(id, &mut self.devices);
     }

@@ -142,6 +142,22 @@ pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<Fil
     Some(FileList { place: root.child(&[list]).unwrap_or(root).name_range(), item, last })
 }
 
+/// The change to a project file that lists one more file: what is replaced, and by what.
+pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> Option<(TextRange, String)> {
+    let parse = parse(db, project.manifest(db));
+    let root = xml::root(View::root(parse.green()))?;
+    let spelling = spelling(root);
+    let (list, item) = if of_programs { spelling.programs } else { spelling.data };
+    let entry = format!("<{item} file=\"{name}\" />");
+    let behind = |element: Element<'_>| TextRange::empty(element.view().range().end());
+    if let Some(last) = entries(root, (list, item)).last() {
+        return Some((behind(last), entry));
+    }
+    let whole = format!("<{list}>{entry}</{list}>");
+    let place = root.child(&[list]).map(|empty| empty.view().range());
+    Some((place.or_else(|| root.elements().last().map(behind))?, whole))
+}
+
 /// The project file has the form of s5 and s6.
 pub fn is_old(db: &dyn Db, project: Project) -> bool {
     let parse = parse(db, project.manifest(db));

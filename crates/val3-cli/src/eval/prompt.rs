@@ -1,12 +1,15 @@
 //! `val3 eval` at a terminal: lines with history and completion.
 
+use std::cell::RefCell;
 use std::process::ExitCode;
+use std::rc::Rc;
 
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
 use rustyline::history::DefaultHistory;
-use rustyline::{Context, Editor, Helper, Highlighter, Hinter, Validator};
-use val3_lang::instructions;
+use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hinter, Validator};
+
+use val3_ide::Completion;
 
 use super::evaluate;
 use super::scope::Scope;
@@ -14,15 +17,18 @@ use crate::args::Color;
 use crate::user_error::UserError;
 
 /// Reads texts and evaluates them until the end of the input.
-pub(crate) fn run(scope: &mut Scope, color: Color) -> Result<ExitCode, UserError> {
-    let mut editor: Editor<Names, DefaultHistory> = Editor::new().map_err(|error| no_terminal(&error))?;
-    editor.set_helper(Some(Names));
+pub(crate) fn run(scope: Scope, color: Color) -> Result<ExitCode, UserError> {
+    scope.interrupt().catch()?;
+    let scope = Rc::new(RefCell::new(scope));
+    let config = Config::builder().completion_type(CompletionType::List).build();
+    let mut editor: Editor<Names, DefaultHistory> = Editor::with_config(config).map_err(|error| no_terminal(&error))?;
+    editor.set_helper(Some(Names { scope: Rc::clone(&scope) }));
     loop {
         match editor.readline("> ") {
             Ok(text) if text.trim().is_empty() => {}
             Ok(text) => {
                 editor.add_history_entry(&text).map_err(|error| no_terminal(&error))?;
-                evaluate(scope, &text, color)?;
+                evaluate(&mut scope.borrow_mut(), &text, color)?;
             }
             Err(ReadlineError::Interrupted) => {}
             Err(ReadlineError::Eof) => return Ok(ExitCode::SUCCESS),
@@ -35,20 +41,22 @@ fn no_terminal(error: &ReadlineError) -> UserError {
     UserError::new(format!("cannot read from the terminal: {error}")).with_help("give the texts as arguments")
 }
 
-/// Completes the names of instructions.
+/// Completes what can stand at the cursor, as editors do.
 #[derive(Helper, Highlighter, Hinter, Validator)]
-struct Names;
+struct Names {
+    scope: Rc<RefCell<Scope>>,
+}
 
 impl Completer for Names {
     type Candidate = Pair;
 
     fn complete(&self, line: &str, at: usize, _: &Context<'_>) -> rustyline::Result<(usize, Vec<Pair>)> {
-        let before = line.get(..at).unwrap_or_default();
-        let is_part = |character: char| character.is_ascii_alphanumeric() || character == '_' || character == '$';
-        let start = before.rfind(|character| !is_part(character)).map_or(0, |before| before + 1);
-        let typed = before.get(start..).unwrap_or_default();
-        let names = instructions::all().iter().map(|instruction| instruction.name);
-        let found = names.filter(|name| !typed.is_empty() && name.starts_with(typed));
-        Ok((start, found.map(|name| Pair { display: name.to_owned(), replacement: name.to_owned() }).collect()))
+        let found = self.scope.borrow_mut().completions(line, at).unwrap_or_default();
+        let start = found.first().map_or(at, |(start, _)| *start);
+        let typed = line.get(start..at).unwrap_or_default();
+        // A terminal completes what is typed; it has no list to choose likely names from.
+        let begins = |(_, found): &(usize, Completion)| found.label.starts_with(typed);
+        let names = found.into_iter().filter(begins).map(|(_, found)| found.label);
+        Ok((start, names.map(|name| Pair { display: name.clone(), replacement: name }).collect()))
     }
 }

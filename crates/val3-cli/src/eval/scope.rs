@@ -1,27 +1,28 @@
 //! A scope: an application on a controller of its own, whose data stay from one text to the next.
 
-use std::fmt::{self, Display};
 use std::sync::Arc;
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::body::{StmtKind, body};
 use val3_analysis::db::{File, Project};
 use val3_analysis::infer::infer;
 use val3_analysis::items::project::program_files;
 use val3_analysis::load::Workspace;
 use val3_bytecode::Image;
-use val3_lang::runtime_errors;
-use val3_lang::types::BaseType;
-use val3_lang::values::printed;
-use val3_machine::controller::{Controller, Step};
-use val3_machine::devices::Devices;
-use val3_machine::event::What;
+use val3_check::diagnostic::Diagnostic;
 
+use val3_ide::{Completion, FilePosition, completions};
+use val3_lang::types::BaseType;
+
+use super::answer::{Answer, Fault};
+use super::execution::{Execution, Listener};
+use super::interrupt::Interrupt;
 use super::locals::Local;
-use super::sources::{self, NAME};
-use crate::application::{Files, Images, Media, compile, first_error, lacking, load_laid, only_application, set_arm};
+use super::sources::{self, BEFORE, NAME};
+use crate::application::{Files, Tape, compile, controller, first_error, load_laid, only_application, set_arm};
 use crate::args::{self, EvalArgs};
-use crate::opening::current_folder;
+use crate::engine::Session;
+use crate::opening::{Request, current_folder};
 use crate::user_error::UserError;
 
 /// The first code of the rules on what a text means. What they find shows when it runs; so does a constant index
@@ -30,40 +31,12 @@ const MEANING: &str = "V0225";
 const CONSTANT_INDEX: &str = "V0212";
 
 /// A scope.
-pub(crate) struct Scope {
-    controller: Controller,
+pub(super) struct Scope {
+    execution: Execution,
     manifest: Utf8PathBuf,
     files: Files,
     /// The arm, where the cell does not say it.
     arm: Option<String>,
-}
-
-/// A line of what comes of a text.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Answer {
-    /// The value of an expression, or what a statement prints.
-    Line(String),
-    /// What is wrong with the text.
-    Fault(String),
-    /// The run-time error that it ends in, with its number.
-    RunTime(String),
-}
-
-impl Answer {
-    /// The text was evaluated.
-    pub(crate) fn is_sound(&self) -> bool {
-        matches!(self, Self::Line(_))
-    }
-}
-
-impl Display for Answer {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Line(line) => f.write_str(line),
-            Self::Fault(fault) => write!(f, "error: {fault}"),
-            Self::RunTime(fault) => write!(f, "error {fault}"),
-        }
-    }
 }
 
 /// What a text is.
@@ -77,40 +50,58 @@ enum Text {
 
 impl Scope {
     /// The scope that the arguments ask for.
-    pub(crate) fn open(args: &EvalArgs) -> Result<Self, UserError> {
+    pub(super) fn open(args: &EvalArgs) -> Result<Self, UserError> {
         let locals = args.local.iter().map(|text| Local::parse(text)).collect::<Result<Vec<_>, _>>();
         let locals = locals.map_err(UserError::new)?;
         let (manifest, text) = manifest(args)?;
-        let folder = manifest.parent().unwrap_or(camino::Utf8Path::new("")).to_owned();
+        let folder = manifest.parent().unwrap_or(Utf8Path::new("")).to_owned();
         let mut files = Files::new();
         files.insert(folder.join(format!("{NAME}.dtx")), sources::data(&locals).into());
         files.insert(folder.join(format!("{NAME}.pgx")), sources::program("").into());
         files.insert(manifest.clone(), text.into());
-        let (workspace, project) = load(&files, &manifest, args.arm.as_deref())?;
-        refuse_faults(&workspace, project, |file| !file.ends_with(".pgx"))
-            .map_err(|fault| UserError::new(fault).with_help("`val3 check` shows it in its place"))?;
+        let arm = args.controller.arm.clone();
+        let (workspace, project) = load(&files, &manifest, arm.as_deref())?;
+        let fault = refused(&workspace, project, |file| !file.ends_with(".pgx")).map_err(UserError::new)?;
+        if let Some(fault) = fault {
+            return Err(UserError::new(fault.message).with_help("`val3 check` shows it in its place"));
+        }
         let image = compile(&workspace.db, project)
             .map_err(|error| UserError::new(error.to_string()).with_help(error.limit.help()))?;
-        let Media { roots, disk, application } = Media::of(&workspace.db, project)?;
-        let devices = Devices::new(roots, Box::new(Images::new(disk)));
-        let line_cost = args::microseconds(args::LINE_COST).map_err(UserError::new)?;
-        let controller = Controller::new(devices, image, application, line_cost);
-        Ok(Self { controller, manifest, files, arm: args.arm.clone() })
+        let controller = controller(&args.controller, Tape::default(), (&workspace.db, project), image)?;
+        Ok(Self { execution: Execution::new(controller), manifest, files, arm })
     }
 
-    /// Evaluates a text: an expression, or statements.
-    pub(crate) fn evaluate(&mut self, text: &str) -> Vec<Answer> {
-        self.run(text).unwrap_or_else(|fault| vec![Answer::Fault(fault)])
+    /// What ends a text from outside.
+    pub(super) fn interrupt(&self) -> &Interrupt {
+        &self.execution.interrupt
     }
 
-    fn run(&mut self, text: &str) -> Result<Vec<Answer>, String> {
-        let kind = self.classify(text)?;
-        let (image, is_string) = match kind {
-            Text::Expression { is_string } => (self.compile(&format!("?{text}"))?, is_string),
-            Text::Statement => (self.compile(text)?, false),
-        };
-        self.controller.exchange(image);
-        Ok(self.execute(is_string))
+    /// Evaluates a text: an expression, or statements. What comes of it is told as it comes.
+    ///
+    /// # Errors
+    /// The listener cannot listen.
+    pub(super) fn evaluate(&mut self, text: &str, tell: &mut Listener<'_>) -> Result<(), UserError> {
+        match self.image(text) {
+            Ok((image, is_string)) => self.execution.run(image, is_string, tell),
+            Err(fault) => tell(&Answer::Fault(fault)),
+        }
+    }
+
+    /// What can be written behind the first `at` bytes of a line, with the offset in the line where it goes.
+    pub(super) fn completions(&mut self, line: &str, at: usize) -> Result<Vec<(usize, Completion)>, String> {
+        let (workspace, _, file) = self.load(line)?;
+        let offset = u32::try_from(BEFORE.len() + at).map_err(|error| error.to_string())?;
+        let found = completions(&workspace.db, FilePosition { file, offset: offset.into() });
+        let start = |found: &Completion| usize::from(found.range.start()).saturating_sub(BEFORE.len());
+        Ok(found.into_iter().map(|found| (start(&found), found)).collect())
+    }
+
+    /// The image whose program executes the text, and whether it shows a string.
+    fn image(&mut self, text: &str) -> Result<(Arc<Image>, bool), Fault> {
+        match self.classify(text)? {
+            Text::Expression { is_string } => Ok((self.compile("?", text)?, is_string)),
+            Text::Statement => Ok((self.compile("", text)?, false)),
+        }
     }
 
     /// What the text is: read alone, an expression is a line without effect.
@@ -141,61 +132,28 @@ impl Scope {
         Ok((workspace, project, file))
     }
 
-    fn compile(&mut self, code: &str) -> Result<Arc<Image>, String> {
-        let (workspace, project, file) = self.load(code)?;
+    /// The image with this text, behind what makes a statement of it.
+    fn compile(&mut self, before: &str, text: &str) -> Result<Arc<Image>, Fault> {
+        let (workspace, project, file) = self.load(&format!("{before}{text}"))?;
         let path = file.path(&workspace.db).to_string();
-        refuse_faults(&workspace, project, |file| file == path)?;
-        compile(&workspace.db, project).map_err(|error| error.limit.to_string())
-    }
-
-    /// Executes the program of the text to its end.
-    fn execute(&mut self, is_string: bool) -> Vec<Answer> {
-        let mut answers = Vec::new();
-        if self.controller.start(NAME).is_err() {
-            return vec![Answer::Fault("the text cannot be started".to_owned())];
+        match refused(&workspace, project, |file| file == path)? {
+            Some(fault) => Err(Fault::found(&fault, BEFORE.len() + before.len(), text)),
+            None => Ok(compile(&workspace.db, project).map_err(|error| error.limit.to_string())?),
         }
-        loop {
-            let step = self.controller.step_tasks();
-            for event in self.controller.devices.take_events() {
-                match event.what {
-                    What::Print { text } if is_string => answers.push(Answer::Line(printed::string(&text))),
-                    What::Print { text } => answers.push(Answer::Line(text)),
-                    What::Error { code, .. } => answers.push(Answer::RunTime(worded(code))),
-                    What::Lacking { instruction, .. } => answers.push(Answer::Fault(lacking(&instruction))),
-                    _ => {}
-                }
-            }
-            match step {
-                Step::Finished => break,
-                Step::Stuck | Step::Lacking => break self.controller.kill_tasks(),
-                Step::Idle(Some(wake)) => self.controller.jump(wake),
-                Step::Idle(None) => {
-                    answers.push(Answer::Fault("it waits for what cannot happen here".to_owned()));
-                    break self.controller.kill_tasks();
-                }
-                Step::Busy => {}
-            }
-        }
-        answers
     }
-}
-
-fn worded(code: u16) -> String {
-    let short = runtime_errors::find(code).map_or("unknown", |error| error.short);
-    format!("{code}: {short}")
 }
 
 fn manifest(args: &EvalArgs) -> Result<(Utf8PathBuf, String), UserError> {
     let current = current_folder()?;
     let Some(app) = &args.app else { return Ok(sources::empty(&current.join(NAME))) };
-    let request = crate::opening::Request { asked: vec![app.clone()], ..Default::default() };
-    let session = crate::engine::Session::open(&request)?;
+    let request = Request { asked: vec![app.clone()], ..Request::default() };
+    let session = Session::open(&request)?;
     let project = only_application(&session, app, Some(args::START))?;
     sources::extended(session.db(), project)
 }
 
-fn load(files: &Files, manifest: &Utf8PathBuf, arm: Option<&str>) -> Result<(Workspace, Project), UserError> {
-    let (mut workspace, project) = load_laid(files.clone(), manifest).map_err(UserError::new)?;
+fn load(files: &Files, manifest: &Utf8Path, arm: Option<&str>) -> Result<(Workspace, Project), UserError> {
+    let (mut workspace, project) = load_laid(files.clone(), &manifest.to_owned()).map_err(UserError::new)?;
     if let Some(arm) = arm {
         set_arm(&mut workspace.db, project, arm)?;
     }
@@ -203,11 +161,12 @@ fn load(files: &Files, manifest: &Utf8PathBuf, arm: Option<&str>) -> Result<(Wor
 }
 
 /// What the controller's compiler would refuse in the files that `counts`.
-fn refuse_faults(workspace: &Workspace, project: Project, counts: impl Fn(&str) -> bool) -> Result<(), String> {
+fn refused(
+    workspace: &Workspace,
+    project: Project,
+    counts: impl Fn(&str) -> bool,
+) -> Result<Option<Diagnostic>, String> {
     let db = &workspace.db;
     let is_refused = |code: &str| code < MEANING && code != CONSTANT_INDEX;
-    let fault = first_error(db, project, |finding| {
-        is_refused(finding.rule.code) && counts(finding.place.file.path(db).as_str())
-    })?;
-    fault.map_or(Ok(()), |fault| Err(fault.message))
+    first_error(db, project, |finding| is_refused(finding.rule.code) && counts(finding.place.file.path(db).as_str()))
 }

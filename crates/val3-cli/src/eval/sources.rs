@@ -1,9 +1,11 @@
 //! The application that a scope is: one given, or an empty one, with the variables and one program more.
 
+use std::ops::Range;
+
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
-use val3_analysis::items::declarations::{file_list, is_old};
-use val3_syntax::encoding::decode;
+use val3_analysis::items::declarations::listing;
+use val3_syntax::TextRange;
 
 use super::locals::Local;
 use crate::user_error::UserError;
@@ -27,27 +29,16 @@ pub(crate) fn empty(folder: &Utf8Path) -> (Utf8PathBuf, String) {
 /// The project file of an application, with the program and the data file listed.
 pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, String), UserError> {
     let file = project.manifest(db);
-    let path = file.path(db).clone();
-    let mut text = decode(std::fs::read(&path).map_err(|error| unreadable(&path, &error))?).text;
-    let lists = [(true, "pgx"), (false, "dtx")].map(|(programs, kind)| (file_list(db, project, programs), kind));
-    let mut entries: Vec<(usize, String)> = Vec::new();
-    for (list, kind) in lists {
-        let Some((list, last)) = list.and_then(|list| list.last.map(|last| (list, last))) else {
-            return Err(UserError::new(format!("`{path}` lists no .{kind} file")).with_help("list one"));
-        };
-        entries.push((last.end().into(), format!("<{} file=\"{NAME}.{kind}\" />", list.item)));
+    let (path, mut text) = (file.path(db).clone(), file.text(db).to_string());
+    let mut changes: Vec<(TextRange, String)> = Vec::new();
+    for (of_programs, kind) in [(true, "pgx"), (false, "dtx")] {
+        let change = listing(db, project, of_programs, &format!("{NAME}.{kind}"));
+        let incomplete = || UserError::new(format!("`{path}` is no complete project file"));
+        changes.push(change.ok_or_else(incomplete)?);
     }
-    entries.sort_unstable_by_key(|(at, _)| std::cmp::Reverse(*at));
-    entries.iter().for_each(|(at, entry)| text.insert_str(*at, entry));
-    if is_old(db, project) {
-        return Err(UserError::new(format!("`{path}` is of s5 or s6, whose files hold other data"))
-            .with_help("save the application for s7 or later"));
-    }
+    changes.sort_unstable_by_key(|(range, _)| std::cmp::Reverse(range.start()));
+    changes.iter().for_each(|(range, entry)| text.replace_range(Range::<usize>::from(*range), entry));
     Ok((path, text))
-}
-
-fn unreadable(path: &Utf8Path, error: &std::io::Error) -> UserError {
-    UserError::new(format!("cannot read `{path}`: {error}"))
 }
 
 /// The data file with the variables.
@@ -60,12 +51,12 @@ pub(crate) fn data(locals: &[Local]) -> String {
     )
 }
 
+/// What stands before the code in the file of its program.
+pub(crate) const BEFORE: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+     xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code><![CDATA[begin\n";
+
 /// The program that executes `code`.
 pub(crate) fn program(code: &str) -> String {
     let code = code.replace("]]>", "]]]]><![CDATA[>");
-    format!(
-        "{HEAD}<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
-         xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \
-         <Program name=\"{NAME}\">\n    <Code><![CDATA[begin\n{code}\nend]]></Code>\n  </Program>\n</Programs>\n"
-    )
+    format!("{BEFORE}{code}\nend]]></Code></Program></Programs>\n")
 }

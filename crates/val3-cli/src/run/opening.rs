@@ -1,18 +1,12 @@
 //! From the arguments of `val3 run` to a controller with the application in memory.
 
 use std::process::ExitCode;
-use std::sync::Arc;
 
-use val3_analysis::db::{Database, Project};
-use val3_bytecode::Image;
 use val3_compile::CompileError;
 use val3_machine::controller::{Controller, NotStarted};
-use val3_machine::devices::Devices;
-use val3_native::MachineCode;
 
-use super::settings::Settings;
-use super::{lines, outside};
-use crate::application::{Images, Media, compile, only_application, set_arm};
+use super::outside;
+use crate::application::{Tape, compile, controller, only_application, set_arm};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::{self, Format, human};
@@ -43,7 +37,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
         session = Session::open(&alone)?;
         project = only_application(&session, &manifest, None)?;
     }
-    if let Some(name) = &args.arm {
+    if let Some(name) = &args.controller.arm {
         set_arm(session.db_mut(), project, name)?;
     }
     if show_errors(&mut session, color)? {
@@ -57,32 +51,15 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
             return Ok(Opened::Faulty(ExitCode::from(EXIT_USAGE)));
         }
     };
-    let mut controller = controller(args, db, project, image)?;
+    let tape = Tape { records: args.events.is_some(), replays: args.replay.as_deref() };
+    let mut controller = controller(&args.controller, tape, (db, project), image)?;
+    outside::arrange(&mut controller, args)?;
     start(&mut controller, &args.program)?;
     Ok(Opened::Ready(Box::new(controller)))
 }
 
-/// A controller with the application in memory, and the cell around it.
-fn controller(args: &RunArgs, db: &Database, project: Project, image: Arc<Image>) -> Result<Controller, UserError> {
-    let settings = Settings::of(args, project.configuration(db).map(|configuration| configuration.file(db)))?;
-    let mut media = Media::of(db, project)?;
-    settings.roots.iter().try_for_each(|root| media.mount(&root.name, &root.folder))?;
-    let Media { roots, disk, application } = media;
-    let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
-    outside::declare_io(&mut devices, db, project);
-    outside::describe(&mut devices, &disk, args);
-    settings.apply(&mut devices);
-    if !args.interpret {
-        devices.native = Some(Box::new(MachineCode::default()));
-    }
-    lines::connect(&mut devices.lines, &disk, args, &settings)?;
-    let mut controller = Controller::new(devices, image, application, settings.line_cost);
-    outside::arrange(&mut controller, args)?;
-    Ok(controller)
-}
-
 fn start(controller: &mut Controller, program: &str) -> Result<(), UserError> {
-    controller.start(program).map_err(|reason| match reason {
+    controller.start(program).map(drop).map_err(|reason| match reason {
         NotStarted::NoProgram => UserError::new(format!("the application has no program `{program}`"))
             .with_help("name the program to start with by --program"),
         NotStarted::HasParameters => {

@@ -1,4 +1,4 @@
-//! What the controller of a run is like: the arguments, and what a `val3.toml` says where they are silent.
+//! What a controller is like: the arguments, and what a `val3.toml` says where they are silent.
 
 use std::str::FromStr as _;
 
@@ -8,13 +8,13 @@ use val3_machine::controller_state;
 use val3_machine::devices::Devices;
 
 use super::lines::LineArg;
-use crate::args::{LINE_COST, Root, RunArgs, microseconds};
+use crate::args::{ControllerArgs, LINE_COST, Root, microseconds};
 use crate::user_error::UserError;
 
 /// The profile that every controller has.
 const FIRST_PROFILE: &str = "default";
 
-/// What the controller of a run is like.
+/// What a controller is like.
 pub(super) struct Settings {
     /// The folders of roots other than `Disk`.
     pub(super) roots: Vec<Root>,
@@ -35,7 +35,7 @@ impl Settings {
     ///
     /// # Errors
     /// The file has a value that its setting does not take.
-    pub(super) fn of(args: &RunArgs, file: Option<&ConfigFile>) -> Result<Self, UserError> {
+    pub(super) fn of(args: &ControllerArgs, file: Option<&ConfigFile>) -> Result<Self, UserError> {
         let silent = ConfigFile::default();
         let file = file.unwrap_or(&silent);
         let run = &file.config.run;

@@ -1,4 +1,4 @@
-//! The serial lines and sockets of a run: as the cell configures them, and as the arguments say.
+//! The serial lines and sockets of a controller: as the cell configures them, and as the arguments say.
 
 use std::fs;
 use std::net::IpAddr;
@@ -8,9 +8,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::devices::Lines;
 use val3_machine::sio::{ChannelConfig, Line, LineKind, Reach, Setting, channels, replay};
 
-use super::outside::config;
+use super::cell::config;
 use super::settings::Settings;
-use crate::args::RunArgs;
 use crate::user_error::UserError;
 
 /// A line that an argument or a `val3.toml` connects: `Socket\host=server:2000`.
@@ -52,17 +51,26 @@ impl FromStr for LineArg {
     }
 }
 
+/// What becomes of the answers of lines.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Tape<'a> {
+    /// They are written down.
+    pub(crate) records: bool,
+    /// They are those that this file holds, whatever is outside.
+    pub(crate) replays: Option<&'a Utf8Path>,
+}
+
 /// Connects the lines of the cell around `disk`, and those that the settings name.
 pub(super) fn connect(
     lines: &mut Lines,
     disk: &Utf8Path,
-    args: &RunArgs,
+    tape: Tape<'_>,
     settings: &Settings,
 ) -> Result<(), UserError> {
-    if args.events.is_some() {
+    if tape.records {
         lines.record();
     }
-    if let Some(file) = &args.replay {
+    if let Some(file) = tape.replays {
         lines.replay(recorded(file)?);
     }
     let configs = connected(of_cell(disk), &settings.lines);
@@ -71,7 +79,7 @@ pub(super) fn connect(
         UserError::new(format!("the line `{link}` cannot be configured so"))
             .with_help("look at its parameters in sio.cfx, at --line and at [run] in val3.toml")
     })?;
-    if args.replay.is_none() {
+    if tape.replays.is_none() {
         settings.lines.iter().try_for_each(|line| line.open(lines, &configs))?;
     }
     Ok(())

@@ -3,11 +3,9 @@
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use val3_lang::ports::{SECOND, Time, nanoseconds};
+use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
-
-use crate::args::RunArgs;
 
 /// How long the outside is given to do something in each cycle while a program talks to it: a cycle, as long as it
 /// takes.
@@ -16,22 +14,17 @@ const LISTENING: Duration = Duration::from_nanos(CYCLE);
 /// The longest sleep.
 const NAP: Time = SECOND / 10;
 
-/// The pace of a run.
+/// The pace of a run: by itself that of virtual time, without an end and without an operator.
+#[derive(Debug, Default)]
 pub(crate) struct Pace {
     /// When the controller's clock was 0, where it follows the one on the wall.
-    started: Option<Instant>,
-    until: Option<Time>,
+    pub(crate) started: Option<Instant>,
+    pub(crate) until: Option<Time>,
     /// An operator may do something at any time.
-    attended: bool,
+    pub(crate) attended: bool,
 }
 
 impl Pace {
-    /// The pace that the arguments ask for; an operator needs the clock on the wall.
-    pub(crate) fn new(args: &RunArgs) -> Self {
-        let until = args.until.map(nanoseconds);
-        Self { started: args.follows_wall().then(Instant::now), until, attended: args.interactive }
-    }
-
     /// The time of the run is up.
     pub(crate) fn is_over(&self, now: Time) -> bool {
         self.until.is_some_and(|until| now >= until)

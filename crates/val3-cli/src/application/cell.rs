@@ -1,0 +1,33 @@
+//! What the files of a cell say of its controller: inputs and outputs, arm and language.
+
+use std::fs;
+
+use camino::Utf8Path;
+use val3_analysis::db::{Database, Project};
+use val3_machine::devices::Devices;
+use val3_syntax::encoding::decode;
+
+/// Declares the inputs and outputs that the configuration of the cell names.
+pub(super) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
+    let Some(cell) = project.cell(db) else { return };
+    for (device, signals) in &cell.config(db).io {
+        let mut signals: Vec<_> = signals.iter().map(|(name, base)| (name.as_str(), *base)).collect();
+        signals.sort_unstable_by_key(|(name, _)| *name);
+        devices.declare_io(device, signals);
+    }
+}
+
+/// Tells the controller what the cell around `disk` says of its arm and language.
+pub(super) fn describe(devices: &mut Devices, disk: &Utf8Path) {
+    for name in ["arm.cfx", "cell.cfx"] {
+        if let Some(text) = config(disk, name) {
+            devices.describe(&text);
+        }
+    }
+}
+
+/// The text of a file in `usr/configs` of the cell around `disk`, if it is there.
+pub(super) fn config(disk: &Utf8Path, name: &str) -> Option<String> {
+    let bytes = fs::read(disk.parent()?.join("configs").join(name)).ok()?;
+    Some(decode(bytes).text)
+}

@@ -1,0 +1,85 @@
+//! Arguments that say what a controller is like, for the commands that execute. They win over a `val3.toml`.
+
+use std::str::FromStr;
+
+use camino::Utf8PathBuf;
+use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::values::date::DateTime;
+use val3_machine::controller_state::Calendar;
+
+use crate::application::LineArg;
+
+/// What a line takes unless something else is said, in microseconds.
+pub(crate) const LINE_COST: &str = "2";
+
+/// What a controller is like.
+#[derive(Debug, Default, clap::Args)]
+pub(crate) struct ControllerArgs {
+    /// The arm, where the cell does not say it
+    #[arg(long, value_name = "NAME")]
+    pub(crate) arm: Option<String>,
+    /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
+    #[arg(long, value_name = "NAME=DIR")]
+    pub(crate) root: Vec<Root>,
+    /// Connect a serial line or socket, instead of what the cell configures: Socket\host=server:2000,
+    /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
+    #[arg(long, value_name = "LINK=END")]
+    pub(crate) line: Vec<LineArg>,
+    /// Let sockets reach other machines, and be reached by them; else every address means this machine
+    #[arg(long)]
+    pub(crate) network: bool,
+    /// The controller's date and time at the start, such as 2007-01-01T13:45:23 [default: 2024-01-01T00:00:00, or
+    /// in real time the one on the wall, UTC]
+    #[arg(long, value_name = "DATE", value_parser = date)]
+    pub(crate) date: Option<Calendar>,
+    /// The monitor speed in per cent
+    #[arg(long, value_name = "PCT", value_parser = clap::value_parser!(u8).range(0..=100))]
+    pub(crate) monitor_speed: Option<u8>,
+    /// What a line takes on the controller's clock, in microseconds [default: 2]
+    #[arg(long, value_name = "US", value_parser = microseconds)]
+    pub(crate) line_cost: Option<Time>,
+    /// Interpret every line, and compile nothing to machine code
+    #[arg(long)]
+    pub(crate) interpret: bool,
+}
+
+/// A root of paths and the folder it stands for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Root {
+    /// The name before `://`.
+    pub(crate) name: String,
+    /// The folder.
+    pub(crate) folder: Utf8PathBuf,
+}
+
+impl FromStr for Root {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let (name, folder) = text
+            .split_once('=')
+            .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
+            .ok_or("write NAME=DIR, for example USB0=/media/stick")?;
+        Ok(Self { name: name.to_owned(), folder: folder.into() })
+    }
+}
+
+fn date(text: &str) -> Result<Calendar, String> {
+    let fields: Vec<u16> = text.split(['-', 'T', ' ', ':']).map_while(|field| field.parse().ok()).collect();
+    let small = |field: u16| u8::try_from(field).ok();
+    let calendar = match *fields {
+        [year, month, day, hour, minute, second] => || -> Option<Calendar> {
+            let (month, day) = (small(month)?, small(day)?);
+            let (hour, minute, second) = (small(hour)?, small(minute)?, small(second)?);
+            Calendar::starting_at(DateTime { year, month, day, hour, minute, second })
+        }(),
+        _ => None,
+    };
+    calendar.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
+}
+
+/// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.
+pub(crate) fn microseconds(text: &str) -> Result<Time, String> {
+    let micros = text.parse().ok().filter(|micros: &f64| (0.001..=1e6).contains(micros));
+    micros.map(|micros| nanoseconds(micros / 1e6)).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
+}
