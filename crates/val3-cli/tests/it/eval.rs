@@ -63,6 +63,63 @@ fn an_application_lends_its_data() {
     assert_eq!((run.code, run.stdout.as_str()), (0, "0\n2\n"), "{run:?}");
 }
 
+/// Everything outside of the programs that an expression can ask for.
+const WORLD: [&str; 13] = [
+    "getLanguage()",
+    "getVersion(\"ArmType\")",
+    "getVersion(\"alter\")",
+    "getProfile()",
+    "getMonitorSpeed()",
+    "getDate(\"%Y-%m-%d\")",
+    "ioStatus(dKnown)",
+    "ioStatus(dUnknown)",
+    "libList(\"USB0://\",sNames)",
+    "sNames[0]",
+    "part:libExist(\"nParts\")",
+    "part:nParts",
+    "sioCtrl(siHost,\"port\",2000)",
+];
+
+/// A cell with everything that a controller has around an application.
+fn cell() -> Folder {
+    let lines: Vec<String> = WORLD.iter().map(|text| format!("?{text}")).collect();
+    let folder = Folder::with(&format!(
+        "dio dKnown\ndio dUnknown\nsio siHost\nstring sNames[1]\n\
+         library part \"Disk://part/part.pjx\"\n{}\n\
+         --- part\npublic num nParts = 7\n\
+         === /configs/cell.cfx\n<cell><String name=\"language\" value=\"suomi\" /></cell>\n\
+         === /configs/arm.cfx\n<arm><String name=\"arm\" value=\"tx2-90l\" /></arm>\n",
+        lines.join("\n")
+    ));
+    let data = folder.read("usrapp/main/main.dtx");
+    let linked = |text: String, name: &str, link: &str| {
+        let (before, behind) = text.split_once(&format!("name=\"{name}\"")).unwrap();
+        let (head, rest) = behind.split_once("/>").unwrap();
+        format!("{before}name=\"{name}\"{head}><Value key=\"0\" link=\"{link}\" /></Data>{rest}")
+    };
+    let data = linked(data, "dKnown", "BasicIO-1\\%I0");
+    folder.write("usrapp/main/main.dtx", &linked(data, "siHost", "Socket\\host"));
+    folder.write(
+        "val3.toml",
+        "roots = { USB0 = \"stick\" }\n[run]\nmonitor-speed = 40\nprofile = \"operator\"\n\
+         licences = { alter = \"demo\" }\nlines = { 'Socket\\host' = \"server:0\" }\n",
+    );
+    folder.write("stick/note.txt", "");
+    folder
+}
+
+#[test]
+fn an_expression_has_the_value_that_it_has_in_a_run() {
+    let folder = cell();
+    for options in [&[][..], &["--monitor-speed", "30", "--date", "2007-01-01T13:45:23", "--root", "USB0=usrapp"]] {
+        let run = folder.val3(&[&["run"], options, &["usrapp/main"]].concat());
+        let eval = folder.val3(&[&["eval", "--app", "usrapp/main"], options, &WORLD].concat());
+        assert_eq!((run.code, eval.code), (0, 0), "{run:?} {eval:?}");
+        assert_eq!(eval.stdout.replace('"', ""), run.stdout);
+        insta::assert_snapshot!(eval.stdout);
+    }
+}
+
 #[test]
 fn lines_of_the_standard_input_are_texts() {
     let folder = Folder::empty();
