@@ -7,22 +7,24 @@ use std::rc::Rc;
 use rustyline::completion::{Completer, Pair};
 use rustyline::error::ReadlineError;
 use rustyline::history::DefaultHistory;
-use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hinter, Validator};
-
-use val3_ide::Completion;
+use rustyline::validate::{ValidationContext, ValidationResult, Validator};
+use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hinter};
 
 use super::evaluate;
 use super::scope::Scope;
+use super::sources::has_open_block;
 use crate::args::Color;
 use crate::user_error::UserError;
 
 /// Reads texts and evaluates them until the end of the input.
 pub(crate) fn run(scope: Scope, color: Color) -> Result<ExitCode, UserError> {
-    scope.interrupt().catch()?;
+    let interrupt = scope.interrupt().clone();
     let scope = Rc::new(RefCell::new(scope));
     let config = Config::builder().completion_type(CompletionType::List).build();
     let mut editor: Editor<Names, DefaultHistory> = Editor::with_config(config).map_err(|error| no_terminal(&error))?;
     editor.set_helper(Some(Names { scope: Rc::clone(&scope) }));
+    // The editor has a handler of its own, which would replace this one.
+    interrupt.catch()?;
     loop {
         match editor.readline("> ") {
             Ok(text) if text.trim().is_empty() => {}
@@ -41,8 +43,8 @@ fn no_terminal(error: &ReadlineError) -> UserError {
     UserError::new(format!("cannot read from the terminal: {error}")).with_help("give the texts as arguments")
 }
 
-/// Completes what can stand at the cursor, as editors do.
-#[derive(Helper, Highlighter, Hinter, Validator)]
+/// Completes what can stand at the cursor, as editors do, and lets a block go on in the next line.
+#[derive(Helper, Highlighter, Hinter)]
 struct Names {
     scope: Rc<RefCell<Scope>>,
 }
@@ -55,8 +57,19 @@ impl Completer for Names {
         let start = found.first().map_or(at, |(start, _)| *start);
         let typed = line.get(start..at).unwrap_or_default();
         // A terminal completes what is typed; it has no list to choose likely names from.
-        let begins = |(_, found): &(usize, Completion)| found.label.starts_with(typed);
-        let names = found.into_iter().filter(begins).map(|(_, found)| found.label);
-        Ok((start, names.map(|name| Pair { display: name.clone(), replacement: name }).collect()))
+        let mut names: Vec<String> = found.into_iter().map(|(_, name)| name).collect();
+        names.retain(|name| name.len() > typed.len() && name.starts_with(typed));
+        names.sort_unstable();
+        names.dedup();
+        Ok((start, names.into_iter().map(|name| Pair { display: name.clone(), replacement: name }).collect()))
+    }
+}
+
+impl Validator for Names {
+    fn validate(&self, context: &mut ValidationContext<'_>) -> rustyline::Result<ValidationResult> {
+        let text = context.input();
+        // An empty line ends what somebody no longer wants to end.
+        let goes_on = !text.ends_with('\n') && has_open_block(text);
+        Ok(if goes_on { ValidationResult::Incomplete } else { ValidationResult::Valid(None) })
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::body::{StmtKind, body};
-use val3_analysis::db::{File, Project};
+use val3_analysis::db::{Database, File, FileStatus, Project, Sources};
 use val3_analysis::infer::infer;
 use val3_analysis::items::project::program_files;
 use val3_analysis::load::Workspace;
@@ -29,6 +29,9 @@ use crate::user_error::UserError;
 /// beyond an array.
 const MEANING: &str = "V0225";
 const CONSTANT_INDEX: &str = "V0212";
+
+/// What makes a statement of an expression that shows its value.
+const SHOW: &str = "?";
 
 /// A scope.
 pub(super) struct Scope {
@@ -68,6 +71,7 @@ impl Scope {
         let image = compile(&workspace.db, project)
             .map_err(|error| UserError::new(error.to_string()).with_help(error.limit.help()))?;
         let controller = controller(&args.controller, Tape::default(), (&workspace.db, project), image)?;
+        keep(&workspace.db, &mut files);
         Ok(Self { execution: Execution::new(controller), manifest, files, arm })
     }
 
@@ -87,19 +91,25 @@ impl Scope {
         }
     }
 
-    /// What can be written behind the first `at` bytes of a line, with the offset in the line where it goes.
-    pub(super) fn completions(&mut self, line: &str, at: usize) -> Result<Vec<(usize, Completion)>, String> {
-        let (workspace, _, file) = self.load(line)?;
-        let offset = u32::try_from(BEFORE.len() + at).map_err(|error| error.to_string())?;
-        let found = completions(&workspace.db, FilePosition { file, offset: offset.into() });
-        let start = |found: &Completion| usize::from(found.range.start()).saturating_sub(BEFORE.len());
-        Ok(found.into_iter().map(|found| (start(&found), found)).collect())
+    /// What can be written behind the first `at` bytes of a line: in a statement, and in an expression; with the offset
+    /// in the line where it goes.
+    pub(super) fn completions(&mut self, line: &str, at: usize) -> Result<Vec<(usize, String)>, String> {
+        let mut all = Vec::new();
+        for before in ["", SHOW] {
+            let (workspace, _, file) = self.load(&format!("{before}{line}"))?;
+            let length = BEFORE.len() + before.len();
+            let offset = u32::try_from(length + at).map_err(|error| error.to_string())?;
+            let found = completions(&workspace.db, FilePosition { file, offset: offset.into() });
+            let start = |found: &Completion| usize::from(found.range.start()).saturating_sub(length);
+            all.extend(found.into_iter().map(|found| (start(&found), found.label)));
+        }
+        Ok(all)
     }
 
     /// The image whose program executes the text, and whether it shows a string.
     fn image(&mut self, text: &str) -> Result<(Arc<Image>, bool), Fault> {
         match self.classify(text)? {
-            Text::Expression { is_string } => Ok((self.compile("?", text)?, is_string)),
+            Text::Expression { is_string } => Ok((self.compile(SHOW, text)?, is_string)),
             Text::Statement => Ok((self.compile("", text)?, false)),
         }
     }
@@ -150,6 +160,15 @@ fn manifest(args: &EvalArgs) -> Result<(Utf8PathBuf, String), UserError> {
     let session = Session::open(&request)?;
     let project = only_application(&session, app, Some(args::START))?;
     sources::extended(session.db(), project)
+}
+
+/// Keeps the files as they were read: the data in memory are those of these files, whatever becomes of them.
+fn keep(db: &Database, files: &mut Files) {
+    for file in Sources::get(db).files(db).values() {
+        if let FileStatus::Read { encoding, .. } = file.status(db) {
+            files.entry(file.path(db).clone()).or_insert_with(|| encoding.encode(file.text(db)));
+        }
+    }
 }
 
 fn load(files: &Files, manifest: &Utf8Path, arm: Option<&str>) -> Result<(Workspace, Project), UserError> {

@@ -6,6 +6,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::declarations::listing;
 use val3_syntax::TextRange;
+use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
 use super::locals::Local;
 use crate::user_error::UserError;
@@ -39,6 +40,13 @@ pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, 
     changes.sort_unstable_by_key(|(range, _)| std::cmp::Reverse(range.start()));
     changes.iter().for_each(|(range, entry)| text.replace_range(Range::<usize>::from(*range), entry));
     Ok((path, text))
+}
+
+/// Whether a block of the code is not closed, and nothing else is wrong.
+pub(crate) fn has_open_block(code: &str) -> bool {
+    let parse = val3_syntax::parse(&program(code));
+    let is_open = |error: &SyntaxError| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. });
+    !parse.errors().is_empty() && parse.errors().iter().all(is_open)
 }
 
 /// The data file with the variables.

@@ -18,9 +18,13 @@ mod hostile;
 mod live;
 mod lsp;
 mod peers;
+#[cfg(unix)]
+mod prompt;
 mod ros;
 mod run;
 mod statistics;
 mod support;
+#[cfg(unix)]
+mod terminal;
 mod usage;
 mod watch;

@@ -1,0 +1,82 @@
+//! Pseudo terminals, and commands in them.
+
+use std::fs::{File, OpenOptions};
+use std::io::{Read, Write};
+use std::process::{Child, Command};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::Duration;
+
+use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+use rustix::termios::{Winsize, tcsetwinsize};
+
+/// How long a picture may take; a test that waits in vain ends.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// A terminal with a command in it.
+pub(crate) struct Terminal {
+    keyboard: File,
+    /// What comes onto the screen. It is read aside: a read has no end while the line is open.
+    picture: Receiver<String>,
+    /// The end of the command, kept to look at its modes.
+    pub(crate) line: File,
+    pub(crate) child: Child,
+    seen: String,
+}
+
+impl Terminal {
+    /// Runs a command.
+    pub(crate) fn with(mut command: Command) -> Self {
+        let (keyboard, name) = pair();
+        let line = OpenOptions::new().read(true).write(true).open(name).unwrap();
+        tcsetwinsize(&keyboard, Winsize { ws_row: 24, ws_col: 80, ws_xpixel: 0, ws_ypixel: 0 }).unwrap();
+        command.stdin(line.try_clone().unwrap()).stdout(line.try_clone().unwrap()).env("TERM", "xterm");
+        let child = command.spawn().unwrap();
+        let picture = pictures(keyboard.try_clone().unwrap());
+        Self { keyboard, picture, line, child, seen: String::new() }
+    }
+
+    /// Reads on until the picture holds a text behind the one that was waited for before.
+    pub(crate) fn wait_for(&mut self, text: &str) {
+        while !self.seen.contains(text) {
+            match self.picture.recv_timeout(PATIENCE) {
+                Ok(part) => self.seen += &part,
+                Err(_) => panic!("{text} is not in {:?}; {:?}", self.seen, self.child.try_wait()),
+            }
+        }
+        self.seen = self.seen.split_once(text).map(|(_, behind)| behind.to_owned()).unwrap_or_default();
+    }
+
+    pub(crate) fn press(&mut self, keys: &[u8]) {
+        self.keyboard.write_all(keys).unwrap();
+    }
+}
+
+impl Drop for Terminal {
+    /// A command whose test has failed does not stay.
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+    }
+}
+
+/// What a terminal shows, as it comes.
+fn pictures(mut terminal: File) -> Receiver<String> {
+    let (to, pictures) = channel();
+    std::thread::spawn(move || {
+        let mut bytes = [0; 4096];
+        while let Ok(count @ 1..) = terminal.read(&mut bytes) {
+            if to.send(String::from_utf8_lossy(&bytes[..count]).into_owned()).is_err() {
+                return;
+            }
+        }
+    });
+    pictures
+}
+
+/// A new pseudo terminal: the end of who sits at it, and the name of the other end.
+pub(crate) fn pair() -> (File, String) {
+    let other = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
+    grantpt(&other).unwrap();
+    unlockpt(&other).unwrap();
+    let name = ptsname(&other, Vec::new()).unwrap().into_string().unwrap();
+    (File::from(other), name)
+}
