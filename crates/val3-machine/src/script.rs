@@ -12,6 +12,7 @@
 //! lock = "BasicIO-1\\%I1"  # or several, or with the values at which they are held
 //! unlock = ["BasicIO-1\\%I2"]
 //! simulate = { "BasicIO-1\\%Q1" = true }
+//! protect = { "BasicIO-1\\%Q2" = true }
 //! fault = { link = "BasicIO-1\\%Q0", code = -3 }
 //! power = true
 //! estop = false
@@ -66,6 +67,9 @@ pub(crate) struct Entry {
     /// Inputs and outputs that the controller simulates, or no longer.
     #[serde(default)]
     simulate: BTreeMap<String, bool>,
+    /// Outputs that the system keeps for itself, or no longer.
+    #[serde(default)]
+    protect: BTreeMap<String, bool>,
     /// An input, output or device that fails, or works again.
     fault: Option<Fault>,
     /// Global data of the application and its libraries.

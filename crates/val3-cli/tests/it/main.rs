@@ -14,6 +14,7 @@ mod fixes;
 mod fmt;
 mod formats;
 mod hostile;
+mod io_errors;
 #[cfg(unix)]
 mod live;
 mod lsp;

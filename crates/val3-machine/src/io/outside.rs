@@ -54,6 +54,11 @@ impl IoTable {
         self.change(id, |channel| channel.simulated = simulated);
     }
 
+    /// The system keeps an output for itself, or no longer: programs that write it come to run-time error 124.
+    pub fn protect(&mut self, id: SignalId, protected: bool) {
+        self.change(id, |channel| channel.signal.protected = protected);
+    }
+
     /// A signal fails, or works again; its values stay.
     pub fn set_fault(&mut self, id: SignalId, fault: Option<Fault>) {
         self.change(id, |channel| channel.fault = fault);

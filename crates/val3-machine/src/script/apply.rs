@@ -102,6 +102,9 @@ impl Entry {
         for (link, simulated) in &self.simulate {
             tried(devices.simulate_io(link, *simulated));
         }
+        for (link, protected) in &self.protect {
+            tried(devices.protect_io(link, *protected));
+        }
         if let Some(fault) = &self.fault {
             problems.extend(devices.fail(fault).err());
         }
@@ -154,6 +157,12 @@ impl Devices {
     fn simulate_io(&mut self, link: &str, simulated: bool) -> Result<(), NoSignal> {
         let signal = self.known_signal(link)?;
         self.io.simulate(signal, simulated);
+        Ok(())
+    }
+
+    fn protect_io(&mut self, link: &str, protected: bool) -> Result<(), NoSignal> {
+        let signal = self.known_signal(link)?;
+        self.io.protect(signal, protected);
         Ok(())
     }
 

@@ -49,7 +49,7 @@ fn what_is_wrong_is_shown_where_it_stands() {
               |
             3 | ky = 270
               | ^^
-            unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `simulate`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `key`, `keys`, `stop`"#]],
+            unknown field `ky`, expected one of `t`, `io`, `lock`, `unlock`, `simulate`, `protect`, `fault`, `set`, `power`, `estop`, `safety_fault`, `calibrated`, `mode`, `monitor_speed`, `key`, `keys`, `stop`"#]],
     );
     check_error(
         "[[at]]\nkey = 270",

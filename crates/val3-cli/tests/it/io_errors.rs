@@ -1,0 +1,83 @@
+//! Run-time errors of inputs and outputs in a run, on both sides of the edge (12.1).
+
+use crate::support::Folder;
+
+/// A program that tries something with a signal three times a second apart, each time in a task of its own.
+const PROGRAM: &str = r#"
+dio dOut
+dio dIn
+aio aOut
+dio dNone
+dio dAll[1]
+num nTry
+program start()
+begin
+  for nTry=1 to 3
+    taskCreate "try",10,try()
+    delay(1)
+    ? taskStatus("try")
+    taskKill("try")
+  endFor
+end
+program try()
+begin
+  ACT
+  wait(false)
+end
+"#;
+
+/// What `taskStatus` gives at each try: 1, or the error. The middle one comes behind `event`, the last behind `undo`.
+fn tries(act: &str, event: &str, undo: &str) -> String {
+    let folder = Folder::with(&PROGRAM.replace("ACT", act));
+    let data = folder.read("usrapp/main/main.dtx");
+    let links = [("dOut", "BasicIO-1\\%Q0"), ("dIn", "BasicIO-1\\%I0"), ("aOut", "BasicIO-1\\%QW1")];
+    let link = |data: String, (name, link): &(&str, &str)| {
+        let (before, behind) = data.split_once(&format!("name=\"{name}\"")).unwrap();
+        let (head, rest) = behind.split_once("/>").unwrap();
+        format!("{before}name=\"{name}\"{head}><Value key=\"0\" link=\"{link}\" /></Data>{rest}")
+    };
+    folder.write("usrapp/main/main.dtx", &links.iter().fold(data, link));
+    folder.write("script.toml", &format!("[[at]]\nt = 0.5\n{event}\n[[at]]\nt = 1.5\n{undo}\n"));
+    let run = folder.val3(&["run", "--script", "script.toml", "usrapp/main"]);
+    run.stdout.lines().filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+#[test]
+fn protected_outputs() {
+    for (signal, act) in [("BasicIO-1\\\\%Q0", "dOut=true"), ("BasicIO-1\\\\%QW1", "aioSet(aOut,1)")] {
+        let protect = |protected| format!("protect = {{ \"{signal}\" = {protected} }}");
+        assert_eq!(tries(act, &protect(true), &protect(false)), "1 124 1", "{act}");
+    }
+    let protect = "protect = { \"BasicIO-1\\\\%Q0\" = true }";
+    assert_eq!(tries("wait(dOut==false)", protect, ""), "1 1 1", "it can be read");
+    assert_eq!(tries("nTry=nTry+0*ioStatus(dOut)", protect, ""), "1 1 1", "and works");
+    assert_eq!(tries("dioLink(dAll[0],dOut)\n  dioSet(dAll,1)", protect, ""), "1 124 124");
+}
+
+#[test]
+fn devices_that_fail() {
+    let fail = |link: &str, code: i32| format!("fault = {{ link = \"{link}\", code = {code} }}");
+    for (act, link) in [("dOut=true", "BasicIO-1\\\\%Q0"), ("wait(dIn==false)", "BasicIO-1\\\\%I0")] {
+        assert_eq!(tries(act, &fail(link, -3), &fail(link, 0)), "1 125 1", "{act}");
+        assert_eq!(tries(act, &fail(link, -2), &fail(link, 0)), "1 123 1", "{act}");
+        assert_eq!(tries(act, &fail("BasicIO-1", 7), &fail("BasicIO-1", 0)), "1 125 1", "{act}");
+        assert_eq!(tries(act, &fail("BasicIO-2", 7), ""), "1 1 1", "{act}: another device");
+    }
+    assert_eq!(tries("nTry=nTry+0*ioStatus(dOut)", &fail("BasicIO-1", 7), ""), "1 1 1", "its state can be asked");
+}
+
+#[test]
+fn inputs_and_links() {
+    let locked = "lock = [\"BasicIO-1\\\\%I0\", \"BasicIO-1\\\\%Q0\"]";
+    let simulated = "simulate = { \"BasicIO-1\\\\%I0\" = true }";
+    for event in [locked, simulated, "protect = { \"BasicIO-1\\\\%I0\" = true }"] {
+        assert_eq!(tries("dIn=true", event, ""), "122 122 122", "{event}");
+        assert_eq!(tries("wait(dIn==false)", event, ""), "1 1 1", "{event}");
+    }
+    assert_eq!(tries("dOut=true", locked, ""), "1 1 1", "writing a locked output has no effect and is no error");
+    for act in ["dNone=true", "wait(dNone==false)", "dioSet(dAll,1)", "dioGet(dAll)"] {
+        let act = if act.starts_with("dioGet") { "nTry=nTry+0*dioGet(dAll)" } else { act };
+        assert_eq!(tries(act, "", ""), "123 123 123", "{act}");
+    }
+    assert_eq!(tries("nTry=nTry+0*ioStatus(dNone)", "", ""), "1 1 1");
+}
