@@ -23,6 +23,8 @@ mod peers;
 mod prompt;
 mod ros;
 mod run;
+#[cfg(target_os = "linux")]
+mod serial;
 mod statistics;
 mod support;
 #[cfg(unix)]

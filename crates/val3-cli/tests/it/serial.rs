@@ -1,0 +1,114 @@
+//! A serial line on a pseudo terminal, through `val3 run --line` (3.7).
+
+use std::fs::{File, OpenOptions};
+use std::io::{Read, Write};
+use std::process::Stdio;
+
+use rustix::termios::{ControlModes, tcgetattr};
+
+use crate::support::Folder;
+use crate::terminal::pair;
+
+/// Talks to whoever is at the other end: greets, repeats two texts, sends bytes, waits for what does not come.
+const PROGRAM: &str = r#"
+sio siLine
+string sText
+num nBytes[5]
+num nByte
+num nAt
+program start()
+begin
+  ? sioCtrl(siLine,"baudRate",19200)
+  ? sioCtrl(siLine,"parity","even")
+  ? sioCtrl(siLine,"bits",7)
+  ? sioCtrl(siLine,"stopBits",2)
+  ? sioCtrl(siLine,"endOfString",13)
+  ? sioCtrl(siLine,"timeout",5)
+  ? sioCtrl(siLine,"baudRate",0)
+  ? sioCtrl(siLine,"port",1000)
+  siLine="ready"
+  sText=siLine
+  ? sText
+  sText=siLine
+  ? sText
+  nBytes[0]=1
+  nBytes[1]=255
+  nBytes[2]=13
+  nBytes[3]=10
+  nBytes[4]=0
+  ? sioSet(siLine,nBytes)
+  for nAt=0 to 4
+    while sioGet(siLine,nByte)==0
+      delay(0.004)
+    endWhile
+    ? nByte
+  endFor
+  ? sioCtrl(siLine,"timeout",0.2)
+  ? sioGet(siLine,nByte)
+  sText=siLine
+end
+"#;
+
+/// The cell with the program, whose variable is linked to `Serial\port1`.
+fn cell() -> Folder {
+    let folder = Folder::with(PROGRAM);
+    let data = folder.read("usrapp/main/main.dtx");
+    let (before, behind) = data.split_once("name=\"siLine\"").unwrap();
+    let (head, rest) = behind.split_once("/>").unwrap();
+    let value = r"<Value key='0' link='Serial\port1' /></Data>";
+    folder.write("usrapp/main/main.dtx", &format!("{before}name=\"siLine\"{head}>{value}{rest}"));
+    folder
+}
+
+/// Reads as many bytes as are awaited.
+fn read(line: &mut File, count: usize) -> Vec<u8> {
+    let mut bytes = vec![0; count];
+    line.read_exact(&mut bytes).unwrap();
+    bytes
+}
+
+/// Plays the device at the other end.
+fn answer(mut device: File) {
+    assert_eq!(read(&mut device, 6), b"ready\r");
+    // The end of a text need not come with it, nor a text alone.
+    device.write_all(b"fir").unwrap();
+    device.write_all(b"st\rsecond \xc3\xa9\r").unwrap();
+    assert_eq!(read(&mut device, 5), [1, 255, 13, 10, 0], "bytes are sent as they are");
+    device.write_all(&[0, 10, 13, 200, 7]).unwrap();
+}
+
+#[test]
+fn a_serial_line_carries_texts_and_bytes_both_ways() {
+    let folder = cell();
+    let (device, name) = pair();
+    // Held open, so that the settings stay to be looked at.
+    let end = OpenOptions::new().read(true).write(true).open(&name).unwrap();
+    let line = format!("Serial\\port1=serial:{name}");
+    let mut command =
+        folder.command(&["run", "--until", "20", "--line", &line, "--events", "events.jsonl", "usrapp/main"]);
+    let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+    let played = std::thread::spawn(move || answer(device));
+    let output = child.wait_with_output().unwrap();
+    let stdout = String::from_utf8(output.stdout).unwrap();
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(stdout, EXPECTED, "{stderr}");
+    assert_eq!(output.status.code(), Some(1));
+    played.join().unwrap();
+    assert!(stderr.contains("error[125]") && stderr.contains("sText=siLine"), "{stderr}");
+    let modes = tcgetattr(&end).unwrap();
+    assert_eq!((modes.input_speed(), modes.output_speed()), (19_200, 19_200));
+    assert!(modes.control_modes.contains(ControlModes::CSTOPB), "two stop bits: {modes:?}");
+    let replay =
+        folder.val3(&["run", "--line", "Serial\\port1=serial:/no/such", "--replay", "events.jsonl", "usrapp/main"]);
+    assert_eq!((replay.code, replay.stdout.as_str()), (1, EXPECTED), "{replay:?}");
+}
+
+/// The results of the program: settings it takes, a value and a setting it does not, texts, bytes, and nothing more.
+const EXPECTED: &str = "0\n0\n0\n0\n0\n0\n-3\n-5\nfirst\nsecond é\n5\n0\n10\n13\n200\n7\n0\n0\n";
+
+#[test]
+fn a_line_without_a_device_is_refused() {
+    let run = cell().val3(&["run", "--line", "Serial\\port1=serial:/no/such/device", "usrapp/main"]);
+    assert_eq!((run.code, run.stdout.as_str()), (2, ""), "{run:?}");
+    assert!(run.stderr.contains("/no/such/device") && run.stderr.contains("help:"), "{run:?}");
+}
