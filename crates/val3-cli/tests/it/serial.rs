@@ -81,13 +81,14 @@ fn answer(mut device: File) {
 fn a_serial_line_carries_texts_and_bytes_both_ways() {
     let folder = cell();
     let (device, name) = pair();
-    // Held open, so that the settings stay to be looked at.
+    // Both ends are held open, so that the settings stay to be looked at.
     let end = OpenOptions::new().read(true).write(true).open(&name).unwrap();
     let line = format!("Serial\\port1=serial:{name}");
     let mut command =
         folder.command(&["run", "--until", "20", "--line", &line, "--events", "events.jsonl", "usrapp/main"]);
     let child = command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    let played = std::thread::spawn(move || answer(device));
+    let played = device.try_clone().unwrap();
+    let played = std::thread::spawn(move || answer(played));
     let output = child.wait_with_output().unwrap();
     let stdout = String::from_utf8(output.stdout).unwrap();
     let stderr = String::from_utf8(output.stderr).unwrap();
