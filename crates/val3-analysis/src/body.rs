@@ -58,6 +58,11 @@ impl Stmt {
         self.blocks().for_each(|block| collect_stmts(block, &mut found));
         found
     }
+
+    /// The statement or one in its blocks is of this kind.
+    pub fn holds(&self, kind: &StmtKind) -> bool {
+        self.kind == *kind || self.blocks().flatten().any(|inner| inner.holds(kind))
+    }
 }
 
 /// The kinds of statements.

@@ -53,10 +53,13 @@ pub struct Access {
     pub kind: AccessKind,
 }
 
+/// Expressions for each use of a variable, in programs that compute much.
+const EXPRESSIONS_AN_ACCESS: usize = 3;
+
 #[salsa::tracked(lru = 256, no_eq)]
 fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {
     let effects = Effects::new(db, project, file);
-    let mut accesses = PerPoint::EMPTY;
+    let mut accesses = PerPoint::with_capacity(effects.flow.len(), effects.body.len() / EXPRESSIONS_AN_ACCESS);
     effects.flow.points().for_each(|(_, point)| accesses.push_with(|found| walk::point(&effects, point, found)));
     accesses.shrink_to_fit();
     accesses

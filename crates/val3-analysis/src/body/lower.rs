@@ -10,8 +10,8 @@ use val3_syntax::view::{TokenView, View};
 use super::{Body, Expr, ExprId, Stmt, StmtKind};
 use crate::items::program;
 
-/// Bytes of code for each expression, about, in real programs.
-const BYTES_AN_EXPRESSION: usize = 10;
+/// Bytes of code for each expression, in dense programs. A list that grew would be copied again and again.
+const BYTES_AN_EXPRESSION: usize = 4;
 
 /// Reads the code of the first program of a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {

@@ -11,6 +11,9 @@ type Loose = PointId;
 /// Several of them.
 type Ends = SmallVec<[Loose; 4]>;
 
+/// Expressions for each point, in programs of short lines.
+const EXPRESSIONS_A_POINT: usize = 4;
+
 struct Builder<'b> {
     body: &'b Body,
     flow: Flow,
@@ -19,7 +22,8 @@ struct Builder<'b> {
 }
 
 pub(super) fn build(body: &Body) -> Flow {
-    let mut builder = Builder { body, flow: Flow::default(), loose: Ends::new() };
+    let points = Vec::with_capacity(body.len() / EXPRESSIONS_A_POINT + 2);
+    let mut builder = Builder { body, flow: Flow { points }, loose: Ends::new() };
     let nowhere = TextRange::default();
     builder.add(PointKind::Start, nowhere);
     builder.add(PointKind::End, nowhere);

@@ -14,6 +14,11 @@ impl<T> PerPoint<T> {
     /// Nothing for any point.
     pub const EMPTY: Self = Self { all: Vec::new(), ends: Vec::new() };
 
+    /// Room for `values` of `points`.
+    pub fn with_capacity(points: usize, values: usize) -> Self {
+        Self { all: Vec::with_capacity(values), ends: Vec::with_capacity(points) }
+    }
+
     /// Adds the values of the next point; every point must get its turn, in the order of the graph.
     pub fn push(&mut self, values: impl IntoIterator<Item = T>) {
         self.push_with(|all| all.extend(values));

@@ -22,10 +22,10 @@ impl<'db> LocalUse<'db> {
             Root::Local(name) => bits.get(name.as_str()).copied(),
             _ => None,
         };
-        let mut uses = PerPoint::EMPTY;
         if bits.is_empty() {
-            return Self(uses);
+            return Self(PerPoint::EMPTY);
         }
+        let mut uses = PerPoint::with_capacity(program.flow().len(), program.effects.all().len());
         let measured = measured(program);
         for (id, _) in program.flow().points() {
             let accesses = program.effects.at(id).iter().filter(|access| !measured.contains(&access.id));

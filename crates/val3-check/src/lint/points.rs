@@ -13,7 +13,7 @@ impl<'db> Program<'db> {
     }
 
     fn calls_of_points(&self) -> PerPoint<Call<'db>> {
-        let mut calls = PerPoint::EMPTY;
+        let mut calls = PerPoint::with_capacity(self.flow().len(), self.calls().len());
         for (_, point) in self.flow().points() {
             calls.push(point.kind.exprs().flat_map(|id| self.calls_within(id)).copied());
         }

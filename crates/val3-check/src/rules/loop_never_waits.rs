@@ -42,9 +42,8 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let Some(condition) = program.endless_condition(stmt) else { continue };
-        let leaves = stmt.with_inner().iter().any(|inner| inner.kind == StmtKind::Return);
         let inside = || program.flow().points().filter(|(_, point)| stmt.range.contains_range(point.range));
-        if !leaves && !inside().any(|(id, point)| waits(program, id, point)) {
+        if !stmt.holds(&StmtKind::Return) && !inside().any(|(id, point)| waits(program, id, point)) {
             let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
             if let Some(last) = stmt.blocks().next().and_then(<[_]>::last) {
                 let edit = program.site(last.range).line_after(&format!("{DELAY}(0)"));

@@ -17,6 +17,8 @@ pub(super) type Element = NodeOrToken<GreenNode, GreenToken>;
 
 /// What was built lately.
 pub(super) struct Sharing {
+    /// Tokens of one byte, as every second token is, by their byte.
+    bytes: Box<[Option<GreenToken>]>,
     tokens: Box<[Option<GreenToken>]>,
     nodes: Box<[Option<GreenNode>]>,
 }
@@ -41,12 +43,21 @@ pub(super) fn with_sharing<T>(build: impl FnOnce(&mut Sharing) -> T) -> T {
 
 impl Sharing {
     fn new() -> Self {
-        Self { tokens: vec![None; TABLE].into(), nodes: vec![None; TABLE].into() }
+        let bytes = vec![None; 1 << 8].into();
+        Self { bytes, tokens: vec![None; TABLE].into(), nodes: vec![None; TABLE].into() }
     }
 
     pub(super) fn token(&mut self, kind: SyntaxKind, text: &str) -> GreenToken {
         if text.len() > LONGEST_TOKEN {
             return GreenToken::new(kind.into(), text);
+        }
+        if let [byte] = text.as_bytes()
+            && let Some(entry) = self.bytes.get_mut(usize::from(*byte))
+        {
+            return match entry {
+                Some(token) if token.kind() == kind.into() => token.clone(),
+                _ => entry.insert(GreenToken::new(kind.into(), text)).clone(),
+            };
         }
         let slot = token_slot(kind, text) % TABLE;
         let Some(entry) = self.tokens.get_mut(slot) else {
@@ -74,11 +85,7 @@ impl Sharing {
     }
 }
 
-/// A single character, as every second token is, is its own place.
 fn token_slot(kind: SyntaxKind, text: &str) -> usize {
-    if let [byte] = text.as_bytes() {
-        return usize::from(*byte);
-    }
     let mut hasher = FxHasher::default();
     hasher.write(text.as_bytes());
     hasher.write_u16(kind as u16);
