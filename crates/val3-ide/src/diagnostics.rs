@@ -3,6 +3,7 @@
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
 use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::project::program_files;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
 use val3_check::{Alone, Checked, Unit, check_alone, check_member, finish, is_said_once, units};
@@ -42,6 +43,13 @@ pub fn program_diagnostics(
     let mut found = finish(db, &units, settings.settings(db), checked).findings;
     found.retain(|finding| finding.place.file == file);
     (!found.iter().any(|finding| is_said_once(finding.rule))).then_some(found)
+}
+
+/// Finds a part of what [`program_diagnostics`] asks for: another thread may do so beside it.
+pub fn prepare_program(db: &dyn Db, settings: CheckSettings, project: Project, file: File) {
+    if program_files(db, project).contains(&file) {
+        alone(db, settings, Unit::Program(project, file));
+    }
 }
 
 #[salsa::tracked]

@@ -150,6 +150,22 @@ impl World {
                 });
             });
         }
+        if self.pool.threads() > 1 {
+            self.work_ahead(batch);
+        }
+    }
+
+    /// Lets another thread find, beside the first, what the edited programs need.
+    fn work_ahead(&self, batch: Arc<Batch>) {
+        if batch.edited.is_empty() {
+            return;
+        }
+        let snapshot = self.snapshot();
+        self.pool.spawn(batch.lane, move || {
+            let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| prepare(&batch, &snapshot)));
+            // A fault shows again where somebody waits for the result.
+            let _ = crate::panics::contained(work);
+        });
     }
 
     /// A write stopped a check. If it changed nothing that is checked, the check goes on.
@@ -209,6 +225,20 @@ fn found_early<'a>(
     snapshot: &'a Snapshot,
     project: Project,
 ) -> impl Iterator<Item = (File, Vec<Diagnostic>)> + 'a {
-    let own = batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project]);
+    let own = edited_in(batch, snapshot, project);
     own.filter_map(move |file| Some((file, convert::program_diagnostics(snapshot, project, file)?)))
+}
+
+/// The edited files that are part of `project` and of no other.
+fn edited_in<'a>(batch: &'a Batch, snapshot: &'a Snapshot, project: Project) -> impl Iterator<Item = File> + 'a {
+    batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project])
+}
+
+fn prepare(batch: &Batch, snapshot: &Snapshot) {
+    let Some(settings) = snapshot.settings else { return };
+    for project in &batch.projects {
+        for file in edited_in(batch, snapshot, *project) {
+            val3_ide::prepare_program(snapshot.db(), settings, *project, file);
+        }
+    }
 }

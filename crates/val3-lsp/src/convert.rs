@@ -6,6 +6,7 @@ mod markup;
 pub(crate) use change::{NotPossible, workspace_edit};
 pub(crate) use markup::{documentation, markup};
 
+use salsa::Database as _;
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::{File, Project};
 use val3_check::diagnostic as check;
@@ -25,6 +26,8 @@ pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Ve
     let mut files: Vec<(File, Vec<Diagnostic>)> = Vec::new();
     for found in ide::project_diagnostics(snapshot.db(), settings, project) {
         let file = found.place.file;
+        // There may be many, and whoever writes waits for the end of this.
+        snapshot.db.unwind_if_revision_cancelled();
         if !snapshot.is_shown(file) {
             continue;
         }

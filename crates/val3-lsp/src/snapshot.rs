@@ -1,8 +1,10 @@
 //! The state at one moment, for the threads that compute.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use camino::Utf8Path;
+use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{Location, LocationLink, Position, Range, TextDocumentPositionParams, Url};
 use val3_analysis::db::{Database, Db, File, Project, Sources, path_key};
 use val3_ide::{CheckSettings, FilePosition, FileRange};
@@ -40,6 +42,8 @@ pub(crate) struct Snapshot {
     pub(crate) settings: Option<CheckSettings>,
     /// The way back to the main loop.
     pub(crate) inbox: Inbox,
+    /// The URIs that were asked for: findings name the same files again and again.
+    pub(crate) uris: RefCell<FxHashMap<File, Url>>,
 }
 
 impl Snapshot {
@@ -97,7 +101,7 @@ impl Snapshot {
 
     /// The URI of a file, as the client spells it where it has the file open.
     pub(crate) fn uri(&self, file: File) -> Url {
-        self.uri_of(file.path(&self.db))
+        self.uris.borrow_mut().entry(file).or_insert_with(|| self.uri_of(file.path(&self.db))).clone()
     }
 
     /// As [`uri`](Self::uri), for any path.

@@ -3,6 +3,7 @@
 mod reading;
 mod telling;
 
+use std::cell::RefCell;
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError};
 
@@ -187,6 +188,7 @@ impl World {
             projects: Arc::clone(&self.projects),
             settings: self.settings,
             inbox: self.inbox.clone(),
+            uris: RefCell::default(),
         }
     }
 
