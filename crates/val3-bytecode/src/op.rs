@@ -1,5 +1,7 @@
 //! The operations.
 
+use val3_lang::number_functions::NumberFunction;
+
 /// A lane of the current frame, by its number among those of its sort; or a number in a table of the program.
 pub type Register = u16;
 
@@ -127,6 +129,9 @@ pub enum Op {
     Equal { to: Register, a: Register, b: Register },
     /// `to = a != b`, on truth values also `a xor b`
     NotEqual { to: Register, a: Register, b: Register },
+
+    /// `to = function(a,b,c)`; those that the function does not have may be any. Its errors are those of the instruction.
+    Function { function: NumberFunction, to: Register, a: Register, b: Register, c: Register },
 
     /// A text of the program's table.
     TextConstant { to: Register, constant: Register },

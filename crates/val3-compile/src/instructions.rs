@@ -3,21 +3,50 @@
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
 use val3_bytecode::{ArgumentSite, InstructionSite, Op, Operand};
-use val3_lang::instruction::{Instruction, Overload};
+use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_lang::instructions;
 use val3_lang::memory::Lanes;
+use val3_lang::number_functions::NumberFunction;
 use val3_lang::types::BaseType;
 
 use crate::arguments::Formal;
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::spot::Value;
+use crate::places::num_register;
+use crate::spot::{Value, is_number};
 
 /// A call whose form is known.
 struct Called {
     site: InstructionSite,
     formals: Vec<Formal>,
     result: Option<BaseType>,
+    /// What it computes, if that is all it does.
+    function: Option<NumberFunction>,
+}
+
+impl Called {
+    fn of(instruction: &'static Instruction, form: &'static Overload, result: Option<BaseType>) -> Self {
+        let formal = |param: &Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
+        Self {
+            site: InstructionSite::new(instruction, form),
+            formals: form.params.iter().map(formal).collect(),
+            result,
+            function: NumberFunction::of(instruction, form),
+        }
+    }
+
+    /// The operation that does all of it: a number of numbers needs no call.
+    fn operation(&self) -> Option<Op> {
+        let number =
+            |operand: &Operand| if let Operand::Frame(lanes) = operand { Some(num_register(*lanes)) } else { None };
+        let argument = |at: usize| match self.site.arguments.get(at) {
+            Some(ArgumentSite::Value(operand, base)) if is_number(*base) => number(operand),
+            _ => None,
+        };
+        let (function, to, a) = (self.function?, number(self.site.result.as_ref()?)?, argument(0)?);
+        let behind = |at: usize| if at < self.formals.len() { argument(at) } else { Some(a) };
+        Some(Op::Function { function, to, a, b: behind(1)?, c: behind(2)? })
+    }
 }
 
 impl Coder<'_, '_> {
@@ -60,29 +89,28 @@ impl Coder<'_, '_> {
         let mut boxes = Vec::new();
         let arguments = self.arguments(&called.formals, args, &mut boxes)?;
         called.site.arguments.extend(arguments);
-        self.code.instruction(called.site);
+        match called.operation() {
+            Some(operation) => self.emit(operation),
+            None => self.code.instruction(called.site),
+        }
         self.unbox(&boxes)
     }
 
     fn called(&self, id: ExprId) -> Result<Called> {
-        let formal =
-            |param: &val3_lang::instruction::Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
         if let Some(call) = self.types.call(id) {
             let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
-            let formals = form.params.iter().map(formal).collect();
-            return Ok(Called { site: InstructionSite::new(call.instruction, form), formals, result: form.result });
+            return Ok(Called::of(call.instruction, form, form.result));
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
         // What the catalogue has too does what it does there; its forms say how arguments are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
-            let formals = form.params.iter().map(formal).collect();
-            return Ok(Called { site: InstructionSite::new(instruction, form), formals, result: call.form.result });
+            return Ok(Called::of(instruction, form, call.form.result));
         }
         let formal =
             |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };
         let formals = call.form.params.iter().map(formal).collect();
         let site = InstructionSite::named(call.name.to_string(), None);
-        Ok(Called { site, formals, result: call.form.result })
+        Ok(Called { site, formals, result: call.form.result, function: None })
     }
 
     /// The instruction that waits for a condition which `id` calls, by its name.

@@ -21,6 +21,7 @@ pub mod keywords;
 pub mod library_errors;
 pub mod memory;
 pub mod motion;
+pub mod number_functions;
 pub mod operators;
 pub mod page;
 pub mod ports;

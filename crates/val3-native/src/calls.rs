@@ -5,6 +5,7 @@ use val3_lang::memory::Lanes;
 use wasm_encoder::ValType;
 
 use crate::body::{Body, Surroundings, number_at, whole_at};
+use crate::functions::FIRST;
 use crate::layout::NUMBERS;
 use crate::local;
 
@@ -23,7 +24,7 @@ pub(crate) struct Call<'p> {
 /// The program that an operation calls, if both have machine code.
 pub(crate) fn callee<'m>(module: &Surroundings<'m>, program: &'m Program, op: Op) -> Option<Call<'m>> {
     let (passes, number) = plain_call(op, program)?;
-    let function = module.programs.iter().position(|known| *known == number)?;
+    let function = FIRST as usize + module.programs.iter().position(|known| *known == number)?;
     let callee = module.image.programs.get(usize::from(number)).filter(|callee| takes_numbers(callee))?;
     Some(Call { callee, function: u32::try_from(function).ok()?, passes })
 }

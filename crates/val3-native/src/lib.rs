@@ -11,6 +11,7 @@ mod calls;
 mod containers;
 mod exchange;
 mod flow;
+mod functions;
 mod lanes;
 mod layout;
 mod local;

@@ -6,9 +6,10 @@ use std::fmt;
 use rustc_hash::FxHashMap;
 use val3_bytecode::Image;
 use wasmtime::error::Context as _;
-use wasmtime::{Config, Engine, Instance, Memory, Module, Store, TypedFunc};
+use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc};
 
 use crate::containers::Shared;
+use crate::functions::compute;
 use crate::module::{MEMORY, Plan};
 use crate::regions::Regions;
 use crate::ways::name;
@@ -42,7 +43,8 @@ impl Machinery {
     pub(crate) fn compile(&mut self, plan: Plan, image: &Image) -> wasmtime::Result<Compiled> {
         let encoded = plan.encode(image).context("a program is not there")?;
         let module = Module::new(self.store.engine(), encoded)?;
-        let instance = Instance::new(&mut self.store, &module, &[])?;
+        let compute = Func::wrap(&mut self.store, compute);
+        let instance = Instance::new(&mut self.store, &module, &[compute.into()])?;
         let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;
         let mut programs = FxHashMap::default();
         for number in &plan.programs {

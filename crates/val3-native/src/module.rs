@@ -2,12 +2,14 @@
 
 use val3_bytecode::{Image, Program};
 use wasm_encoder::{
-    CodeSection, ExportKind, ExportSection, FunctionSection, MemorySection, MemoryType, Module, TypeSection,
+    CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemorySection, MemoryType,
+    Module, TypeSection,
 };
 
 use crate::body::{Surroundings, function};
 use crate::calls::{SIGNATURE, plain_call};
 use crate::containers::Shared;
+use crate::functions::{COMPUTE, FIRST, HOST};
 use crate::layout::{END, PAGE};
 use crate::operands::container;
 
@@ -65,6 +67,9 @@ impl Plan {
         let surroundings = Surroundings { image, programs: &self.programs, shared: &self.shared };
         let mut types = TypeSection::new();
         types.ty().function(SIGNATURE.0, SIGNATURE.1);
+        types.ty().function(COMPUTE.0, COMPUTE.1);
+        let mut imports = ImportSection::new();
+        imports.import(HOST, HOST, EntityType::Function(1));
         let pages = u64::from(END / PAGE);
         let memory =
             MemoryType { minimum: pages, maximum: Some(pages), memory64: false, shared: false, page_size_log2: None };
@@ -73,13 +78,19 @@ impl Plan {
         let (mut functions, mut exports, mut codes) =
             (FunctionSection::new(), ExportSection::new(), CodeSection::new());
         exports.export(MEMORY, ExportKind::Memory, 0);
-        for (number, index) in self.programs.iter().zip(0..) {
+        for (number, index) in self.programs.iter().zip(FIRST..) {
             functions.function(0);
             exports.export(&Self::name(*number), ExportKind::Func, index);
             codes.function(&function(&surroundings, *number)?);
         }
         let mut module = Module::new();
-        module.section(&types).section(&functions).section(&memories).section(&exports).section(&codes);
+        module
+            .section(&types)
+            .section(&imports)
+            .section(&functions)
+            .section(&memories)
+            .section(&exports)
+            .section(&codes);
         Some(module.finish())
     }
 }

@@ -4,18 +4,18 @@ use val3_bytecode::{Op, Register, Whole};
 
 /// The numbers of the frame that machine code reads or writes for an operation; none where it has no code for it.
 pub(crate) fn registers(op: Op) -> impl Iterator<Item = Register> {
-    let used: [Option<Register>; 3] = match op {
+    let used: [Option<Register>; 4] = match op {
         Op::JumpUnless { condition, .. } | Op::JumpIf { condition, .. } | Op::WaitUntil { condition, .. } => {
-            [Some(condition), None, None]
+            [Some(condition), None, None, None]
         }
         Op::IfLess { a, b, .. }
         | Op::IfLessEqual { a, b, .. }
         | Op::UnlessLess { a, b, .. }
         | Op::UnlessLessEqual { a, b, .. }
         | Op::UnlessEqual { a, b, .. }
-        | Op::IfEqual { a, b, .. } => [Some(a), Some(b), None],
-        Op::Move { to, from } => [Some(to), Some(from), None],
-        Op::Negate { to, a } | Op::Not { to, a } => [Some(to), Some(a), None],
+        | Op::IfEqual { a, b, .. } => [Some(a), Some(b), None, None],
+        Op::Move { to, from } => [Some(to), Some(from), None, None],
+        Op::Negate { to, a } | Op::Not { to, a } => [Some(to), Some(a), None, None],
         Op::Add { to, a, b }
         | Op::Subtract { to, a, b }
         | Op::Multiply { to, a, b }
@@ -24,17 +24,18 @@ pub(crate) fn registers(op: Op) -> impl Iterator<Item = Register> {
         | Op::Less { to, a, b }
         | Op::LessEqual { to, a, b }
         | Op::Equal { to, a, b }
-        | Op::NotEqual { to, a, b } => [Some(to), Some(a), Some(b)],
-        Op::LoadFirst { to, .. } | Op::Load { to, .. } => [Some(to), None, None],
-        Op::StoreFirst { from, .. } | Op::Store { from, .. } => [Some(from), None, None],
-        Op::LoadElement { to, index, .. } => [Some(to), Some(index), None],
-        Op::StoreElement { index, from, .. } => [Some(from), Some(index), None],
-        Op::LoadElement2 { to, i, j, .. } => [Some(to), Some(i), Some(j)],
-        Op::StoreElement2 { from, i, j, .. } => [Some(from), Some(i), Some(j)],
+        | Op::NotEqual { to, a, b } => [Some(to), Some(a), Some(b), None],
+        Op::Function { to, a, b, c, .. } => [Some(to), Some(a), Some(b), Some(c)],
+        Op::LoadFirst { to, .. } | Op::Load { to, .. } => [Some(to), None, None, None],
+        Op::StoreFirst { from, .. } | Op::Store { from, .. } => [Some(from), None, None, None],
+        Op::LoadElement { to, index, .. } => [Some(to), Some(index), None, None],
+        Op::StoreElement { index, from, .. } => [Some(from), Some(index), None, None],
+        Op::LoadElement2 { to, i, j, .. } => [Some(to), Some(i), Some(j), None],
+        Op::StoreElement2 { from, i, j, .. } => [Some(from), Some(i), Some(j), None],
         Op::ForTest { counter, limit, .. }
         | Op::ForNext { counter, limit, .. }
-        | Op::ForNextUp { counter, limit, .. } => [Some(counter), Some(limit), Some(limit + 1)],
-        _ => [None; 3],
+        | Op::ForNextUp { counter, limit, .. } => [Some(counter), Some(limit), Some(limit + 1), None],
+        _ => [None; 4],
     };
     used.into_iter().flatten()
 }

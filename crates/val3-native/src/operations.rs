@@ -83,6 +83,7 @@ impl Body<'_> {
                 self.compute(to, (a, b), &[F64Div]);
             }
             Op::Remainder { to, a, b } => self.remainder(to, a, b),
+            Op::Function { function, to, a, b, c } => self.function(function, to, [a, b, c]),
             Op::Less { to, a, b } => self.compute(to, (a, b), &[F64Lt, F64ConvertI32U]),
             Op::LessEqual { to, a, b } => self.compute(to, (a, b), &[F64Le, F64ConvertI32U]),
             Op::Equal { to, a, b } => self.compute(to, (a, b), &[F64Eq, F64ConvertI32U]),

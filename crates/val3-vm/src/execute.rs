@@ -232,6 +232,9 @@ impl Machine<'_> {
                     }
                     nums.set(to, nums.get(a)? / divisor)?;
                 }
+                Op::Function { function, to, a, b, c } => {
+                    nums.set(to, function.compute([nums.get(a)?, nums.get(b)?, nums.get(c)?])?)?;
+                }
                 Op::Remainder { to, a, b } => nums.set(to, remainder(nums.get(a)?, nums.get(b)?)?)?,
                 Op::Negate { to, a } => nums.set(to, -nums.get(a)?)?,
                 Op::Not { to, a } => nums.set(to, truth(nums.get(a)? == 0.0))?,

@@ -9,8 +9,8 @@ use camino::Utf8Path;
 use crate::project;
 
 /// The applications in `benches/programs`. Each but the last, which waits for an hour, is there in Lua and Python too.
-pub const PROGRAMS: [&str; 8] =
-    ["sieve", "loops", "arrays", "fibonacci", "texts", "transformations", "tasks", "waiting"];
+pub const PROGRAMS: [&str; 9] =
+    ["sieve", "loops", "arrays", "fibonacci", "functions", "texts", "transformations", "tasks", "waiting"];
 
 /// The fastest run counts: the others were disturbed.
 const RUNS: usize = 3;

@@ -17,7 +17,7 @@ fn values_and_references() {
         expect![[r#"
             n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n3=1, n5=1, n6=2, n7=3, n8=4, n9=5, n10=6
                1     0  Add { to: 4, a: 0, b: 3 }
-                     1  Instruction sin(num n4) -> n0/t0/l0
+                     1  Function { function: Sin, to: 0, a: 4, b: 4, c: 4 }
                2     2  Line
                      3  Instruction toNum(string t0, num n0, bool n2) -> n3/t0/l0
                3     4  TextConstant { to: 1, constant: 0 }
@@ -102,7 +102,7 @@ fn truth_values_are_read_from_inputs() {
             n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1, n5=2
                1     0  LocateFirst { to: 0, whole: Data(2) }
                      1  Instruction =(dio p0) -> n3/t0/l0
-                     2  Instruction sel(bool n3, num n4, num n5) -> n0/t0/l0
+                     2  Function { function: Sel, to: 0, a: 3, b: 4, c: 5 }
                      3  Return
         "#]],
     );

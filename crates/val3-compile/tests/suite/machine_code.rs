@@ -87,7 +87,17 @@ fn numbers_arrays_and_calls_are_machine_code() {
         begin
           call fib(15,n)
         end";
-    for (listing, least) in [(loops, 20_000), (arrays, 500), (calls, 6_000)] {
+    let functions = "
+        num nSum
+        program start()
+          num i
+        begin
+          for i=1 to 1000
+            nSum=nSum+sqrt(abs(sin(i)))+max(i,500)
+            nSum=bAnd(round(nSum),65535)+sel(i>500,power(i,0.5),atan(i))
+          endFor
+        end";
+    for (listing, least) in [(loops, 20_000), (arrays, 500), (calls, 6_000), (functions, 2_900)] {
         let found = lines(listing);
         assert!(found > least, "{found} lines of {listing}");
     }
@@ -156,6 +166,10 @@ fn errors_come_where_they_come_from() {
         ("nX=nA[5-i]", 21),
         ("nX=i/(i-9)", 10),
         ("nX=i%(i-9)", 10),
+        ("nX=sqrt(5-i)", 11),
+        ("nX=ln(9-i)", 11),
+        ("nX=asin(i/10-0.05)", 11),
+        ("nX=exp(i*100)", 11),
         ("nG[i,i]=1", 20),
         ("call deep(i)", 41),
     ] {
@@ -190,6 +204,29 @@ fn variable() -> impl Strategy<Value = String> {
     prop_oneof![6 => plain, 1 => indexed, 2 => computed]
 }
 
+/// Instructions that make a number of numbers, with what they take.
+const FUNCTIONS: [(&str, usize); 14] = [
+    ("abs", 1),
+    ("bAnd", 2),
+    ("bNot", 1),
+    ("cos", 1),
+    ("exp", 1),
+    ("limit", 3),
+    ("ln", 1),
+    ("max", 2),
+    ("power", 2),
+    ("round", 1),
+    ("roundDown", 1),
+    ("roundUp", 1),
+    ("sin", 1),
+    ("sqrt", 1),
+];
+
+fn call_of(((name, takes), a, b, c): ((&str, usize), String, String, String)) -> String {
+    let arguments: Vec<String> = [a, b, c].into_iter().take(takes).collect();
+    format!("{name}({})", arguments.join(","))
+}
+
 fn expression() -> impl Strategy<Value = String> {
     let number = prop::sample::select(vec!["0", "1", "2", "3", "-1", "0.5", "7", "1e9"]).prop_map(str::to_owned);
     let leaf = prop_oneof![3 => variable(), 2 => number];
@@ -197,7 +234,8 @@ fn expression() -> impl Strategy<Value = String> {
         let operator = prop::sample::select(vec!["+", "-", "*", "+", "-", "/", "%"]);
         prop_oneof![
             4 => (inner.clone(), operator, inner.clone()).prop_map(|(a, operator, b)| format!("({a}{operator}{b})")),
-            1 => inner.prop_map(|a| format!("(-{a})")),
+            1 => inner.clone().prop_map(|a| format!("(-{a})")),
+            1 => (prop::sample::select(FUNCTIONS.to_vec()), inner.clone(), inner.clone(), inner).prop_map(call_of),
         ]
     })
 }

@@ -1,0 +1,135 @@
+//! Instructions that make a number of one to three numbers and touch nothing else: they need no [`Call`], and whoever
+//! runs programs may compute them on the spot.
+//!
+//! [`Call`]: crate::call::Call
+
+use val3_geometry::degrees;
+
+use crate::fault::{Fault, Result};
+use crate::instruction::{Instruction, Overload, Shape};
+use crate::runtime_errors::INVALID_NUMBER;
+use crate::types::BaseType;
+use crate::values::{bits, numbers};
+
+/// What such an instruction computes of its arguments. Those that it does not have may be anything.
+type Compute = fn([f64; 3]) -> Result<f64>;
+
+macro_rules! number_functions {
+    ($($function:ident $name:literal = $compute:expr;)+) => {
+        /// An instruction that makes a number of numbers or truth values.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[repr(u8)]
+        pub enum NumberFunction {
+            $(#[doc = concat!("`", $name, "`")] $function,)+
+        }
+
+        /// In the order of their numbers.
+        const ALL: &[(NumberFunction, &str, Compute)] = &[$((NumberFunction::$function, $name, $compute)),+];
+    };
+}
+
+number_functions! {
+    Abs "abs" = |[a, ..]| Ok(numbers::abs(a));
+    Acos "acos" = |[a, ..]| degrees::acos(a).ok_or(Fault(INVALID_NUMBER));
+    And "bAnd" = |[a, b, _]| Ok(bits::and(a, b));
+    Asin "asin" = |[a, ..]| degrees::asin(a).ok_or(Fault(INVALID_NUMBER));
+    Atan "atan" = |[a, ..]| Ok(degrees::atan(a));
+    Cos "cos" = |[a, ..]| Ok(degrees::cos(a));
+    Exp "exp" = |[a, ..]| numbers::exp(a);
+    Limit "limit" = |[a, b, c]| Ok(numbers::limit(a, b, c));
+    Ln "ln" = |[a, ..]| numbers::ln(a);
+    Log "log" = |[a, ..]| numbers::log(a);
+    Max "max" = |[a, b, _]| Ok(numbers::max(a, b));
+    Min "min" = |[a, b, _]| Ok(numbers::min(a, b));
+    Not "bNot" = |[a, ..]| Ok(bits::not(a));
+    Or "bOr" = |[a, b, _]| Ok(bits::or(a, b));
+    Power "power" = |[a, b, _]| numbers::power(a, b);
+    Round "round" = |[a, ..]| Ok(numbers::round(a));
+    RoundDown "roundDown" = |[a, ..]| Ok(numbers::round_down(a));
+    RoundUp "roundUp" = |[a, ..]| Ok(numbers::round_up(a));
+    Sel "sel" = |[a, b, c]| Ok(numbers::sel(a != 0.0, b, c));
+    Sin "sin" = |[a, ..]| Ok(degrees::sin(a));
+    Sqrt "sqrt" = |[a, ..]| numbers::sqrt(a);
+    Tan "tan" = |[a, ..]| Ok(degrees::tan(a));
+    Xor "bXor" = |[a, b, _]| Ok(bits::xor(a, b));
+}
+
+impl NumberFunction {
+    /// What a form of an instruction computes, if it makes a number of numbers alone.
+    #[must_use]
+    pub fn of(instruction: &Instruction, form: &Overload) -> Option<Self> {
+        let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));
+        let takes_numbers = form.params.iter().all(|param| param.shape == Shape::Value && is_number(param.ty));
+        let (function, ..) = ALL.iter().find(|(_, name, _)| *name == instruction.name)?;
+        (takes_numbers && is_number(form.result)).then_some(*function)
+    }
+
+    /// Its number, for those who pass it on as one.
+    #[must_use]
+    pub fn number(self) -> u32 {
+        self as u32
+    }
+
+    /// The function with this number.
+    #[must_use]
+    pub fn numbered(number: u32) -> Option<Self> {
+        ALL.get(number as usize).map(|(function, ..)| *function)
+    }
+
+    /// Computes it. The arguments come first; what stands behind them is not looked at.
+    ///
+    /// # Errors
+    /// Those of the instruction.
+    #[inline]
+    pub fn compute(self, arguments: [f64; 3]) -> Result<f64> {
+        let (.., compute) = ALL.get(self as usize).ok_or(Fault::INTERPRETER)?;
+        compute(arguments)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::Bench;
+    use crate::values::number_text::significant;
+
+    const NUMBERS: [f64; 8] = [0.0, 1.0, -1.0, 0.5, -2.5, 90.0, 1e10, -360.25];
+
+    #[test]
+    fn numbers_lead_back() {
+        for (at, (function, ..)) in (0u32..).zip(ALL) {
+            assert_eq!((function.number(), NumberFunction::numbered(at)), (at, Some(*function)));
+        }
+        assert_eq!(NumberFunction::numbered(u32::MAX), None);
+    }
+
+    #[test]
+    fn each_computes_what_its_instruction_does() {
+        for (function, name, _) in ALL {
+            let instruction = crate::instructions::find(name).unwrap();
+            let form = instruction.overloads.iter().find(|form| NumberFunction::of(instruction, form).is_some());
+            let params = form.unwrap().params;
+            for (a, b, c) in NUMBERS.iter().flat_map(|a| NUMBERS.map(|b| (*a, b, 7.0))) {
+                let spoken = |(value, param): (f64, &crate::instruction::Param)| match param.ty {
+                    Some(BaseType::Bool) => (value != 0.0).to_string(),
+                    _ => value.to_string(),
+                };
+                let arguments: Vec<String> = [a, b, c].into_iter().zip(params).map(spoken).collect();
+                let call = format!("{name}({})", arguments.join(","));
+                let expected = function.compute([a, b, c]);
+                let expected =
+                    expected.map_or_else(|fault| format!("error {}", fault.0), |value| significant(value).to_string());
+                assert_eq!(Bench::default().run(&call), expected, "{call}");
+            }
+        }
+    }
+
+    #[test]
+    fn other_forms_are_none() {
+        let of = |name: &str| {
+            let instruction = crate::instructions::find(name).unwrap();
+            instruction.overloads.iter().filter_map(|form| NumberFunction::of(instruction, form)).count()
+        };
+        assert_eq!((of("abs"), of("sqrt"), of("clock"), of("len")), (1, 1, 0, 0));
+    }
+}
