@@ -21,6 +21,8 @@ impl Stores {
             *slot = store;
             return StoreId { index, generation };
         }
+        // A copy of a container comes with the number of the place that the container has.
+        store.generation = 0;
         let index = u32::try_from(self.items.len()).unwrap_or(u32::MAX);
         self.items.push(store);
         StoreId { index, generation: 0 }
@@ -113,5 +115,27 @@ impl Stores {
         let store = self.living_mut(view.store)?;
         let lane = store.lane2(at)?;
         store.nums.get_mut(lane)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::{Store, Stores};
+    use crate::memory::{Kind, Shape};
+    use crate::types::BaseType;
+
+    #[test]
+    fn a_copy_of_a_later_container_is_found() {
+        let mut stores = Stores::default();
+        let store = Store::filled(Arc::new(Kind::builtin(BaseType::Num, None)), Shape::ELEMENT);
+        let first = stores.add(store.clone());
+        stores.remove(first);
+        let second = stores.add(store);
+        let copied = stores.get(second).unwrap().clone();
+        let copy = stores.add(copied);
+        assert!(stores.get(copy).is_ok());
+        assert!(stores.get(first).is_err());
     }
 }
