@@ -28,7 +28,7 @@ impl Stores {
         StoreId { index, generation: 0 }
     }
 
-    /// Drops a container and those in it. References to it end in run-time error 61.
+    /// Drops a container and those in it. References to it end in run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         let Ok(store) = self.get_mut(id) else { return };
         let generation = store.generation;
@@ -41,19 +41,19 @@ impl Stores {
     /// A container.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     #[inline]
     pub fn get(&self, id: StoreId) -> Result<&Store> {
-        self.living(id).ok_or(Fault::INTERPRETER)
+        self.living(id).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// As [`get`](Self::get), to be changed.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     #[inline]
     pub fn get_mut(&mut self, id: StoreId) -> Result<&mut Store> {
-        self.living_mut(id).ok_or(Fault::INTERPRETER)
+        self.living_mut(id).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     #[inline(always)]
