@@ -20,6 +20,7 @@ pub(crate) struct Frame {
     pools: [Pool; 5],
     taken: Vec<(Sort, u32, u32)>,
     constants: FxHashMap<u64, Register>,
+    pairs: FxHashMap<[u64; 2], Register>,
     nums: Vec<f64>,
     /// The containers of a new frame.
     pub(crate) parts: Vec<PartInit>,
@@ -112,6 +113,18 @@ impl Frame {
         Ok(narrow(at))
     }
 
+    /// The first of two registers, one behind the other, that hold constant numbers.
+    pub(crate) fn constant_pair(&mut self, values: [f64; 2]) -> Result<Register> {
+        let key = values.map(f64::to_bits);
+        if let Some(known) = self.pairs.get(&key) {
+            return Ok(*known);
+        }
+        let at = self.pool(Sort::Num).grow(2)?;
+        (at..).zip(values).for_each(|(at, value)| self.preset(at, value));
+        self.pairs.insert(key, narrow(at));
+        Ok(narrow(at))
+    }
+
     /// What a call takes of the stack that a project declares, in bytes, as long as the frame holds nothing but
     /// parameters and locals. The manual does not say how much a value takes: here 8 bytes a number, 132 a text, 16 a
     /// reference, a container or the return to the caller.
@@ -190,7 +203,8 @@ impl Frame {
         let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
         self.nums.resize(num as usize, 0.0);
         let size = FrameSize { lanes: Lanes { num, text, link, part }, places: place, views: view };
-        let mut constants: Vec<Register> = self.constants.into_values().collect();
+        let pairs = self.pairs.into_values().flat_map(|first| [first, first + 1]);
+        let mut constants: Vec<Register> = self.constants.into_values().chain(pairs).collect();
         constants.sort_unstable();
         Finished { size, nums: self.nums, constants, parts: self.parts }
     }

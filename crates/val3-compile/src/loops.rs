@@ -59,17 +59,28 @@ impl Coder<'_, '_> {
     fn counter(&mut self, counter: ExprId, start: ExprId, stop: ExprId, step: Option<ExprId>) -> Result<Counter> {
         let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
         let variable = Value { spot: self.pinned(variable.spot)?, ..variable };
-        let limit = self.frame.nums(2)?;
+        let fixed = self.fixed_end(stop, step)?;
+        let limit = fixed.map_or_else(|| self.frame.nums(2), Ok)?;
         let register = match variable.spot {
             Spot::Lanes(lanes) => num_register(lanes),
             _ => self.frame.num()?,
         };
         let start = self.num(start)?;
-        self.num_to(stop, limit)?;
-        self.step(step, limit + 1)?;
+        if fixed.is_none() {
+            self.num_to(stop, limit)?;
+            self.step(step, limit + 1)?;
+        }
         self.move_num(register, start);
         let is_up = step.is_none_or(|step| self.constant(step).is_some_and(|(_, step)| step > 0.0));
         Ok(Counter { variable, register, limit, is_up })
+    }
+
+    /// The registers with limit and step where both are constants: they are right too where `taskResume` has led past the
+    /// head of the loop.
+    fn fixed_end(&mut self, stop: ExprId, step: Option<ExprId>) -> Result<Option<Register>> {
+        let Some((_, limit)) = self.constant(stop) else { return Ok(None) };
+        let step = step.map_or(Some(1.0), |step| self.constant(step).map(|(_, step)| step));
+        step.map(|step| self.frame.constant_pair([limit, step])).transpose()
     }
 
     fn rounds(&mut self, counts: &Counter, block: &[Stmt]) -> Result<()> {

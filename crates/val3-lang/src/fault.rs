@@ -15,7 +15,7 @@ impl Fault {
     pub const NO_MEMORY: Self = Self(runtime_errors::NO_MEMORY);
     /// 41: the stack of the task is full.
     pub const STACK_FULL: Self = Self(runtime_errors::STACK_FULL);
-    /// 61: the interpreter cannot go on; data it refers to are gone.
+    /// 61: the interpreter cannot go on.
     pub const INTERPRETER: Self = Self(runtime_errors::INTERPRETER);
     /// 70: an argument that the instruction does not take.
     pub const INVALID_PARAMETER: Self = Self(runtime_errors::INVALID_PARAMETER);

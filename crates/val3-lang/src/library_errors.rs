@@ -41,7 +41,7 @@ pub static LIBRARY_ERRORS: [LibraryError; 29] = [
     row(12, "library cannot be loaded", "The library holds faulty data or programs, or the password of an \
         encrypted library is wrong. The event log names the fault."),
     row(13, "library in use by a task", "The library under the identifier cannot be replaced while another task \
-        uses it."),
+        uses it, or a program has some of its data by reference."),
     row(14, "library has a running task", "A task that a program of the library created still runs. End it before \
         another library is loaded in its place."),
     row(20, "bad root in the path", "The part before :// names no medium: Disk, USB0 or a connection defined on \

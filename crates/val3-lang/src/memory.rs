@@ -65,7 +65,7 @@ impl Memory {
         self.stores.add(store)
     }
 
-    /// Drops a container and those in it. References to it end in run-time error 61.
+    /// Drops a container and those in it. References to it end in run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         self.stores.remove(id);
     }
@@ -73,7 +73,7 @@ impl Memory {
     /// A container.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     #[inline]
     pub fn store(&self, id: StoreId) -> Result<&Store> {
         self.stores.get(id)
@@ -82,7 +82,7 @@ impl Memory {
     /// As [`store`](Self::store), to be changed.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     #[inline]
     pub fn store_mut(&mut self, id: StoreId) -> Result<&mut Store> {
         self.stores.get_mut(id)

@@ -66,7 +66,7 @@ pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> 
 /// What a frame or tool is given in, or a point; `None` if it has no reference that is there.
 ///
 /// # Errors
-/// 20 or 61 if it is gone itself, 82 if its reference is out of its reach.
+/// 20 if it is gone itself, 82 if its reference is out of its reach.
 pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
     match memory.link(at, 0)? {
         Link::Data(reference) if memory.link(reference, 0).is_ok() => {

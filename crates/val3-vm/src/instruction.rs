@@ -52,7 +52,7 @@ impl Machine<'_> {
             self.end_with_turn();
         }
         if let Some(request) = request {
-            let code = self.fulfil(frame.instance, request);
+            let code = self.fulfil(thread, frame.instance, request);
             result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
         }
         match flow {

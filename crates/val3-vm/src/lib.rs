@@ -22,6 +22,7 @@ mod services;
 mod space;
 mod task;
 mod turn;
+mod usage;
 mod values;
 mod vm;
 mod window;

@@ -6,6 +6,7 @@ use val3_lang::library_errors as code;
 use val3_lang::ports::Request;
 
 use crate::machine::Machine;
+use crate::task::Thread;
 use crate::{Host, InstanceId, LibraryOp, Space};
 
 /// The application, which is the first in memory and never leaves it.
@@ -13,14 +14,16 @@ const APPLICATION: InstanceId = InstanceId(0);
 
 impl Machine<'_> {
     /// Does what an instruction has asked for; the code it comes to.
-    pub(crate) fn fulfil(&mut self, owner: InstanceId, request: Request) -> f64 {
+    pub(crate) fn fulfil(&mut self, thread: &Thread, owner: InstanceId, request: Request) -> f64 {
         let (op, library, path) = match request {
             Request::Load { library, path, .. } => (LibraryOp::Load, Some(library), path),
             Request::Save { library, path } => (LibraryOp::Save, library, path.unwrap_or_default()),
         };
         let alias = self.alias(owner, library);
         let code = match request {
-            Request::Load { library, path, password } => self.load(owner, library, path.as_str(), password.as_str()),
+            Request::Load { library, path, password } => {
+                self.load(thread, (owner, library), path.as_str(), password.as_str())
+            }
             Request::Save { library, path } => self.save(owner, library, path.as_ref().map(|path| path.as_str())),
         };
         self.ports.library(op, &alias, path.as_str(), code);
@@ -34,15 +37,16 @@ impl Machine<'_> {
     }
 
     /// A library that is in memory already is taken from there, as it is.
-    fn load(&mut self, owner: InstanceId, library: u16, path: &str, password: &str) -> u16 {
+    fn load(&mut self, thread: &Thread, identifier: (InstanceId, u16), path: &str, password: &str) -> u16 {
+        let (owner, library) = identifier;
         let from = self.space.instance(owner).map(|instance| instance.path.clone()).unwrap_or_default();
         let loaded = match self.ports.load(&from, path, password) {
             Ok(loaded) => loaded,
             Err(code) => return code,
         };
         let there = self.space.in_memory(&loaded.path);
-        let leaving = self.space.unused(Some(((owner, library), there)));
-        if let Some(refusal) = leaving.iter().find_map(|leaving| self.refusal(*leaving)) {
+        let leaving = self.space.unused(Some((identifier, there)));
+        if let Some(refusal) = leaving.iter().find_map(|leaving| self.refusal(thread, *leaving)) {
             return refusal;
         }
         let new = self.space.take_in(loaded, self.ports);
@@ -52,12 +56,13 @@ impl Machine<'_> {
     }
 
     /// Why a library cannot leave memory; `None` where it can.
-    fn refusal(&self, library: InstanceId) -> Option<u16> {
+    fn refusal(&self, thread: &Thread, library: InstanceId) -> Option<u16> {
         if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
         }
         let mut frames = self.roster.tasks.iter().flat_map(|task| &task.thread.frames);
-        frames.any(|frame| frame.instance == library).then_some(code::IN_USE)
+        let is_used = frames.any(|frame| frame.instance == library) || self.is_referred_to(thread, library);
+        is_used.then_some(code::IN_USE)
     }
 
     fn save(&mut self, owner: InstanceId, library: Option<u16>, path: Option<&str>) -> u16 {

@@ -6,7 +6,7 @@
 
 use val3_lang::ports::{TaskNumber, Time};
 
-use crate::{Grant, Host, Rate, Task, Vm};
+use crate::{Grant, Host, Rate, Stop, Task, Vm};
 
 /// The length of a cycle in nanoseconds, and the unit of periods: [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP).
 pub const CYCLE: Time = 4_000_000;
@@ -128,12 +128,12 @@ impl Schedule {
     fn asynchronous(&mut self, vm: &mut Vm, end: &mut Time, is_late: bool, host: &mut dyn Host) -> Cycle {
         let mut any = false;
         // A round that the last cycle has interrupted does not show that all tasks wait.
-        let mut round = Round { lines: u32::from(self.next != TaskNumber(0)), reads_clock: false };
+        let mut round = Round { has_run: self.next != TaskNumber(0), reads_clock: false };
         while self.now < *end {
             let Some((id, grant)) = self.next_turn(vm, (*end, is_late || any)) else {
                 // The round is over.
                 self.next = TaskNumber(0);
-                if round.lines > 0 {
+                if round.has_run {
                     round = Round::default();
                     continue;
                 }
@@ -151,9 +151,11 @@ impl Schedule {
             *end = turn.cycle.unwrap_or(*end);
             vm.set_left(id, turn.left);
             self.next = if turn.left > 0 { id } else { TaskNumber(id.0 + 1) };
-            round.lines += turn.lines;
+            // One that ends behind what it waited for executes no line, but others see that it is over.
+            let has_run = turn.lines > 0 || turn.stop != Stop::Waits;
+            round.has_run |= has_run;
             round.reads_clock |= turn.reads_clock;
-            any |= turn.lines > 0;
+            any |= has_run;
         }
         Cycle::Busy
     }
@@ -217,6 +219,6 @@ impl Schedule {
 /// What the tasks have done since each had its last turn.
 #[derive(Default)]
 struct Round {
-    lines: u32,
+    has_run: bool,
     reads_clock: bool,
 }

@@ -484,3 +484,39 @@ fn a_failed_task_holds_its_name_and_can_be_killed() {
         "#]],
     );
 }
+
+#[test]
+fn resumed_within_a_loop() {
+    check(
+        r#"
+        num nZero
+        program work()
+          num l_nRound
+        begin
+          ? 1/nZero
+          for l_nRound=5 to 7
+            ? l_nRound
+          endFor
+          ? "behind"
+        end
+        program start()
+        begin
+          taskCreate "work",10,work()
+          wait(taskStatus("work")!=1)
+          taskResume("work",2)
+        end
+        "#,
+        expect![[r#"
+            error 10
+            0
+            1
+            2
+            3
+            4
+            5
+            6
+            7
+            behind
+        "#]],
+    );
+}

@@ -69,3 +69,51 @@ fn new_values_are_as_the_type_says_and_have_no_references() {
         "#]],
     );
 }
+
+#[test]
+fn a_copy_has_all_its_containers_and_a_value_taken_out_none() {
+    check(
+        r#"
+        type Tray "Disk://Tray/Tray.pjx"
+        Tray tRow[2]
+        Tray tOther
+        Tray tTrays[""]
+        program pass(Tray x_tTray)
+        begin
+        end
+        program grow(Tray& x_tTray)
+        begin
+          append(x_tTray.tSlots)
+          insert(x_tTray.tNamed["first"])
+        end
+        program row(num& x_nRow[])
+        begin
+          delete(tRow[1])
+          ? size(x_nRow)
+        end
+        program start()
+        begin
+          call pass(tRow[1])
+          call grow(tRow[1])
+          tOther=tRow[1]
+          insert(tTrays["a"])
+          tTrays["a"]=tOther
+          call grow(tTrays["a"])
+          ? size(tTrays["a"].tSlots)
+          ? tTrays["a"].tSlots[2].nValues[1]
+          call row(tRow[1].tSlots[1].nValues)
+        end
+        --- Slot
+        public num nValues[2]
+        --- Tray
+        type Slot "Disk://Slot/Slot.pjx"
+        public Slot tSlots[2]
+        public Slot tNamed[""]
+        "#,
+        expect![[r#"
+            4
+            0
+            error 20
+        "#]],
+    );
+}

@@ -101,3 +101,57 @@ fn a_wait_sees_every_change() {
         "#]],
     );
 }
+
+#[test]
+fn a_wait_sees_that_a_task_ends_behind_what_it_waited_for() {
+    check(
+        r#"
+        bool bMutex
+        num nZero
+        bool bWatched
+        program sleep()
+        begin
+          delay(0.1)
+        end
+        program lock()
+        begin
+          setMutex(bMutex)
+        end
+        program look()
+        begin
+          bWatched=watch(bWatched,0.2)
+        end
+        program fail()
+        begin
+          wait(bWatched and 1/nZero>0)
+        end
+        program start()
+        begin
+          taskCreate "sleep",10,sleep()
+          wait(taskStatus("sleep")==-1)
+          ? clock()
+          taskCreate "look",10,look()
+          wait(taskStatus("look")==-1)
+          ? clock()
+          bMutex=true
+          taskCreate "lock",10,lock()
+          delay(0.1)
+          bMutex=false
+          wait(taskStatus("lock")==-1)
+          ? bMutex
+          taskCreate "fail",10,fail()
+          delay(0.1)
+          bWatched=true
+          wait(taskStatus("fail")!=1)
+          ? taskStatus("fail")
+        end
+        "#,
+        expect![[r#"
+            0.1
+            0.3
+            true
+            error 10
+            10
+        "#]],
+    );
+}

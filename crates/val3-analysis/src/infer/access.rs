@@ -63,13 +63,14 @@ impl Infer<'_> {
         }
     }
 
-    /// A constant index: below zero is always wrong, above the size only where the size cannot change.
+    /// A constant index: below zero is wrong, above the size only where the size cannot change; neither is where the
+    /// value need not be there, as for `isDefined`.
     fn bounds(&mut self, id: ExprId, name: &SmolStr, (variable, position): (&Variable, usize), number: f64) {
         // Indexes are rounded to the nearest whole number (2.5.3).
         let index = (number + 0.5).floor() as i64;
         let size = self.sizes(variable, name).and_then(|sizes| sizes.get(position)).copied();
-        let too_large = !self.may_be_absent && size.is_some_and(|size| index >= i64::from(size));
-        if index >= 0 && !too_large {
+        let is_outside = index < 0 || size.is_some_and(|size| index >= i64::from(size));
+        if self.may_be_absent || !is_outside {
             return;
         }
         let size = size.map_or(0, |size| size as usize);

@@ -114,7 +114,7 @@ fn constant_indexes() {
         begin
           x_n[9]=0
           l_n[1]=l_n[2]
-          if isDefined(l_n[5]) or !isDefined(nPrivate[5])
+          if isDefined(l_n[5]) or !isDefined(nPrivate[5]) or isDefined(nPrivate[-1])
             x_n[0]=1
           endIf
         end

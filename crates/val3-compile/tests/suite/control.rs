@@ -82,18 +82,16 @@ fn the_counter_of_a_loop_may_be_any_variable() {
     check(
         "for nX=1 to 10\nb=true\nendFor",
         expect![[r#"
-            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n5=1, n6=10
-               1     0  Move { to: 2, from: 6 }
-                     1  Move { to: 3, from: 5 }
-                     2  Move { to: 4, from: 5 }
-                     3  ForTest { counter: 4, limit: 2, exit: 9 }
-                     4  StoreFirst { whole: Data(0), lane: 0, from: 4 }
-               2     5  Move { to: 1, from: 5 }
-                     6  LoadFirst { to: 7, whole: Data(0), lane: 0 }
-                     7  Move { to: 4, from: 7 }
-                     8  ForNextUp { counter: 4, limit: 2, body: 4 }
-                     9  StoreFirst { whole: Data(0), lane: 0, from: 4 }
-                    10  Return
+            i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=10, n3=1, n5=1
+               1     0  Move { to: 4, from: 5 }
+                     1  ForTest { counter: 4, limit: 2, exit: 7 }
+                     2  StoreFirst { whole: Data(0), lane: 0, from: 4 }
+               2     3  Move { to: 1, from: 5 }
+                     4  LoadFirst { to: 6, whole: Data(0), lane: 0 }
+                     5  Move { to: 4, from: 6 }
+                     6  ForNextUp { counter: 4, limit: 2, body: 2 }
+                     7  StoreFirst { whole: Data(0), lane: 0, from: 4 }
+                     8  Return
         "#]],
     );
 }

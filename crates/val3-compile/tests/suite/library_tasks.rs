@@ -200,3 +200,56 @@ fn a_library_that_was_not_loaded_stops_a_task_of_its_user_alone() {
         "#]],
     );
 }
+
+#[test]
+fn data_that_a_program_has_by_reference_stay() {
+    check(
+        r#"
+        library part "Disk://part/part.pjx"
+        bool bGo
+        num nOwn
+        program value(num& x_n)
+        begin
+          wait(bGo)
+          ? x_n
+        end
+        program row(num& x_a[])
+        begin
+          ? part:libLoad("other")
+          ? size(x_a)
+        end
+        program start()
+        begin
+          call row(part:nRow[1])
+          taskCreate "user",10,value(part:nValue)
+          delay(0.1)
+          ? part:libLoad("other")
+          bGo=true
+          delay(0.1)
+          ? part:libLoad("other")
+          taskCreateSync "tells",0.004,part:bLate,value(nOwn)
+          bGo=false
+          ? part:libLoad("part")
+          taskKill("tells")
+          ? part:libLoad("part")
+        end
+        --- part
+        public num nValue=3
+        public num nRow[3]
+        public bool bLate
+        --- other
+        public num nValue=4
+        public num nRow[4]
+        public bool bLate
+        "#,
+        expect![[r#"
+            13
+            2
+            13
+            3
+            0
+            13
+            0
+        "#]],
+    );
+}

@@ -12,7 +12,7 @@ pub trait Give {
     /// Writes it to where the program wants it.
     ///
     /// # Errors
-    /// 20 or 61 if that is gone.
+    /// 20 if that is gone.
     fn give(self, call: &mut Call<'_>) -> Result<()>;
 }
 

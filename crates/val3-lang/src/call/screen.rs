@@ -10,7 +10,7 @@ impl ScreenRef {
     /// A copy of a structure with a screen shares the page from then on, as it shares links to inputs and outputs.
     ///
     /// # Errors
-    /// 20 or 61 if the variable is gone.
+    /// 20 if the variable is gone.
     pub fn page(self, call: &mut Call<'_>) -> Result<u32> {
         if let Link::Port(page) = call.memory.link(self.0, 0)? {
             return Ok(page);

@@ -15,7 +15,7 @@ pub trait Take: Sized {
     /// Reads the next argument.
     ///
     /// # Errors
-    /// 20 or 61 if what it refers to is gone.
+    /// 20 if what it refers to is gone.
     fn take(call: &mut Call<'_>) -> Result<Self>;
 }
 
@@ -99,13 +99,13 @@ pub trait Stored: Sized {
     /// Reads it.
     ///
     /// # Errors
-    /// 20 or 61 if it is gone.
+    /// 20 if it is gone.
     fn read(memory: &Memory, at: Place) -> Result<Self>;
 
     /// Writes it.
     ///
     /// # Errors
-    /// 20 or 61 if it is gone.
+    /// 20 if it is gone.
     fn write(self, memory: &mut Memory, at: Place) -> Result<()>;
 }
 
@@ -187,7 +187,7 @@ impl<T: Stored> Var<T> {
     /// Its value.
     ///
     /// # Errors
-    /// 20 or 61 if it is gone.
+    /// 20 if it is gone.
     pub fn get(&self, call: &Call<'_>) -> Result<T> {
         T::read(call.memory, self.place)
     }
@@ -195,7 +195,7 @@ impl<T: Stored> Var<T> {
     /// Gives it a value.
     ///
     /// # Errors
-    /// 20 or 61 if it is gone.
+    /// 20 if it is gone.
     pub fn set(&self, call: &mut Call<'_>, value: T) -> Result<()> {
         value.write(call.memory, self.place)
     }
@@ -205,7 +205,7 @@ impl<T: Stored> Arr<T> {
     /// The number of its values.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     pub fn len(&self, call: &Call<'_>) -> Result<usize> {
         Ok(call.memory.len(self.view)? as usize)
     }
@@ -213,7 +213,7 @@ impl<T: Stored> Arr<T> {
     /// There is no value in it.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     pub fn is_empty(&self, call: &Call<'_>) -> Result<bool> {
         Ok(self.len(call)? == 0)
     }
@@ -238,7 +238,7 @@ impl<T: Stored> Arr<T> {
     /// All its values.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     pub fn all(&self, call: &Call<'_>) -> Result<Vec<T>> {
         (0..self.len(call)?).map(|index| self.get(call, index)).collect()
     }

@@ -15,7 +15,7 @@ impl Memory {
     /// The number of values that can be reached through a view (2.5.4).
     ///
     /// # Errors
-    /// 61 if the container is gone.
+    /// 20 if the container is gone.
     pub fn len(&self, view: View) -> Result<u32> {
         Ok(self.store(view.store)?.shape.len().saturating_sub(view.start))
     }
@@ -23,7 +23,7 @@ impl Memory {
     /// The size of a dimension, counted from 1; 0 where there is none of that number.
     ///
     /// # Errors
-    /// 61 if the container is gone.
+    /// 20 if the container is gone.
     pub fn dimension(&self, view: View, dimension: f64) -> Result<u32> {
         let dimension = round(dimension);
         let Shape::Array { dims, sizes } = self.store(view.store)?.shape else {
@@ -53,7 +53,7 @@ impl Memory {
     /// A value of a view by its number from the start of the view.
     ///
     /// # Errors
-    /// 20 beyond the size, 61 if the container is gone.
+    /// 20 beyond the size, or if the container is gone.
     pub fn element(&self, view: View, number: u32) -> Result<Place> {
         let store = self.store(view.store)?;
         let number = view.start + number;

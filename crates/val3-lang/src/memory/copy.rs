@@ -48,7 +48,7 @@ impl Memory {
     /// those that are copied.
     ///
     /// # Errors
-    /// 20 if one of the values is gone, 61 if its container is, 82 and 165 if a link is none that `to` may have.
+    /// 20 if one of the values is gone, 82 and 165 if a link is none that `to` may have.
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
         // First, because it can be refused.
@@ -144,7 +144,7 @@ impl Memory {
     /// Gives a value of a container its default again.
     ///
     /// # Errors
-    /// 61 if the container is gone.
+    /// 20 if the container is gone.
     pub(super) fn reset(&mut self, id: StoreId, number: u32) -> Result<()> {
         let (kind, owner) = (self.store(id)?.kind.clone(), self.owner(id));
         write_lanes(self.store_mut(id)?, number, &kind.default);

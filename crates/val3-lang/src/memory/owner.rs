@@ -40,6 +40,15 @@ impl Memory {
         self.owner(id) == Owner::Program
     }
 
+    /// The application or library whose global data a container is, or a field of them.
+    #[must_use]
+    pub fn project(&self, id: StoreId) -> Option<u16> {
+        match self.owner(id) {
+            Owner::Project { number, .. } => Some(number),
+            Owner::Controller | Owner::Program => None,
+        }
+    }
+
     /// Says which libraries the identifiers of an application or library stand for now, by their numbers.
     pub fn declare_libraries(&mut self, project: u16, libraries: Vec<u16>) {
         let at = usize::from(project);

@@ -10,7 +10,7 @@ impl Memory {
     /// A value as VAL 3 writes it: texts in quotes, `{…}` for structures. Inputs, outputs and screens have no value.
     ///
     /// # Errors
-    /// 20 or 61 if it is gone.
+    /// 20 if it is gone.
     pub fn shown(&self, kind: &Kind, at: Place) -> Result<String> {
         match &kind.base {
             KindBase::Builtin(base, arm) => self.shown_builtin((*base, *arm), at),

@@ -21,12 +21,14 @@ impl Stores {
             *slot = store;
             return StoreId { index, generation };
         }
+        // A copy of a container comes with the number of the place that the container has.
+        store.generation = 0;
         let index = u32::try_from(self.items.len()).unwrap_or(u32::MAX);
         self.items.push(store);
         StoreId { index, generation: 0 }
     }
 
-    /// Drops a container and those in it. References to it end in run-time error 61.
+    /// Drops a container and those in it. References to it end in run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         let Ok(store) = self.get_mut(id) else { return };
         let generation = store.generation;
@@ -39,19 +41,19 @@ impl Stores {
     /// A container.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     #[inline]
     pub fn get(&self, id: StoreId) -> Result<&Store> {
-        self.living(id).ok_or(Fault::INTERPRETER)
+        self.living(id).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     /// As [`get`](Self::get), to be changed.
     ///
     /// # Errors
-    /// 61 if it is gone.
+    /// 20 if it is gone.
     #[inline]
     pub fn get_mut(&mut self, id: StoreId) -> Result<&mut Store> {
-        self.living_mut(id).ok_or(Fault::INTERPRETER)
+        self.living_mut(id).ok_or(Fault::INDEX_TOO_LARGE)
     }
 
     #[inline(always)]
@@ -113,5 +115,27 @@ impl Stores {
         let store = self.living_mut(view.store)?;
         let lane = store.lane2(at)?;
         store.nums.get_mut(lane)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::{Store, Stores};
+    use crate::memory::{Kind, Shape};
+    use crate::types::BaseType;
+
+    #[test]
+    fn a_copy_of_a_later_container_is_found() {
+        let mut stores = Stores::default();
+        let store = Store::filled(Arc::new(Kind::builtin(BaseType::Num, None)), Shape::ELEMENT);
+        let first = stores.add(store.clone());
+        stores.remove(first);
+        let second = stores.add(store);
+        let copied = stores.get(second).unwrap().clone();
+        let copy = stores.add(copied);
+        assert!(stores.get(copy).is_ok());
+        assert!(stores.get(first).is_err());
     }
 }

@@ -1,0 +1,39 @@
+//! Who has the data of a library by reference (2.6), so that it cannot leave memory (6.6).
+
+use val3_bytecode::Passing;
+use val3_lang::memory::{Stack, StoreId};
+
+use crate::machine::Machine;
+use crate::task::Thread;
+use crate::{Frame, InstanceId, Rate};
+
+impl Machine<'_> {
+    /// A program that some task is in was called with data of a library by reference, or a synchronous task tells of its
+    /// overruns there. The task that runs has lent its stack to the memory.
+    pub(crate) fn is_referred_to(&self, running: &Thread, library: InstanceId) -> bool {
+        let others = self.roster.tasks.iter().map(|task| (&*task.thread, &task.thread.stack));
+        let mut threads = others.chain([(running, &self.space.memory.stack)]);
+        let is_data = |store: StoreId| self.space.memory.project(store) == Some(library.0);
+        let mut overruns = self.roster.tasks.iter().filter_map(|task| match task.rate {
+            Rate::Period { overrun, .. } => Some(overrun.store),
+            Rate::Priority(_) => None,
+        });
+        overruns.any(is_data)
+            || threads.any(|(thread, stack)| {
+                thread.frames.iter().flat_map(|frame| self.references(frame, stack)).any(is_data)
+            })
+    }
+
+    /// The containers that the parameters of a program refer to.
+    fn references(&self, frame: &Frame, stack: &Stack) -> Vec<StoreId> {
+        let instance = self.space.instance(frame.instance);
+        let program = instance.and_then(|instance| instance.image.programs.get(usize::from(frame.program)));
+        let params = program.map(|program| program.params.as_slice()).unwrap_or_default();
+        let found = params.iter().filter_map(|param| match param.passing {
+            Passing::Reference(number) => stack.places.get((frame.base.place + number) as usize).map(|at| at.store),
+            Passing::View(number) => stack.views.get((frame.base.view + number) as usize).map(|view| view.store),
+            Passing::Value(..) | Passing::UserValue(_) => None,
+        });
+        found.collect()
+    }
+}
