@@ -2,7 +2,10 @@
 
 use val3_bytecode::Register;
 use val3_lang::number_functions::NumberFunction;
-use wasm_encoder::ValType;
+use wasm_encoder::Instruction::{
+    self, F64Abs, F64Add, F64Ceil, F64Const, F64Floor, F64Gt, F64Lt, F64Ne, F64Sqrt, I32And, I32Or, I32Xor, Select,
+};
+use wasm_encoder::{Ieee64, ValType};
 
 use crate::body::Body;
 use crate::local;
@@ -21,6 +24,8 @@ const IMPORTED: u32 = 0;
 /// The first function of the module itself.
 pub(crate) const FIRST: u32 = IMPORTED + 1;
 
+const ZERO: Instruction<'static> = F64Const(Ieee64::new(0));
+
 /// The function of the host.
 pub(crate) fn compute(function: u32, a: f64, b: f64, c: f64) -> (f64, u32) {
     match NumberFunction::numbered(function).map(|function| function.compute([a, b, c])) {
@@ -32,32 +37,72 @@ pub(crate) fn compute(function: u32, a: f64, b: f64, c: f64) -> (f64, u32) {
 impl Body<'_> {
     /// What is an error is left to the interpreter, which raises it.
     pub(crate) fn function(&mut self, function: NumberFunction, to: Register, arguments: [Register; 3]) {
-        let [a, ..] = arguments;
+        let [a, b, c] = arguments;
         match function {
-            NumberFunction::Abs => self.set(to, |body| {
-                body.get(a);
-                body.code().f64_abs();
-            }),
+            NumberFunction::Abs => self.of_one(to, a, &[F64Abs]),
+            NumberFunction::RoundDown => self.of_one(to, a, &[F64Floor, ZERO, F64Add]),
+            NumberFunction::RoundUp => self.of_one(to, a, &[F64Ceil, ZERO, F64Add]),
             NumberFunction::Sqrt => {
                 self.get(a);
-                self.code().f64_const(0.0.into()).f64_lt();
+                self.all(&[ZERO, F64Lt]);
                 self.when(Self::leave_it);
-                self.set(to, |body| {
-                    body.get(a);
-                    body.code().f64_sqrt();
-                });
+                self.of_one(to, a, &[F64Sqrt]);
             }
-            // Zero has no sign.
-            NumberFunction::RoundDown => self.set(to, |body| {
+            NumberFunction::Round => self.set(to, |body| body.rounded(a)),
+            NumberFunction::And => self.of_bits(to, (a, b), I32And),
+            NumberFunction::Or => self.of_bits(to, (a, b), I32Or),
+            NumberFunction::Xor => self.of_bits(to, (a, b), I32Xor),
+            NumberFunction::Min => self.either(to, (a, b), F64Lt),
+            NumberFunction::Max => self.either(to, (a, b), F64Gt),
+            NumberFunction::Sel => self.set(to, |body| {
+                body.get(b);
+                body.get(c);
                 body.get(a);
-                body.code().f64_floor().f64_const(0.0.into()).f64_add();
-            }),
-            NumberFunction::RoundUp => self.set(to, |body| {
-                body.get(a);
-                body.code().f64_ceil().f64_const(0.0.into()).f64_add();
+                body.all(&[ZERO, F64Ne, Select]);
             }),
             _ => self.of_the_host(function, to, arguments),
         }
+    }
+
+    fn of_one(&mut self, to: Register, a: Register, act: &[Instruction<'static>]) {
+        self.set(to, |body| {
+            body.get(a);
+            body.all(act);
+        });
+    }
+
+    /// The second number if it compares so with the first, or if the first is no number; else the first.
+    fn either(&mut self, to: Register, (a, b): (Register, Register), compare: Instruction<'static>) {
+        self.set(to, |body| {
+            for register in [b, a, b, a] {
+                body.get(register);
+            }
+            body.add(&compare);
+            for register in [a, a] {
+                body.get(register);
+            }
+            body.all(&[F64Ne, I32Or, Select]);
+        });
+    }
+
+    fn of_bits(&mut self, to: Register, (a, b): (Register, Register), act: Instruction<'static>) {
+        self.set(to, |body| {
+            for register in [a, b] {
+                body.rounded(register);
+                body.code().i32_trunc_sat_f64_u();
+            }
+            body.add(&act);
+            body.code().f64_convert_i32_u();
+        });
+    }
+
+    /// The nearest whole number, of two the larger; without a sign if it is zero.
+    fn rounded(&mut self, register: Register) {
+        self.get(register);
+        self.code().f64_floor().local_tee(local::A).f64_const(1.0.into()).f64_add().local_get(local::A);
+        self.get(register);
+        self.code().local_get(local::A).f64_sub().f64_const(0.5.into()).f64_ge();
+        self.all(&[Select, ZERO, F64Add]);
     }
 
     fn of_the_host(&mut self, function: NumberFunction, to: Register, arguments: [Register; 3]) {

@@ -160,7 +160,7 @@ impl Body<'_> {
         }
     }
 
-    fn all(&mut self, act: Act) {
+    pub(crate) fn all(&mut self, act: &[Instruction<'static>]) {
         for instruction in act {
             self.add(instruction);
         }

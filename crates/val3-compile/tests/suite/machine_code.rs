@@ -205,15 +205,18 @@ fn variable() -> impl Strategy<Value = String> {
 }
 
 /// Instructions that make a number of numbers, with what they take.
-const FUNCTIONS: [(&str, usize); 14] = [
+const FUNCTIONS: [(&str, usize); 17] = [
     ("abs", 1),
     ("bAnd", 2),
     ("bNot", 1),
+    ("bOr", 2),
+    ("bXor", 2),
     ("cos", 1),
     ("exp", 1),
     ("limit", 3),
     ("ln", 1),
     ("max", 2),
+    ("min", 2),
     ("power", 2),
     ("round", 1),
     ("roundDown", 1),

@@ -101,22 +101,22 @@ fn unsigned_zero(value: f64) -> f64 {
     value + 0.0
 }
 
-/// `min`.
+/// `min`. Of equal ones it is the first.
 #[must_use]
 pub fn min(x: f64, y: f64) -> f64 {
-    x.min(y)
+    if y < x || x.is_nan() { y } else { x }
 }
 
-/// `max`.
+/// `max`. Of equal ones it is the first.
 #[must_use]
 pub fn max(x: f64, y: f64) -> f64 {
-    x.max(y)
+    if y > x || x.is_nan() { y } else { x }
 }
 
 /// `limit`. Where the bounds are the wrong way round the result is the lower bound.
 #[must_use]
 pub fn limit(value: f64, lower: f64, upper: f64) -> f64 {
-    value.min(upper).max(lower)
+    max(min(value, upper), lower)
 }
 
 /// `sel`.
