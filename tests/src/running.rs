@@ -53,7 +53,8 @@ impl Running {
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
         let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE);
-        assert_eq!(controller.start("start"), Ok(()));
+        let started = controller.start("start");
+        assert!(started.is_ok(), "{started:?}");
         Self { controller, events: Vec::new() }
     }
 
