@@ -155,7 +155,7 @@ mod tests {
             let settings = CheckSettings::new(db, WorkspaceSettings::new(db, &workspace.projects, &every).unwrap());
             for project in workspace.projects {
                 let whole = project_diagnostics(db, settings, project);
-                for file in val3_analysis::items::project::program_files(db, project) {
+                for file in program_files(db, project) {
                     let expected: Vec<_> = whole.iter().filter(|found| found.place.file == *file).cloned().collect();
                     match program_diagnostics(db, settings, project, *file) {
                         Some(found) => assert_eq!(sorted(found), sorted(expected.clone())),
