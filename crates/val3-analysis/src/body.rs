@@ -10,7 +10,6 @@ pub use constant::Constant;
 use rowan::TextRange;
 use smol_str::SmolStr;
 use val3_lang::operators::{BinaryOp, UnaryOp};
-use val3_syntax::view::View;
 
 use crate::db::{Db, File};
 use crate::items::parse;
@@ -205,7 +204,7 @@ fn collect_stmts<'b>(block: &'b [Stmt], found: &mut Vec<&'b Stmt>) {
 /// The code of the program in `file`.
 #[salsa::tracked(lru = 256, no_eq)]
 pub fn body(db: &dyn Db, file: File) -> Body {
-    lower::lower(View::root(parse(db, file).green()))
+    lower::lower(parse(db, file).view())
 }
 
 impl Body {

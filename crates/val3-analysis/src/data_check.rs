@@ -27,7 +27,7 @@ pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let items = items(db, project);
     let mut check = DataCheck { db, project, file, items, found: FileCheck::new(db, file, items) };
     let parse = parse(db, file);
-    let view = View::root(parse.green());
+    let view = parse.view();
     if let Some(root) = xml::root(view) {
         check.root(root, view);
     }

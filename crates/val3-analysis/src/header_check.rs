@@ -2,7 +2,6 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use crate::db::{Db, File, Project};
 use crate::file_check::FileCheck;
@@ -16,7 +15,7 @@ use crate::xml::{self, Attribute, Element};
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let mut check = FileCheck::new(db, file, items(db, project));
     let parse = parse(db, file);
-    let view = View::root(parse.green());
+    let view = parse.view();
     if let Some(root) = xml::root(view) {
         let stem = file.path(db).file_stem().unwrap_or("");
         self::root(&mut check, root, program::element(view), stem);

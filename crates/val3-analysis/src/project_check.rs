@@ -6,7 +6,6 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::versions::Version;
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use crate::db::{Db, File, Project};
 use crate::file_check::FileCheck;
@@ -23,7 +22,7 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let file = project.manifest(db);
     let mut check = ProjectCheck { db, project, file, found: FileCheck::new(db, file, items(db, project)) };
     let parse = parse(db, file);
-    if let Some(root) = xml::root(View::root(parse.green())) {
+    if let Some(root) = xml::root(parse.view()) {
         check.root(root);
     }
     check.found.problems

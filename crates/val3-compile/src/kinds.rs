@@ -11,7 +11,6 @@ use val3_analysis::ty::Base;
 use val3_bytecode::LinkTarget;
 use val3_lang::memory::{FieldKind, Kind};
 use val3_lang::types::Arm;
-use val3_syntax::view::View;
 
 use crate::data::{Found, Loaded, unhang};
 use crate::error::{Limit, Result, there};
@@ -109,7 +108,7 @@ impl<'db> Kinds<'db> {
         let (db, types) = (self.db, &items(self.db, project).types);
         let (mut all, mut known) = (Vec::new(), FxHashSet::default());
         for &file in data_files(db, project) {
-            for element in data::elements(View::root(parse(db, file).green())) {
+            for element in data::elements(parse(db, file).view()) {
                 let Some(decl) = data::declaration(element).filter(|decl| wanted(decl)) else { continue };
                 if known.insert(decl.name.clone()) {
                     let base = resolve_type(types, &decl.type_name).unwrap_or(Base::Unknown);

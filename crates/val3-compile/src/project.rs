@@ -11,7 +11,6 @@ use val3_analysis::xml;
 use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, Whole, WholeKind};
 use val3_lang::builtins;
 use val3_lang::types::LengthUnit;
-use val3_syntax::view::View;
 
 use crate::data::Found;
 use crate::error::{CompileError, Limit};
@@ -101,6 +100,6 @@ fn length_unit(db: &dyn Db, file: File) -> LengthUnit {
 /// A parameter of a project (2.1.4) as its file writes it.
 fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     root.child(&[spelling(root).parameters])?.value(name).map(|text| text.into_owned())
 }

@@ -21,7 +21,7 @@ pub(crate) struct Piece<'t> {
 /// The pieces of each `<Code>` of a file.
 pub(crate) fn codes<'t>(parse: &'t Parse, text: &'t str) -> Vec<Vec<Piece<'t>>> {
     let mut codes = Vec::new();
-    find_codes(View::root(parse.green()), &mut codes);
+    find_codes(parse.view(), &mut codes);
     codes.into_iter().map(|code| pieces(code, parse, text)).collect()
 }
 

@@ -13,7 +13,7 @@ pub(crate) fn is_same_program(before: &Parse, after: &str) -> bool {
 
 fn tokens(parse: &Parse) -> Vec<(SyntaxKind, &str)> {
     let mut tokens = Vec::new();
-    collect(View::root(parse.green()), &mut tokens);
+    collect(parse.view(), &mut tokens);
     tokens
 }
 

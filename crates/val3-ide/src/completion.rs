@@ -183,7 +183,7 @@ impl<'db> Found<'db> {
     fn prefer_used(&mut self) {
         let parse = parse(self.db, self.file);
         let mut used = FxHashSet::default();
-        collect_names(View::root(parse.green()), &mut used);
+        collect_names(parse.view(), &mut used);
         for item in self.items.iter_mut().filter(|item| used.contains(item.label.as_str())) {
             item.score += USED;
         }

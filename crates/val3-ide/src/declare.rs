@@ -14,7 +14,6 @@ use val3_analysis::xml;
 use val3_lang::builtins;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use crate::edit::FileEdit;
 use crate::xml_list::{List, escaped};
@@ -49,7 +48,7 @@ impl Variable {
 
 /// The program in a file has the form of s5 and s6.
 pub(crate) fn is_old_program(db: &dyn Db, file: File) -> bool {
-    program::element(View::root(parse(db, file).green())).is_some_and(|program| program.name() == "program")
+    program::element(parse(db, file).view()).is_some_and(|program| program.name() == "program")
 }
 
 /// Local variables of the program in `file`; `None` where there are none like them.
@@ -110,7 +109,7 @@ fn into_program(
     entries: &[String],
 ) -> Option<FileEdit> {
     let parse = parse(db, file);
-    let parent = program::element(View::root(parse.green()))?;
+    let parent = program::element(parse.view())?;
     let list = List { text: file.text(db), parent, name, attributes, followers };
     let (range, text) = list.append(entries)?;
     Some(FileEdit { file, range, text })
@@ -121,7 +120,7 @@ fn into_program(
 pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Option<&str>) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let section = format!("{}Section", old_data::type_name(&variable.type_name));
     let (name, entry) = match root.name() {
         "Database" => ("Datas", new_data(variable, value, false)),
@@ -140,7 +139,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, variable: &Variable, value: Op
 pub(crate) fn public_data(db: &dyn Db, project: Project, variables: &[Variable]) -> Option<FileEdit> {
     let file = *data_files(db, project).first()?;
     let parse = parse(db, file);
-    let parent = xml::root(View::root(parse.green())).filter(|root| root.name() == "Database")?;
+    let parent = xml::root(parse.view()).filter(|root| root.name() == "Database")?;
     let list = List { text: file.text(db), parent, name: "Datas", attributes: "", followers: &[] };
     let entries: Vec<String> = variables.iter().flat_map(|variable| new_data(variable, None, true)).collect();
     let (range, text) = list.append(&entries)?;

@@ -7,7 +7,6 @@ use val3_analysis::items::parse;
 use val3_analysis::items::project::{find_file, find_project, program_files};
 use val3_analysis::xml::{self, Element};
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use crate::owner::owner;
 
@@ -33,7 +32,7 @@ pub fn document_links(db: &dyn Db, file: File) -> Vec<DocumentLink> {
 
 fn of_manifest(db: &dyn Db, project: Project) -> Vec<DocumentLink> {
     let parse = parse(db, project.manifest(db));
-    let Some(root) = xml::root(View::root(parse.green())) else { return Vec::new() };
+    let Some(root) = xml::root(parse.view()) else { return Vec::new() };
     let spelling = spelling(root);
     let files = entries(root, spelling.programs).chain(entries(root, spelling.data));
     let files = files.filter_map(|entry| link(entry, "file", |path| find_file(db, project, path)));

@@ -14,7 +14,6 @@ use val3_analysis::occurrences::Symbol;
 use val3_analysis::paths::normalise;
 use val3_analysis::xml::{self, Attribute, Element};
 use val3_lang::keywords::is_identifier;
-use val3_syntax::view::View;
 
 use crate::declare::{data_entries, program_entries, without};
 use crate::edit::{FileEdit, SourceChange};
@@ -131,7 +130,7 @@ fn program_edits(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec
 /// The elements of a `.pjx` that list files, with the attribute that names the file.
 fn each_entry(db: &dyn Db, project: Project, mut see: impl FnMut(Element<'_>, Attribute<'_>)) {
     let parse = parse(db, project.manifest(db));
-    let Some(root) = xml::root(View::root(parse.green())) else { return };
+    let Some(root) = xml::root(parse.view()) else { return };
     let Spelling { programs, data, .. } = spelling(root);
     for entry in entries(root, *programs).chain(entries(root, *data)) {
         if let Some(path) = entry.attribute("file") {

@@ -31,7 +31,7 @@ pub fn folds(db: &dyn Db, file: File) -> Vec<Fold> {
     let text: &str = file.text(db);
     let mut folds = Vec::new();
     let parse = parse(db, file);
-    let root = View::root(parse.green());
+    let root = parse.view();
     if let Some(code) = find_code(root) {
         envelope(root, code, &mut folds);
     }

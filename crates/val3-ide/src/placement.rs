@@ -9,7 +9,6 @@ use val3_analysis::xml::Element;
 use val3_lang::enumerations::{Enumerator, find_in_file, values};
 use val3_lang::motion::is_blend;
 use val3_lang::types::{AttributeValue, BaseType, DefaultValue, Unit, attributes, field};
-use val3_syntax::view::View;
 
 /// One value of a position or of a motion descriptor.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -30,7 +29,7 @@ pub(crate) fn placement<'db>(db: &'db dyn Db, project: Project, name: &str, key:
 #[salsa::tracked(lru = 64)]
 fn placements(db: &dyn Db, file: File) -> FxHashMap<SmolStr, FxHashMap<SmolStr, Placement>> {
     let parse = parse(db, file);
-    data::elements(View::root(parse.green())).filter_map(of_data).collect()
+    data::elements(parse.view()).filter_map(of_data).collect()
 }
 
 fn of_data(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Placement>)> {

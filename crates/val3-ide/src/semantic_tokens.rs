@@ -110,7 +110,7 @@ pub fn semantic_tokens(db: &dyn Db, file: File, within: Option<TextRange>) -> Ve
     let names = project.map_or(&[][..], |project| occurrences(db, project, file).as_slice());
     let parse = parse(db, file);
     let mut collector = Collector { db, project, names, within, found: Vec::new() };
-    collector.walk(View::root(parse.green()), false);
+    collector.walk(parse.view(), false);
     collector.found
 }
 

@@ -86,13 +86,12 @@ impl List<'_> {
 #[cfg(test)]
 mod tests {
     use val3_analysis::xml::root;
-    use val3_syntax::view::View;
 
     use super::*;
 
     fn check(text: &str, expected: &str) {
         let parse = val3_syntax::parse(text);
-        let parent = root(View::root(parse.green())).unwrap();
+        let parent = root(parse.view()).unwrap();
         let list = List { text, parent, name: "L", attributes: " a=\"1\"", followers: &["C"] };
         let (range, new) = list.append(&["<e>".to_owned(), "</e>".to_owned()]).unwrap();
         let mut changed = text.to_owned();

@@ -261,6 +261,11 @@ impl SyntaxKind {
         ALL.get(usize::from(raw.0)).copied().unwrap_or(Self::ERROR_TOKEN)
     }
 
+    /// A node, which holds others; all other kinds are tokens.
+    pub fn is_node(self) -> bool {
+        self > Self::EOF
+    }
+
     /// Blanks, line ends, comments and the marks around code: nothing the grammar asks for.
     pub fn is_trivia(self) -> bool {
         self <= Self::CDATA_CLOSE

@@ -4,6 +4,7 @@
 //! range of the file. Parsing never fails and never loses a byte: the text of the tree is the text that went in.
 
 pub mod ast;
+mod edit;
 pub mod encoding;
 pub mod error;
 mod grammar;
@@ -11,10 +12,12 @@ pub mod kind;
 mod lexer;
 mod parse;
 mod parser;
+mod tree;
 pub mod view;
 pub mod xml;
 
+pub use edit::Edit;
 pub use kind::{SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use lexer::{decode_entities, resolve_entity};
-pub use parse::{Edit, Parse, parse};
+pub use parse::{Parse, parse, parse_shared};
 pub use rowan::{TextRange, TextSize};

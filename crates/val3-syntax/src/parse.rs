@@ -15,13 +15,13 @@ use crate::grammar;
 use crate::kind::SyntaxNode;
 use crate::lexer::lex;
 use crate::parser::{Input, Parser, build_tree};
+use crate::tree::Tree;
+use crate::view::View;
 
-pub use reparse::Edit;
-
-/// The tree of a file and what is wrong with its text. Cheap to clone.
+/// The text of a file, its tree, and what is wrong with it. Cheap to clone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Parse {
-    green: GreenNode,
+    tree: Arc<Tree>,
     errors: Arc<[SyntaxError]>,
     odd_keywords: Arc<[TextRange]>,
 }
@@ -29,30 +29,40 @@ pub struct Parse {
 /// Parses a `.pjx`, `.dtx` or `.pgx` file of either dialect. Takes time in proportion to the text, which must be
 /// shorter than 4 GiB.
 pub fn parse(text: &str) -> Parse {
+    parse_shared(text.into())
+}
+
+/// As [`parse`], for a text that the tree may share.
+pub fn parse_shared(text: Arc<str>) -> Parse {
     parse_within(text, 0)
 }
 
 /// Parses a text that stands inside of `depth` elements.
-fn parse_within(text: &str, depth: u32) -> Parse {
-    let lexed = lex(text);
-    let input = Input::new(text, &lexed);
+fn parse_within(text: Arc<str>, depth: u32) -> Parse {
+    let lexed = lex(&text);
+    let input = Input::new(&text, &lexed);
     let mut parser = Parser::new(&input, depth);
     grammar::file(&mut parser);
     let (events, errors) = parser.finish();
-    let green = build_tree(text, &lexed.tokens, events);
-    let errors = merge::merge(text, lexed.errors, errors).into();
-    Parse { green, errors, odd_keywords: lexed.odd_keywords.into() }
+    let errors = merge::merge(&text, lexed.errors, errors).into();
+    let tree = Arc::new(build_tree(text, &lexed.tokens, events));
+    Parse { tree, errors, odd_keywords: lexed.odd_keywords.into() }
 }
 
 impl Parse {
-    /// The root of the tree.
+    /// The root of the tree, to walk down from.
+    pub fn view(&self) -> View<'_> {
+        View::new(self.tree.root())
+    }
+
+    /// The root of the tree, to walk from in every direction.
     pub fn root(&self) -> SyntaxNode {
-        SyntaxNode::new_root(self.green.clone())
+        SyntaxNode::new_root(self.green().clone())
     }
 
     /// The tree without positions; cheap to clone, may be shared between threads.
     pub fn green(&self) -> &GreenNode {
-        &self.green
+        self.tree.green()
     }
 
     /// The faults of the text, by position.

@@ -4,7 +4,6 @@ mod input;
 mod marker;
 mod reading;
 mod report;
-mod sharing;
 mod sink;
 
 pub(crate) use input::Input;

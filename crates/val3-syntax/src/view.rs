@@ -1,98 +1,92 @@
-//! Walking a tree without allocating: a green node with its place.
+//! Walking down a tree without allocating.
 //!
 //! The typed AST is the comfortable way to read a tree. The queries that read every program of a workspace use
-//! these views instead, which are plain copies of a reference and an offset.
+//! these views instead, which are plain copies of a reference and a place.
 
-use rowan::{GreenNodeData, GreenTokenData, NodeOrToken, TextRange, TextSize};
+use rowan::{NodeOrToken, TextRange};
 
 use crate::kind::SyntaxKind;
+use crate::tree::Piece;
 
-/// A node and where it starts.
+/// A node and where it stands.
 #[derive(Debug, Clone, Copy)]
-pub struct View<'g> {
-    green: &'g GreenNodeData,
-    start: TextSize,
-}
+pub struct View<'t>(Piece<'t>);
 
-/// A token and where it starts.
+/// A token and where it stands.
 #[derive(Debug, Clone, Copy)]
-pub struct TokenView<'g> {
-    green: &'g GreenTokenData,
-    start: TextSize,
-}
+pub struct TokenView<'t>(Piece<'t>);
 
-impl<'g> View<'g> {
-    /// The root of a tree.
-    pub fn root(green: &'g GreenNodeData) -> Self {
-        Self { green, start: TextSize::new(0) }
+impl<'t> View<'t> {
+    pub(crate) fn new(node: Piece<'t>) -> Self {
+        Self(node)
     }
 
     /// The kind of the node.
     pub fn kind(self) -> SyntaxKind {
-        SyntaxKind::from_raw(self.green.kind())
+        self.0.kind()
     }
 
     /// Where the node stands.
     pub fn range(self) -> TextRange {
-        TextRange::at(self.start, self.green.text_len())
+        self.0.range()
     }
 
     /// Nodes and tokens below, in order.
-    pub fn children_with_tokens(self) -> impl Iterator<Item = NodeOrToken<View<'g>, TokenView<'g>>> {
-        let mut at = self.start;
-        self.green.children().map(move |child| {
-            let start = at;
-            at += match child {
-                NodeOrToken::Node(node) => node.text_len(),
-                NodeOrToken::Token(token) => token.text_len(),
-            };
-            match child {
-                NodeOrToken::Node(green) => NodeOrToken::Node(View { green, start }),
-                NodeOrToken::Token(green) => NodeOrToken::Token(TokenView { green, start }),
-            }
+    pub fn children_with_tokens(self) -> impl Iterator<Item = NodeOrToken<View<'t>, TokenView<'t>>> {
+        self.0.children().map(|piece| match piece.kind().is_node() {
+            true => NodeOrToken::Node(View(piece)),
+            false => NodeOrToken::Token(TokenView(piece)),
         })
     }
 
     /// Nodes below, in order.
-    pub fn children(self) -> impl Iterator<Item = View<'g>> {
-        self.children_with_tokens().filter_map(NodeOrToken::into_node)
+    pub fn children(self) -> impl Iterator<Item = View<'t>> {
+        self.0.children().filter(|piece| piece.kind().is_node()).map(View)
     }
 
     /// Tokens directly below, without trivia.
-    pub fn tokens(self) -> impl Iterator<Item = TokenView<'g>> {
-        self.children_with_tokens().filter_map(NodeOrToken::into_token).filter(|token| !token.kind().is_trivia())
+    pub fn tokens(self) -> impl Iterator<Item = TokenView<'t>> {
+        let is_solid = |kind: SyntaxKind| !kind.is_node() && !kind.is_trivia();
+        self.0.children().filter(move |piece| is_solid(piece.kind())).map(TokenView)
     }
 
     /// The first node of `kind` below.
-    pub fn child(self, kind: SyntaxKind) -> Option<View<'g>> {
+    pub fn child(self, kind: SyntaxKind) -> Option<View<'t>> {
         self.children().find(|child| child.kind() == kind)
     }
 
     /// The first token of `kind` directly below.
-    pub fn token(self, kind: SyntaxKind) -> Option<TokenView<'g>> {
-        self.children_with_tokens().filter_map(NodeOrToken::into_token).find(|token| token.kind() == kind)
+    pub fn token(self, kind: SyntaxKind) -> Option<TokenView<'t>> {
+        self.0.children().find(|piece| piece.kind() == kind && !kind.is_node()).map(TokenView)
+    }
+
+    /// The nodes that hold `range`, from this one to the innermost. An empty range between two nodes is in the first.
+    pub fn path_to(self, range: TextRange) -> impl Iterator<Item = View<'t>> {
+        self.0.path_to(range).map(View)
     }
 }
 
-impl<'g> TokenView<'g> {
+impl<'t> TokenView<'t> {
     /// The kind of the token.
     pub fn kind(self) -> SyntaxKind {
-        SyntaxKind::from_raw(self.green.kind())
+        self.0.kind()
     }
 
     /// The text as it stands in the file.
-    pub fn text(self) -> &'g str {
-        self.green.text()
+    pub fn text(self) -> &'t str {
+        self.0.text()
     }
 
     /// Where the token stands.
     pub fn range(self) -> TextRange {
-        TextRange::at(self.start, self.green.text_len())
+        self.0.range()
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use rowan::TextSize;
+
     use super::*;
     use crate::parse;
 
@@ -100,7 +94,7 @@ mod tests {
     fn ranges_are_those_of_the_file() {
         let text = "<Code><![CDATA[begin\n  a=b[1] // c\nend]]></Code>";
         let parse = parse(text);
-        let root = View::root(parse.green());
+        let root = parse.view();
         let code = root.child(SyntaxKind::ELEMENT).and_then(|element| element.child(SyntaxKind::CODE)).unwrap();
         let statement = code.child(SyntaxKind::BLOCK).and_then(|block| block.children().next()).unwrap();
         assert_eq!(&text[statement.range()], "a=b[1]");

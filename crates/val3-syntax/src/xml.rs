@@ -147,14 +147,13 @@ pub fn escaped(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{root, whole_line};
-    use crate::view::View;
     use crate::{TextRange, TextSize};
 
     #[test]
     fn elements_and_attributes() {
         let text = "<a><b x='1' y=\"&lt;2&gt;\" z=\"\"/><c><b/></c></a>";
         let parse = crate::parse(text);
-        let root = root(View::root(parse.green())).unwrap();
+        let root = root(parse.view()).unwrap();
         let b = root.child(&["b"]).unwrap();
         let shown = b.attributes().map(|found| format!("{}={} at {:?}", found.name, found.text(), found.range));
         assert_eq!(shown.collect::<Vec<_>>(), ["x=1 at 9..10", "y=<2> at 15..24", "z= at 29..29"]);

@@ -31,14 +31,13 @@ impl StmtKind {
 
 #[cfg(test)]
 mod tests {
-    use val3_syntax::view::View;
 
     use super::*;
     use crate::body::lower::lower;
 
     fn body(code: &str) -> Body {
         let program = format!("<Program name=\"a\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program>");
-        lower(View::root(val3_syntax::parse(&format!("<Programs>{program}</Programs>")).green()))
+        lower(val3_syntax::parse(&format!("<Programs>{program}</Programs>")).view())
     }
 
     #[test]

@@ -5,7 +5,7 @@
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use rustc_hash::FxHashMap;
-use val3_syntax::Parse;
+use val3_syntax::{Parse, parse_shared};
 
 use super::File;
 
@@ -34,8 +34,8 @@ impl Trees {
     pub(crate) fn parse(&self, file: File, text: &Arc<str>) -> Parse {
         let (parse, before) = self.tree(file, text);
         let make = || {
-            let known = before.as_ref().and_then(|before| Some((before.parse.get()?, &before.text)));
-            known.map_or_else(|| val3_syntax::parse(text), |(parse, old)| parse.reparse_as(old, text))
+            let known = before.as_ref().and_then(|before| before.parse.get());
+            known.map_or_else(|| parse_shared(Arc::clone(text)), |parse| parse.reparse_as(Arc::clone(text)))
         };
         parse.get_or_init(make).clone()
     }

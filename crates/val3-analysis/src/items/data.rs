@@ -28,14 +28,14 @@ pub struct DataDecl {
 #[salsa::tracked]
 pub fn data(db: &dyn Db, file: File) -> Vec<DataDecl> {
     let parse = parse(db, file);
-    elements(View::root(parse.green())).filter_map(declaration).collect()
+    elements(parse.view()).filter_map(declaration).collect()
 }
 
 /// Every declaration of the file can be read: a name that it does not declare is declared nowhere in it.
 #[salsa::tracked(returns(copy))]
 pub fn is_complete(db: &dyn Db, file: File) -> bool {
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()));
+    let root = xml::root(parse.view());
     is_sound(db, file) && root.is_some_and(|root| sections(root).all(|(section, item)| declares(section, item)))
 }
 
@@ -113,7 +113,7 @@ pub fn shape(element: Element<'_>) -> Shape {
 /// The `num` variables of a `.dtx` that hold one value, with that value and the place of the name.
 pub fn single_numbers(db: &dyn Db, file: File) -> Vec<(SmolStr, f64, TextRange)> {
     let parse = parse(db, file);
-    elements(View::root(parse.green())).filter_map(single_number).collect()
+    elements(parse.view()).filter_map(single_number).collect()
 }
 
 fn single_number(element: Element<'_>) -> Option<(SmolStr, f64, TextRange)> {

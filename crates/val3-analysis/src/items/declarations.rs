@@ -5,7 +5,6 @@
 
 use smol_str::SmolStr;
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use super::manifest::{OLD, entries, spelling};
 use super::{data as data_items, parse, program as program_items};
@@ -17,7 +16,7 @@ use crate::xml::{self, Element};
 #[salsa::tracked(returns(copy))]
 pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
     let parse = parse(db, file);
-    let range = named(data_items::elements(View::root(parse.green())), "name", &name)?;
+    let range = named(data_items::elements(parse.view()), "name", &name)?;
     Some(Place { file, range })
 }
 
@@ -35,20 +34,20 @@ pub struct Declared {
 /// All global variables in a `.dtx`, in order.
 pub fn all_data(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
-    names(data_items::elements(View::root(parse.green())))
+    names(data_items::elements(parse.view()))
 }
 
 /// All parameters of a `.pgx`, in order.
 pub fn all_params(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
-    let program = program_items::element(View::root(parse.green()));
+    let program = program_items::element(parse.view());
     program.map(|program| names(program_items::params(program))).unwrap_or_default()
 }
 
 /// All locals of a `.pgx`, in order.
 pub fn all_locals(db: &dyn Db, file: File) -> Vec<Declared> {
     let parse = parse(db, file);
-    let program = program_items::element(View::root(parse.green()));
+    let program = program_items::element(parse.view());
     program.map(|program| names(program_items::locals(program))).unwrap_or_default()
 }
 
@@ -56,7 +55,7 @@ pub fn all_locals(db: &dyn Db, file: File) -> Vec<Declared> {
 #[salsa::tracked(returns(copy))]
 pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
     let parse = parse(db, file);
-    let program = program_items::element(View::root(parse.green()))?;
+    let program = program_items::element(parse.view())?;
     Some(Place { file, range: named(program_items::params(program), "name", &name)? })
 }
 
@@ -64,7 +63,7 @@ pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
 #[salsa::tracked(returns(copy))]
 pub fn local(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
     let parse = parse(db, file);
-    let program = program_items::element(View::root(parse.green()))?;
+    let program = program_items::element(parse.view())?;
     Some(Place { file, range: named(program_items::locals(program), "name", &name)? })
 }
 
@@ -72,7 +71,7 @@ pub fn local(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
 #[salsa::tracked(returns(copy))]
 pub fn program(db: &dyn Db, file: File) -> Option<Place> {
     let parse = parse(db, file);
-    let program = program_items::element(View::root(parse.green()))?;
+    let program = program_items::element(parse.view())?;
     Some(Place { file, range: program.attribute("name")?.range })
 }
 
@@ -81,7 +80,7 @@ pub fn program(db: &dyn Db, file: File) -> Option<Place> {
 pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<Place> {
     let file = project.manifest(db);
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let spelling = spelling(root);
     let range = named(entries(root, spelling.libraries), spelling.library_name, &alias)?;
     Some(Place { file, range })
@@ -92,7 +91,7 @@ pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<Place> {
 pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> {
     let file = project.manifest(db);
     let parse = parse(db, file);
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let range = named(entries(root, spelling(root).types), "name", &name)?;
     Some(Place { file, range })
 }
@@ -100,21 +99,21 @@ pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> 
 /// The version in a `.pjx`.
 pub fn version(db: &dyn Db, project: Project) -> Option<TextRange> {
     let parse = parse(db, project.manifest(db));
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     Some(root.child(&[spelling(root).parameters])?.attribute("version")?.range)
 }
 
 /// The entry of a program file in a `.pjx`.
 pub fn program_file(db: &dyn Db, project: Project, reference: &str) -> Option<TextRange> {
     let parse = parse(db, project.manifest(db));
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     named(entries(root, spelling(root).programs), "file", reference)
 }
 
 /// The innermost element around `place`.
 pub fn element_around(db: &dyn Db, file: File, place: TextRange) -> Option<TextRange> {
     let parse = parse(db, file);
-    let mut found = xml::root(View::root(parse.green()))?;
+    let mut found = xml::root(parse.view())?;
     while let Some(inner) = found.elements().find(|inner| inner.view().range().contains_range(place)) {
         found = inner;
     }
@@ -135,7 +134,7 @@ pub struct FileList {
 /// The list of the program files of a project, or of its data files.
 pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<FileList> {
     let parse = parse(db, project.manifest(db));
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let spelling = spelling(root);
     let (list, item) = if of_programs { spelling.programs } else { spelling.data };
     let last = entries(root, (list, item)).last().map(|entry| entry.view().range());
@@ -145,7 +144,7 @@ pub fn file_list(db: &dyn Db, project: Project, of_programs: bool) -> Option<Fil
 /// The change to a project file that lists one more file: what is replaced, and by what.
 pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> Option<(TextRange, String)> {
     let parse = parse(db, project.manifest(db));
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let spelling = spelling(root);
     let (list, item) = if of_programs { spelling.programs } else { spelling.data };
     let entry = format!("<{item} file=\"{name}\" />");
@@ -161,7 +160,7 @@ pub fn listing(db: &dyn Db, project: Project, of_programs: bool, name: &str) -> 
 /// The project file has the form of s5 and s6.
 pub fn is_old(db: &dyn Db, project: Project) -> bool {
     let parse = parse(db, project.manifest(db));
-    xml::root(View::root(parse.green())).is_some_and(|root| root.name() == OLD.root)
+    xml::root(parse.view()).is_some_and(|root| root.name() == OLD.root)
 }
 
 fn names<'g>(elements: impl Iterator<Item = Element<'g>>) -> Vec<Declared> {

@@ -4,7 +4,6 @@ use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use super::data::elements;
 use super::parse;
@@ -22,7 +21,7 @@ pub fn fathers(db: &dyn Db, project: Project) -> FxHashSet<SmolStr> {
 fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let parse = parse(db, file);
     let mut names = FxHashSet::default();
-    for element in elements(View::root(parse.green())) {
+    for element in elements(parse.view()) {
         collect(element, &mut names);
     }
     names
@@ -48,7 +47,7 @@ const FATHER: &str = "fatherId";
 /// the name. The old dialect names one father for all values.
 pub fn without_father(db: &dyn Db, file: File) -> Vec<(SmolStr, String, TextRange)> {
     let parse = parse(db, file);
-    elements(View::root(parse.green())).filter_map(unlinked).collect()
+    elements(parse.view()).filter_map(unlinked).collect()
 }
 
 fn unlinked(element: Element<'_>) -> Option<(SmolStr, String, TextRange)> {

@@ -43,7 +43,7 @@ pub struct OddKeyword {
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
     let mut faults = TextFaults { errors: parse.errors().to_vec(), ..TextFaults::default() };
-    codes(View::root(parse.green()), &mut faults.codes);
+    codes(parse.view(), &mut faults.codes);
     faults.odd_keywords = odd_keywords(&parse, file.text(db));
     faults
 }

@@ -4,7 +4,6 @@ use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::enumerations::{Enumerator, find_in_file};
 use val3_lang::types::{Arm, AttributeValue, BaseType, attributes};
-use val3_syntax::view::View;
 
 use super::{data, parse};
 use crate::db::{Db, File};
@@ -26,7 +25,7 @@ pub struct Initial {
 #[salsa::tracked]
 pub fn initial(db: &dyn Db, file: File) -> InitialValues {
     let parse = parse(db, file);
-    data::elements(View::root(parse.green())).filter_map(values).collect()
+    data::elements(parse.view()).filter_map(values).collect()
 }
 
 fn values(element: Element<'_>) -> Option<(SmolStr, FxHashMap<SmolStr, Initial>)> {

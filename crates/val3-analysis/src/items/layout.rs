@@ -10,7 +10,7 @@ use crate::db::{Db, File};
 /// Where the code of the program in `file` stands, from `begin` to `end`.
 pub fn code(db: &dyn Db, file: File) -> Option<TextRange> {
     let parse = parse(db, file);
-    let code = program::code(View::root(parse.green()))?;
+    let code = program::code(parse.view())?;
     let start = code.token(SyntaxKind::BEGIN_KW)?.range().start();
     let end = code.token(SyntaxKind::END_KW).map_or(code.range(), TokenView::range).end();
     Some(TextRange::new(start, end.max(start)))
@@ -20,7 +20,7 @@ pub fn code(db: &dyn Db, file: File) -> Option<TextRange> {
 pub fn comments(db: &dyn Db, file: File) -> Vec<TextRange> {
     let parse = parse(db, file);
     let mut found = Vec::new();
-    if let Some(code) = program::code(View::root(parse.green())) {
+    if let Some(code) = program::code(parse.view()) {
         collect(code, &mut found);
     }
     found

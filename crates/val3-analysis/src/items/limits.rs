@@ -2,7 +2,6 @@
 
 use val3_lang::types::{AttributeValue, BaseType, attribute};
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use super::{data, parse};
 use crate::db::{Db, File};
@@ -23,7 +22,7 @@ pub struct Limit {
 pub fn limits(db: &dyn Db, file: File) -> Vec<Limit> {
     let parse = parse(db, file);
     let mut found = Vec::new();
-    for element in data::elements(View::root(parse.green())) {
+    for element in data::elements(parse.view()) {
         declared(element, &mut found);
     }
     found

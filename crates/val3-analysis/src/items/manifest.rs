@@ -104,7 +104,7 @@ pub fn spelling(root: Element<'_>) -> &'static Spelling {
 /// Reads a `.pjx`.
 #[salsa::tracked]
 pub fn manifest(db: &dyn Db, file: File) -> Manifest {
-    let mut manifest = read(View::root(parse(db, file).green()));
+    let mut manifest = read(parse(db, file).view());
     manifest.complete &= is_sound(db, file);
     manifest
 }

@@ -57,7 +57,7 @@ pub struct LocalDecl {
 #[salsa::tracked]
 pub fn header(db: &dyn Db, file: File) -> Header {
     let parse = parse(db, file);
-    let root = View::root(parse.green());
+    let root = parse.view();
     let mut header = read(root);
     header.complete &= matches!(file.status(db), FileStatus::Read { .. })
         && parse

@@ -64,7 +64,7 @@ pub fn suppressions(db: &dyn Db, file: File) -> Vec<Suppression> {
         return Vec::new();
     }
     let mut reader = Reader { text, in_head: true, found: Vec::new() };
-    reader.elements(View::root(parse(db, file).green()));
+    reader.elements(parse(db, file).view());
     reader.found
 }
 

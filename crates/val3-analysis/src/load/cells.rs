@@ -8,7 +8,6 @@ use camino::Utf8Path;
 use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
 use val3_syntax::encoding::decode;
-use val3_syntax::view::View;
 
 use crate::cell::CellConfig;
 use crate::system::System;
@@ -59,7 +58,7 @@ fn table(system: &dyn System, folder: &Utf8Path, name: &str, arm: Option<Arm>) -
 /// `<String name="arm" value="tx90-S1" />`
 fn arm(text: &str) -> Option<Arm> {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let named = |element: &Element<'_>| element.value("name").as_deref() == Some("arm");
     let model = root.elements().find(named)?.value("value")?;
     (!model.trim().is_empty()).then(|| Arm::from_model(&model))

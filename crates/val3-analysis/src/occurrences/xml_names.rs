@@ -25,7 +25,7 @@ struct Names<'db> {
 pub(super) fn names(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let mut names = Names { db, project, file, items: items(db, project), found: Vec::new() };
     let parse = parse(db, file);
-    let view = View::root(parse.green());
+    let view = parse.view();
     names.program(view);
     names.data(view);
     names.manifest(view);

@@ -3,7 +3,6 @@
 use val3_analysis::items::manifest::{entries, spelling};
 use val3_analysis::xml;
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use super::context::Context;
 use super::{AssistKind, Assists};
@@ -21,7 +20,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
 /// The entries that have to stand elsewhere; `None` where all are in order.
 fn sorted(context: &Context<'_>) -> Option<Vec<FileEdit>> {
     let parse = val3_analysis::items::parse(context.db, context.file);
-    let root = xml::root(View::root(parse.green()))?;
+    let root = xml::root(parse.view())?;
     let found = entries(root, spelling(root).programs);
     let entries: Vec<(String, TextRange)> =
         found.map(|entry| (entry.value("file").unwrap_or_default().to_lowercase(), entry.view().range())).collect();

@@ -11,7 +11,7 @@ use crate::edit::{FileEdit, SourceChange};
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let parse = val3_analysis::items::parse(context.db, context.file);
-    let view = View::root(parse.green());
+    let view = parse.view();
     let element = declaring(context, view)?;
     let is_old = !matches!(element.name(), "Program" | "Data");
     let attribute = element.attribute(if is_old { "public" } else { "access" });

@@ -5,7 +5,6 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::items::parse;
 use val3_analysis::ty::Base;
 use val3_syntax::SyntaxKind::*;
-use val3_syntax::view::View;
 use val3_syntax::{SyntaxToken, TextRange};
 
 use super::text_place::{TextPlace, text_place};
@@ -77,7 +76,7 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
         Some(token) if token.kind() == STRING => string(&names, &line, token, at),
         current => {
             let typed = current.map_or(empty, SyntaxToken::text_range);
-            let blocks = || open_blocks(View::root(parse.green()), typed.start().max(at.offset));
+            let blocks = || open_blocks(parse.view(), typed.start().max(at.offset));
             (code(&names, &line, blocks), typed)
         }
     }

@@ -4,7 +4,6 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::items::manifest::{Spelling, spelling};
 use val3_analysis::items::parse;
 use val3_analysis::xml;
-use val3_syntax::view::View;
 
 use crate::edit::FileEdit;
 use crate::xml_list::{List, escaped};
@@ -41,7 +40,7 @@ fn entries(
 ) -> Option<FileEdit> {
     let file = project.manifest(db);
     let parse = parse(db, file);
-    let parent = xml::root(View::root(parse.green()))?;
+    let parent = xml::root(parse.view())?;
     let spelling = spelling(parent);
     let (name, item) = list(spelling);
     // What stands behind the list in a project file.

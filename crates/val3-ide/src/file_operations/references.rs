@@ -9,7 +9,6 @@ use val3_analysis::items::project::{find_project, folder, program_files};
 use val3_analysis::paths::{self, Roots, Target};
 use val3_analysis::xml;
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use super::projects;
 use crate::document_links::without_quotes;
@@ -111,7 +110,7 @@ fn references(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)>
     let mut found = Vec::new();
     let manifest = project.manifest(db);
     let parse = parse(db, manifest);
-    if let Some(root) = xml::root(View::root(parse.green())) {
+    if let Some(root) = xml::root(parse.view()) {
         let spelling = spelling(root);
         let libraries = entries(root, spelling.libraries).filter_map(|entry| entry.attribute(spelling.library_path));
         let types = entries(root, spelling.types).filter_map(|entry| entry.attribute("path"));

@@ -7,7 +7,6 @@ use val3_analysis::xml::{Attribute, Element};
 use val3_lang::enumerations::find_in_file;
 use val3_lang::types::{Arm, AttributeValue, BaseType, Unit, attribute, field};
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 
 use super::{Hover, fenced, units};
 use crate::FilePosition;
@@ -15,7 +14,7 @@ use crate::FilePosition;
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
     let parse = parse(db, at.file);
     let holds = |range: TextRange| range.contains_inclusive(at.offset);
-    let mut element = data::elements(View::root(parse.green())).find(|found| holds(found.view().range()))?;
+    let mut element = data::elements(parse.view()).find(|found| holds(found.view().range()))?;
     // A field of a user type has a type of its own.
     let mut ty = type_of(element);
     while let Some(inner) = element.elements().find(|inner| holds(inner.view().range())) {

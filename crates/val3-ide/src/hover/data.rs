@@ -7,7 +7,6 @@ use val3_analysis::items::parse;
 use val3_analysis::items::project::{DataItem, items};
 use val3_analysis::xml::{Attribute, Element};
 use val3_lang::types::{Arm, BaseType, attribute};
-use val3_syntax::view::View;
 
 use super::attributes::field_at;
 use super::units::sign;
@@ -42,7 +41,7 @@ pub(super) fn hover(db: &dyn Db, project: Project, name: &str) -> Option<String>
 /// The element that declares data, handed to `read`.
 fn with_element<T>(db: &dyn Db, item: &DataItem, name: &str, read: impl FnOnce(Element<'_>) -> T) -> Option<T> {
     let parse = parse(db, item.file);
-    let mut elements = data::elements(View::root(parse.green()));
+    let mut elements = data::elements(parse.view());
     elements.find(|element| element.value("name").as_deref() == Some(name)).map(read)
 }
 

@@ -4,7 +4,6 @@ use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::{items, signature};
 use val3_analysis::items::{parse, program};
 use val3_analysis::ty::brackets;
-use val3_syntax::view::View;
 use val3_syntax::{SyntaxKind, decode_entities};
 
 use super::fenced;
@@ -57,7 +56,7 @@ pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
 /// The comments between `begin` and the first statement.
 fn head_lines(db: &dyn Db, file: File) -> Vec<String> {
     let parse = parse(db, file);
-    let Some(code) = program::code(View::root(parse.green())) else { return Vec::new() };
+    let Some(code) = program::code(parse.view()) else { return Vec::new() };
     let pieces = code.children_with_tokens();
     let tokens = pieces.skip_while(|piece| piece.as_token().is_none_or(|token| token.kind() != SyntaxKind::BEGIN_KW));
     let tokens = tokens.skip(1).map_while(|piece| piece.into_token()).take_while(|token| token.kind().is_trivia());
@@ -68,7 +67,7 @@ fn head_lines(db: &dyn Db, file: File) -> Vec<String> {
 /// The `<Description>` of a program, which some tools write as comment lines.
 fn description(db: &dyn Db, file: File) -> Option<String> {
     let parse = parse(db, file);
-    let element = program::element(View::root(parse.green()))?.child(&["Description", "description"])?;
+    let element = program::element(parse.view())?.child(&["Description", "description"])?;
     let range = std::ops::Range::<usize>::from(element.view().range());
     let text = file.text(db).get(range)?;
     let inside = text.split_once('>')?.1.rsplit_once("</")?.0.trim();

@@ -7,7 +7,6 @@ use val3_analysis::items::{data, parse};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrences};
 use val3_analysis::xml::{Attribute, Element};
 use val3_lang::types::Container;
-use val3_syntax::view::View;
 use val3_syntax::{TextRange, TextSize, decode_entities};
 
 use super::RenameError;
@@ -44,7 +43,7 @@ pub(super) fn key_at(db: &dyn Db, at: FilePosition) -> Option<Key> {
 fn key_in_data(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
     let parse = parse(db, at.file);
     let holds = |element: &Element<'_>| element.view().range().contains_inclusive(at.offset);
-    let element = data::elements(View::root(parse.green())).find(holds)?;
+    let element = data::elements(parse.view()).find(holds)?;
     let decl = data::declaration(element).filter(|decl| decl.container == Container::Collection)?;
     let found = key_attributes(element).find(|found| found.range.contains_inclusive(at.offset))?;
     Some(Key { project, data: decl.name, key: found.text().into_owned(), range: found.range })
@@ -109,7 +108,7 @@ pub(super) fn rename(db: &dyn Db, found: &Key, new_key: &str) -> Result<SourceCh
     if let Some(item) = items(db, found.project).data.get(&found.data) {
         let parse = parse(db, item.file);
         let is_it = |element: &Element<'_>| element.value("name").as_deref() == Some(&*found.data);
-        let element = data::elements(View::root(parse.green())).find(is_it);
+        let element = data::elements(parse.view()).find(is_it);
         let keys = element.into_iter().flat_map(key_attributes);
         keys.filter(|key| key.text() == found.key).for_each(|key| edit(item.file, key.range));
     }

@@ -7,7 +7,6 @@ use val3_analysis::items::{data, parse, program};
 use val3_analysis::ty::brackets;
 use val3_analysis::xml::{self, Attribute, Element};
 use val3_lang::types::Container;
-use val3_syntax::view::View;
 
 use super::{OutlineItem, SymbolKind};
 use crate::hover::shape;
@@ -15,7 +14,7 @@ use crate::hover::shape;
 /// What a file declares, in the order of the text.
 pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
     let parse = parse(db, file);
-    let view = View::root(parse.green());
+    let view = parse.view();
     let Some(root) = xml::root(view) else { return Vec::new() };
     match root.name() {
         "Project" | "project" => project(root),

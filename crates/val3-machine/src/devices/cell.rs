@@ -1,7 +1,6 @@
 //! What the configuration files of a cell say of its controller.
 
 use val3_lang::components::Component;
-use val3_syntax::view::View;
 use val3_syntax::xml::{self, Element};
 
 use super::Devices;
@@ -15,7 +14,7 @@ impl Devices {
     /// passed over.
     pub fn describe(&mut self, file: &str) {
         let parse = val3_syntax::parse(file);
-        let root = xml::root(View::root(parse.green()));
+        let root = xml::root(parse.view());
         for entry in root.into_iter().flat_map(Element::elements) {
             if let (Some(name), Some(value)) = (entry.value("name"), entry.value("value")) {
                 self.entry(&name, value.trim());

@@ -7,7 +7,6 @@ mod store;
 use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
 use val3_syntax::encoding::decode;
-use val3_syntax::view::View;
 use val3_syntax::xml;
 
 use super::{ControllerPath, EntryKind, FileFault, Place, Roots, SavedData, rewrite};
@@ -235,7 +234,7 @@ fn files_of(manifest: &Place<'_>) -> Result<Vec<LibraryFile>, FileFault> {
 /// The programs and data files that a project names, in either dialect.
 fn named_files(text: &str) -> Vec<String> {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green()));
+    let root = xml::root(parse.view());
     let entries = root.into_iter().flat_map(xml::Element::elements).flat_map(xml::Element::elements);
     let of_files =
         entries.filter(|entry| ["program", "data"].iter().any(|name| entry.name().eq_ignore_ascii_case(name)));

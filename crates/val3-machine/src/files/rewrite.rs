@@ -9,7 +9,6 @@ mod lists;
 mod tag;
 mod values;
 
-use val3_syntax::view::View;
 use val3_syntax::xml;
 
 use super::SavedData;
@@ -21,7 +20,7 @@ use layout::Layout;
 #[must_use]
 pub fn rewrite(text: &str, data: &[SavedData]) -> String {
     let parse = val3_syntax::parse(text);
-    let Some(root) = xml::root(View::root(parse.green())) else { return text.to_owned() };
+    let Some(root) = xml::root(parse.view()) else { return text.to_owned() };
     let mut edits = Edits::default();
     let layout = Layout::of(text);
     let named = |name: &str| data.iter().find(|data| data.name == name);

@@ -2,7 +2,6 @@
 
 use std::net::{IpAddr, Ipv4Addr, SocketAddr};
 
-use val3_syntax::view::View;
 use val3_syntax::xml::{self, Element};
 
 use super::{
@@ -26,7 +25,7 @@ pub struct ChannelConfig {
 #[must_use]
 pub fn channels(text: &str) -> Vec<ChannelConfig> {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green()));
+    let root = xml::root(parse.view());
     root.into_iter().flat_map(Element::elements).filter_map(channel).collect()
 }
 

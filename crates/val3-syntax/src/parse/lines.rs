@@ -4,63 +4,72 @@
 //! them, read between a `begin` and an `end` of their own, give the tree that they give in their program.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 use memchr::memmem;
-use rowan::{GreenNode, GreenToken, NodeOrToken, TextRange, TextSize};
+use rowan::{TextRange, TextSize};
 
-use super::reparse::Change;
+use super::reparse::depth_of;
 use super::{Parse, parse_within};
-use crate::kind::{SyntaxKind, SyntaxNode};
-
-type Element = NodeOrToken<GreenNode, GreenToken>;
+use crate::edit::Change;
+use crate::kind::SyntaxKind;
+use crate::tree::{Entry, Piece, Splice, count};
 
 impl Parse {
-    /// The parse of `new_text`, where `self` is that of `text`; `None` where other lines have to be read again.
-    pub(super) fn reparse_lines(&self, text: &str, new_text: &str, change: Change) -> Option<Parse> {
+    /// The parse of `new_text`, which this one's text is after `change`; `None` where other lines have to be read again.
+    pub(super) fn reparse_lines(&self, new_text: &Arc<str>, change: Change) -> Option<Parse> {
         if !self.has_line_faults_only() {
             return None;
         }
-        let (run, lines) = runs_around(&self.root(), change.range).find_map(|run| {
+        let text = self.tree.text();
+        let path: Vec<Piece<'_>> = self.tree.root().path_to(change.range).collect();
+        let (run, lines) = runs_around(&path).find_map(|run| {
             let lines = run.lines_around(change.range)?;
             Some((run, lines))
         })?;
         let old = run.range_of(&lines);
-        if run.elements.get(lines.clone())?.iter().any(concerns_others) {
+        if run.pieces.get(lines.clone())?.iter().any(|piece| concerns_others(*piece)) {
             return None;
         }
         let new = TextRange::new(old.start(), change.moved(old.end()));
-        let (head, tail) = around(text, &run.parent, old.start());
+        let (head, tail) = around(text, run.around, old.start());
         let code = new_text.get(Range::<usize>::from(new)).filter(|code| !leaves_stretch(code, tail))?;
-        let read = parse_within(&[head, code, tail].concat(), depth(&run.parent));
-        let inside = read.sole_run()?;
+        let read = parse_within([head, code, tail].concat().into(), depth_of(run.around.len()));
+        let path = read.path_to_code()?;
+        let inside = Run::all_in_last(&path).next()?;
         let is_whole = inside.start == TextSize::of(head) && inside.len() == new.len();
-        let ends_line = inside.elements.last().is_some_and(is_line_end) && starts_as_before(new_text, new.end());
-        if !is_whole || !ends_line || !read.has_line_faults_only() || inside.elements.iter().any(concerns_others) {
+        let ends_line = inside.pieces.last().is_some_and(|piece| is_line_end(*piece));
+        let goes_on = ends_line && starts_as_before(new_text, new.end());
+        let is_alone = read.has_line_faults_only() && !inside.pieces.iter().any(|piece| concerns_others(*piece));
+        if !is_whole || !goes_on || !is_alone {
             return None;
         }
         let place = |at: TextSize| at - TextSize::of(head) + old.start();
         let odd_keywords = self.spliced_keywords(old, change, &read, place).into();
         let errors = self.spliced_errors(old, change, &read, place).into();
-        Some(Parse { green: run.with(lines, inside.elements)?, errors, odd_keywords })
+        let entries = run.with(lines, &inside.pieces)?;
+        let splice = Splice { range: run.indexes(), new: &entries };
+        let tree = self.tree.spliced(Arc::clone(new_text), change, run.around, splice);
+        Some(Parse { tree: Arc::new(tree), errors, odd_keywords })
     }
 
     fn has_line_faults_only(&self) -> bool {
         self.errors.iter().all(|error| error.kind.is_local_to_line())
     }
 
-    /// The only run of statements of a text.
-    fn sole_run(&self) -> Option<Run> {
-        let root = self.root();
-        let code = root.first_child()?.children().find(|node| node.kind() == SyntaxKind::CODE)?;
-        let is_sole = root.first_child()?.text_range() == root.text_range();
-        code.children().find_map(Run::new).filter(|_| is_sole)
+    /// The nodes from the root to the code of a text that is one element.
+    fn path_to_code(&self) -> Option<Vec<Piece<'_>>> {
+        let root = self.tree.root();
+        let element = root.children().find(|piece| piece.kind().is_node())?;
+        let code = element.children().find(|piece| piece.kind() == SyntaxKind::CODE)?;
+        (element.range() == root.range()).then(|| vec![root, element, code])
     }
 }
 
 /// What stands before and behind lines of the same stretch of code, so that they are a program.
-fn around(text: &str, parent: &SyntaxNode, at: TextSize) -> (&'static str, &'static str) {
-    let code = parent.ancestors().find(|node| node.kind() == SyntaxKind::CODE);
-    let start = code.map_or(at, |code| code.text_range().start());
+fn around(text: &str, path: &[Piece<'_>], at: TextSize) -> (&'static str, &'static str) {
+    let code = path.iter().rfind(|node| node.kind() == SyntaxKind::CODE);
+    let start = code.map_or(at, |code| code.range().start());
     let before = text.get(Range::<usize>::from(TextRange::new(start, at))).unwrap_or("").as_bytes();
     match memmem::rfind(before, b"<![CDATA[") > memmem::rfind(before, b"]]>") {
         true => ("<Code><![CDATA[begin", "end]]></Code>"),
@@ -80,112 +89,110 @@ fn starts_as_before(text: &str, at: TextSize) -> bool {
     next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=".contains(byte))
 }
 
-/// The levels around a node, or more.
-fn depth(node: &SyntaxNode) -> u32 {
-    u32::try_from(node.ancestors().count()).unwrap_or(u32::MAX)
-}
-
 /// A block of statements with the trivia around it.
-struct Run {
-    /// The node that holds both.
-    parent: SyntaxNode,
-    /// The indexes of the block and the trivia around it in `parent`.
-    indexes: Range<usize>,
+struct Run<'p, 't> {
+    /// The nodes that hold both, innermost last.
+    around: &'p [Piece<'t>],
     /// Trivia, the statements of the block with trivia between them, and trivia.
-    elements: Vec<Element>,
+    pieces: Vec<Piece<'t>>,
+    block: Piece<'t>,
     start: TextSize,
+    /// Nothing else follows in the innermost node.
+    is_last: bool,
 }
 
-/// The runs that an edit may lie in, inner ones first.
-fn runs_around(root: &SyntaxNode, range: TextRange) -> impl Iterator<Item = Run> {
-    let covering = match root.covering_element(range) {
-        NodeOrToken::Node(node) => Some(node),
-        NodeOrToken::Token(token) => token.parent(),
-    };
-    let nodes = covering.into_iter().flat_map(|node| node.ancestors().collect::<Vec<_>>());
-    nodes.filter(|node| node.kind() != SyntaxKind::BLOCK).flat_map(|node| node.children()).filter_map(Run::new)
+/// The runs that an edit may lie in, inner ones first; `path` leads from the root to the innermost node with the edit.
+fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item = Run<'p, 't>> {
+    let paths = (1..=path.len()).rev().filter_map(|len| path.get(..len));
+    paths.flat_map(|path| Run::all_in_last(path))
 }
 
-impl Run {
-    fn new(block: SyntaxNode) -> Option<Self> {
-        let parent = block.parent().filter(|_| block.kind() == SyntaxKind::BLOCK)?;
-        let siblings: Vec<Element> = owned(&parent);
-        let (before, behind) = (siblings.get(..block.index())?, siblings.get(block.index() + 1..)?);
-        let is_trivia = |element: &&Element| is_trivia(element);
-        let first = block.index() - before.iter().rev().take_while(is_trivia).count();
-        let last = block.index() + 1 + behind.iter().take_while(is_trivia).count();
-        let (before, behind) = (siblings.get(first..block.index())?, siblings.get(block.index() + 1..last)?);
-        let start = block.text_range().start() - before.iter().map(len).sum::<TextSize>();
-        let elements = [before, &owned(&block), behind].concat();
-        Some(Self { parent, indexes: first..last, elements, start })
+impl<'p, 't> Run<'p, 't> {
+    /// The runs that stand in the last node of `path`.
+    fn all_in_last(path: &'p [Piece<'t>]) -> impl Iterator<Item = Self> {
+        let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
+        let siblings: Vec<Piece<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
+        let is_block = |index: &usize| siblings.get(*index).is_some_and(|piece| piece.kind() == SyntaxKind::BLOCK);
+        let blocks: Vec<usize> = (0..siblings.len()).filter(is_block).collect();
+        blocks.into_iter().filter_map(move |block| Self::new(path, &siblings, block))
+    }
+
+    fn new(around: &'p [Piece<'t>], siblings: &[Piece<'t>], block: usize) -> Option<Self> {
+        let (before, behind) = (siblings.get(..block)?, siblings.get(block + 1..)?);
+        let first = block - before.iter().rev().take_while(|piece| piece.kind().is_trivia()).count();
+        let last = block + 1 + behind.iter().take_while(|piece| piece.kind().is_trivia()).count();
+        let (before, behind) = (siblings.get(first..block)?, siblings.get(block + 1..last)?);
+        let block = *siblings.get(block)?;
+        let pieces: Vec<Piece<'t>> =
+            before.iter().copied().chain(block.children()).chain(behind.iter().copied()).collect();
+        let start = before.first().unwrap_or(&block).range().start();
+        Some(Self { around, pieces, block, start, is_last: last == siblings.len() })
     }
 
     fn len(&self) -> TextSize {
-        self.elements.iter().map(len).sum()
+        self.pieces.iter().map(|piece| piece.range().len()).sum()
     }
 
-    /// The elements from the line end before an edit to the one behind it, or in which it ends.
+    /// Where its entries stand in the list of the tree.
+    fn indexes(&self) -> Range<usize> {
+        let start = self.pieces.first().map_or(self.block.index(), |piece| piece.index().min(self.block.index()));
+        let end = self.pieces.last().map_or(0, |piece| piece.indexes().end);
+        start..end.max(self.block.indexes().end)
+    }
+
+    /// The pieces from the line end before an edit to the one behind it, or in which it ends.
     fn lines_around(&self, edit: TextRange) -> Option<Range<usize>> {
-        let (mut first, mut at) = (None, self.start);
-        for (index, element) in self.elements.iter().enumerate() {
+        let mut first = None;
+        for (index, piece) in self.pieces.iter().enumerate().filter(|(_, piece)| is_line_end(**piece)) {
             match first {
-                Some(first) if is_line_end(element) && at + len(element) >= edit.end() => {
-                    return Some(first..index + 1);
-                }
-                _ if is_line_end(element) && at < edit.start() => first = Some(index),
+                Some(first) if piece.range().end() >= edit.end() => return Some(first..index + 1),
+                _ if piece.range().start() < edit.start() => first = Some(index),
                 _ => {}
             }
-            at += len(element);
         }
         None
     }
 
-    fn range_of(&self, elements: &Range<usize>) -> TextRange {
-        let len_of = |range: Range<usize>| self.elements.get(range).unwrap_or(&[]).iter().map(len).sum::<TextSize>();
-        TextRange::at(self.start + len_of(0..elements.start), len_of(elements.clone()))
+    fn range_of(&self, pieces: &Range<usize>) -> TextRange {
+        let pieces = self.pieces.get(pieces.clone()).unwrap_or(&[]);
+        let range = |piece: Option<&Piece<'_>>| piece.map_or(TextRange::empty(self.start), |piece| piece.range());
+        range(pieces.first()).cover(range(pieces.last()))
     }
 
-    /// The tree of the whole file with other elements in the place of some.
-    fn with(mut self, replaced: Range<usize>, elements: Vec<Element>) -> Option<GreenNode> {
-        self.elements.splice(replaced, elements);
-        let first = self.elements.iter().position(|element| !is_trivia(element)).unwrap_or(self.elements.len());
-        let last = self.elements.iter().rposition(|element| !is_trivia(element)).map_or(first, |last| last + 1);
-        let behind = self.elements.split_off(last);
+    /// The entries of the run with other pieces in the place of some.
+    fn with(&self, replaced: Range<usize>, pieces: &[Piece<'_>]) -> Option<Vec<Entry>> {
+        let (before, behind) = (self.pieces.get(..replaced.start)?, self.pieces.get(replaced.end..)?);
+        let pieces: Vec<Piece<'_>> = [before, pieces, behind].concat();
+        let is_solid = |piece: &Piece<'_>| !piece.kind().is_trivia();
+        let first = pieces.iter().position(is_solid).unwrap_or(pieces.len());
+        let last = pieces.iter().rposition(is_solid).map_or(first, |last| last + 1);
         // Trivia at the end of a node belongs to the node around it.
-        if !behind.is_empty() && self.indexes.end == self.parent.green().children().len() {
+        if last < pieces.len() && self.is_last {
             return None;
         }
-        let block = GreenNode::new(SyntaxKind::BLOCK.into(), self.elements.split_off(first));
-        let new = self.elements.into_iter().chain([block.into()]).chain(behind);
-        Some(self.parent.replace_with(self.parent.green().splice_children(self.indexes, new)))
+        let (before, pieces) = pieces.split_at_checked(first)?;
+        let (inside, behind) = pieces.split_at_checked(last - first)?;
+        let mut entries = entries_of(before);
+        let block = entries_of(inside);
+        let len = inside.iter().map(|piece| piece.range().len()).sum::<TextSize>().into();
+        entries.push(Entry { kind: SyntaxKind::BLOCK, len, size: count(block.len()) });
+        entries.extend(block);
+        entries.extend(entries_of(behind));
+        Some(entries)
     }
 }
 
-fn owned(node: &SyntaxNode) -> Vec<Element> {
-    node.green().children().map(|child| child.to_owned()).collect()
+fn entries_of(pieces: &[Piece<'_>]) -> Vec<Entry> {
+    pieces.iter().flat_map(|piece| piece.entries()).copied().collect()
 }
 
-fn len(element: &Element) -> TextSize {
-    match element {
-        NodeOrToken::Node(node) => node.text_len(),
-        NodeOrToken::Token(token) => token.text_len(),
-    }
-}
-
-fn is_trivia(element: &Element) -> bool {
-    element.as_token().is_some_and(|token| SyntaxKind::from_raw(token.kind()).is_trivia())
-}
-
-fn is_line_end(element: &Element) -> bool {
-    element.as_token().is_some_and(|token| token.text().starts_with(['\n', '\r']))
+fn is_line_end(piece: Piece<'_>) -> bool {
+    !piece.kind().is_node() && piece.text().starts_with(['\n', '\r'])
 }
 
 /// A keyword or mark in it says something about other lines.
-fn concerns_others(element: &Element) -> bool {
-    match element {
-        NodeOrToken::Token(token) => is_of_blocks(SyntaxKind::from_raw(token.kind())),
-        NodeOrToken::Node(node) => node.children().any(|child| concerns_others(&child.to_owned())),
-    }
+fn concerns_others(piece: Piece<'_>) -> bool {
+    piece.entries().iter().any(|entry| is_of_blocks(entry.kind))
 }
 
 fn is_of_blocks(kind: SyntaxKind) -> bool {
@@ -208,7 +215,7 @@ mod tests {
         let new_text = text.replacen(old, new, 1);
         let start = TextSize::try_from(text.find(old).unwrap()).unwrap();
         let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };
-        let again = parse(text).reparse_lines(text, &new_text, change);
+        let again = parse(text).reparse_lines(&new_text.as_str().into(), change);
         assert!(again.as_ref().is_none_or(|again| *again == parse(&new_text)));
         again.is_some()
     }

@@ -5,102 +5,57 @@
 //! parsed alone and put in the place of the old one. Everything else is parsed anew as a whole.
 
 use std::ops::Range;
+use std::sync::Arc;
 
-use rowan::{GreenNode, NodeOrToken, TextRange, TextSize};
+use rowan::{TextRange, TextSize};
 
-use super::{Parse, parse, parse_within};
+use super::{Parse, parse_shared, parse_within};
+use crate::edit::{Change, Edit};
 use crate::error::SyntaxError;
-use crate::kind::{SyntaxKind, SyntaxNode};
-
-/// A replacement of a range of a text.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Edit {
-    /// The range of the old text.
-    pub range: TextRange,
-    /// What takes its place.
-    pub insert: String,
-}
-
-impl Edit {
-    /// The text after the edit. A range outside the text is cut to it, one inside of a character starts before it.
-    pub fn apply(&self, text: &str) -> String {
-        let Range { start, end } = self.range_in(text).into();
-        let (before, after) = (text.get(..start).unwrap_or(""), text.get(end..).unwrap_or(""));
-        [before, &self.insert, after].concat()
-    }
-
-    /// The range that is replaced in `text`.
-    fn range_in(&self, text: &str) -> TextRange {
-        let floor = |at: TextSize| text.floor_char_boundary(usize::from(at).min(text.len()));
-        crate::lexer::range(floor(self.range.start()), floor(self.range.end()))
-    }
-}
-
-/// An edit that fits its text.
-#[derive(Clone, Copy)]
-pub(super) struct Change {
-    pub(super) range: TextRange,
-    pub(super) inserted: TextSize,
-}
-
-impl Change {
-    /// What lies between the equal beginnings and the equal ends of two texts.
-    fn between(text: &str, new_text: &str) -> Self {
-        let same = |(a, b): &(u8, u8)| a == b;
-        let start = text.bytes().zip(new_text.bytes()).take_while(same).count();
-        let start = text.floor_char_boundary(start);
-        let (rest, new_rest) = (text.get(start..).unwrap_or(""), new_text.get(start..).unwrap_or(""));
-        let end = rest.bytes().rev().zip(new_rest.bytes().rev()).take_while(same).count();
-        // The equal ends begin with a whole character, which is then one of both texts.
-        let end = text.len() - text.ceil_char_boundary(text.len() - end);
-        let inserted = crate::lexer::range(start, new_text.len() - end).len();
-        Self { range: crate::lexer::range(start, text.len() - end), inserted }
-    }
-
-    /// Where a place behind the edit is afterwards.
-    pub(super) fn moved(self, at: TextSize) -> TextSize {
-        at - self.range.len() + self.inserted
-    }
-}
+use crate::kind::SyntaxKind;
+use crate::tree::{Piece, Splice};
 
 impl Parse {
-    /// The parse of `text` after `edit`, where `self` is the parse of `text`: equal to `parse(&edit.apply(text))`.
-    pub fn reparse(&self, text: &str, edit: &Edit) -> Parse {
-        let new_text = edit.apply(text);
-        let change = Change { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) };
-        self.reparse_change(text, &new_text, change)
+    /// The parse of the text after `edit`: equal to `parse(&edit.apply(text))`.
+    pub fn reparse(&self, edit: &Edit) -> Parse {
+        let text = self.tree.text();
+        self.reparse_change(edit.apply(text).into(), Change::of(edit, text))
     }
 
-    /// The parse of `new_text`, where `self` is the parse of `text`: equal to `parse(new_text)`, and fast where both
-    /// texts are alike but for one place.
-    pub fn reparse_as(&self, text: &str, new_text: &str) -> Parse {
-        self.reparse_change(text, new_text, Change::between(text, new_text))
+    /// The parse of `new_text`: equal to `parse(new_text)`, and fast where both texts are alike but for one place.
+    pub fn reparse_as(&self, new_text: Arc<str>) -> Parse {
+        let change = Change::between(self.tree.text(), &new_text);
+        self.reparse_change(new_text, change)
     }
 
-    fn reparse_change(&self, text: &str, new_text: &str, change: Change) -> Parse {
-        let lines = self.reparse_lines(text, new_text, change);
-        let again = lines.or_else(|| self.reparse_element(text, new_text, change));
-        again.unwrap_or_else(|| parse(new_text))
+    fn reparse_change(&self, new_text: Arc<str>, change: Change) -> Parse {
+        let lines = self.reparse_lines(&new_text, change);
+        let again = lines.or_else(|| self.reparse_element(&new_text, change));
+        again.unwrap_or_else(|| parse_shared(new_text))
     }
 
-    fn reparse_element(&self, text: &str, new_text: &str, change: Change) -> Option<Parse> {
+    fn reparse_element(&self, new_text: &Arc<str>, change: Change) -> Option<Parse> {
         // A broken file around the element may change what it means.
         if !are_local(&self.errors) {
             return None;
         }
-        let element = enclosing_element(&self.root(), change.range)?;
-        let old = element.text_range();
+        let path: Vec<Piece<'_>> = self.tree.root().path_to(change.range).collect();
+        let (element, around) = enclosing_element(&path, change.range)?;
+        let old = element.range();
         let new = TextRange::new(old.start(), change.moved(old.end()));
-        let fragment = parse_within(new_text.get(Range::<usize>::from(new))?, depth(&element));
-        let green = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
+        let depth = around.iter().filter(|node| node.kind() == SyntaxKind::ELEMENT).count();
+        let fragment = parse_within(new_text.get(Range::<usize>::from(new))?.into(), depth_of(depth));
+        let inside = sole_element(&fragment).filter(|_| are_local(&fragment.errors))?;
         let place = |at| at + old.start();
         let errors = self.spliced_errors(old, change, &fragment, place);
         // The faults of one line are judged together, also across the edge of an element.
-        if reach_edge(text, &self.errors, old) || reach_edge(new_text, &errors, new) {
+        if reach_edge(self.tree.text(), &self.errors, old) || reach_edge(new_text, &errors, new) {
             return None;
         }
         let odd_keywords = self.spliced_keywords(old, change, &fragment, place).into();
-        Some(Parse { green: element.replace_with(green), errors: errors.into(), odd_keywords })
+        let splice = Splice { range: element.indexes(), new: inside.entries() };
+        let tree = self.tree.spliced(Arc::clone(new_text), change, around, splice);
+        Some(Parse { tree: Arc::new(tree), errors: errors.into(), odd_keywords })
     }
 
     /// The old errors outside of `old`, moved by the edit, and those of the fragment; `place` tells where it stands.
@@ -139,48 +94,49 @@ fn are_local(errors: &[SyntaxError]) -> bool {
     errors.iter().all(|error| error.kind.is_local_to_code())
 }
 
-/// The innermost element that holds the edit between its first and its last character. The root is none: to parse it
-/// is to parse the whole.
-fn enclosing_element(root: &SyntaxNode, range: TextRange) -> Option<SyntaxNode> {
-    let covering = match root.covering_element(range) {
-        NodeOrToken::Node(node) => node,
-        NodeOrToken::Token(token) => token.parent()?,
-    };
-    let element = covering.ancestors().find(|node| {
-        let own = node.text_range();
+/// A number of levels around a text.
+pub(super) fn depth_of(nodes: usize) -> u32 {
+    u32::try_from(nodes).unwrap_or(u32::MAX)
+}
+
+/// The innermost element that holds the edit between its first and its last character, and the nodes around it. The
+/// root is none: to parse it is to parse the whole.
+fn enclosing_element<'p, 't>(path: &'p [Piece<'t>], range: TextRange) -> Option<(Piece<'t>, &'p [Piece<'t>])> {
+    let index = path.iter().rposition(|node| {
+        let own = node.range();
         node.kind() == SyntaxKind::ELEMENT && own.start() < range.start() && range.end() < own.end()
     })?;
-    let is_nested = element.parent().is_some_and(|parent| parent.kind() == SyntaxKind::ELEMENT);
-    (is_nested && is_closed(&element)).then_some(element)
+    let (around, element) = (path.get(..index)?, *path.get(index)?);
+    let is_nested = around.last().is_some_and(|parent| parent.kind() == SyntaxKind::ELEMENT);
+    (is_nested && is_closed(element)).then_some((element, around))
 }
 
-/// How many elements stand around `element`.
-fn depth(element: &SyntaxNode) -> u32 {
-    let around = element.ancestors().skip(1).filter(|node| node.kind() == SyntaxKind::ELEMENT).count();
-    u32::try_from(around).unwrap_or(u32::MAX)
+fn is_closed(element: Piece<'_>) -> bool {
+    nodes(element).last().is_some_and(|child| child.kind() == SyntaxKind::END_TAG)
 }
 
-fn is_closed(element: &SyntaxNode) -> bool {
-    element.last_child().is_some_and(|child| child.kind() == SyntaxKind::END_TAG)
+fn nodes(parent: Piece<'_>) -> impl Iterator<Item = Piece<'_>> {
+    parent.children().filter(|piece| piece.kind().is_node())
 }
 
 /// The element that is all of a fragment.
-fn sole_element(fragment: &Parse) -> Option<GreenNode> {
-    let root = fragment.root();
-    let element = root.first_child().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
-    let whole = element.text_range() == root.text_range();
-    (whole && is_closed(&element) && has_own_tags_only(&element)).then(|| element.green().into_owned())
+fn sole_element(fragment: &Parse) -> Option<Piece<'_>> {
+    let root = fragment.tree.root();
+    let element = nodes(root).next().filter(|child| child.kind() == SyntaxKind::ELEMENT)?;
+    let whole = element.range() == root.range();
+    (whole && is_closed(element) && has_own_tags_only(element)).then_some(element)
 }
 
 /// No tag in it may belong to an element around it. A fault of the lexer on its line would hide that this one is too many.
-fn has_own_tags_only(element: &SyntaxNode) -> bool {
-    let is_own = |child: SyntaxNode| match child.kind() {
+fn has_own_tags_only(element: Piece<'_>) -> bool {
+    let last = nodes(element).last().map(Piece::index);
+    let is_own = |child: Piece<'_>| match child.kind() {
         SyntaxKind::ERROR => false,
-        SyntaxKind::END_TAG => element.last_child().is_some_and(|last| last == child),
-        SyntaxKind::ELEMENT => has_own_tags_only(&child),
+        SyntaxKind::END_TAG => last == Some(child.index()),
+        SyntaxKind::ELEMENT => has_own_tags_only(child),
         _ => true,
     };
-    element.children().all(is_own)
+    nodes(element).all(is_own)
 }
 
 /// A fault stands on the line where `element` starts or ends.
@@ -211,6 +167,7 @@ fn moved(range: TextRange, by: impl Fn(TextSize) -> TextSize) -> TextRange {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parse::parse;
 
     const TEXT: &str = "<a>\n<b c=\"1\"/>\n<Code><![CDATA[begin\n  x=1\nend]]></Code>\n</a>";
 
@@ -219,7 +176,7 @@ mod tests {
         let start = TextSize::try_from(TEXT.find(old).unwrap()).unwrap();
         let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };
         let new_text = TEXT.replacen(old, new, 1);
-        let again = parse(TEXT).reparse_element(TEXT, &new_text, change);
+        let again = parse(TEXT).reparse_element(&new_text.as_str().into(), change);
         assert!(again.as_ref().is_none_or(|again| *again == parse(&new_text)));
         again
     }

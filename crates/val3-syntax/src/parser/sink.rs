@@ -1,18 +1,16 @@
 //! Events and tokens to the tree.
 
-use rowan::GreenNode;
+use std::sync::Arc;
 
 use super::Event;
-use super::sharing::{Element, Sharing, with_sharing};
 use crate::kind::SyntaxKind;
 use crate::lexer::Token;
+use crate::tree::{Entry, Tree, count};
 
 /// Builds the tree of `text`. Trivia goes between nodes, except that a `CODE` node holds all of its own.
-pub(crate) fn build_tree(text: &str, tokens: &[Token], events: Vec<Event>) -> GreenNode {
-    with_sharing(|sharing| fill(Sink::new(text, tokens, sharing), events))
-}
-
-fn fill(mut sink: Sink<'_>, mut events: Vec<Event>) -> GreenNode {
+pub(crate) fn build_tree(text: Arc<str>, tokens: &[Token], mut events: Vec<Event>) -> Tree {
+    let nodes = events.iter().filter(|event| **event == Event::Finish).count();
+    let mut sink = Sink::new(tokens, nodes);
     let mut opening = Vec::new();
     for index in 0..events.len() {
         match events.get(index).copied() {
@@ -26,7 +24,7 @@ fn fill(mut sink: Sink<'_>, mut events: Vec<Event>) -> GreenNode {
             Some(Event::Abandoned) | None => {}
         }
     }
-    sink.finish()
+    Tree::new(text, sink.entries)
 }
 
 /// The kinds of the nodes that start at `index`, innermost first. Their own `Start` events are spent.
@@ -42,55 +40,57 @@ fn collect_parents(events: &mut [Event], index: usize, kind: SyntaxKind, parent:
     }
 }
 
-/// Nodes that are open at the same time, and their children, in most files.
+/// Nodes that are open at the same time in most files.
 const DEPTH: usize = 32;
-const WIDTH: usize = 256;
 
 struct Sink<'t> {
-    text: &'t str,
-    tokens: &'t [Token],
-    /// Index of the next token.
-    next: usize,
-    /// Where it starts.
-    start: usize,
-    /// The nodes that are open, each with the index of its first child.
-    open: Vec<(SyntaxKind, usize)>,
-    /// The children of all open nodes.
-    children: Vec<Element>,
-    sharing: &'t mut Sharing,
+    /// The tokens that are still to come.
+    tokens: std::slice::Iter<'t, Token>,
+    /// Where the next token starts.
+    start: u32,
+    entries: Vec<Entry>,
+    /// The nodes that are open.
+    open: Vec<Open>,
+}
+
+/// A node that has not ended.
+struct Open {
+    /// The index of its entry.
+    index: usize,
+    /// Where it starts in the text.
+    start: u32,
+    is_code: bool,
 }
 
 impl<'t> Sink<'t> {
-    fn new(text: &'t str, tokens: &'t [Token], sharing: &'t mut Sharing) -> Self {
-        Self {
-            text,
-            tokens,
-            next: 0,
-            start: 0,
-            open: Vec::with_capacity(DEPTH),
-            children: Vec::with_capacity(WIDTH),
-            sharing,
-        }
+    fn new(tokens: &'t [Token], nodes: usize) -> Self {
+        let entries = Vec::with_capacity(tokens.len() + nodes);
+        Self { tokens: tokens.iter(), start: 0, entries, open: Vec::with_capacity(DEPTH) }
     }
 
     fn open(&mut self, kind: SyntaxKind) {
-        if !self.open.is_empty() && kind != SyntaxKind::CODE {
+        let is_code = kind == SyntaxKind::CODE;
+        if !self.open.is_empty() && !is_code {
             self.trivia();
         }
-        self.open.push((kind, self.children.len()));
+        self.open.push(Open { index: self.entries.len(), start: self.start, is_code });
+        self.entries.push(Entry { kind, len: 0, size: 0 });
     }
 
     fn close(&mut self) {
-        let Some((kind, first)) = self.open.pop() else { return };
-        if self.open.is_empty() || kind == SyntaxKind::CODE {
+        let Some(node) = self.open.pop() else { return };
+        if self.open.is_empty() || node.is_code {
             self.trivia();
         }
-        let node = self.sharing.node(kind, self.children.drain(first..));
-        self.children.push(Element::Node(node));
+        let size = count(self.entries.len() - node.index - 1);
+        if let Some(entry) = self.entries.get_mut(node.index) {
+            entry.len = self.start - node.start;
+            entry.size = size;
+        }
     }
 
     fn trivia(&mut self) {
-        while self.tokens.get(self.next).is_some_and(|token| token.kind.is_trivia()) {
+        while self.tokens.as_slice().first().is_some_and(|token| token.kind.is_trivia()) {
             self.raw_token();
         }
     }
@@ -101,18 +101,8 @@ impl<'t> Sink<'t> {
     }
 
     fn raw_token(&mut self) {
-        let Some(token) = self.tokens.get(self.next) else { return };
-        let end = token.end as usize;
-        let text = self.text.get(self.start..end).unwrap_or("");
-        self.children.push(Element::Token(self.sharing.token(token.kind, text)));
-        self.next += 1;
-        self.start = end;
-    }
-
-    fn finish(mut self) -> GreenNode {
-        match self.children.pop() {
-            Some(Element::Node(root)) => root,
-            _ => GreenNode::new(SyntaxKind::XML_FILE.into(), []),
-        }
+        let Some(token) = self.tokens.next() else { return };
+        self.entries.push(Entry { kind: token.kind, len: token.end - self.start, size: 0 });
+        self.start = token.end;
     }
 }

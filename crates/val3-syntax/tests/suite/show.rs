@@ -2,7 +2,9 @@
 
 use std::fmt::Write;
 
+use rowan::NodeOrToken;
 use val3_syntax::error::SyntaxError;
+use val3_syntax::view::View;
 use val3_syntax::{Parse, SyntaxKind, SyntaxNode, TextRange, parse};
 
 /// A program file of the new dialect around `code`, which starts with `begin`.
@@ -19,12 +21,31 @@ pub(crate) fn body(lines: &str) -> String {
 pub(crate) fn parsed(text: &str) -> Parse {
     let parse = parse(text);
     assert_eq!(parse.root().text().to_string(), text);
+    assert_same(&parse.root(), parse.view());
     for error in parse.errors() {
         for range in [Some(error.range), error.related].into_iter().flatten() {
             assert!(text.get(std::ops::Range::<usize>::from(range)).is_some(), "{error:?}");
         }
     }
     parse
+}
+
+/// rowan's tree and the views show the same nodes and tokens.
+fn assert_same(node: &SyntaxNode, view: View<'_>) {
+    assert_eq!((node.kind(), node.text_range()), (view.kind(), view.range()));
+    let (nodes, views): (Vec<_>, Vec<_>) =
+        (node.children_with_tokens().collect(), view.children_with_tokens().collect());
+    assert_eq!(nodes.len(), views.len());
+    for pair in nodes.iter().zip(views) {
+        match pair {
+            (NodeOrToken::Node(node), NodeOrToken::Node(view)) => assert_same(node, view),
+            (NodeOrToken::Token(token), NodeOrToken::Token(view)) => {
+                assert_eq!((token.kind(), token.text_range()), (view.kind(), view.range()));
+                assert_eq!(token.text(), view.text());
+            }
+            pair => panic!("{pair:?}"),
+        }
+    }
 }
 
 /// The body of a program as one expression a statement; trivia is left out.

@@ -2,7 +2,6 @@
 
 use rustc_hash::FxHashMap;
 use val3_lang::types::BaseType;
-use val3_syntax::view::View;
 
 use crate::cell::Device;
 use crate::xml::{self, Element};
@@ -27,7 +26,7 @@ pub(super) fn read(file: impl Fn(&str) -> Option<String>) -> FxHashMap<String, D
 /// `<bioDin index="3" …/>` is `%I3`, `<bioDout index="3" …/>` is `%Q3`.
 fn basic_io(text: &str) -> Device {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green()));
+    let root = xml::root(parse.view());
     let mut device = Device::default();
     for element in root.into_iter().flat_map(Element::elements) {
         let sign = match element.name() {
@@ -45,7 +44,7 @@ fn basic_io(text: &str) -> Device {
 /// `<socketClt><String name="name" value="host" />…`: the channels that `wanted` takes.
 fn channels(text: &str, wanted: impl Fn(Element<'_>) -> bool) -> Device {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green()));
+    let root = xml::root(parse.view());
     let settings =
         root.into_iter().flat_map(Element::elements).filter(|channel| wanted(*channel)).flat_map(Element::elements);
     settings

@@ -2,7 +2,6 @@
 //! attributes, some of them on elements inside, and the father of a variable stands once for all its values.
 
 use val3_syntax::TextRange;
-use val3_syntax::view::View;
 use val3_syntax::xml::{self, Attribute, Element};
 
 use super::super::{SavedData, SavedValue, Shape, saved_data};
@@ -68,7 +67,7 @@ fn default_text(type_name: &str, name: &str) -> String {
 fn copy(layout: &Layout<'_>, last: Element<'_>, data: &SavedData, index: usize) -> String {
     let text = layout.slice(last.view().range());
     let parse = val3_syntax::parse(text);
-    let Some(copied) = xml::root(View::root(parse.green())) else { return String::new() };
+    let Some(copied) = xml::root(parse.view()) else { return String::new() };
     let mut edits = Edits::default();
     if let Some(attribute) = copied.attribute("index") {
         edits.replace(attribute.range, index.to_string());

@@ -268,7 +268,7 @@ fn the_lists_of_s6() {
 /// What a file says of a variable: its size, and its values that are not the default.
 fn said(text: &str, name: &str) -> (String, Vec<(String, String)>) {
     let parse = val3_syntax::parse(text);
-    let root = xml::root(View::root(parse.green())).unwrap();
+    let root = xml::root(parse.view()).unwrap();
     let data = root.list("Datas", "Data").find(|data| data.value("name").as_deref() == Some(name)).unwrap();
     let text = |value: xml::Element<'_>, name| value.value(name).unwrap_or_default().into_owned();
     let values = data.elements().map(|value| (text(value, "key"), text(value, "value")));

@@ -1,0 +1,63 @@
+//! Edits of texts, and what two texts have in common.
+
+use std::ops::Range;
+
+use rowan::{TextRange, TextSize};
+
+use crate::lexer::range;
+
+/// A replacement of a range of a text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Edit {
+    /// The range of the old text.
+    pub range: TextRange,
+    /// What takes its place.
+    pub insert: String,
+}
+
+impl Edit {
+    /// The text after the edit. A range outside the text is cut to it, one inside of a character starts before it.
+    pub fn apply(&self, text: &str) -> String {
+        let Range { start, end } = self.range_in(text).into();
+        let (before, after) = (text.get(..start).unwrap_or(""), text.get(end..).unwrap_or(""));
+        [before, &self.insert, after].concat()
+    }
+
+    /// The range that is replaced in `text`.
+    fn range_in(&self, text: &str) -> TextRange {
+        let floor = |at: TextSize| text.floor_char_boundary(usize::from(at).min(text.len()));
+        range(floor(self.range.start()), floor(self.range.end()))
+    }
+}
+
+/// Where an edit that fits its text took place, and how many bytes came there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Change {
+    pub(crate) range: TextRange,
+    pub(crate) inserted: TextSize,
+}
+
+impl Change {
+    /// What `edit` changes in `text`.
+    pub(crate) fn of(edit: &Edit, text: &str) -> Self {
+        Self { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) }
+    }
+
+    /// What lies between the equal beginnings and the equal ends of two texts.
+    pub(crate) fn between(text: &str, new_text: &str) -> Self {
+        let same = |(a, b): &(u8, u8)| a == b;
+        let start = text.bytes().zip(new_text.bytes()).take_while(same).count();
+        let start = text.floor_char_boundary(start);
+        let (rest, new_rest) = (text.get(start..).unwrap_or(""), new_text.get(start..).unwrap_or(""));
+        let end = rest.bytes().rev().zip(new_rest.bytes().rev()).take_while(same).count();
+        // The equal ends begin with a whole character, which is then one of both texts.
+        let end = text.len() - text.ceil_char_boundary(text.len() - end);
+        let inserted = range(start, new_text.len() - end).len();
+        Self { range: range(start, text.len() - end), inserted }
+    }
+
+    /// Where a place behind the edit is afterwards.
+    pub(crate) fn moved(self, at: TextSize) -> TextSize {
+        at - self.range.len() + self.inserted
+    }
+}

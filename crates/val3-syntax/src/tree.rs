@@ -1,0 +1,173 @@
+//! The tree of a text as one list: a node stands before what it holds.
+//!
+//! Such a list is made and given back in one piece. An entry says how long it is and not where it stands, so a stretch
+//! of entries means the same in every tree. [`View`](crate::view::View)s walk down the list; rowan's tree, in which one
+//! may also go up and sideways, is made of it for those who ask ([`green`]).
+
+mod green;
+mod sharing;
+
+use std::ops::Range;
+use std::sync::{Arc, OnceLock};
+
+use rowan::{GreenNode, TextRange, TextSize};
+
+use crate::edit::Change;
+use crate::kind::SyntaxKind;
+
+/// A text and its tree.
+#[derive(Debug)]
+pub(crate) struct Tree {
+    text: Arc<str>,
+    entries: Box<[Entry]>,
+    green: OnceLock<GreenNode>,
+}
+
+/// A node or token.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Entry {
+    pub(crate) kind: SyntaxKind,
+    /// Length of its text in bytes.
+    pub(crate) len: u32,
+    /// How many entries it holds, at any depth: those that follow it.
+    pub(crate) size: u32,
+}
+
+/// Entries in the place of others.
+pub(crate) struct Splice<'n> {
+    pub(crate) range: Range<usize>,
+    pub(crate) new: &'n [Entry],
+}
+
+/// A node or token with its place.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Piece<'t> {
+    tree: &'t Tree,
+    index: u32,
+    start: TextSize,
+}
+
+impl Tree {
+    /// A tree of entries of which the first holds all others.
+    pub(crate) fn new(text: Arc<str>, entries: Vec<Entry>) -> Self {
+        Self { text, entries: entries.into_boxed_slice(), green: OnceLock::new() }
+    }
+
+    /// The tree of `text`, which is that of this tree after `change`: the entries of `range` gave way to `new`. All of
+    /// `around`, innermost last, hold that place.
+    pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], place: Splice<'_>) -> Self {
+        let Splice { range, new } = place;
+        let (before, rest) = self.entries.split_at(range.start.min(self.entries.len()));
+        let behind = rest.get(range.len()..).unwrap_or(&[]);
+        let mut entries = [before, new, behind].concat();
+        for piece in around {
+            if let Some(entry) = entries.get_mut(piece.index()) {
+                entry.len = change.moved(TextSize::new(entry.len)).into();
+                entry.size = count(entry.size as usize + new.len() - range.len());
+            }
+        }
+        let spliced = Self::new(text, entries);
+        if let Some(green) = self.green.get() {
+            spliced.green.get_or_init(|| green::renewed(spliced.root(), self.root(), green, change));
+        }
+        spliced
+    }
+
+    pub(crate) fn text(&self) -> &Arc<str> {
+        &self.text
+    }
+
+    pub(crate) fn root(&self) -> Piece<'_> {
+        Piece { tree: self, index: 0, start: TextSize::new(0) }
+    }
+
+    /// The tree as rowan has it, made when somebody asks for it first.
+    pub(crate) fn green(&self) -> &GreenNode {
+        self.green.get_or_init(|| green::anew(self.root()))
+    }
+}
+
+/// The rowan tree follows from the rest.
+impl PartialEq for Tree {
+    fn eq(&self, other: &Self) -> bool {
+        self.text == other.text && self.entries == other.entries
+    }
+}
+
+impl Eq for Tree {}
+
+/// A number of entries: each but one in a nest of nodes stands for a byte of a text, which is shorter than 4 GiB.
+pub(crate) fn count(entries: usize) -> u32 {
+    u32::try_from(entries).unwrap_or(u32::MAX)
+}
+
+/// What stands behind the last entry.
+const NOTHING: Entry = Entry { kind: SyntaxKind::EOF, len: 0, size: 0 };
+
+impl<'t> Piece<'t> {
+    fn entry(self) -> Entry {
+        self.tree.entries.get(self.index()).copied().unwrap_or(NOTHING)
+    }
+
+    /// Where its entry stands in the list.
+    pub(crate) fn index(self) -> usize {
+        self.index as usize
+    }
+
+    /// Its entry with those below.
+    pub(crate) fn entries(self) -> &'t [Entry] {
+        self.tree.entries.get(self.indexes()).unwrap_or(&[])
+    }
+
+    /// Where they stand in the list.
+    pub(crate) fn indexes(self) -> Range<usize> {
+        self.index()..self.index() + 1 + self.entry().size as usize
+    }
+
+    pub(crate) fn kind(self) -> SyntaxKind {
+        self.entry().kind
+    }
+
+    pub(crate) fn range(self) -> TextRange {
+        TextRange::at(self.start, TextSize::new(self.entry().len))
+    }
+
+    pub(crate) fn text(self) -> &'t str {
+        self.tree.text.get(Range::<usize>::from(self.range())).unwrap_or("")
+    }
+
+    /// The nodes that hold `range`, from this one to the innermost. An empty range between two nodes is in the first.
+    pub(crate) fn path_to(self, range: TextRange) -> impl Iterator<Item = Piece<'t>> {
+        let holds = move |piece: &Piece<'_>| piece.kind().is_node() && piece.range().contains_range(range);
+        std::iter::successors(Some(self), move |piece| piece.children().find(holds))
+    }
+
+    /// What it holds directly, in order.
+    pub(crate) fn children(self) -> Children<'t> {
+        let first = Piece { index: self.index + 1, ..self };
+        Children { next: first, end: first.index + self.entry().size }
+    }
+}
+
+/// The pieces that another one holds directly.
+#[derive(Debug, Clone)]
+pub(crate) struct Children<'t> {
+    next: Piece<'t>,
+    /// The index behind the last of them.
+    end: u32,
+}
+
+impl<'t> Iterator for Children<'t> {
+    type Item = Piece<'t>;
+
+    fn next(&mut self) -> Option<Piece<'t>> {
+        let piece = self.next;
+        if piece.index >= self.end {
+            return None;
+        }
+        let entry = piece.entry();
+        self.next.index += 1 + entry.size;
+        self.next.start += TextSize::new(entry.len);
+        Some(piece)
+    }
+}

@@ -1,0 +1,92 @@
+//! The tree as rowan has it: nodes and tokens that several trees may share.
+
+use rowan::{GreenNode, NodeOrToken};
+
+use super::Piece;
+use super::sharing::{Element, Sharing, with_sharing};
+use crate::edit::Change;
+use crate::kind::SyntaxKind;
+
+/// The rowan tree of `node`.
+pub(super) fn anew(node: Piece<'_>) -> GreenNode {
+    let built = with_sharing(|sharing| build(sharing, node));
+    built.into_node().unwrap_or_else(|| GreenNode::new(SyntaxKind::XML_FILE.into(), []))
+}
+
+/// The rowan tree of `new`, in which everything stands again that `change` left as it was in `old`, whose rowan tree is
+/// `green`.
+pub(super) fn renewed(new: Piece<'_>, old: Piece<'_>, green: &GreenNode, change: Change) -> GreenNode {
+    with_sharing(|sharing| Renewal { sharing, change }.node(new, old, green))
+}
+
+struct Renewal<'s> {
+    sharing: &'s mut Sharing,
+    change: Change,
+}
+
+impl Renewal<'_> {
+    fn node(&mut self, new: Piece<'_>, old: Piece<'_>, green: &GreenNode) -> GreenNode {
+        let (mut new_children, mut old_children): (Vec<_>, Vec<_>) =
+            (new.children().collect(), old.children().collect());
+        let mut children: Vec<Element> = green.children().map(NodeOrToken::to_owned).collect();
+        let pairs = || new_children.iter().zip(&old_children);
+        let before = pairs().take_while(|(new, old)| self.is_before(**new, **old)).count();
+        let pairs = || new_children.iter().skip(before).rev().zip(old_children.iter().skip(before).rev());
+        let behind = pairs().take_while(|(new, old)| self.is_behind(**new, **old)).count();
+        let changed = before..old_children.len() - behind;
+        let news = new_children.drain(before..new_children.len() - behind);
+        let is_alike = news.len() == changed.len();
+        let changed_children: Vec<Element> = match is_alike {
+            true => {
+                let olds = old_children.drain(changed.clone()).zip(children.get(changed.clone()).unwrap_or(&[]));
+                news.zip(olds).map(|(new, (old, green))| self.piece(new, old, green)).collect()
+            }
+            false => news.map(|new| build(self.sharing, new)).collect(),
+        };
+        children.splice(changed, changed_children);
+        GreenNode::new(new.kind().into(), children)
+    }
+
+    fn piece(&mut self, new: Piece<'_>, old: Piece<'_>, green: &Element) -> Element {
+        match green {
+            Element::Node(green) if new.kind() == old.kind() => Element::Node(self.node(new, old, green)),
+            _ => build(self.sharing, new),
+        }
+    }
+
+    fn is_before(&self, new: Piece<'_>, old: Piece<'_>) -> bool {
+        new.range().end() <= self.change.range.start() && new.entries() == old.entries()
+    }
+
+    fn is_behind(&self, new: Piece<'_>, old: Piece<'_>) -> bool {
+        old.range().start() >= self.change.range.end() && new.entries() == old.entries()
+    }
+}
+
+/// A node whose children are not complete.
+struct Open {
+    kind: SyntaxKind,
+    /// The index behind its last entry.
+    end: usize,
+    /// The index of its first child.
+    first: usize,
+}
+
+fn build(sharing: &mut Sharing, piece: Piece<'_>) -> Element {
+    let (mut open, mut children) = (Vec::<Open>::new(), Vec::new());
+    let mut text = piece.text();
+    for (index, entry) in piece.indexes().zip(piece.entries()) {
+        if entry.kind.is_node() {
+            open.push(Open { kind: entry.kind, end: index + 1 + entry.size as usize, first: children.len() });
+        } else {
+            let (own, behind) = text.split_at_checked(entry.len as usize).unwrap_or((text, ""));
+            children.push(Element::Token(sharing.token(entry.kind, own)));
+            text = behind;
+        }
+        while let Some(node) = open.pop_if(|node| node.end == index + 1) {
+            let green = sharing.node(node.kind, children.drain(node.first..));
+            children.push(Element::Node(green));
+        }
+    }
+    children.pop().unwrap_or_else(|| Element::Token(sharing.token(SyntaxKind::ERROR_TOKEN, piece.text())))
+}
