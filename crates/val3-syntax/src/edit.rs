@@ -45,11 +45,9 @@ impl Change {
 
     /// What lies between the equal beginnings and the equal ends of two texts.
     pub(crate) fn between(text: &str, new_text: &str) -> Self {
-        let same = |(a, b): &(u8, u8)| a == b;
-        let start = text.bytes().zip(new_text.bytes()).take_while(same).count();
-        let start = text.floor_char_boundary(start);
+        let start = text.floor_char_boundary(common_start(text.as_bytes(), new_text.as_bytes()));
         let (rest, new_rest) = (text.get(start..).unwrap_or(""), new_text.get(start..).unwrap_or(""));
-        let end = rest.bytes().rev().zip(new_rest.bytes().rev()).take_while(same).count();
+        let end = common_end(rest.as_bytes(), new_rest.as_bytes());
         // The equal ends begin with a whole character, which is then one of both texts.
         let end = text.len() - text.ceil_char_boundary(text.len() - end);
         let inserted = range(start, new_text.len() - end).len();
@@ -60,4 +58,17 @@ impl Change {
     pub(crate) fn moved(self, at: TextSize) -> TextSize {
         at - self.range.len() + self.inserted
     }
+}
+
+/// Bytes that are compared at once.
+const STEP: usize = 64;
+
+fn common_start(a: &[u8], b: &[u8]) -> usize {
+    let steps = a.chunks_exact(STEP).zip(b.chunks_exact(STEP)).take_while(|(a, b)| a == b).count() * STEP;
+    steps + a.iter().skip(steps).zip(b.iter().skip(steps)).take_while(|(a, b)| a == b).count()
+}
+
+fn common_end(a: &[u8], b: &[u8]) -> usize {
+    let steps = a.rchunks_exact(STEP).zip(b.rchunks_exact(STEP)).take_while(|(a, b)| a == b).count() * STEP;
+    steps + a.iter().rev().skip(steps).zip(b.iter().rev().skip(steps)).take_while(|(a, b)| a == b).count()
 }

@@ -8,7 +8,7 @@ mod green;
 mod sharing;
 
 use std::ops::Range;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 use rowan::{GreenNode, TextRange, TextSize};
 
@@ -21,6 +21,8 @@ pub(crate) struct Tree {
     text: Arc<str>,
     entries: Box<[Entry]>,
     green: OnceLock<GreenNode>,
+    /// A tree much like this one that has its rowan tree, until this one has.
+    before: Mutex<Option<Arc<Self>>>,
 }
 
 /// A node or token.
@@ -33,10 +35,10 @@ pub(crate) struct Entry {
     pub(crate) size: u32,
 }
 
-/// Entries in the place of others.
+/// Stretches of entries in the place of others.
 pub(crate) struct Splice<'n> {
     pub(crate) range: Range<usize>,
-    pub(crate) new: &'n [Entry],
+    pub(crate) new: &'n [&'n [Entry]],
 }
 
 /// A node or token with its place.
@@ -50,27 +52,37 @@ pub(crate) struct Piece<'t> {
 impl Tree {
     /// A tree of entries of which the first holds all others.
     pub(crate) fn new(text: Arc<str>, entries: Vec<Entry>) -> Self {
-        Self { text, entries: entries.into_boxed_slice(), green: OnceLock::new() }
+        Self { text, entries: entries.into_boxed_slice(), green: OnceLock::new(), before: Mutex::default() }
     }
 
     /// The tree of `text`, which is that of this tree after `change`: the entries of `range` gave way to `new`. All of
     /// `around`, innermost last, hold that place.
-    pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], place: Splice<'_>) -> Self {
-        let Splice { range, new } = place;
+    pub(crate) fn spliced(&self, text: Arc<str>, change: Change, around: &[Piece<'_>], splice: &Splice<'_>) -> Self {
+        let Splice { range, new } = splice;
         let (before, rest) = self.entries.split_at(range.start.min(self.entries.len()));
         let behind = rest.get(range.len()..).unwrap_or(&[]);
-        let mut entries = [before, new, behind].concat();
+        let size: usize = new.iter().map(|entries| entries.len()).sum();
+        let mut entries = Vec::with_capacity(before.len() + size + behind.len());
+        entries.extend_from_slice(before);
+        new.iter().for_each(|new| entries.extend_from_slice(new));
+        entries.extend_from_slice(behind);
         for piece in around {
             if let Some(entry) = entries.get_mut(piece.index()) {
                 entry.len = change.moved(TextSize::new(entry.len)).into();
-                entry.size = count(entry.size as usize + new.len() - range.len());
+                entry.size = count(entry.size as usize + size - range.len());
             }
         }
-        let spliced = Self::new(text, entries);
-        if let Some(green) = self.green.get() {
-            spliced.green.get_or_init(|| green::renewed(spliced.root(), self.root(), green, change));
-        }
-        spliced
+        Self::new(text, entries)
+    }
+
+    /// This tree is much like `other`: its rowan tree may share nodes with the one that was made last.
+    pub(crate) fn follow(&self, other: &Arc<Self>) {
+        let before = if other.green.get().is_some() { Some(Arc::clone(other)) } else { other.before().clone() };
+        *self.before() = before;
+    }
+
+    fn before(&self) -> MutexGuard<'_, Option<Arc<Self>>> {
+        self.before.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     pub(crate) fn text(&self) -> &Arc<str> {
@@ -83,7 +95,10 @@ impl Tree {
 
     /// The tree as rowan has it, made when somebody asks for it first.
     pub(crate) fn green(&self) -> &GreenNode {
-        self.green.get_or_init(|| green::anew(self.root()))
+        self.green.get_or_init(|| match self.before().take() {
+            Some(before) => green::renewed(self, &before, before.green()),
+            None => green::anew(self.root()),
+        })
     }
 }
 
@@ -117,6 +132,16 @@ impl<'t> Piece<'t> {
     /// Its entry with those below.
     pub(crate) fn entries(self) -> &'t [Entry] {
         self.tree.entries.get(self.indexes()).unwrap_or(&[])
+    }
+
+    /// Its entries with all up to those of `last`, a piece of the same tree.
+    pub(crate) fn entries_to(self, last: Self) -> &'t [Entry] {
+        self.tree.entries.get(self.index()..last.indexes().end).unwrap_or(&[])
+    }
+
+    /// `next` stands right behind it in the same tree.
+    pub(crate) fn is_followed_by(self, next: Self) -> bool {
+        std::ptr::eq(self.tree, next.tree) && self.indexes().end == next.index()
     }
 
     /// Where they stand in the list.

@@ -3,7 +3,7 @@
 //! The typed AST is the comfortable way to read a tree. The queries that read every program of a workspace use
 //! these views instead, which are plain copies of a reference and a place.
 
-use rowan::{NodeOrToken, TextRange};
+use rowan::{NodeOrToken, TextRange, TextSize};
 
 use crate::kind::SyntaxKind;
 use crate::tree::Piece;
@@ -77,6 +77,11 @@ impl<'t> TokenView<'t> {
         self.0.text()
     }
 
+    /// The text of the token is `text`.
+    pub fn is(self, text: &str) -> bool {
+        self.0.range().len() == TextSize::of(text) && self.text() == text
+    }
+
     /// Where the token stands.
     pub fn range(self) -> TextRange {
         self.0.range()
@@ -85,8 +90,6 @@ impl<'t> TokenView<'t> {
 
 #[cfg(test)]
 mod tests {
-    use rowan::TextSize;
-
     use super::*;
     use crate::parse;
 

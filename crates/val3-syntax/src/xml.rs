@@ -63,7 +63,7 @@ impl<'g> Element<'g> {
 
     /// The attribute called `name`.
     pub fn attribute(self, name: &str) -> Option<Attribute<'g>> {
-        let is_named = |view: &View<'_>| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.text() == name);
+        let is_named = |view: &View<'_>| view.token(SyntaxKind::XML_NAME).is_some_and(|token| token.is(name));
         self.tag.children().filter(is_named).find_map(Attribute::new)
     }
 

@@ -4,6 +4,7 @@
 //! them, read between a `begin` and an `end` of their own, give the tree that they give in their program.
 
 use std::ops::Range;
+use std::slice;
 use std::sync::Arc;
 
 use memchr::memmem;
@@ -47,9 +48,11 @@ impl Parse {
         let place = |at: TextSize| at - TextSize::of(head) + old.start();
         let odd_keywords = self.spliced_keywords(old, change, &read, place).into();
         let errors = self.spliced_errors(old, change, &read, place).into();
-        let entries = run.with(lines, &inside.pieces)?;
-        let splice = Splice { range: run.indexes(), new: &entries };
-        let tree = self.tree.spliced(Arc::clone(new_text), change, run.around, splice);
+        let NewRun { before, block, inside, behind } = run.with(lines, &inside.pieces)?;
+        let new: Vec<&[Entry]> =
+            before.into_iter().chain([slice::from_ref(&block)]).chain(inside).chain(behind).collect();
+        let splice = Splice { range: run.indexes(), new: &new };
+        let tree = self.tree.spliced(Arc::clone(new_text), change, run.around, &splice);
         Some(Parse { tree: Arc::new(tree), errors, odd_keywords })
     }
 
@@ -159,10 +162,13 @@ impl<'p, 't> Run<'p, 't> {
         range(pieces.first()).cover(range(pieces.last()))
     }
 
-    /// The entries of the run with other pieces in the place of some.
-    fn with(&self, replaced: Range<usize>, pieces: &[Piece<'_>]) -> Option<Vec<Entry>> {
+    /// The run with other pieces in the place of some.
+    fn with<'n>(&self, replaced: Range<usize>, pieces: &[Piece<'n>]) -> Option<NewRun<'n>>
+    where
+        't: 'n,
+    {
         let (before, behind) = (self.pieces.get(..replaced.start)?, self.pieces.get(replaced.end..)?);
-        let pieces: Vec<Piece<'_>> = [before, pieces, behind].concat();
+        let pieces: Vec<Piece<'n>> = [before, pieces, behind].concat();
         let is_solid = |piece: &Piece<'_>| !piece.kind().is_trivia();
         let first = pieces.iter().position(is_solid).unwrap_or(pieces.len());
         let last = pieces.iter().rposition(is_solid).map_or(first, |last| last + 1);
@@ -172,18 +178,25 @@ impl<'p, 't> Run<'p, 't> {
         }
         let (before, pieces) = pieces.split_at_checked(first)?;
         let (inside, behind) = pieces.split_at_checked(last - first)?;
-        let mut entries = entries_of(before);
-        let block = entries_of(inside);
         let len = inside.iter().map(|piece| piece.range().len()).sum::<TextSize>().into();
-        entries.push(Entry { kind: SyntaxKind::BLOCK, len, size: count(block.len()) });
-        entries.extend(block);
-        entries.extend(entries_of(behind));
-        Some(entries)
+        let size = inside.iter().map(|piece| piece.indexes().len()).sum();
+        let block = Entry { kind: SyntaxKind::BLOCK, len, size: count(size) };
+        Some(NewRun { before: stretches(before), block, inside: stretches(inside), behind: stretches(behind) })
     }
 }
 
-fn entries_of(pieces: &[Piece<'_>]) -> Vec<Entry> {
-    pieces.iter().flat_map(|piece| piece.entries()).copied().collect()
+/// The entries of a run after an edit.
+struct NewRun<'t> {
+    before: Vec<&'t [Entry]>,
+    block: Entry,
+    inside: Vec<&'t [Entry]>,
+    behind: Vec<&'t [Entry]>,
+}
+
+/// The entries of the pieces, those in one that stand one behind the other.
+fn stretches<'t>(pieces: &[Piece<'t>]) -> Vec<&'t [Entry]> {
+    let stretches = pieces.chunk_by(|piece, next| piece.is_followed_by(*next));
+    stretches.filter_map(|stretch| Some(stretch.first()?.entries_to(*stretch.last()?))).collect()
 }
 
 fn is_line_end(piece: Piece<'_>) -> bool {

@@ -31,7 +31,9 @@ impl Parse {
     fn reparse_change(&self, new_text: Arc<str>, change: Change) -> Parse {
         let lines = self.reparse_lines(&new_text, change);
         let again = lines.or_else(|| self.reparse_element(&new_text, change));
-        again.unwrap_or_else(|| parse_shared(new_text))
+        let again = again.unwrap_or_else(|| parse_shared(new_text));
+        again.tree.follow(&self.tree);
+        again
     }
 
     fn reparse_element(&self, new_text: &Arc<str>, change: Change) -> Option<Parse> {
@@ -53,8 +55,8 @@ impl Parse {
             return None;
         }
         let odd_keywords = self.spliced_keywords(old, change, &fragment, place).into();
-        let splice = Splice { range: element.indexes(), new: inside.entries() };
-        let tree = self.tree.spliced(Arc::clone(new_text), change, around, splice);
+        let splice = Splice { range: element.indexes(), new: &[inside.entries()] };
+        let tree = self.tree.spliced(Arc::clone(new_text), change, around, &splice);
         Some(Parse { tree: Arc::new(tree), errors: errors.into(), odd_keywords })
     }
 

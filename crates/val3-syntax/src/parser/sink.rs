@@ -45,7 +45,7 @@ const DEPTH: usize = 32;
 
 struct Sink<'t> {
     /// The tokens that are still to come.
-    tokens: std::slice::Iter<'t, Token>,
+    tokens: &'t [Token],
     /// Where the next token starts.
     start: u32,
     entries: Vec<Entry>,
@@ -65,7 +65,7 @@ struct Open {
 impl<'t> Sink<'t> {
     fn new(tokens: &'t [Token], nodes: usize) -> Self {
         let entries = Vec::with_capacity(tokens.len() + nodes);
-        Self { tokens: tokens.iter(), start: 0, entries, open: Vec::with_capacity(DEPTH) }
+        Self { tokens, start: 0, entries, open: Vec::with_capacity(DEPTH) }
     }
 
     fn open(&mut self, kind: SyntaxKind) {
@@ -89,20 +89,28 @@ impl<'t> Sink<'t> {
         }
     }
 
+    /// Takes the trivia that comes next.
     fn trivia(&mut self) {
-        while self.tokens.as_slice().first().is_some_and(|token| token.kind.is_trivia()) {
-            self.raw_token();
+        while let Some((token, rest)) = self.tokens.split_first()
+            && token.kind.is_trivia()
+        {
+            self.take(*token, rest);
         }
     }
 
+    /// Takes the next token that is no trivia, and the trivia before it.
     fn token(&mut self) {
-        self.trivia();
-        self.raw_token();
+        while let Some((token, rest)) = self.tokens.split_first() {
+            self.take(*token, rest);
+            if !token.kind.is_trivia() {
+                return;
+            }
+        }
     }
 
-    fn raw_token(&mut self) {
-        let Some(token) = self.tokens.next() else { return };
+    fn take(&mut self, token: Token, rest: &'t [Token]) {
         self.entries.push(Entry { kind: token.kind, len: token.end - self.start, size: 0 });
         self.start = token.end;
+        self.tokens = rest;
     }
 }

@@ -2,8 +2,8 @@
 
 use rowan::{GreenNode, NodeOrToken};
 
-use super::Piece;
 use super::sharing::{Element, Sharing, with_sharing};
+use super::{Piece, Tree};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
 
@@ -13,10 +13,10 @@ pub(super) fn anew(node: Piece<'_>) -> GreenNode {
     built.into_node().unwrap_or_else(|| GreenNode::new(SyntaxKind::XML_FILE.into(), []))
 }
 
-/// The rowan tree of `new`, in which everything stands again that `change` left as it was in `old`, whose rowan tree is
-/// `green`.
-pub(super) fn renewed(new: Piece<'_>, old: Piece<'_>, green: &GreenNode, change: Change) -> GreenNode {
-    with_sharing(|sharing| Renewal { sharing, change }.node(new, old, green))
+/// The rowan tree of `new`, in which everything stands again that is as in `old`, whose rowan tree is `green`.
+pub(super) fn renewed(new: &Tree, old: &Tree, green: &GreenNode) -> GreenNode {
+    let change = Change::between(&old.text, &new.text);
+    with_sharing(|sharing| Renewal { sharing, change }.node(new.root(), old.root(), green))
 }
 
 struct Renewal<'s> {
@@ -55,11 +55,14 @@ impl Renewal<'_> {
     }
 
     fn is_before(&self, new: Piece<'_>, old: Piece<'_>) -> bool {
-        new.range().end() <= self.change.range.start() && new.entries() == old.entries()
+        let (place, old_place) = (new.range(), old.range());
+        old_place.end() <= self.change.range.start() && place == old_place && new.entries() == old.entries()
     }
 
     fn is_behind(&self, new: Piece<'_>, old: Piece<'_>) -> bool {
-        old.range().start() >= self.change.range.end() && new.entries() == old.entries()
+        let (place, old_place) = (new.range(), old.range());
+        let is_unchanged = old_place.start() >= self.change.range.end();
+        is_unchanged && place.start() == self.change.moved(old_place.start()) && new.entries() == old.entries()
     }
 }
 
