@@ -5,6 +5,7 @@ mod linear;
 mod lines;
 mod merge;
 mod reparse;
+mod run;
 
 use std::sync::Arc;
 

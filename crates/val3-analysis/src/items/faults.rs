@@ -67,12 +67,8 @@ fn odd_keywords(parse: &Parse, text: &str) -> Vec<OddKeyword> {
     if odd.is_empty() {
         return Vec::new();
     }
-    let root = parse.root();
     // Code that could not be read has a message already.
-    let is_read = |range: &TextRange| {
-        let parents = root.covering_element(*range).ancestors();
-        !parents.map(|node| node.kind()).any(|kind| kind == SyntaxKind::ERROR)
-    };
+    let is_read = |range: &TextRange| parse.view().path_to(*range).all(|node| node.kind() != SyntaxKind::ERROR);
     let canonical = |range: TextRange| SyntaxKind::from_keyword(text.get(Range::<usize>::from(range))?)?.keyword_text();
     odd.iter()
         .filter(|range| is_read(range))

@@ -110,10 +110,9 @@ impl<'a> Site<'a> {
 
     /// The code around the place.
     fn code(&self) -> Option<TextRange> {
-        let root = parse(self.db, self.file).root();
-        let around = root.covering_element(self.range);
-        let code = around.ancestors().find(|node| node.kind() == SyntaxKind::CODE)?;
-        Some(code.text_range())
+        let parse = parse(self.db, self.file);
+        let code = parse.view().path_to(self.range).find(|node| node.kind() == SyntaxKind::CODE)?;
+        Some(code.range())
     }
 
     /// In a CDATA section characters stand for themselves; everywhere else in a file some are escaped.

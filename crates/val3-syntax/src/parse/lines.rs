@@ -4,17 +4,17 @@
 //! them, read between a `begin` and an `end` of their own, give the tree that they give in their program.
 
 use std::ops::Range;
-use std::slice;
 use std::sync::Arc;
 
 use memchr::memmem;
 use rowan::{TextRange, TextSize};
 
 use super::reparse::depth_of;
+use super::run::{Run, is_line_end, runs_around};
 use super::{Parse, parse_within};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
-use crate::tree::{Entry, Piece, Splice, count};
+use crate::tree::{Piece, Splice};
 
 impl Parse {
     /// The parse of `new_text`, which this one's text is after `change`; `None` where other lines have to be read again.
@@ -39,19 +39,15 @@ impl Parse {
         let path = read.path_to_code()?;
         let inside = Run::all_in_last(&path).next()?;
         let is_whole = inside.start == TextSize::of(head) && inside.len() == new.len();
-        let ends_line = inside.pieces.last().is_some_and(|piece| is_line_end(*piece));
-        let goes_on = ends_line && starts_as_before(new_text, new.end());
-        let is_alone = read.has_line_faults_only() && !inside.pieces.iter().any(|piece| concerns_others(*piece));
-        if !is_whole || !goes_on || !is_alone {
+        let is_alone = read.has_line_faults_only() && inside.is_for_itself();
+        if !is_whole || !is_alone || !starts_as_before(new_text, new.end()) {
             return None;
         }
         let place = |at: TextSize| at - TextSize::of(head) + old.start();
         let odd_keywords = self.spliced_keywords(old, change, &read, place).into();
         let errors = self.spliced_errors(old, change, &read, place).into();
-        let NewRun { before, block, inside, behind } = run.with(lines, &inside.pieces)?;
-        let new: Vec<&[Entry]> =
-            before.into_iter().chain([slice::from_ref(&block)]).chain(inside).chain(behind).collect();
-        let splice = Splice { range: run.indexes(), new: &new };
+        let new = run.with(lines, &inside.pieces)?;
+        let splice = Splice { range: run.indexes(), new: &new.entries() };
         let tree = self.tree.spliced(Arc::clone(new_text), change, run.around, &splice);
         Some(Parse { tree: Arc::new(tree), errors, odd_keywords })
     }
@@ -92,115 +88,12 @@ fn starts_as_before(text: &str, at: TextSize) -> bool {
     next.is_some_and(|byte| !byte.is_ascii_whitespace() && !b"<>|=".contains(byte))
 }
 
-/// A block of statements with the trivia around it.
-struct Run<'p, 't> {
-    /// The nodes that hold both, innermost last.
-    around: &'p [Piece<'t>],
-    /// Trivia, the statements of the block with trivia between them, and trivia.
-    pieces: Vec<Piece<'t>>,
-    block: Piece<'t>,
-    start: TextSize,
-    /// Nothing else follows in the innermost node.
-    is_last: bool,
-}
-
-/// The runs that an edit may lie in, inner ones first; `path` leads from the root to the innermost node with the edit.
-fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item = Run<'p, 't>> {
-    let paths = (1..=path.len()).rev().filter_map(|len| path.get(..len));
-    paths.flat_map(|path| Run::all_in_last(path))
-}
-
-impl<'p, 't> Run<'p, 't> {
-    /// The runs that stand in the last node of `path`.
-    fn all_in_last(path: &'p [Piece<'t>]) -> impl Iterator<Item = Self> {
-        let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
-        let siblings: Vec<Piece<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
-        let is_block = |index: &usize| siblings.get(*index).is_some_and(|piece| piece.kind() == SyntaxKind::BLOCK);
-        let blocks: Vec<usize> = (0..siblings.len()).filter(is_block).collect();
-        blocks.into_iter().filter_map(move |block| Self::new(path, &siblings, block))
+impl Run<'_, '_> {
+    /// It ends with a line, and nothing in it says something about other lines.
+    fn is_for_itself(&self) -> bool {
+        let ends_line = self.pieces.last().is_some_and(|piece| is_line_end(*piece));
+        ends_line && !self.pieces.iter().any(|piece| concerns_others(*piece))
     }
-
-    fn new(around: &'p [Piece<'t>], siblings: &[Piece<'t>], block: usize) -> Option<Self> {
-        let (before, behind) = (siblings.get(..block)?, siblings.get(block + 1..)?);
-        let first = block - before.iter().rev().take_while(|piece| piece.kind().is_trivia()).count();
-        let last = block + 1 + behind.iter().take_while(|piece| piece.kind().is_trivia()).count();
-        let (before, behind) = (siblings.get(first..block)?, siblings.get(block + 1..last)?);
-        let block = *siblings.get(block)?;
-        let pieces: Vec<Piece<'t>> =
-            before.iter().copied().chain(block.children()).chain(behind.iter().copied()).collect();
-        let start = before.first().unwrap_or(&block).range().start();
-        Some(Self { around, pieces, block, start, is_last: last == siblings.len() })
-    }
-
-    fn len(&self) -> TextSize {
-        self.pieces.iter().map(|piece| piece.range().len()).sum()
-    }
-
-    /// Where its entries stand in the list of the tree.
-    fn indexes(&self) -> Range<usize> {
-        let start = self.pieces.first().map_or(self.block.index(), |piece| piece.index().min(self.block.index()));
-        let end = self.pieces.last().map_or(0, |piece| piece.indexes().end);
-        start..end.max(self.block.indexes().end)
-    }
-
-    /// The pieces from the line end before an edit to the one behind it, or in which it ends.
-    fn lines_around(&self, edit: TextRange) -> Option<Range<usize>> {
-        let mut first = None;
-        for (index, piece) in self.pieces.iter().enumerate().filter(|(_, piece)| is_line_end(**piece)) {
-            match first {
-                Some(first) if piece.range().end() >= edit.end() => return Some(first..index + 1),
-                _ if piece.range().start() < edit.start() => first = Some(index),
-                _ => {}
-            }
-        }
-        None
-    }
-
-    fn range_of(&self, pieces: &Range<usize>) -> TextRange {
-        let pieces = self.pieces.get(pieces.clone()).unwrap_or(&[]);
-        let range = |piece: Option<&Piece<'_>>| piece.map_or(TextRange::empty(self.start), |piece| piece.range());
-        range(pieces.first()).cover(range(pieces.last()))
-    }
-
-    /// The run with other pieces in the place of some.
-    fn with<'n>(&self, replaced: Range<usize>, pieces: &[Piece<'n>]) -> Option<NewRun<'n>>
-    where
-        't: 'n,
-    {
-        let (before, behind) = (self.pieces.get(..replaced.start)?, self.pieces.get(replaced.end..)?);
-        let pieces: Vec<Piece<'n>> = [before, pieces, behind].concat();
-        let is_solid = |piece: &Piece<'_>| !piece.kind().is_trivia();
-        let first = pieces.iter().position(is_solid).unwrap_or(pieces.len());
-        let last = pieces.iter().rposition(is_solid).map_or(first, |last| last + 1);
-        // Trivia at the end of a node belongs to the node around it.
-        if last < pieces.len() && self.is_last {
-            return None;
-        }
-        let (before, pieces) = pieces.split_at_checked(first)?;
-        let (inside, behind) = pieces.split_at_checked(last - first)?;
-        let len = inside.iter().map(|piece| piece.range().len()).sum::<TextSize>().into();
-        let size = inside.iter().map(|piece| piece.indexes().len()).sum();
-        let block = Entry { kind: SyntaxKind::BLOCK, len, size: count(size) };
-        Some(NewRun { before: stretches(before), block, inside: stretches(inside), behind: stretches(behind) })
-    }
-}
-
-/// The entries of a run after an edit.
-struct NewRun<'t> {
-    before: Vec<&'t [Entry]>,
-    block: Entry,
-    inside: Vec<&'t [Entry]>,
-    behind: Vec<&'t [Entry]>,
-}
-
-/// The entries of the pieces, those in one that stand one behind the other.
-fn stretches<'t>(pieces: &[Piece<'t>]) -> Vec<&'t [Entry]> {
-    let stretches = pieces.chunk_by(|piece, next| piece.is_followed_by(*next));
-    stretches.filter_map(|stretch| Some(stretch.first()?.entries_to(*stretch.last()?))).collect()
-}
-
-fn is_line_end(piece: Piece<'_>) -> bool {
-    !piece.kind().is_node() && piece.text().starts_with(['\n', '\r'])
 }
 
 /// A keyword or mark in it says something about other lines.

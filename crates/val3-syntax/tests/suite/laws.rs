@@ -2,8 +2,7 @@
 
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
-use val3_syntax::Edit;
-use val3_syntax::{TextRange, TextSize, parse};
+use val3_syntax::{Edit, Parse, SyntaxKind, TextRange, TextSize, parse};
 
 use crate::show::parsed;
 
@@ -234,10 +233,18 @@ proptest! {
 fn an_edit_of_a_body_keeps_the_rest_of_the_tree() {
     let text = crate::show::body("x=1");
     let before = parse(&text);
+    let tag = |parse: &Parse| {
+        // The first tag is small: all trees share its node.
+        let mut tags = parse.root().descendants().filter(|node| node.kind() == SyntaxKind::START_TAG);
+        let tag = tags.nth(1).unwrap();
+        std::ptr::from_ref(&*tag.green()).addr()
+    };
+    let known = tag(&before);
     let at = TextSize::try_from(text.find("x=").unwrap()).unwrap();
     let edit = Edit { range: TextRange::empty(at), insert: "y=".to_owned() };
     let after = before.reparse(&edit);
     assert_eq!(after, parse(&edit.apply(&text)));
+    assert_eq!(tag(&after.reparse(&edit)), known);
 }
 
 #[test]
