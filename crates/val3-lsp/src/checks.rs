@@ -180,7 +180,7 @@ impl World {
             return;
         }
         if batch.lane == Lane::Background && !self.checks.first_is_done {
-            self.forget_trees();
+            self.forget_surplus();
         }
         self.report_progress();
         self.check_next();

@@ -44,6 +44,8 @@ pub(crate) struct Snapshot {
     pub(crate) inbox: Inbox,
     /// The URIs that were asked for: findings name the same files again and again.
     pub(crate) uris: RefCell<FxHashMap<File, Url>>,
+    /// Tells that somebody reads the database. It comes last: when it is gone, `db` is.
+    pub(crate) reader: Arc<()>,
 }
 
 impl Snapshot {

@@ -79,6 +79,10 @@ pub(crate) struct World {
     stale: Option<Stale>,
     /// Counts the edits of documents.
     edits: u64,
+    /// Shared by all who read the database.
+    readers: Arc<()>,
+    /// The database keeps results of earlier states.
+    has_surplus: bool,
     /// Documents outside of every project have a project of their own.
     loose: Vec<Utf8PathBuf>,
     /// What is wrong with configurations.
@@ -107,6 +111,8 @@ impl World {
             settings: None,
             stale: None,
             edits: 0,
+            readers: Arc::default(),
+            has_surplus: false,
             loose: Vec::new(),
             faults: Vec::new(),
             complained: FxHashSet::default(),
@@ -139,6 +145,7 @@ impl World {
         let settled = contained(|| {
             self.bring_up_to_date();
             self.check();
+            self.tidy();
         });
         if let Err(reason) = settled {
             self.complain("reading the workspace", &reason);
@@ -189,6 +196,7 @@ impl World {
             settings: self.settings,
             inbox: self.inbox.clone(),
             uris: RefCell::default(),
+            reader: Arc::clone(&self.readers),
         }
     }
 
@@ -230,15 +238,23 @@ impl World {
             && **file.text(&self.workspace.db) != **text
         {
             self.workspace.db.trigger_cancellation();
-            self.workspace.db.trees().keep_latest(TREES);
+            self.has_surplus = true;
             // What is edited once is edited again: from then on its changes are no changes of what is stored.
             file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
         }
     }
 
+    /// Frees what earlier states have left, once nobody computes: the next edit has one thing less to wait for.
+    fn tidy(&mut self) {
+        if self.has_surplus && Arc::strong_count(&self.readers) == 1 {
+            self.forget_surplus();
+        }
+    }
+
     /// Frees what nobody needs at the moment.
-    pub(crate) fn forget_trees(&mut self) {
+    pub(crate) fn forget_surplus(&mut self) {
+        self.has_surplus = false;
         self.workspace.db.trees().keep_latest(TREES);
         self.workspace.db.trigger_lru_eviction();
     }

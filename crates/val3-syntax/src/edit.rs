@@ -54,6 +54,11 @@ impl Change {
         Self { range: range(start, text.len() - end), inserted }
     }
 
+    /// Nothing changes.
+    pub(crate) fn is_none(self) -> bool {
+        self.range.is_empty() && self.inserted == TextSize::new(0)
+    }
+
     /// Where a place behind the edit is afterwards.
     pub(crate) fn moved(self, at: TextSize) -> TextSize {
         at - self.range.len() + self.inserted

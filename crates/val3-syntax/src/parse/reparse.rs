@@ -29,6 +29,9 @@ impl Parse {
     }
 
     fn reparse_change(&self, new_text: Arc<str>, change: Change) -> Parse {
+        if change.is_none() {
+            return self.clone();
+        }
         let lines = self.reparse_lines(&new_text, change);
         let again = lines.or_else(|| self.reparse_element(&new_text, change));
         let again = again.unwrap_or_else(|| parse_shared(new_text));

@@ -248,6 +248,15 @@ fn an_edit_of_a_body_keeps_the_rest_of_the_tree() {
 }
 
 #[test]
+fn no_edit_keeps_the_tree() {
+    let text = crate::show::body("x=1");
+    let before = parse(&text);
+    let after = before.reparse_as(text.as_str().into());
+    assert_eq!(after, before);
+    assert!(std::ptr::eq(&**after.green(), &**before.green()));
+}
+
+#[test]
 fn edits_outside_of_the_text_are_cut_to_it() {
     let edit = Edit { range: TextRange::new(2.into(), 900.into()), insert: "!".to_owned() };
     assert_eq!(edit.apply("aé"), "a!");
