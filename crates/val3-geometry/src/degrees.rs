@@ -3,6 +3,8 @@
 //! A radian is never rounded on the way, so what is exact on paper is exact here: `sin(180)` is 0, `sin(30)` and
 //! `cos(60)` are 0.5, `tan(45)` is 1, and `asin(0.5)` is 30. No function returns -0.
 
+use std::f64::consts::FRAC_1_SQRT_2;
+
 /// π/180 as the sum of two doubles.
 const RADIANS: (f64, f64) = (0.017453292519943295, 2.9486522708701687e-19);
 
@@ -34,6 +36,8 @@ pub fn sin_cos(degrees: f64) -> (f64, f64) {
     let (radians, error) = to_radians(rest);
     let (sin, cos) = libm::sincos(radians);
     let (sin, cos) = (sin + cos * error, cos - sin * error);
+    // Both are equal there; either could be the one before.
+    let (sin, cos) = if rest.abs() == 45.0 { (FRAC_1_SQRT_2.copysign(rest), FRAC_1_SQRT_2) } else { (sin, cos) };
     let (sin, cos) = match quarter {
         0 => (sin, cos),
         1 => (cos, -sin),
@@ -93,9 +97,31 @@ fn whole_if(angle: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
 
 /// The quarter of the turn, 0 to 3, whose direction is nearest, and what is left of the angle: at most 45°, exactly.
 fn reduce(degrees: f64) -> (u8, f64) {
-    let turn = degrees % 360.0;
-    let quarters = (turn / 90.0).round();
-    ((quarters as i8 & 3) as u8, turn - quarters * 90.0)
+    let turn = turn(degrees);
+    let quarters = nearest(turn / 90.0);
+    ((quarters & 3) as u8, turn - f64::from(quarters) * 90.0)
+}
+
+/// Angles below have fewer turns than an `i32` counts.
+const MANY_TURNS: f64 = 360.0 * 2_147_483_648.0;
+
+/// What is left of an angle without whole turns, exactly, with its sign. The remainder of the language takes long.
+fn turn(degrees: f64) -> f64 {
+    if degrees.abs() < MANY_TURNS {
+        let turn = degrees - f64::from((degrees / 360.0) as i32) * 360.0;
+        // Just below a whole number of turns the quotient is rounded to that number.
+        let is_short = turn != 0.0 && turn.is_sign_negative() != degrees.is_sign_negative();
+        if is_short { turn + 360.0_f64.copysign(degrees) } else { turn }
+    } else {
+        degrees % 360.0
+    }
+}
+
+/// The nearest whole number of a small one, of two the one farther from zero.
+fn nearest(number: f64) -> i32 {
+    let whole = number as i32;
+    let fraction = number - f64::from(whole);
+    whole + i32::from(fraction >= 0.5) - i32::from(fraction <= -0.5)
 }
 
 /// The angle in radians, and what rounding has taken from it.
@@ -183,6 +209,14 @@ mod tests {
         assert_eq!(bits, expected);
     }
 
+    #[test]
+    fn between_two_axes_both_are_equal() {
+        for odd in (-99..100).step_by(2) {
+            let (sin, cos) = sin_cos(f64::from(odd) * 45.0);
+            assert_eq!((sin.abs(), cos.abs()), (FRAC_1_SQRT_2, FRAC_1_SQRT_2), "{odd}");
+        }
+    }
+
     proptest! {
         #[test]
         fn a_turn_changes_nothing(quarter_degrees in -100_000_i32..100_000) {
@@ -190,6 +224,24 @@ mod tests {
             prop_assert_eq!(sin_cos(angle), sin_cos(angle + 360.0));
             prop_assert_eq!(sin(angle), cos(angle - 90.0));
             prop_assert_eq!(sin(angle) + 0.0, -sin(-angle) + 0.0);
+        }
+
+        #[test]
+        fn a_turn_is_what_the_remainder_is(angle in any::<f64>(), turns in -1_000_000_i32..1_000_000, ulps in -2_i64..3) {
+            let near = f64::from(turns) * 360.0;
+            let near = f64::from_bits(near.to_bits().wrapping_add_signed(ulps));
+            for angle in [angle, near, near / 1024.0] {
+                let (fast, exact) = (turn(angle), angle % 360.0);
+                prop_assert!(fast == exact || fast.is_nan() && exact.is_nan(), "{angle}: {fast} {exact}");
+            }
+        }
+
+        #[test]
+        fn nearest_is_round(number in -5.0..5.0_f64, half in -9_i32..10, ulps in -2_i64..3) {
+            let half = f64::from_bits((f64::from(half) / 2.0).to_bits().wrapping_add_signed(ulps));
+            for number in [number, half].into_iter().filter(|number| number.abs() < 6.0) {
+                prop_assert_eq!(f64::from(nearest(number)), number.round() + 0.0);
+            }
         }
 
         #[test]

@@ -13,6 +13,7 @@ use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg, Va
 
 use crate::containers::Shared;
 use crate::flow::{Flow, LineBefore};
+use crate::known::Known;
 use crate::lanes::{Lane, Lanes, number, parameters};
 use crate::layout::{LINE, NEXT, RECORD, RECORDS, STOPPED};
 use crate::local;
@@ -32,6 +33,7 @@ pub(crate) struct Body<'m> {
     pub(crate) module: &'m Surroundings<'m>,
     pub(crate) program: &'m Program,
     pub(crate) lanes: &'m Lanes,
+    known: &'m Known,
     pub(crate) regions: &'m Regions,
     pub(crate) flow: &'m Flow,
     code: Function,
@@ -65,11 +67,15 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     let lanes = Lanes::of(program, module.image);
     let regions = Regions::of(program);
     let flow = Flow::of(program, |op| has_code(module, program, op));
-    let groups = [(local::WHOLE, ValType::I32), (local::NUMBERS + lanes.variables(), ValType::F64)];
+    let known = Known::of(program, module.shared, &lanes);
+    let (numbers, wholes) = known.variables();
+    let numbers = local::NUMBERS + lanes.variables() + numbers;
+    let groups = [(local::WHOLE, ValType::I32), (numbers, ValType::F64), (wholes, ValType::I32)];
     let mut body = Body {
         module,
         program,
         lanes: &lanes,
+        known: &known,
         regions: &regions,
         flow: &flow,
         code: Function::new(groups),
@@ -92,6 +98,12 @@ impl Body<'_> {
 
     /// The numbers of a new frame, or of one that is entered again, go where the code has them.
     fn begin(&mut self) {
+        for (at, variable) in self.known.numbers() {
+            self.code().i32_const(0).f64_load(number_behind(at)).local_set(variable);
+        }
+        for (at, variable) in self.known.wholes() {
+            self.code().i32_const(0).i32_load(whole_at(at)).local_set(variable);
+        }
         self.code().local_get(local::ROOM).i32_const(0).i32_lt_s().if_(BlockType::Empty);
         self.enter_again();
         self.code().else_();
@@ -185,6 +197,22 @@ impl Body<'_> {
         }
     }
 
+    /// A number of a description.
+    pub(crate) fn number_of(&mut self, at: u32) {
+        match self.known.numbers().find(|(known, _)| *known == at) {
+            Some((_, variable)) => self.code().local_get(variable),
+            None => self.code().i32_const(0).f64_load(number_behind(at)),
+        };
+    }
+
+    /// A whole number of a description.
+    pub(crate) fn whole_of(&mut self, at: u32) {
+        match self.known.wholes().find(|(known, _)| *known == at) {
+            Some((_, variable)) => self.code().local_get(variable),
+            None => self.code().i32_const(0).i32_load(whole_at(at)),
+        };
+    }
+
     /// Writes a number of the frame.
     pub(crate) fn set(&mut self, register: Register, value: impl FnOnce(&mut Self)) {
         match self.lanes.get(register) {
@@ -211,7 +239,7 @@ pub(crate) fn number_at(lane: u16) -> MemArg {
 }
 
 /// A number of an address in all.
-pub(crate) fn number_behind(offset: u32) -> MemArg {
+fn number_behind(offset: u32) -> MemArg {
     MemArg { offset: offset.into(), align: 3, memory_index: 0 }
 }
 

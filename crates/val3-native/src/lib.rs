@@ -12,6 +12,7 @@ mod containers;
 mod exchange;
 mod flow;
 mod functions;
+mod known;
 mod lanes;
 mod layout;
 mod local;

@@ -4,7 +4,7 @@ use val3_bytecode::{Op, Program, Register, Whole};
 use wasm_encoder::Instruction;
 use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
 
-use crate::body::{Body, Surroundings, number_at, number_behind, whole_at};
+use crate::body::{Body, Surroundings, number_at, whole_at};
 use crate::calls::callee;
 use crate::lanes::Lane;
 use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE, WIDTH};
@@ -77,11 +77,7 @@ impl Body<'_> {
             Op::Add { to, a, b } => self.compute(to, (a, b), &[F64Add]),
             Op::Subtract { to, a, b } => self.compute(to, (a, b), &[F64Sub]),
             Op::Multiply { to, a, b } => self.compute(to, (a, b), &[F64Mul]),
-            Op::Divide { to, a, b } => {
-                self.is_zero(b);
-                self.when(Self::leave_it);
-                self.compute(to, (a, b), &[F64Div]);
-            }
+            Op::Divide { to, a, b } => self.divide(to, a, b),
             Op::Remainder { to, a, b } => self.remainder(to, a, b),
             Op::Function { function, to, a, b, c } => self.function(function, to, [a, b, c]),
             Op::Less { to, a, b } => self.compute(to, (a, b), &[F64Lt, F64ConvertI32U]),
@@ -212,38 +208,66 @@ impl Body<'_> {
         self.code().f64_const(0.0.into()).f64_lt().select();
     }
 
-    /// The remainder by a whole number: that of the whole part, and the fraction, which is exact. Others, and those of
-    /// numbers that are no `i32`, are left to the interpreter, as is the one by -1, which may leave the range.
-    fn remainder(&mut self, to: Register, a: Register, b: Register) {
-        let known = if let Lane::Constant(divisor) = self.lanes.get(b) { whole(divisor) } else { None };
-        match known {
-            Some(0 | -1) => {
-                self.code().i32_const(1);
+    /// To divide by a power of two is to multiply with its inverse, to the last bit.
+    fn divide(&mut self, to: Register, a: Register, b: Register) {
+        match self.lanes.get(b) {
+            Lane::Constant(divisor) if is_power_of_two(divisor) => self.set(to, |body| {
+                body.get(a);
+                body.code().f64_const((1.0 / divisor).into()).f64_mul();
+            }),
+            Lane::Constant(divisor) if divisor != 0.0 => self.compute(to, (a, b), &[F64Div]),
+            _ => {
+                self.is_zero(b);
                 self.when(Self::leave_it);
-            }
-            Some(_) => {}
-            None => {
-                self.get(b);
-                self.code().i32_trunc_sat_f64_s().local_tee(local::J).f64_convert_i32_s();
-                self.get(b);
-                self.code().f64_ne();
-                // 0 and -1.
-                self.code().local_get(local::J).i32_const(1).i32_add().i32_const(2).i32_lt_u().i32_or();
-                self.when(Self::leave_it);
+                self.compute(to, (a, b), &[F64Div]);
             }
         }
+    }
+
+    /// The remainder by a whole number: that of the whole part, and the fraction, which is exact. Others, and those of
+    /// numbers that are no `i32`, are left to the interpreter.
+    fn remainder(&mut self, to: Register, a: Register, b: Register) {
+        match self.lanes.get(b) {
+            Lane::Constant(divisor) if is_whole(divisor) && divisor != 0.0 => {
+                self.remainder_by(to, a, divisor.abs());
+            }
+            _ => self.remainder_of(to, a, b),
+        }
+    }
+
+    /// The remainder by a constant, without a division: half a unit more than the whole part, times the inverse, lies
+    /// between the quotient and the next, far from both where neither number has more than 31 bits.
+    fn remainder_by(&mut self, to: Register, a: Register, divisor: f64) {
+        self.get(a);
+        self.code().f64_abs().local_tee(local::B).f64_trunc().local_tee(local::A);
+        self.code().f64_const(f64::from(i32::MAX).into()).f64_le();
+        self.unless(Self::leave_it);
+        self.set(to, |body| {
+            body.code().local_get(local::A);
+            body.code().local_get(local::A).f64_const(0.5.into()).f64_add().f64_const((1.0 / divisor).into()).f64_mul();
+            body.code().f64_trunc().f64_const(divisor.into()).f64_mul().f64_sub();
+            body.code().local_get(local::B).local_get(local::A).f64_sub().f64_add();
+            body.get(a);
+            body.code().f64_copysign();
+        });
+    }
+
+    /// The remainder by a number that is known when it is computed. The one by -1 may leave the range.
+    fn remainder_of(&mut self, to: Register, a: Register, b: Register) {
+        self.get(b);
+        self.code().i32_trunc_sat_f64_s().local_tee(local::J).f64_convert_i32_s();
+        self.get(b);
+        self.code().f64_ne();
+        // 0 and -1.
+        self.code().local_get(local::J).i32_const(1).i32_add().i32_const(2).i32_lt_u().i32_or();
+        self.when(Self::leave_it);
         self.get(a);
         self.code().i32_trunc_sat_f64_s().local_tee(local::I).f64_convert_i32_s().local_tee(local::A);
         self.get(a);
         self.code().f64_trunc().f64_ne();
         self.when(Self::leave_it);
         self.set(to, |body| {
-            body.code().local_get(local::I);
-            match known {
-                Some(divisor) => body.code().i32_const(divisor),
-                None => body.code().local_get(local::J),
-            };
-            body.code().i32_rem_s().f64_convert_i32_s();
+            body.code().local_get(local::I).local_get(local::J).i32_rem_s().f64_convert_i32_s();
             body.get(a);
             body.code().local_get(local::A).f64_sub().f64_add().f64_abs();
             body.get(a);
@@ -261,9 +285,11 @@ impl Body<'_> {
     /// The address of the first value of a container, if it has so many numbers.
     fn first(&mut self, whole: Whole, lane: u16) {
         let Some(at) = self.module.shared.description(whole) else { return };
-        self.code().i32_const(0).i32_load(whole_at(at + COUNT)).i32_const(lane.into()).i32_le_u();
+        self.whole_of(at + COUNT);
+        self.code().i32_const(lane.into()).i32_le_u();
         self.when(Self::leave_it);
-        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS)).local_set(local::ADDRESS);
+        self.whole_of(at + ADDRESS);
+        self.code().local_set(local::ADDRESS);
     }
 
     /// The address of a value of an array. An index is rounded (2.5.3): above zero, cutting the fraction of what is
@@ -272,8 +298,14 @@ impl Body<'_> {
         let Some(at) = self.module.shared.description(whole) else { return };
         self.index(local::A, index, at + SIZE);
         self.unless(Self::leave_it);
-        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
-        self.code().local_get(local::A).i32_trunc_f64_s().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
+        self.whole_of(at + ADDRESS);
+        self.code()
+            .local_get(local::A)
+            .i32_trunc_sat_f64_s()
+            .i32_const(3)
+            .i32_shl()
+            .i32_add()
+            .local_set(local::ADDRESS);
     }
 
     /// The address of a value of an array of two dimensions.
@@ -283,9 +315,10 @@ impl Body<'_> {
         self.index(local::B, j, at + COLUMNS);
         self.code().i32_and();
         self.unless(Self::leave_it);
-        self.code().i32_const(0).i32_load(whole_at(at + ADDRESS));
-        self.code().local_get(local::A).i32_trunc_f64_s().i32_const(0).i32_load(whole_at(at + WIDTH)).i32_mul();
-        self.code().local_get(local::B).i32_trunc_f64_s().i32_add();
+        self.whole_of(at + ADDRESS);
+        self.code().local_get(local::A).i32_trunc_sat_f64_s();
+        self.whole_of(at + WIDTH);
+        self.code().i32_mul().local_get(local::B).i32_trunc_sat_f64_s().i32_add();
         self.code().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
     }
 
@@ -294,13 +327,40 @@ impl Body<'_> {
     fn index(&mut self, variable: u32, index: Register, size: u32) {
         self.get(index);
         self.code().f64_const(0.5.into()).f64_add().local_tee(variable).f64_const(0.0.into()).f64_ge();
-        self.code().local_get(variable).i32_const(0).f64_load(number_behind(size)).f64_lt().i32_and();
+        self.code().local_get(variable);
+        self.number_of(size);
+        self.code().f64_lt().i32_and();
     }
 }
 
-/// The whole number that a number is, if it is one.
-fn whole(number: f64) -> Option<i32> {
-    #[allow(clippy::cast_possible_truncation, reason = "what does not fit is not equal any more")]
-    let whole = number as i32;
-    (f64::from(whole) == number).then_some(whole)
+/// An `i32`.
+fn is_whole(number: f64) -> bool {
+    number.trunc() == number && number.abs() <= f64::from(i32::MAX)
+}
+
+/// A number whose inverse is exact.
+fn is_power_of_two(number: f64) -> bool {
+    const FRACTION: u64 = (1 << 52) - 1;
+    number.to_bits() & FRACTION == 0 && number.is_normal() && (1.0 / number).is_normal()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{is_power_of_two, is_whole};
+
+    #[test]
+    fn numbers_with_an_exact_inverse() {
+        for number in [1.0, 2.0, -2.0, 0.5, 1024.0, f64::MIN_POSITIVE * 4.0] {
+            assert!(is_power_of_two(number), "{number}");
+        }
+        for number in [0.0, -0.0, 3.0, 0.1, f64::INFINITY, f64::NAN, f64::MIN_POSITIVE / 2.0, f64::MAX] {
+            assert!(!is_power_of_two(number), "{number}");
+        }
+    }
+
+    #[test]
+    fn whole_numbers() {
+        assert!([0.0, 3.0, -3.0, 2_147_483_647.0].into_iter().all(is_whole));
+        assert!(![0.5, 2_147_483_648.0, f64::NAN, f64::NEG_INFINITY].into_iter().any(is_whole));
+    }
 }
