@@ -104,6 +104,19 @@ fn numbers_arrays_and_calls_are_machine_code() {
 }
 
 #[test]
+fn quotients_and_remainders_by_constants() {
+    let mut listing = "num nSum\nprogram start()\nnum i\nnum x\nbegin\nfor i=-40 to 40\n".to_owned();
+    for number in ["i", "i/3", "i*77309411.5", "i*0.1+2147483646", "i*i*i*i*i*1e9", "i*1e300*1e300", "-i*0"] {
+        writeln!(listing, "x={number}").unwrap();
+        for divisor in ["1", "2", "3", "-3", "7", "0.5", "-8", "1024", "0.1", "2147483647", "2147483648", "1e-300"] {
+            writeln!(listing, "? x/{divisor}\n? x%{divisor}").unwrap();
+        }
+    }
+    let printed = run(&(listing + "endFor\nend"));
+    assert_eq!(printed.lines().filter(|line| !line.starts_with("error")).count(), 81 * 7 * 12 * 2);
+}
+
+#[test]
 fn others_have_their_turns_at_the_same_times() {
     let computing = "
         num nCount
