@@ -95,9 +95,10 @@ impl Tree {
 
     /// The tree as rowan has it, made when somebody asks for it first.
     pub(crate) fn green(&self) -> &GreenNode {
-        self.green.get_or_init(|| match self.before().take() {
-            Some(before) => green::renewed(self, &before, before.green()),
-            None => green::anew(self.root()),
+        self.green.get_or_init(|| {
+            // Out of its lock: an edit on the way does not wait until the tree is made.
+            let before = self.before().take();
+            before.map_or_else(|| green::anew(self.root()), |before| green::renewed(self, &before, before.green()))
         })
     }
 }
@@ -111,7 +112,7 @@ impl PartialEq for Tree {
 
 impl Eq for Tree {}
 
-/// A number of entries: each but one in a nest of nodes stands for a byte of a text, which is shorter than 4 GiB.
+/// A number of entries. A byte of text has few of them, so memory is full before there are too many.
 pub(crate) fn count(entries: usize) -> u32 {
     u32::try_from(entries).unwrap_or(u32::MAX)
 }
