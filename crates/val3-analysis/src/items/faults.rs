@@ -68,10 +68,23 @@ fn odd_keywords(parse: &Parse, text: &str) -> Vec<OddKeyword> {
         return Vec::new();
     }
     // Code that could not be read has a message already.
-    let is_read = |range: &TextRange| parse.view().path_to(*range).all(|node| node.kind() != SyntaxKind::ERROR);
+    let mut unread = Vec::new();
+    unread_code(parse.view(), &mut unread);
+    let is_read = |range: &TextRange| {
+        let next = unread.partition_point(|code| code.end() < range.end());
+        unread.get(next).is_none_or(|code| !code.contains_range(*range))
+    };
     let canonical = |range: TextRange| SyntaxKind::from_keyword(text.get(Range::<usize>::from(range))?)?.keyword_text();
     odd.iter()
         .filter(|range| is_read(range))
         .filter_map(|range| Some(OddKeyword { range: *range, canonical: canonical(*range)? }))
         .collect()
+}
+
+/// The outermost nodes of code that could not be read, in the order of the text.
+fn unread_code(node: View<'_>, found: &mut Vec<TextRange>) {
+    match node.kind() {
+        SyntaxKind::ERROR => found.push(node.range()),
+        _ => node.children().for_each(|child| unread_code(child, found)),
+    }
 }
