@@ -88,3 +88,17 @@ fn unread_code(node: View<'_>, found: &mut Vec<TextRange>) {
         _ => node.children().for_each(|child| unread_code(child, found)),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keywords_in_code_that_cannot_be_read_are_left_alone() {
+        let text = "<Code><![CDATA[begin\nWhile x\n  y=1 Call To\nENDWHILE\ny=)Else\nRETURN\nend]]></Code>";
+        let odd = odd_keywords(&val3_syntax::parse(text), text);
+        let words: Vec<&str> = odd.iter().map(|odd| &text[Range::<usize>::from(odd.range)]).collect();
+        assert_eq!(words, ["While", "ENDWHILE", "RETURN"]);
+        assert_eq!(odd[1].canonical, "endWhile");
+    }
+}
