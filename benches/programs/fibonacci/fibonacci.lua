@@ -7,4 +7,4 @@ local function fibonacci(n)
   return a + b
 end
 
-print(fibonacci(33))
+print(fibonacci(35))

@@ -6,4 +6,4 @@ def fibonacci(n):
     return a + b
 
 
-print(fibonacci(33))
+print(fibonacci(35))
