@@ -36,7 +36,7 @@ pub fn sin_cos(degrees: f64) -> (f64, f64) {
     let (radians, error) = to_radians(rest);
     let (sin, cos) = libm::sincos(radians);
     let (sin, cos) = (sin + cos * error, cos - sin * error);
-    // Both are equal there; either could be the one before.
+    // In the middle between two axes both are the same number, which two roundings need not give.
     let (sin, cos) = if rest.abs() == 45.0 { (FRAC_1_SQRT_2.copysign(rest), FRAC_1_SQRT_2) } else { (sin, cos) };
     let (sin, cos) = match quarter {
         0 => (sin, cos),

@@ -293,7 +293,8 @@ impl Body<'_> {
     }
 
     /// The address of a value of an array. An index is rounded (2.5.3): above zero, cutting the fraction of what is
-    /// half a unit higher is the same.
+    /// half a unit higher is the same. It is in range by then; a conversion that could fail would keep the engine from
+    /// doing it before a loop.
     fn element(&mut self, whole: Whole, index: Register) {
         let Some(at) = self.module.shared.description(whole) else { return };
         self.index(local::A, index, at + SIZE);
