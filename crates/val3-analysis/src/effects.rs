@@ -54,7 +54,7 @@ pub struct Access {
 }
 
 /// Expressions for each use of a variable, in programs that compute much.
-const EXPRESSIONS_AN_ACCESS: usize = 3;
+const EXPRESSIONS_AN_ACCESS: usize = 2;
 
 #[salsa::tracked(lru = 256, no_eq)]
 fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {

@@ -97,34 +97,44 @@ impl Sum for Checked {
     }
 }
 
-/// What is wrong in a piece of work whatever the other programs of its application do.
+/// What is wrong in a piece of work whatever the rules find: faults of its text, its declarations and its types.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct Alone {
+pub struct Faults {
     found: Vec<Diagnostic>,
     /// There are faults, asked for or not: what a lint would say beside one is most often its echo.
-    faulty: bool,
+    any: bool,
 }
 
 /// Checks one piece of work.
 pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Checked {
-    let mut check = Check::new(db, unit, settings, Alone::default());
-    check.alone();
-    check.as_member();
-    check.finish()
+    let check = Check::new(db, unit, settings);
+    let faults = check.faults();
+    let (alone, member) = (check.alone(&faults), check.member(&faults));
+    put_together(db, faults, alone, member)
 }
 
-/// The first part of [`check_unit`]: it looks at no other program, so that an edit elsewhere seldom concerns it.
-pub fn check_alone(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Alone {
-    let mut check = Check::new(db, unit, settings, Alone::default());
-    check.alone();
-    check.so_far
+/// The first part of [`check_unit`]; the other two need it.
+pub fn check_faults(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Faults {
+    Check::new(db, unit, settings).faults()
 }
 
-/// The second part of [`check_unit`]: what shows when the whole application is in view.
-pub fn check_member(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, alone: Alone) -> Checked {
-    let mut check = Check::new(db, unit, settings, alone);
-    check.as_member();
-    check.finish()
+/// The second part of [`check_unit`]: it looks at no other program, so that an edit elsewhere seldom concerns it.
+pub fn check_alone(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
+    Check::new(db, unit, settings).alone(faults)
+}
+
+/// The third part of [`check_unit`]: what shows when the whole application is in view.
+pub fn check_member(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
+    Check::new(db, unit, settings).member(faults)
+}
+
+/// The end of [`check_unit`]: what its parts have found.
+pub fn put_together(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member: Vec<Diagnostic>) -> Checked {
+    let mut found = faults.found;
+    found.extend(alone);
+    found.extend(member);
+    found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
+    suppression::apply(db, found)
 }
 
 /// What only the whole shows, after every unit was checked: comments that silenced nothing; and an add-on that is
@@ -149,62 +159,79 @@ pub fn is_said_once(rule: &Rule) -> bool {
     rule.code == MISSING_ADD_ON
 }
 
+impl Faults {
+    fn add_all(&mut self, diagnostics: Vec<Diagnostic>, settings: &Settings) {
+        diagnostics.into_iter().for_each(|diagnostic| self.add(diagnostic, settings));
+    }
+
+    fn add(&mut self, diagnostic: Diagnostic, settings: &Settings) {
+        self.any |= diagnostic.severity == Severity::Error;
+        self.found.extend(settings.judged(diagnostic));
+    }
+}
+
 struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
     settings: &'db Settings,
-    so_far: Alone,
     /// The program as lints see it, once they look.
     program: OnceCell<Program<'db>>,
 }
 
 impl<'db> Check<'db> {
-    fn new(db: &'db dyn Db, unit: Unit, settings: &'db WorkspaceSettings, so_far: Alone) -> Self {
-        Self { db, unit, settings: settings.of(db, unit.project()), so_far, program: OnceCell::new() }
+    fn new(db: &'db dyn Db, unit: Unit, settings: &'db WorkspaceSettings) -> Self {
+        Self { db, unit, settings: settings.of(db, unit.project()), program: OnceCell::new() }
     }
 
-    fn finish(self) -> Checked {
-        let mut found = self.so_far.found;
-        found.sort_by_key(|diagnostic| (diagnostic.place.range.start(), diagnostic.rule.code));
-        suppression::apply(self.db, found)
-    }
-
-    fn alone(&mut self) {
+    fn faults(&self) -> Faults {
         let db = self.db;
+        let mut faults = Faults::default();
         match self.unit {
             Unit::Program(project, file) => {
-                let broken = self.text(file);
-                self.problems(file, header_check::problems(db, project, file));
+                let broken = self.text(file, &mut faults);
+                self.problems(file, header_check::problems(db, project, file), &mut faults);
                 if !broken {
-                    self.problems(file, infer::problems(db, project, file));
-                    self.add_all(keywords::spelling(db, project, file));
-                    self.add_all(suppression::unknown(db, project, file));
-                }
-                if !self.so_far.faulty {
-                    self.add_lints(lint::program(self.program(project, file), self.settings));
+                    self.problems(file, infer::problems(db, project, file), &mut faults);
+                    faults.add_all(keywords::spelling(db, project, file), self.settings);
+                    faults.add_all(suppression::unknown(db, project, file), self.settings);
                 }
             }
             Unit::Data(project, file) => {
-                self.text(file);
-                self.problems(file, data_check::problems(db, project, file));
+                self.text(file, &mut faults);
+                self.problems(file, data_check::problems(db, project, file), &mut faults);
             }
             Unit::Project(project) => {
                 let file = project.manifest(db);
-                self.text(file);
-                self.problems(file, project_check::problems(db, project));
-                self.problems(file, interfaces::problems(db, project));
+                self.text(file, &mut faults);
+                self.problems(file, project_check::problems(db, project), &mut faults);
+                self.problems(file, interfaces::problems(db, project), &mut faults);
             }
+        }
+        faults
+    }
+
+    fn alone(&self, faults: &Faults) -> Vec<Diagnostic> {
+        match self.unit {
+            Unit::Program(project, file) if !faults.any => {
+                self.judged(lint::program(self.program(project, file), self.settings))
+            }
+            _ => Vec::new(),
         }
     }
 
-    fn as_member(&mut self) {
-        if !self.so_far.faulty {
-            self.add_lints(match self.unit {
-                Unit::Program(project, file) => lint::member(self.program(project, file), self.settings),
-                Unit::Data(project, file) => lint::data(self.db, project, file, self.settings),
-                Unit::Project(project) => lint::project(self.db, project, self.settings),
-            });
+    fn member(&self, faults: &Faults) -> Vec<Diagnostic> {
+        if faults.any {
+            return Vec::new();
         }
+        self.judged(match self.unit {
+            Unit::Program(project, file) => lint::member(self.program(project, file), self.settings),
+            Unit::Data(project, file) => lint::data(self.db, project, file, self.settings),
+            Unit::Project(project) => lint::project(self.db, project, self.settings),
+        })
+    }
+
+    fn judged(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        found.into_iter().filter_map(|diagnostic| self.settings.judged(diagnostic)).collect()
     }
 
     fn program(&self, project: Project, file: File) -> &Program<'db> {
@@ -212,7 +239,7 @@ impl<'db> Check<'db> {
     }
 
     /// The faults of a file's text; true if the rest of it cannot be judged.
-    fn text(&mut self, file: File) -> bool {
+    fn text(&self, file: File, faults: &mut Faults) -> bool {
         if matches!(file.status(self.db), FileStatus::Unreadable(_)) {
             return true;
         }
@@ -222,24 +249,10 @@ impl<'db> Check<'db> {
             // What nests too deep does so in many places; one of them is enough to find it.
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
-                self.add(self.of_syntax(file, error));
+                faults.add(self.of_syntax(file, error), self.settings);
             }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
-    }
-
-    fn add_all(&mut self, diagnostics: Vec<Diagnostic>) {
-        diagnostics.into_iter().for_each(|diagnostic| self.add(diagnostic));
-    }
-
-    fn add_lints(&mut self, diagnostics: Vec<Diagnostic>) {
-        let settings = self.settings;
-        self.so_far.found.extend(diagnostics.into_iter().filter_map(|diagnostic| settings.judged(diagnostic)));
-    }
-
-    fn add(&mut self, diagnostic: Diagnostic) {
-        self.so_far.faulty |= diagnostic.severity == Severity::Error;
-        self.so_far.found.extend(self.settings.judged(diagnostic));
     }
 
     fn of_syntax(&self, file: File, error: &SyntaxError) -> Diagnostic {
@@ -253,7 +266,7 @@ impl<'db> Check<'db> {
         Diagnostic { fix: fix::of_syntax(&error.kind, &site), ..diagnostic }
     }
 
-    fn problems(&mut self, file: File, problems: &[Problem]) {
+    fn problems(&self, file: File, problems: &[Problem], faults: &mut Faults) {
         for problem in without_echoes(self.db, file, problems) {
             let (rule, wording) = word_problem(&problem.kind);
             let related = problem.related.iter().map(|other| RelatedNote {
@@ -264,7 +277,7 @@ impl<'db> Check<'db> {
             let mut diagnostic = self.diagnostic(rule, wording, place, related.collect());
             diagnostic.severity = self.doubt(&problem.kind).unwrap_or(diagnostic.severity);
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
-            self.add(diagnostic);
+            faults.add(diagnostic, self.settings);
         }
     }
 

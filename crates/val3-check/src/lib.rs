@@ -23,5 +23,8 @@ pub mod suppression;
 pub mod testing;
 pub mod topics;
 
-pub use check::{Alone, Checked, Unit, check_alone, check_member, check_unit, finish, is_said_once, units};
+pub use check::{
+    Checked, Faults, Unit, check_alone, check_faults, check_member, check_unit, finish, is_said_once, put_together,
+    units,
+};
 pub use statistics::{Statistics, statistics};

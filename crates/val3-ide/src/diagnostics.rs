@@ -2,11 +2,17 @@
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
+use val3_analysis::body::body;
 use val3_analysis::db::{Db, File, Project};
+use val3_analysis::effects::Effects;
+use val3_analysis::flow::flow;
+use val3_analysis::infer::infer;
 use val3_analysis::items::project::program_files;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
-use val3_check::{Alone, Checked, Unit, check_alone, check_member, finish, is_said_once, units};
+use val3_check::{
+    Checked, Faults, Unit, check_alone, check_faults, check_member, finish, is_said_once, put_together, units,
+};
 
 /// What every application is checked for.
 #[salsa::input(debug)]
@@ -45,22 +51,58 @@ pub fn program_diagnostics(
     (!found.iter().any(|finding| is_said_once(finding.rule))).then_some(found)
 }
 
-/// Finds a part of what [`program_diagnostics`] asks for: another thread may do so beside it.
-pub fn prepare_program(db: &dyn Db, settings: CheckSettings, project: Project, file: File) {
-    if program_files(db, project).contains(&file) {
-        alone(db, settings, Unit::Program(project, file));
+/// A part of what [`program_diagnostics`] asks for. Each finds what those before it have left.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Step {
+    /// The code as plain data.
+    Code,
+    /// The ways through it. They need no types, so that they can be found beside those.
+    Ways,
+    /// The types.
+    Types,
+    /// What its lines do with variables.
+    Uses,
+    /// Its faults.
+    Faults,
+    /// What else shows when one looks at nothing but the program.
+    Lints,
+}
+
+/// Finds a part of what is wrong in a program: another thread may do so beside the one that asks for it.
+pub fn find_ahead(db: &dyn Db, settings: CheckSettings, (project, file): (Project, File), step: Step) {
+    let unit = Unit::Program(project, file);
+    match step {
+        _ if !program_files(db, project).contains(&file) => {}
+        Step::Code => _ = body(db, file),
+        Step::Ways => _ = flow(db, file),
+        Step::Types => _ = infer(db, project, file),
+        Step::Uses => _ = Effects::new(db, project, file).all(),
+        Step::Faults => _ = faults(db, settings, unit),
+        Step::Lints => _ = alone(db, settings, unit),
     }
 }
 
+/// What only the application shows comes before what the program shows by itself, which another thread may be at.
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
-    check_member(db, unit, settings.settings(db), alone(db, settings, unit).clone())
+    let member = member(db, settings, unit).clone();
+    put_together(db, faults(db, settings, unit).clone(), alone(db, settings, unit).clone(), member)
+}
+
+#[salsa::tracked]
+fn faults(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Faults {
+    check_faults(db, unit, settings.settings(db))
 }
 
 /// Kept by itself: an edit that changes what the application does leaves it as it is in all programs but one.
 #[salsa::tracked]
-fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Alone {
-    check_alone(db, unit, settings.settings(db))
+fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
+    check_alone(db, unit, settings.settings(db), faults(db, settings, unit))
+}
+
+#[salsa::tracked]
+fn member(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
+    check_member(db, unit, settings.settings(db), faults(db, settings, unit))
 }
 
 #[cfg(test)]

@@ -36,7 +36,7 @@ pub use assists::{Assist, AssistKind, QuickFix, assists, fix_all, quick_fixes, r
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{Completion, CompletionKind, completion_documentation, completions, documentation};
-pub use diagnostics::{CheckSettings, prepare_program, program_diagnostics, project_diagnostics};
+pub use diagnostics::{CheckSettings, Step, find_ahead, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
 pub use file_operations::{will_create_files, will_delete_files, will_rename_files};

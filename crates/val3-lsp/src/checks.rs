@@ -11,6 +11,7 @@ use val3_analysis::db::{File, Project};
 use crate::convert;
 use crate::pool::Lane;
 use crate::published::{self, ProjectFindings};
+use crate::side_by_side::SideBySide;
 use crate::snapshot::Snapshot;
 use crate::world::World;
 
@@ -38,6 +39,8 @@ struct Batch {
     /// Files that were edited, whose findings somebody waits for.
     edited: FxHashSet<File>,
     next: AtomicUsize,
+    /// The edited program that two threads look at.
+    side_by_side: Option<SideBySide>,
     /// Threads that still work on it.
     working: AtomicUsize,
     generation: u64,
@@ -122,17 +125,21 @@ impl World {
 
     fn start_batch(&self, projects: Vec<Project>, edited: FxHashSet<File>, lane: Lane) {
         let threads = self.pool.threads().min(projects.len());
+        let side_by_side = self.side_by_side(&projects, &edited);
         let batch = Arc::new(Batch {
             projects,
             edited,
             next: AtomicUsize::new(0),
+            side_by_side,
             working: AtomicUsize::new(threads),
             generation: self.checks.started,
             lane,
         });
         for _ in 0..threads {
             let (batch, snapshot, inbox) = (Arc::clone(&batch), self.snapshot(), self.inbox.clone());
+            let help = self.help(&batch);
             self.pool.spawn(lane, move || {
+                help();
                 let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| work(&batch, &snapshot)));
                 let outcome = crate::panics::contained(work);
                 drop(snapshot);
@@ -150,22 +157,29 @@ impl World {
                 });
             });
         }
-        if self.pool.threads() > 1 {
-            self.work_ahead(batch);
+    }
+
+    /// One program was edited, and there is another thread for it.
+    fn side_by_side(&self, projects: &[Project], edited: &FxHashSet<File>) -> Option<SideBySide> {
+        let file = edited.iter().copied().next().filter(|_| edited.len() == 1 && self.pool.threads() > 1)?;
+        match (val3_ide::projects_of(self.database(), file), projects) {
+            ([owner], [project]) if owner == project => Some(SideBySide::new(*project, file)),
+            _ => None,
         }
     }
 
-    /// Lets another thread find, beside the first, what the edited programs need.
-    fn work_ahead(&self, batch: Arc<Batch>) {
-        if batch.edited.is_empty() {
-            return;
+    /// Calls another thread to the program that two look at. The first one does so: the main loop often shares its
+    /// core, and gets no further as long as it computes.
+    fn help(&self, batch: &Arc<Batch>) -> impl FnOnce() + Send + use<> {
+        let called = batch.side_by_side.is_some().then(|| (self.pool.clone(), Arc::clone(batch), self.snapshot()));
+        move || {
+            let Some((pool, batch, snapshot)) = called else { return };
+            pool.spawn(batch.lane, move || {
+                let help = || batch.side_by_side.iter().for_each(|program| program.help(&snapshot));
+                // A fault shows again where somebody waits for the result.
+                let _ = crate::panics::contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(help)));
+            });
         }
-        let snapshot = self.snapshot();
-        self.pool.spawn(batch.lane, move || {
-            let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| prepare(&batch, &snapshot)));
-            // A fault shows again where somebody waits for the result.
-            let _ = crate::panics::contained(work);
-        });
     }
 
     /// A write stopped a check. If it changed nothing that is checked, the check goes on.
@@ -205,6 +219,7 @@ impl World {
 fn work(batch: &Batch, snapshot: &Snapshot) {
     while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
         let generation = batch.generation;
+        batch.side_by_side.iter().for_each(|program| program.lead(snapshot));
         for (file, found) in found_early(batch, snapshot, *project) {
             let found = (snapshot.uri(file), found);
             let project = *project;
@@ -232,13 +247,4 @@ fn found_early<'a>(
 /// The edited files that are part of `project` and of no other.
 fn edited_in<'a>(batch: &'a Batch, snapshot: &'a Snapshot, project: Project) -> impl Iterator<Item = File> + 'a {
     batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project])
-}
-
-fn prepare(batch: &Batch, snapshot: &Snapshot) {
-    let Some(settings) = snapshot.settings else { return };
-    for project in &batch.projects {
-        for file in edited_in(batch, snapshot, *project) {
-            val3_ide::prepare_program(snapshot.db(), settings, *project, file);
-        }
-    }
 }

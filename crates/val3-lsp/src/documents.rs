@@ -3,11 +3,10 @@
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use camino::{Utf8Path, Utf8PathBuf};
-use line_index::LineIndex;
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
 
-use crate::line_index::{Encoding, Lines};
+use crate::line_index::{Encoding, text_range};
 use crate::shown::Shown;
 
 /// An open document.
@@ -120,13 +119,12 @@ impl Documents {
 impl Document {
     /// Makes the changes in their order; each counts in the text that the one before leaves.
     pub(crate) fn change(&mut self, changes: Vec<TextDocumentContentChangeEvent>, encoding: Encoding) {
-        let mut text = self.text.to_string();
+        let mut text = String::from(&*self.text);
         for change in changes {
             match change.range {
                 None => text = change.text,
                 Some(range) => {
-                    let index = LineIndex::new(&text);
-                    let range = Lines::new(&text, &index, encoding, false).text_range(range);
+                    let range = text_range(&text, range, encoding);
                     text.replace_range(std::ops::Range::<usize>::from(range), &change.text);
                 }
             }
@@ -163,5 +161,8 @@ mod tests {
     fn changes_beyond_the_text() {
         assert_eq!(changed("a", &[(9, 9, 12, 0, "b")]), "ab");
         assert_eq!(changed("abc", &[(0, 2, 0, 1, "")]), "ac");
+        assert_eq!(changed("a\r\nb", &[(0, 9, 1, 0, "-")]), "a-b");
+        assert_eq!(changed("a\nb\nc", &[(2, 0, 0, 1, "")]), "ac");
+        assert_eq!(changed("a\n", &[(1, 0, 1, 0, "b"), (2, 0, 2, 0, "c")]), "a\nbc");
     }
 }

@@ -23,6 +23,25 @@ pub(crate) fn line_index(db: &dyn Db, file: File) -> LineIndex {
     LineIndex::new(file.text(db))
 }
 
+/// The offsets of both ends of a range of an open document. Only the lines of the range are looked at closely.
+pub(crate) fn text_range(text: &str, range: Range, encoding: Encoding) -> TextRange {
+    let first = range.start.line.min(range.end.line);
+    let behind = range.start.line.max(range.end.line).saturating_add(1);
+    let start = line_start(text, first);
+    let lines = text.get(start..line_start(text, behind)).unwrap_or("");
+    let within = |place: Position| Position { line: place.line - first, ..place };
+    let range = Range { start: within(range.start), end: within(range.end) };
+    let start = TextSize::try_from(start).unwrap_or_default();
+    Lines::new(lines, &LineIndex::new(lines), encoding, false).text_range(range) + start
+}
+
+/// Where a line begins; behind the last it is the end.
+fn line_start(text: &str, line: u32) -> usize {
+    let Some(before) = line.checked_sub(1) else { return 0 };
+    let end = memchr::memchr_iter(b'\n', text.as_bytes()).nth(before as usize);
+    end.map_or(text.len(), |end| end + 1)
+}
+
 const MARK: char = '\u{feff}';
 
 /// A text with its lines.

@@ -23,6 +23,7 @@ pub(crate) enum Lane {
 }
 
 /// A fixed number of threads for each lane; neither takes threads from the other.
+#[derive(Clone)]
 pub(crate) struct Pool {
     latency: Sender<Job>,
     background: Sender<Job>,
@@ -30,7 +31,7 @@ pub(crate) struct Pool {
 }
 
 impl Pool {
-    /// Starts the threads. They end when the pool is dropped and their jobs are done.
+    /// Starts the threads. They end when the pool and its copies are dropped and their jobs are done.
     pub(crate) fn start() -> std::io::Result<Self> {
         let threads = thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS);
         // One more thread keeps a long request from holding up a short one.

@@ -50,6 +50,11 @@ impl<'t> View<'t> {
         self.0.children().filter(move |piece| is_solid(piece.kind())).map(TokenView)
     }
 
+    /// How many nodes and tokens are of a wanted kind, this one and all below.
+    pub fn count(self, is_wanted: impl Fn(SyntaxKind) -> bool) -> usize {
+        self.0.entries().iter().filter(|entry| is_wanted(entry.kind)).count()
+    }
+
     /// The first node of `kind` below.
     pub fn child(self, kind: SyntaxKind) -> Option<View<'t>> {
         self.children().find(|child| child.kind() == kind)

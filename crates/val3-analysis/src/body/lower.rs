@@ -7,20 +7,18 @@ use smallvec::SmallVec;
 use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::view::{TokenView, View};
 
+use self::expressions::is_expr;
 use super::{Body, Expr, ExprId, Stmt, StmtKind};
 use crate::items::program;
-
-/// Bytes of code for each expression, in dense programs. A list that grew would be copied again and again.
-const BYTES_AN_EXPRESSION: usize = 4;
 
 /// Reads the code of the first program of a `.pgx`.
 pub(super) fn lower(file: View<'_>) -> Body {
     let Some(code) = program::code(file) else { return Body::default() };
     let escaped = !code.children_with_tokens().any(|child| kind_of(&child) == CDATA_OPEN);
-    let exprs = Vec::with_capacity(usize::from(code.range().len()) / BYTES_AN_EXPRESSION);
+    // A list that grew would be copied again and again.
+    let exprs = Vec::with_capacity(code.count(is_expr));
     let mut lowering = Lowering { exprs, escaped };
     let block = lowering.block(code);
-    lowering.exprs.shrink_to_fit();
     Body { exprs: lowering.exprs, block }
 }
 
@@ -44,8 +42,9 @@ impl Lowering {
     /// The statements of the `BLOCK` below `parent`.
     fn block(&mut self, parent: View<'_>) -> Vec<Stmt> {
         let Some(block) = parent.child(BLOCK) else { return Vec::new() };
-        let stmts: Few<Stmt> = block.children().filter_map(|child| self.stmt(child)).collect();
-        stmts.into_vec()
+        let mut stmts = Vec::with_capacity(block.children().count());
+        stmts.extend(block.children().filter_map(|child| self.stmt(child)));
+        stmts
     }
 
     fn stmt(&mut self, view: View<'_>) -> Option<Stmt> {

@@ -17,6 +17,7 @@ use val3_lang::motion::{MotionRole, role};
 use val3_syntax::TextRange;
 
 use super::motion::Step;
+use super::variable_use::VariableUse;
 use super::{LocalUse, Motion};
 
 /// A program without faults, with all that is known of it.
@@ -38,6 +39,7 @@ pub(crate) struct Program<'db> {
     calls: OnceCell<Vec<Call<'db>>>,
     pub(super) calls_by_point: OnceCell<PerPoint<Call<'db>>>,
     local_use: OnceCell<LocalUse<'db>>,
+    variable_use: OnceCell<VariableUse>,
     stmts: OnceCell<Vec<&'db Stmt>>,
 }
 
@@ -81,6 +83,7 @@ impl<'db> Program<'db> {
             calls: OnceCell::new(),
             calls_by_point: OnceCell::new(),
             local_use: OnceCell::new(),
+            variable_use: OnceCell::new(),
             stmts: OnceCell::new(),
         }
     }
@@ -98,6 +101,11 @@ impl<'db> Program<'db> {
     /// What each of its points does to local variables.
     pub(crate) fn local_use(&self) -> &LocalUse<'db> {
         self.local_use.get_or_init(|| LocalUse::new(self))
+    }
+
+    /// What it does to its locals and parameters as a whole.
+    pub(crate) fn variable_use(&self) -> &VariableUse {
+        self.variable_use.get_or_init(|| VariableUse::new(self))
     }
 
     /// Every statement, outer ones before inner ones.

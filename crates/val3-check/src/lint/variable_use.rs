@@ -9,30 +9,26 @@ use val3_lang::types::BaseType;
 
 use super::Program;
 
-/// What the program does to each of the locals that it uses.
-pub(crate) fn of_locals(program: &Program<'_>) -> FxHashMap<SmolStr, Use> {
-    gather(program, |root| match root {
-        Root::Local(name) => Some(name),
-        _ => None,
-    })
+/// What a program does to its own variables, by their names. Those that it does not use are missing.
+#[derive(Debug, Default)]
+pub(crate) struct VariableUse {
+    pub(crate) locals: FxHashMap<SmolStr, Use>,
+    pub(crate) params: FxHashMap<SmolStr, Use>,
 }
 
-/// What the program does to each of the parameters that it uses.
-pub(crate) fn of_params(program: &Program<'_>) -> FxHashMap<SmolStr, Use> {
-    gather(program, |root| match root {
-        Root::Param(name) => Some(name),
-        _ => None,
-    })
-}
-
-fn gather(program: &Program<'_>, name: impl Fn(&Root) -> Option<&SmolStr>) -> FxHashMap<SmolStr, Use> {
-    let mut uses: FxHashMap<SmolStr, Use> = FxHashMap::default();
-    for access in program.effects.all() {
-        if let Some(name) = name(&access.root) {
+impl VariableUse {
+    pub(super) fn new(program: &Program<'_>) -> Self {
+        let mut used = Self::default();
+        for access in program.effects.all() {
+            let (uses, name) = match &access.root {
+                Root::Local(name) => (&mut used.locals, name),
+                Root::Param(name) => (&mut used.params, name),
+                _ => continue,
+            };
             uses.entry(name.clone()).or_default().add(access.kind);
         }
+        used
     }
-    uses
 }
 
 /// The local or parameter stands for an input, an output or a line: writing it is its use.

@@ -35,7 +35,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let used = variable_use::of_locals(program);
+    let used = &program.variable_use().locals;
     if used.values().all(|uses| uses.may_read()) {
         return;
     }

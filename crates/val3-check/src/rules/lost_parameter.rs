@@ -43,7 +43,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if program.header.params.iter().all(|param| param.by_reference) {
         return;
     }
-    let used = variable_use::of_params(program);
+    let used = &program.variable_use().params;
     let is_lost = |name: &str| used.get(name).is_some_and(|uses| uses.written && !uses.may_read());
     if !used.keys().any(|name| is_lost(name)) {
         return;

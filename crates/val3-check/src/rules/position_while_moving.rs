@@ -37,7 +37,7 @@ rule! {
     /// waitEndMove()
     /// pFound=here(tProbe,world)
     /// ```
-    V0408 "position-while-moving" Info, Program: check
+    V0408 "position-while-moving" Info, Member: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {

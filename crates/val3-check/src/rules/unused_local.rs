@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_locals};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, removal, variable_use};
+use crate::lint::{Findings, Program, removal};
 use crate::rule::rule;
 
 rule! {
@@ -35,7 +35,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let used = variable_use::of_locals(program);
+    let used = &program.variable_use().locals;
     if program.header.locals.iter().all(|local| used.contains_key(&local.name)) {
         return;
     }

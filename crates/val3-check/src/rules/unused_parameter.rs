@@ -3,7 +3,7 @@
 use val3_analysis::items::declarations::{Declared, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, variable_use};
+use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
@@ -42,7 +42,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if program.header.public || params.is_empty() || program.body.block.is_empty() {
         return;
     }
-    let used = variable_use::of_params(program);
+    let used = &program.variable_use().params;
     if params.iter().all(|param| used.contains_key(&param.name)) {
         return;
     }

@@ -4,7 +4,7 @@ use rowan::{NodeOrToken, TextRange};
 use smallvec::smallvec;
 use smol_str::SmolStr;
 use val3_lang::operators::{BinaryOp, UnaryOp};
-use val3_syntax::SyntaxKind::*;
+use val3_syntax::SyntaxKind::{self, *};
 use val3_syntax::decode_entities;
 use val3_syntax::view::{TokenView, View};
 
@@ -118,6 +118,24 @@ impl Lowering {
         }
         Expr::Struct(Box::from(&*values))
     }
+}
+
+/// A node of this kind becomes an expression, but for the names in paths and behind dots.
+pub(super) fn is_expr(kind: SyntaxKind) -> bool {
+    matches!(
+        kind,
+        LITERAL
+            | NAME_REF
+            | LIBRARY_PATH
+            | PAREN_EXPR
+            | PREFIX_EXPR
+            | BIN_EXPR
+            | ASSIGN_EXPR
+            | INDEX_EXPR
+            | FIELD_EXPR
+            | CALL_EXPR
+            | STRUCT_LITERAL
+    )
 }
 
 fn name(view: View<'_>) -> SmolStr {
