@@ -1,8 +1,12 @@
-//! How the steps of a program follow one another: blocks that are done from their first step to their last.
+//! How the steps of a program follow one another: blocks that are entered at their first step alone. They are left
+//! behind their last, or on the way by jumps forward.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use val3_bytecode::{Op, Program, Step};
+
+/// Lines behind which no block goes on beyond a jump: all of them have to be left in the turn when it begins.
+const MOST_LINES: u32 = 16;
 
 /// The line that a task is in before a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -30,20 +34,10 @@ pub(crate) struct Flow {
 impl Flow {
     /// `has_code` tells which operations machine code does; it stops before all others.
     pub(crate) fn of(program: &Program, has_code: impl Fn(Op) -> bool) -> Self {
-        let mut firsts = BTreeSet::from([0]);
-        for (step, number) in program.code.iter().zip(0..) {
-            firsts.extend(target(step.op));
-            if ends_block(step.op) || !has_code(step.op) {
-                firsts.insert(number + 1);
-            }
-        }
         let count = u32::try_from(program.code.len()).unwrap_or(u32::MAX);
         let mut flow = Self { blocks: BTreeMap::new() };
-        for first in firsts.iter().copied().filter(|first| *first < count) {
-            let end = firsts.range(first + 1..).next().copied().unwrap_or(count).min(count);
-            let begins = |step: &&Step| step.line && has_code(step.op);
-            let lines = steps(program, first, end).filter(begins).count();
-            flow.blocks.insert(first, Block { lines: u32::try_from(lines).unwrap_or(u32::MAX), line: None });
+        for (first, lines) in blocks(program, &has_code) {
+            flow.blocks.insert(first, Block { lines, line: None });
         }
         flow.follow_lines(program, count, has_code);
         flow
@@ -68,15 +62,36 @@ impl Flow {
                 continue;
             }
             block.line = Some(met);
-            let last_line = (first..end).zip(steps(program, first, end)).filter(|(_, step)| step.line).last();
-            let after = last_line.map_or(met, |(number, _)| LineBefore::Known(number));
-            let Some(last) = steps(program, first, end).last().filter(|last| has_code(last.op)) else { continue };
-            open.extend(target(last.op).map(|to| (to, after)));
-            if !matches!(last.op, Op::Jump { .. } | Op::Return) {
-                open.push((end, after));
+            let (mut line, mut goes_on) = (met, true);
+            for (step, number) in steps(program, first, end).zip(first..) {
+                goes_on = has_code(step.op) && !matches!(step.op, Op::Jump { .. } | Op::Return);
+                if has_code(step.op) {
+                    line = if step.line { LineBefore::Known(number) } else { line };
+                    open.extend(target(step.op).map(|to| (to, line)));
+                }
+            }
+            if goes_on {
+                open.push((end, line));
             }
         }
     }
+}
+
+/// The first steps of all blocks, with the lines that begin in each.
+fn blocks(program: &Program, has_code: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
+    let targets: BTreeSet<u32> = program.code.iter().filter_map(|step| target(step.op)).collect();
+    let mut blocks: Vec<(u32, u32)> = Vec::new();
+    let mut begins = true;
+    for (step, number) in program.code.iter().zip(0..) {
+        let line = u32::from(step.line && has_code(step.op));
+        match blocks.last_mut() {
+            Some((_, lines)) if !begins && !targets.contains(&number) => *lines += line,
+            _ => blocks.push((number, line)),
+        }
+        let is_full = blocks.last().is_some_and(|(_, lines)| *lines >= MOST_LINES);
+        begins = !has_code(step.op) || ends_block(step.op, number) || is_full && target(step.op).is_some();
+    }
+    blocks
 }
 
 fn steps(program: &Program, first: u32, end: u32) -> impl Iterator<Item = &Step> {
@@ -91,7 +106,9 @@ pub(crate) fn target(mut op: Op) -> Option<u32> {
     }
 }
 
-/// Other steps than the next one may follow, or other programs take lines.
-fn ends_block(op: Op) -> bool {
-    target(op).is_some() || matches!(op, Op::Return | Op::Call { .. })
+/// The next step is another block's: it is reached from elsewhere, other programs take lines, or the block is to be
+/// repeated without what follows.
+fn ends_block(op: Op, number: u32) -> bool {
+    let is_left_forward = target(op).is_some_and(|to| to > number) && !matches!(op, Op::Jump { .. });
+    !is_left_forward && (target(op).is_some() || matches!(op, Op::Return | Op::Call { .. }))
 }

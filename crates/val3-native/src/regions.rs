@@ -107,6 +107,11 @@ impl Regions {
 }
 
 impl Region {
+    /// It is entered at its head alone, so that nothing has to lead on from there.
+    pub(crate) fn begins_at_head(&self) -> bool {
+        self.entries.len() == 1
+    }
+
     fn has(&self, step: u32) -> bool {
         (self.head..self.end).contains(&step)
     }

@@ -41,6 +41,9 @@ impl Body<'_> {
         for label in region.labels.iter().rev() {
             self.open_block(Label::Step(*label));
         }
+        if region.begins_at_head() {
+            return;
+        }
         self.code().local_get(local::NEXT);
         self.when(|body| {
             for entry in &region.entries {
@@ -53,7 +56,8 @@ impl Body<'_> {
     /// Goes to a step by which a region is entered. Where that is the head of another, it leads on.
     fn enter(&mut self, region: &Region, entry: u32) {
         let label = self.regions.label(region, entry);
-        let is_here = label == entry && (region.head == entry || self.regions.at(entry).is_none());
+        let leads_on = self.regions.at(entry).is_some_and(|inner| !inner.begins_at_head());
+        let is_here = label == entry && (region.head == entry || !leads_on);
         if is_here {
             self.code().i32_const(0).local_set(local::NEXT);
         }
@@ -131,8 +135,9 @@ impl Body<'_> {
         self.close();
     }
 
-    /// Goes on at another step.
+    /// Goes on at another step, and gives back the lines that the block has behind.
     pub(crate) fn jump(&mut self, to: u32) {
+        self.give_back(self.ahead);
         self.keep_line(to);
         let (_, from) = self.step;
         let label = if to <= from { Label::Loop(to) } else { Label::Step(to) };
@@ -173,11 +178,14 @@ impl Body<'_> {
     /// The interpreter does the operation at hand, and begins its line and those behind it in the block.
     pub(crate) fn leave_it(&mut self) {
         let (step, number) = self.step;
-        let lines = self.ahead + u32::from(step.line);
+        self.give_back(self.ahead + u32::from(step.line));
+        self.stop_at(number);
+    }
+
+    fn give_back(&mut self, lines: u32) {
         if lines > 0 {
             self.code().local_get(local::BUDGET).i32_const(lines.cast_signed()).i32_add().local_set(local::BUDGET);
         }
-        self.stop_at(number);
     }
 }
 
