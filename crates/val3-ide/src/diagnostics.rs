@@ -112,7 +112,7 @@ mod tests {
 
     use salsa::{Durability, Setter as _};
     use val3_analysis::db::{Database, Sources};
-    use val3_analysis::load::load_into;
+    use val3_analysis::load::{Workspace, load_into};
     use val3_analysis::system::{Disk, Memory};
     use val3_check::rules;
     use val3_check::settings::Selection;
@@ -181,6 +181,34 @@ mod tests {
         }
         workspace.projects.iter().for_each(|project| _ = project_diagnostics(db, settings, *project));
         assert!(ran.lock().unwrap().iter().any(|name| name.starts_with("application(")));
+    }
+
+    #[test]
+    fn what_is_found_ahead_changes_nothing() {
+        let examples =
+            || load_into(Database::default(), &Disk, &[concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").into()]);
+        let (workspace, ahead) = (examples().unwrap(), examples().unwrap());
+        let settings = |workspace: &Workspace| {
+            let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
+            CheckSettings::new(&workspace.db, settings)
+        };
+        let (settings_ahead, settings) = (settings(&ahead), settings(&workspace));
+        for (project, other) in workspace.projects.iter().zip(&ahead.projects) {
+            let programs = program_files(&workspace.db, *project).iter().zip(program_files(&ahead.db, *other));
+            for (file, other_file) in programs {
+                for step in [Step::Lints, Step::Uses, Step::Ways, Step::Faults, Step::Types, Step::Code] {
+                    find_ahead(&ahead.db, settings_ahead, (*other, *other_file), step);
+                }
+                let found = program_diagnostics(&workspace.db, settings, *project, *file);
+                let found_ahead = program_diagnostics(&ahead.db, settings_ahead, *other, *other_file);
+                let codes = |found: Option<Vec<Diagnostic>>| {
+                    found.map(|found| {
+                        found.into_iter().map(|found| (found.rule.code, found.place.range)).collect::<Vec<_>>()
+                    })
+                };
+                assert_eq!(codes(found_ahead), codes(found));
+            }
+        }
     }
 
     #[test]

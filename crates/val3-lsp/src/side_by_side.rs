@@ -1,10 +1,11 @@
 //! Two threads that find what is wrong in the program that was edited.
 //!
-//! The first finds what all else needs; the second does beside it what it can. They wait for each other awake: a thread
-//! that slept is often woken on the core of the one that it waited for, and both then share that core while another has
-//! nothing to do.
+//! The first finds what all else needs; the second does beside it what it can. Neither sleeps until the other wakes it:
+//! a thread that does is often woken on the core of the one that it waited for, and both then share that core while
+//! another has nothing to do.
 
 use std::sync::atomic::{AtomicU8, Ordering};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use salsa::Database as _;
@@ -13,8 +14,11 @@ use val3_ide::{CheckSettings, Step, find_ahead};
 
 use crate::snapshot::Snapshot;
 
-/// How long one thread waits awake for a step of the other: longer than that takes, but for huge programs.
-const AWAKE: Duration = Duration::from_millis(5);
+/// How long one thread looks for a step of the other: longer than that takes, but for huge programs.
+const PATIENCE: Duration = Duration::from_millis(5);
+
+/// How long the second thread sleeps between two looks, at least: its core is free for whoever needs it.
+const NAP: Duration = Duration::from_micros(10);
 
 /// How far the threads have come with the program that both look at.
 #[derive(Debug)]
@@ -58,20 +62,20 @@ impl SideBySide {
         self.find(snapshot, settings, Step::Faults);
         self.first.reach(Reached::Shared);
         if self.second.has(Reached::Uses) {
-            self.second.wait_awake(snapshot, Reached::Shared);
+            self.second.wait(snapshot, Reached::Shared, thread::yield_now);
         }
     }
 
     /// What the second thread does.
     pub(crate) fn help(&self, snapshot: &Snapshot) {
         let Some(settings) = snapshot.settings else { return };
-        self.first.wait_awake(snapshot, Reached::Code);
+        self.first.wait(snapshot, Reached::Code, nap);
         self.find(snapshot, settings, Step::Ways);
-        self.first.wait_awake(snapshot, Reached::Types);
+        self.first.wait(snapshot, Reached::Types, nap);
         self.second.reach(Reached::Uses);
         self.find(snapshot, settings, Step::Uses);
         self.second.reach(Reached::Shared);
-        self.first.wait_awake(snapshot, Reached::Shared);
+        self.first.wait(snapshot, Reached::Shared, nap);
         self.find(snapshot, settings, Step::Lints);
     }
 
@@ -89,12 +93,16 @@ impl Progress {
         self.0.load(Ordering::Acquire) >= reached as u8
     }
 
-    /// Ends at once where a writer waits for the snapshot. What is not there afterwards is waited for asleep.
-    fn wait_awake(&self, snapshot: &Snapshot, reached: Reached) {
+    /// Ends at once where a writer waits for the snapshot. What is not there afterwards is waited for as anywhere.
+    fn wait(&self, snapshot: &Snapshot, reached: Reached, pause: fn()) {
         let started = Instant::now();
-        while !self.has(reached) && started.elapsed() < AWAKE {
+        while !self.has(reached) && started.elapsed() < PATIENCE {
             snapshot.db.unwind_if_revision_cancelled();
-            std::thread::yield_now();
+            pause();
         }
     }
+}
+
+fn nap() {
+    thread::sleep(NAP);
 }

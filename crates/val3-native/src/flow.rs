@@ -36,7 +36,7 @@ impl Flow {
     pub(crate) fn of(program: &Program, has_code: impl Fn(Op) -> bool) -> Self {
         let count = u32::try_from(program.code.len()).unwrap_or(u32::MAX);
         let mut flow = Self { blocks: BTreeMap::new() };
-        for (first, lines) in blocks(program, &has_code) {
+        for (first, lines) in blocks(&program.code, &has_code) {
             flow.blocks.insert(first, Block { lines, line: None });
         }
         flow.follow_lines(program, count, has_code);
@@ -78,11 +78,11 @@ impl Flow {
 }
 
 /// The first steps of all blocks, with the lines that begin in each.
-fn blocks(program: &Program, has_code: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
-    let targets: BTreeSet<u32> = program.code.iter().filter_map(|step| target(step.op)).collect();
+fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
+    let targets: BTreeSet<u32> = code.iter().filter_map(|step| target(step.op)).collect();
     let mut blocks: Vec<(u32, u32)> = Vec::new();
     let mut begins = true;
-    for (step, number) in program.code.iter().zip(0..) {
+    for (step, number) in code.iter().zip(0..) {
         let line = u32::from(step.line && has_code(step.op));
         match blocks.last_mut() {
             Some((_, lines)) if !begins && !targets.contains(&number) => *lines += line,
@@ -111,4 +111,31 @@ pub(crate) fn target(mut op: Op) -> Option<u32> {
 fn ends_block(op: Op, number: u32) -> bool {
     let is_left_forward = target(op).is_some_and(|to| to > number) && !matches!(op, Op::Jump { .. });
     !is_left_forward && (target(op).is_some() || matches!(op, Op::Return | Op::Call { .. }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn blocks_of(ops: &[Op]) -> Vec<(u32, u32)> {
+        let code: Vec<Step> = ops.iter().map(|op| Step { op: *op, line: true }).collect();
+        blocks(&code, |op| op != Op::Line)
+    }
+
+    #[test]
+    fn a_block_goes_on_behind_a_jump_forward() {
+        let head = Op::UnlessLess { a: 0, b: 1, to: 4 };
+        let round = [Op::Negate { to: 0, a: 1 }, head, Op::Negate { to: 0, a: 1 }, Op::Jump { to: 1 }, Op::Return];
+        assert_eq!(blocks_of(&round), [(0, 1), (1, 3), (4, 1)]);
+        let again = [Op::Negate { to: 0, a: 1 }, Op::IfLess { a: 0, b: 1, to: 0 }, Op::Return];
+        assert_eq!(blocks_of(&again), [(0, 2), (2, 1)], "what follows a loop is not part of it");
+    }
+
+    #[test]
+    fn a_block_ends_before_it_is_long_and_at_what_has_no_code() {
+        let mut ops = vec![Op::UnlessLess { a: 0, b: 1, to: 20 }; 20];
+        ops.push(Op::Return);
+        assert_eq!(blocks_of(&ops), [(0, 16), (16, 4), (20, 1)]);
+        assert_eq!(blocks_of(&[Op::Negate { to: 0, a: 1 }, Op::Line, Op::Return]), [(0, 1), (2, 1)]);
+    }
 }
