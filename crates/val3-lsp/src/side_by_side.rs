@@ -17,7 +17,8 @@ use crate::snapshot::Snapshot;
 /// How long one thread looks for a step of the other: longer than that takes, but for huge programs.
 const PATIENCE: Duration = Duration::from_millis(5);
 
-/// How long the second thread sleeps between two looks, at least: its core is free for whoever needs it.
+/// How long the second thread sleeps between two looks for the code, at least. That takes longest, and a core is free
+/// meanwhile for whoever needs it; what follows comes sooner than anybody wakes up.
 const NAP: Duration = Duration::from_micros(10);
 
 /// How far the threads have come with the program that both look at.
@@ -71,11 +72,11 @@ impl SideBySide {
         let Some(settings) = snapshot.settings else { return };
         self.first.wait(snapshot, Reached::Code, nap);
         self.find(snapshot, settings, Step::Ways);
-        self.first.wait(snapshot, Reached::Types, nap);
+        self.first.wait(snapshot, Reached::Types, thread::yield_now);
         self.second.reach(Reached::Uses);
         self.find(snapshot, settings, Step::Uses);
         self.second.reach(Reached::Shared);
-        self.first.wait(snapshot, Reached::Shared, nap);
+        self.first.wait(snapshot, Reached::Shared, thread::yield_now);
         self.find(snapshot, settings, Step::Lints);
     }
 
