@@ -47,8 +47,8 @@ pub struct Rule {
 pub(crate) enum Lint {
     /// In each program without faults.
     Program(fn(&Program<'_>, &mut Findings)),
-    /// In each program without faults, looking also at what the other programs of its application do, or at what the
-    /// arm does, which others of these look at.
+    /// In each program without faults, looking also at what the other programs of its application do. Rules that
+    /// follow the arm are all of this kind, so that it is followed once.
     Member(fn(&Program<'_>, &mut Findings)),
     /// In each `.dtx`.
     Data(fn(&DataFile<'_>, &mut Findings)),

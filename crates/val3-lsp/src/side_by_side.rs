@@ -1,8 +1,8 @@
 //! Two threads that find what is wrong in the program that was edited.
 //!
-//! The first finds what all else needs; the second does beside it what it can. Neither sleeps until the other wakes it:
-//! a thread that does is often woken on the core of the one that it waited for, and both then share that core while
-//! another has nothing to do.
+//! The first finds what all else needs; the second does beside it what it can. Until they go their own ways, neither
+//! sleeps until the other wakes it: a thread that does is often woken on the core of the one that it waited for, and
+//! both then share that core while another has nothing to do.
 
 use std::sync::atomic::{AtomicU8, Ordering};
 use std::thread;

@@ -64,11 +64,13 @@ impl Flow {
             block.line = Some(met);
             let (mut line, mut goes_on) = (met, true);
             for (step, number) in steps(program, first, end).zip(first..) {
-                goes_on = has_code(step.op) && !matches!(step.op, Op::Jump { .. } | Op::Return);
-                if has_code(step.op) {
-                    line = if step.line { LineBefore::Known(number) } else { line };
-                    open.extend(target(step.op).map(|to| (to, line)));
+                if !has_code(step.op) {
+                    goes_on = false;
+                    break;
                 }
+                line = if step.line { LineBefore::Known(number) } else { line };
+                open.extend(target(step.op).map(|to| (to, line)));
+                goes_on = !matches!(step.op, Op::Jump { .. } | Op::Return);
             }
             if goes_on {
                 open.push((end, line));
@@ -106,11 +108,10 @@ pub(crate) fn target(mut op: Op) -> Option<u32> {
     }
 }
 
-/// The next step is another block's: it is reached from elsewhere, other programs take lines, or the block is to be
-/// repeated without what follows.
+/// A block ends with a step that never leads to the next, behind which another program takes lines, or by which a loop
+/// is repeated: its lines are not to be counted with those that follow it.
 fn ends_block(op: Op, number: u32) -> bool {
-    let is_left_forward = target(op).is_some_and(|to| to > number) && !matches!(op, Op::Jump { .. });
-    !is_left_forward && (target(op).is_some() || matches!(op, Op::Return | Op::Call { .. }))
+    matches!(op, Op::Jump { .. } | Op::Return | Op::Call { .. }) || target(op).is_some_and(|to| to <= number)
 }
 
 #[cfg(test)]

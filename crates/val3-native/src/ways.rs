@@ -135,7 +135,7 @@ impl Body<'_> {
         self.close();
     }
 
-    /// Goes on at another step, and gives back the lines that the block has behind.
+    /// Goes on at another step, and gives back the lines of the block that have not begun.
     pub(crate) fn jump(&mut self, to: u32) {
         self.give_back(self.ahead);
         self.keep_line(to);
