@@ -8,6 +8,7 @@ mod reparse;
 mod run;
 
 use std::sync::Arc;
+use std::thread;
 
 use rowan::{GreenNode, TextRange};
 
@@ -18,6 +19,9 @@ use crate::lexer::lex;
 use crate::parser::{Input, Parser, build_tree};
 use crate::tree::Tree;
 use crate::view::View;
+
+/// Bytes of a text each phase of whose parsing takes a while.
+const LONG: usize = 8 << 10;
 
 /// The text of a file, its tree, and what is wrong with it. Cheap to clone.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,13 +45,24 @@ pub fn parse_shared(text: Arc<str>) -> Parse {
 /// Parses a text that stands inside of `depth` elements.
 fn parse_within(text: Arc<str>, depth: u32) -> Parse {
     let lexed = lex(&text);
+    let_others_go_first(&text);
     let input = Input::new(&text, &lexed);
     let mut parser = Parser::new(&input, depth);
     grammar::file(&mut parser);
     let (events, errors) = parser.finish();
+    let_others_go_first(&text);
     let errors = merge::merge(&text, lexed.errors, errors).into();
-    let tree = Arc::new(build_tree(text, &lexed.tokens, events));
+    let tree = Arc::new(build_tree(Arc::clone(&text), &lexed.tokens, events));
+    let_others_go_first(&text);
     Parse { tree, errors, odd_keywords: lexed.odd_keywords.into() }
+}
+
+/// Gives the core to a thread that waits for one. A server has threads that only pass on messages, and they would wait
+/// until the scheduler interrupts the one that parses, which is a matter of milliseconds.
+fn let_others_go_first(text: &str) {
+    if text.len() >= LONG {
+        thread::yield_now();
+    }
 }
 
 impl Parse {
