@@ -19,6 +19,7 @@ use crate::layout::{LINE, NEXT, RECORD, RECORDS, STOPPED};
 use crate::local;
 use crate::operations::has_code;
 use crate::regions::Regions;
+use crate::whole::WholeNumbers;
 
 /// What is known of the module that a function is part of.
 pub(crate) struct Surroundings<'m> {
@@ -34,6 +35,7 @@ pub(crate) struct Body<'m> {
     pub(crate) program: &'m Program,
     pub(crate) lanes: &'m Lanes,
     known: &'m Known,
+    pub(crate) whole: &'m WholeNumbers,
     pub(crate) regions: &'m Regions,
     pub(crate) flow: &'m Flow,
     code: Function,
@@ -68,14 +70,21 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     let regions = Regions::of(program);
     let flow = Flow::of(program, |op| has_code(module, program, op));
     let known = Known::of(program, module.shared, &lanes);
-    let (numbers, wholes) = known.variables();
-    let numbers = local::NUMBERS + lanes.variables() + numbers;
-    let groups = [(local::WHOLE, ValType::I32), (numbers, ValType::F64), (wholes, ValType::I32)];
+    let whole = WholeNumbers::of(program, &lanes);
+    let numbers = local::NUMBERS + lanes.variables();
+    let fields = u32::try_from(known.variables().count()).ok()?;
+    let groups = [
+        (local::WHOLE, ValType::I32),
+        (local::INDEXES, ValType::I64),
+        (numbers, ValType::F64),
+        (fields, ValType::I32),
+    ];
     let mut body = Body {
         module,
         program,
         lanes: &lanes,
         known: &known,
+        whole: &whole,
         regions: &regions,
         flow: &flow,
         code: Function::new(groups),
@@ -98,10 +107,7 @@ impl Body<'_> {
 
     /// The numbers of a new frame, or of one that is entered again, go where the code has them.
     fn begin(&mut self) {
-        for (at, variable) in self.known.numbers() {
-            self.code().i32_const(0).f64_load(number_behind(at)).local_set(variable);
-        }
-        for (at, variable) in self.known.wholes() {
+        for (at, variable) in self.known.variables() {
             self.code().i32_const(0).i32_load(whole_at(at)).local_set(variable);
         }
         self.code().local_get(local::ROOM).i32_const(0).i32_lt_s().if_(BlockType::Empty);
@@ -197,17 +203,9 @@ impl Body<'_> {
         }
     }
 
-    /// A number of a description.
-    pub(crate) fn number_of(&mut self, at: u32) {
-        match self.known.numbers().find(|(known, _)| *known == at) {
-            Some((_, variable)) => self.code().local_get(variable),
-            None => self.code().i32_const(0).f64_load(number_behind(at)),
-        };
-    }
-
-    /// A whole number of a description.
-    pub(crate) fn whole_of(&mut self, at: u32) {
-        match self.known.wholes().find(|(known, _)| *known == at) {
+    /// A field of a description.
+    pub(crate) fn field(&mut self, at: u32) {
+        match self.known.variables().find(|(known, _)| *known == at) {
             Some((_, variable)) => self.code().local_get(variable),
             None => self.code().i32_const(0).i32_load(whole_at(at)),
         };
@@ -236,11 +234,6 @@ impl Body<'_> {
 /// A number behind an address.
 pub(crate) fn number_at(lane: u16) -> MemArg {
     MemArg { offset: u64::from(lane) * 8, align: 3, memory_index: 0 }
-}
-
-/// A number of an address in all.
-fn number_behind(offset: u32) -> MemArg {
-    MemArg { offset: offset.into(), align: 3, memory_index: 0 }
 }
 
 /// A whole number behind an address.

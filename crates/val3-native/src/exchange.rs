@@ -6,7 +6,7 @@ use val3_lang::memory::{Lanes, Memory, Place, Shape, StoreId, View};
 use val3_vm::{Base, Frame, Imported, Instance};
 
 use crate::containers::{Shared, by_reference, local};
-use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, ROWS, SIZE, VALUES, WIDTH};
+use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, ROWS, SIZE, VALUES};
 
 /// The containers whose numbers were copied.
 #[derive(Debug)]
@@ -123,11 +123,9 @@ impl Exchange {
             _ => (0, 0, 0),
         };
         let mut description = [0; CONTAINER as usize];
-        write(&mut description, ADDRESS, &(address + skipped * 8).to_le_bytes())?;
-        write(&mut description, COUNT, &left.to_le_bytes())?;
-        write(&mut description, WIDTH, &columns.to_le_bytes())?;
-        for (at, number) in [(SIZE, size), (ROWS, rows), (COLUMNS, columns)] {
-            write(&mut description, at, &f64::from(number).to_le_bytes())?;
+        let address = address + skipped * 8;
+        for (at, number) in [(ADDRESS, address), (COUNT, left), (SIZE, size), (ROWS, rows), (COLUMNS, columns)] {
+            write(&mut description, at, &number.to_le_bytes())?;
         }
         Some(description)
     }

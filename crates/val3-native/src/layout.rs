@@ -25,20 +25,18 @@ pub(crate) const OWN: u32 = 1 << 19;
 pub(crate) const CONTAINERS: usize = (OWN - SHARED) as usize / CONTAINER as usize;
 
 /// The bytes that describe a container.
-pub(crate) const CONTAINER: u32 = 40;
+pub(crate) const CONTAINER: u32 = 20;
 
 /// In the description of a container: the address of its first number.
 pub(crate) const ADDRESS: u32 = 0;
 /// How many numbers there are from there on.
 pub(crate) const COUNT: u32 = 4;
-/// The size as an array of one dimension, as a number; 0 if it is none.
+/// The size as an array of one dimension; 0 if it is none.
 pub(crate) const SIZE: u32 = 8;
 /// The rows of an array of two dimensions; 0 if it is none.
-pub(crate) const ROWS: u32 = 16;
+pub(crate) const ROWS: u32 = 12;
 /// Its columns.
-pub(crate) const COLUMNS: u32 = 24;
-/// Its columns as a whole number.
-pub(crate) const WIDTH: u32 = 32;
+pub(crate) const COLUMNS: u32 = 16;
 
 /// The places of all frames: the address of the number that each refers to, 0 if it is none that can be reached.
 pub(crate) const PLACES: u32 = 1 << 20;

@@ -23,6 +23,7 @@ mod operations;
 mod regions;
 mod stretch;
 mod ways;
+mod whole;
 
 use std::sync::{Arc, Weak};
 

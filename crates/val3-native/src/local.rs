@@ -31,13 +31,21 @@ pub(crate) const J: u32 = 9;
 /// How many variables are whole numbers.
 pub(crate) const WHOLE: u32 = 6;
 
-/// A number, for the time of one operation.
-pub(crate) const A: u32 = 10;
+/// An index, for the time of one operation.
+pub(crate) const ROW: u32 = 10;
 /// Another.
-pub(crate) const B: u32 = 11;
+pub(crate) const COLUMN: u32 = 11;
+
+/// How many variables are indexes.
+pub(crate) const INDEXES: u32 = 2;
+
+/// A number, for the time of one operation.
+pub(crate) const A: u32 = 12;
+/// Another.
+pub(crate) const B: u32 = 13;
 
 /// How many variables are numbers for the time of one operation.
 pub(crate) const NUMBERS: u32 = 2;
 
 /// The first number of the frame.
-pub(crate) const LANES: u32 = 12;
+pub(crate) const LANES: u32 = 14;

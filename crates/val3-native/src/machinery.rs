@@ -10,9 +10,11 @@ use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc}
 
 use crate::containers::Shared;
 use crate::functions::compute;
+use crate::lanes::Lanes;
 use crate::module::{MEMORY, Plan};
 use crate::regions::Regions;
 use crate::ways::name;
+use crate::whole::WholeNumbers;
 
 /// What a function is given: see [`local`](crate::local).
 pub(crate) type Given = (u32, u32, u32, u32);
@@ -29,7 +31,14 @@ pub(crate) struct Machinery {
 pub(crate) struct Compiled {
     pub(crate) shared: Shared,
     memory: Memory,
-    programs: FxHashMap<u16, (Entry, BTreeSet<u32>)>,
+    programs: FxHashMap<u16, Entrance>,
+}
+
+/// How a program is entered.
+struct Entrance {
+    entry: Entry,
+    steps: BTreeSet<u32>,
+    whole: WholeNumbers,
 }
 
 impl Machinery {
@@ -50,7 +59,9 @@ impl Machinery {
         for number in &plan.programs {
             let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
             if let Some(program) = image.programs.get(usize::from(*number)) {
-                programs.insert(*number, (entry, Regions::of(program).entries().clone()));
+                let steps = Regions::of(program).entries().clone();
+                let whole = WholeNumbers::of(program, &Lanes::of(program, image));
+                programs.insert(*number, Entrance { entry, steps, whole });
             }
         }
         Ok(Compiled { shared: plan.shared, memory, programs })
@@ -70,8 +81,13 @@ impl Machinery {
 impl Compiled {
     /// The function of a program and how it is told to begin at a step; `None` where it cannot.
     pub(crate) fn entry(&self, program: u16, step: u32) -> Option<(&Entry, u32)> {
-        let (entry, begins) = self.programs.get(&program)?;
-        begins.contains(&step).then_some((entry, name(step)))
+        let Entrance { entry, steps, .. } = self.programs.get(&program)?;
+        steps.contains(&step).then_some((entry, name(step)))
+    }
+
+    /// Whether a program can be entered with these numbers in its frame.
+    pub(crate) fn takes(&self, program: u16, numbers: &[f64]) -> bool {
+        self.programs.get(&program).is_some_and(|entrance| entrance.whole.suit(numbers))
     }
 }
 

@@ -1,13 +1,14 @@
 //! The machine code of operations.
 
 use val3_bytecode::{Op, Program, Register, Whole};
+use val3_lang::values::numbers::BELOW_HALF;
 use wasm_encoder::Instruction;
 use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
 
 use crate::body::{Body, Surroundings, number_at, whole_at};
 use crate::calls::callee;
 use crate::lanes::Lane;
-use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE, WIDTH};
+use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
 use crate::local;
 use crate::operands::{container, registers};
 
@@ -285,52 +286,49 @@ impl Body<'_> {
     /// The address of the first value of a container, if it has so many numbers.
     fn first(&mut self, whole: Whole, lane: u16) {
         let Some(at) = self.module.shared.description(whole) else { return };
-        self.whole_of(at + COUNT);
+        self.field(at + COUNT);
         self.code().i32_const(lane.into()).i32_le_u();
         self.when(Self::leave_it);
-        self.whole_of(at + ADDRESS);
+        self.field(at + ADDRESS);
         self.code().local_set(local::ADDRESS);
     }
 
-    /// The address of a value of an array. An index is rounded (2.5.3): above zero, cutting the fraction of what is
-    /// half a unit higher is the same. It is in range by then; a conversion that could fail would keep the engine from
-    /// doing it before a loop.
+    /// The address of a value of an array.
     fn element(&mut self, whole: Whole, index: Register) {
         let Some(at) = self.module.shared.description(whole) else { return };
-        self.index(local::A, index, at + SIZE);
-        self.unless(Self::leave_it);
-        self.whole_of(at + ADDRESS);
-        self.code()
-            .local_get(local::A)
-            .i32_trunc_sat_f64_s()
-            .i32_const(3)
-            .i32_shl()
-            .i32_add()
-            .local_set(local::ADDRESS);
+        self.index(local::COLUMN, index, at + SIZE);
+        self.field(at + ADDRESS);
+        self.code().local_get(local::COLUMN).i32_wrap_i64();
+        self.code().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
     }
 
     /// The address of a value of an array of two dimensions.
     fn element2(&mut self, whole: Whole, i: Register, j: Register) {
         let Some(at) = self.module.shared.description(whole) else { return };
-        self.index(local::A, i, at + ROWS);
-        self.index(local::B, j, at + COLUMNS);
-        self.code().i32_and();
-        self.unless(Self::leave_it);
-        self.whole_of(at + ADDRESS);
-        self.code().local_get(local::A).i32_trunc_sat_f64_s();
-        self.whole_of(at + WIDTH);
-        self.code().i32_mul().local_get(local::B).i32_trunc_sat_f64_s().i32_add();
+        self.index(local::ROW, i, at + ROWS);
+        self.index(local::COLUMN, j, at + COLUMNS);
+        self.field(at + ADDRESS);
+        self.code().local_get(local::ROW).i32_wrap_i64();
+        self.field(at + COLUMNS);
+        self.code().i32_mul().local_get(local::COLUMN).i32_wrap_i64().i32_add();
         self.code().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
     }
 
-    /// Half a unit more than an index goes to a variable; whether it is one of the indexes, of which the number at
-    /// `size` tells how many there are.
+    /// An index goes to a variable, if it is one of those of which the field at `size` tells how many there are.
+    ///
+    /// An index is rounded (2.5.3): above zero, [`BELOW_HALF`] tells how. The bits of a whole number to which 2^52 is added are those of 2^52 and the number;
+    /// what is negative, too large or no number is far beyond every size that way.
     fn index(&mut self, variable: u32, index: Register, size: u32) {
+        const BEYOND: f64 = (1_u64 << 52) as f64;
         self.get(index);
-        self.code().f64_const(0.5.into()).f64_add().local_tee(variable).f64_const(0.0.into()).f64_ge();
-        self.code().local_get(variable);
-        self.number_of(size);
-        self.code().f64_lt().i32_and();
+        if !self.whole.has(index) {
+            self.code().f64_const(BELOW_HALF.into()).f64_add().f64_floor();
+        }
+        self.code().f64_const(BEYOND.into()).f64_add().i64_reinterpret_f64();
+        self.code().i64_const(BEYOND.to_bits().cast_signed()).i64_sub().local_tee(variable);
+        self.field(size);
+        self.code().i64_extend_i32_u().i64_lt_u();
+        self.unless(Self::leave_it);
     }
 }
 

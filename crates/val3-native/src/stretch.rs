@@ -86,6 +86,7 @@ fn go(
     while let Some(frame) = frames.get(..reached.frames).and_then(<[Frame]>::last)
         && frame.instance == instance
         && let Some((entry, begin)) = code.entry(frame.program, reached.at.step)
+        && code.takes(frame.program, work.space.memory.stack.nums.get(frame.base.num as usize..)?)
     {
         let program = image.programs.get(usize::from(frame.program))?;
         let bytes = machinery.bytes(code);

@@ -117,6 +117,23 @@ fn quotients_and_remainders_by_constants() {
 }
 
 #[test]
+fn indexes_are_rounded() {
+    let indexes = ["i", "i/2", "i-0.5", "i*0.49999999999999994", "i*0.5000000000000001", "i/2+0.49999999999999994"];
+    for index in indexes {
+        let listing = format!(
+            "num nA[8]\nnum nG[4,8]\nprogram start()\nnum i\nnum j\nbegin\nfor i=0 to 7\nnA[i]=i+1\nfor j=0 to 3\n\
+             nG[j,i]=10*j+i\nendFor\nendFor\nfor i=0 to 7\n? nA[{index}]\n? nG[i/2,{index}]\nendFor\nend\n"
+        );
+        let printed = run(&listing);
+        assert_eq!(printed.lines().count(), 16, "{index}: {printed}");
+        assert!(lines(&listing) > 90, "{index}");
+    }
+    for index in ["-i-1", "i-0.6", "i+7.5", "i*1e300*1e300-i", "4294967296+i", "1/3-i*1e15"] {
+        run(&format!("num nA[8]\nprogram start()\nnum i\nbegin\nfor i=0 to 7\n? nA[{index}]\nendFor\nend\n"));
+    }
+}
+
+#[test]
 fn others_have_their_turns_at_the_same_times() {
     let computing = "
         num nCount

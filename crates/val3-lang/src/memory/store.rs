@@ -7,6 +7,7 @@ use super::{Element, Kind, Link, Owner, Place, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::types::BaseType;
 use crate::values::Text;
+use crate::values::numbers::BELOW_HALF;
 
 /// How the values of a container are reached.
 #[derive(Debug, Clone, PartialEq)]
@@ -221,11 +222,9 @@ fn within(index: f64, size: u32) -> Result<u32> {
     }
 }
 
-/// The whole number nearest to `index`, or the greatest there is; `None` below zero. `round` is floor(x + 0.5), as
-/// everywhere in VAL 3; above zero, cutting the fraction is the floor.
+/// The whole number nearest to `index`, or the greatest there is; `None` below zero. It is rounded as by `round`.
 #[inline(always)]
 fn rounded(index: f64) -> Option<u32> {
-    let raised = index + 0.5;
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 or more, and it saturates")]
-    (raised >= 0.0).then_some(raised as u32)
+    (index >= -0.5).then_some((index + BELOW_HALF) as u32)
 }

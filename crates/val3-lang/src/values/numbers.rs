@@ -88,6 +88,10 @@ pub fn round_down(value: f64) -> f64 {
     unsigned_zero(value.floor())
 }
 
+/// The largest number below a half. The whole part of what is higher by this than a number above zero is that number
+/// rounded as by [`round`]: with a half, the number just below a half would become 1.
+pub const BELOW_HALF: f64 = 0.499_999_999_999_999_94;
+
 /// `round`: the nearest whole number; of two equally near ones the larger.
 #[must_use]
 pub fn round(value: f64) -> f64 {

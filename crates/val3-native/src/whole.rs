@@ -1,0 +1,84 @@
+//! Registers that never hold a fraction: an index of those needs no rounding.
+
+use val3_bytecode::{Op, Program, Register};
+use val3_lang::number_functions::NumberFunction;
+
+use crate::lanes::{Lane, Lanes, number, parameters};
+
+/// The registers of one program in which machine code only puts whole numbers, or what is no number at all.
+#[derive(Debug)]
+pub(crate) struct WholeNumbers(Vec<Register>);
+
+impl WholeNumbers {
+    /// Supposes it of all variables, and takes out those in which a step may put something else, until none is left.
+    pub(crate) fn of(program: &Program, lanes: &Lanes) -> Self {
+        let given: Vec<u32> = parameters(program).collect();
+        let begins_whole = |register: Register| !number(program, register).is_some_and(has_fraction);
+        let can_be = |(register, lane): &(Register, Lane)| match lane {
+            Lane::Variable(_) => !given.contains(&u32::from(*register)) && begins_whole(*register),
+            Lane::Constant(value) => !has_fraction(*value),
+            Lane::Memory => false,
+        };
+        let mut whole = Self(lanes.iter().filter(can_be).map(|(register, _)| register).collect());
+        while let Some(at) = whole.refuted(program) {
+            whole.0.remove(at);
+        }
+        whole
+    }
+
+    pub(crate) fn has(&self, register: Register) -> bool {
+        self.0.binary_search(&register).is_ok()
+    }
+
+    /// Whether a frame with these numbers keeps to it: the interpreter may have put anything in its registers.
+    pub(crate) fn suit(&self, numbers: &[f64]) -> bool {
+        self.0.iter().all(|register| !numbers.get(usize::from(*register)).copied().is_some_and(has_fraction))
+    }
+
+    /// The place of a register in which a step may put a fraction.
+    fn refuted(&self, program: &Program) -> Option<usize> {
+        program.code.iter().find_map(|step| self.0.binary_search(&self.fraction(step.op)?).ok())
+    }
+
+    /// The register in which an operation may put a fraction.
+    fn fraction(&self, op: Op) -> Option<Register> {
+        let (to, is_whole) = match op {
+            Op::Move { to, from: a } | Op::Negate { to, a } => (to, self.has(a)),
+            Op::Add { to, a, b }
+            | Op::Subtract { to, a, b }
+            | Op::Multiply { to, a, b }
+            | Op::Remainder { to, a, b } => (to, self.has(a) && self.has(b)),
+            Op::ForNext { counter, limit, .. } | Op::ForNextUp { counter, limit, .. } => {
+                (counter, self.has(counter) && self.has(limit + 1))
+            }
+            Op::Function { function, to, a, b, c } => (to, self.keeps_whole(function, [a, b, c])),
+            Op::Divide { to, .. }
+            | Op::Load { to, .. }
+            | Op::LoadFirst { to, .. }
+            | Op::LoadElement { to, .. }
+            | Op::LoadElement2 { to, .. } => (to, false),
+            // Truth values; and what machine code leaves to the interpreter.
+            _ => return None,
+        };
+        (!is_whole).then_some(to)
+    }
+
+    fn keeps_whole(&self, function: NumberFunction, [a, b, c]: [Register; 3]) -> bool {
+        match function {
+            NumberFunction::Round
+            | NumberFunction::RoundDown
+            | NumberFunction::RoundUp
+            | NumberFunction::And
+            | NumberFunction::Or
+            | NumberFunction::Xor => true,
+            NumberFunction::Abs => self.has(a),
+            NumberFunction::Min | NumberFunction::Max => self.has(a) && self.has(b),
+            NumberFunction::Sel => self.has(b) && self.has(c),
+            _ => false,
+        }
+    }
+}
+
+fn has_fraction(number: f64) -> bool {
+    number.fract().abs() > 0.0
+}
