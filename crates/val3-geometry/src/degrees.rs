@@ -3,14 +3,7 @@
 //! A radian is never rounded on the way, so what is exact on paper is exact here: `sin(180)` is 0, `sin(30)` and
 //! `cos(60)` are 0.5, `tan(45)` is 1, and `asin(0.5)` is 30. No function returns -0.
 
-use std::f64::consts::FRAC_1_SQRT_2;
-
-/// π/180 as the sum of two doubles.
-const RADIANS: (f64, f64) = (0.017453292519943295, 2.9486522708701687e-19);
-
-/// π/180, cut in two halves whose products with another half are exact.
-const RADIANS_HEAD: f64 = 0.01745329238474369;
-const RADIANS_TAIL: f64 = 1.3519960498364902e-10;
+use crate::sine::{MANY_TURNS, reduce, sine_and_cosine, sine_of, to_radians};
 
 /// What the tangent is at odd multiples of 90°, where it has no value: that of the double next to π/2.
 ///
@@ -20,41 +13,29 @@ const TANGENT_AT_POLE: f64 = 1.633123935319537e16;
 /// The sine of an angle in degrees.
 #[must_use]
 pub fn sin(degrees: f64) -> f64 {
-    sin_cos(degrees).0
+    sine_of(within_many_turns(degrees), 0)
 }
 
 /// The cosine of an angle in degrees.
 #[must_use]
 pub fn cos(degrees: f64) -> f64 {
-    sin_cos(degrees).1
+    sine_of(within_many_turns(degrees), 1)
 }
 
 /// The sine and the cosine of an angle in degrees.
 #[must_use]
 pub fn sin_cos(degrees: f64) -> (f64, f64) {
-    let (quarter, rest) = reduce(degrees);
-    let (radians, error) = to_radians(rest);
-    let (sin, cos) = libm::sincos(radians);
-    let (sin, cos) = (sin + cos * error, cos - sin * error);
-    // In the middle between two axes both are the same number, which two roundings need not give.
-    let (sin, cos) = if rest.abs() == 45.0 { (FRAC_1_SQRT_2.copysign(rest), FRAC_1_SQRT_2) } else { (sin, cos) };
-    let (sin, cos) = match quarter {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        2 => (-sin, -cos),
-        _ => (-cos, sin),
-    };
-    (sin + 0.0, cos + 0.0)
+    sine_and_cosine(within_many_turns(degrees))
 }
 
 /// The tangent of an angle in degrees; ±1.633e16 with the sign of the angle at odd multiples of 90°.
 #[must_use]
 pub fn tan(degrees: f64) -> f64 {
-    let (quarter, rest) = reduce(degrees);
+    let (quarters, rest) = reduce(within_many_turns(degrees));
     let (radians, error) = to_radians(rest);
     let tan = libm::tan(radians);
     let tan = tan + error * (1.0 + tan * tan);
-    match quarter & 1 {
+    match quarters.to_bits() & 1 {
         0 => tan + 0.0,
         _ if tan == 0.0 => TANGENT_AT_POLE.copysign(degrees),
         _ => -1.0 / tan,
@@ -95,51 +76,15 @@ fn whole_if(angle: f64, is_exact: impl Fn(f64) -> bool) -> f64 {
     if near && is_exact(whole) { whole + 0.0 } else { angle + 0.0 }
 }
 
-/// The quarter of the turn, 0 to 3, whose direction is nearest, and what is left of the angle: at most 45°, exactly.
-fn reduce(degrees: f64) -> (u8, f64) {
-    let turn = turn(degrees);
-    let quarters = nearest(turn / 90.0);
-    ((quarters & 3) as u8, turn - f64::from(quarters) * 90.0)
-}
-
-/// Angles below have fewer turns than an `i32` counts.
-const MANY_TURNS: f64 = 360.0 * 2_147_483_648.0;
-
-/// What is left of an angle without whole turns, exactly, with its sign. The remainder of the language takes long.
-fn turn(degrees: f64) -> f64 {
-    if degrees.abs() < MANY_TURNS {
-        let turn = degrees - f64::from((degrees / 360.0) as i32) * 360.0;
-        // Just below a whole number of turns the quotient is rounded to that number.
-        let is_short = turn != 0.0 && turn.is_sign_negative() != degrees.is_sign_negative();
-        if is_short { turn + 360.0_f64.copysign(degrees) } else { turn }
-    } else {
-        degrees % 360.0
-    }
-}
-
-/// The nearest whole number of a small one, of two the one farther from zero.
-fn nearest(number: f64) -> i32 {
-    let whole = number as i32;
-    let fraction = number - f64::from(whole);
-    whole + i32::from(fraction >= 0.5) - i32::from(fraction <= -0.5)
-}
-
-/// The angle in radians, and what rounding has taken from it.
-fn to_radians(degrees: f64) -> (f64, f64) {
-    let radians = degrees * RADIANS.0;
-    (radians, product_error(degrees, radians) + degrees * RADIANS.1)
-}
-
-/// What `product`, the rounded product of `degrees` and π/180, lacks (T. J. Dekker).
-fn product_error(degrees: f64, product: f64) -> f64 {
-    let scaled = degrees * 134_217_729.0;
-    let head = scaled - (scaled - degrees);
-    let tail = degrees - head;
-    ((head * RADIANS_HEAD - product) + head * RADIANS_TAIL + tail * RADIANS_HEAD) + tail * RADIANS_TAIL
+/// The angle, without whole turns if it has very many.
+fn within_many_turns(degrees: f64) -> f64 {
+    if degrees.abs() < MANY_TURNS { degrees } else { degrees % 360.0 }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_1_SQRT_2;
+
     use proptest::prelude::*;
 
     use super::*;
@@ -227,20 +172,16 @@ mod tests {
         }
 
         #[test]
-        fn a_turn_is_what_the_remainder_is(angle in any::<f64>(), turns in -1_000_000_i32..1_000_000, ulps in -2_i64..3) {
-            let near = f64::from(turns) * 360.0;
+        fn an_angle_is_reduced_exactly(angle in any::<f64>(), turns in -1_000_000_i32..1_000_000, ulps in -2_i64..3) {
+            let near = f64::from(turns) * 45.0;
             let near = f64::from_bits(near.to_bits().wrapping_add_signed(ulps));
-            for angle in [angle, near, near / 1024.0] {
-                let (fast, exact) = (turn(angle), angle % 360.0);
-                prop_assert!(fast == exact || fast.is_nan() && exact.is_nan(), "{angle}: {fast} {exact}");
-            }
-        }
-
-        #[test]
-        fn nearest_is_round(number in -5.0..5.0_f64, half in -9_i32..10, ulps in -2_i64..3) {
-            let half = f64::from_bits((f64::from(half) / 2.0).to_bits().wrapping_add_signed(ulps));
-            for number in [number, half].into_iter().filter(|number| number.abs() < 6.0) {
-                prop_assert_eq!(f64::from(nearest(number)), number.round() + 0.0);
+            for angle in [angle, near, near / 1024.0].into_iter().filter(|angle| angle.is_finite()) {
+                let (quarters, rest) = reduce(within_many_turns(angle));
+                prop_assert!(rest.abs() <= 45.000_01, "{angle}: {rest}");
+                let left = angle % 90.0;
+                prop_assert!([0.0, 90.0, -90.0].iter().any(|quarter| left - quarter == rest), "{angle}: {rest}");
+                let turns = (angle % 360.0 - rest - (quarters.to_bits() & 3) as f64 * 90.0) / 360.0;
+                prop_assert!((turns - turns.round()).abs() < 1e-9, "{angle}: {quarters}");
             }
         }
 

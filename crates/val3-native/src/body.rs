@@ -73,12 +73,8 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     let whole = WholeNumbers::of(program, &lanes);
     let numbers = local::NUMBERS + lanes.variables();
     let fields = u32::try_from(known.variables().count()).ok()?;
-    let groups = [
-        (local::WHOLE, ValType::I32),
-        (local::INDEXES, ValType::I64),
-        (numbers, ValType::F64),
-        (fields, ValType::I32),
-    ];
+    let groups =
+        [(local::WHOLE, ValType::I32), (local::INDEXES, ValType::I64), (numbers, ValType::F64), (fields, ValType::I32)];
     let mut body = Body {
         module,
         program,

@@ -1,6 +1,7 @@
 //! Instructions that make a number of numbers: a few are operations of the machine, the others a function of the host.
 
 use val3_bytecode::Register;
+use val3_geometry::sine::MANY_TURNS;
 use val3_lang::number_functions::NumberFunction;
 use wasm_encoder::Instruction::{
     self, F64Abs, F64Add, F64Ceil, F64Const, F64Floor, F64Gt, F64Lt, F64Ne, F64Sqrt, I32And, I32Or, I32Xor, Select,
@@ -21,8 +22,12 @@ pub(crate) const COMPUTE: ([ValType; 4], [ValType; 2]) =
 /// The function of the host comes before those of the module.
 const IMPORTED: u32 = 0;
 
-/// The first function of the module itself.
-pub(crate) const FIRST: u32 = IMPORTED + 1;
+/// Sine and cosine come next.
+const SINE: u32 = IMPORTED + 1;
+const COSINE: u32 = SINE + 1;
+
+/// The function of the first program.
+pub(crate) const FIRST: u32 = COSINE + 1;
 
 const ZERO: Instruction<'static> = F64Const(Ieee64::new(0));
 
@@ -60,6 +65,8 @@ impl Body<'_> {
                 body.get(a);
                 body.all(&[ZERO, F64Ne, Select]);
             }),
+            NumberFunction::Sin => self.of_angle(to, a, SINE),
+            NumberFunction::Cos => self.of_angle(to, a, COSINE),
             _ => self.of_the_host(function, to, arguments),
         }
     }
@@ -68,6 +75,17 @@ impl Body<'_> {
         self.set(to, |body| {
             body.get(a);
             body.all(act);
+        });
+    }
+
+    /// An angle of very many turns is left to the interpreter.
+    fn of_angle(&mut self, to: Register, a: Register, function: u32) {
+        self.get(a);
+        self.code().f64_abs().f64_const(MANY_TURNS.into()).f64_lt();
+        self.unless(Self::leave_it);
+        self.set(to, |body| {
+            body.get(a);
+            body.code().call(function);
         });
     }
 

@@ -21,6 +21,7 @@ mod module;
 mod operands;
 mod operations;
 mod regions;
+mod sine;
 mod stretch;
 mod ways;
 mod whole;

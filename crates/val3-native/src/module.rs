@@ -12,6 +12,7 @@ use crate::containers::Shared;
 use crate::functions::{COMPUTE, FIRST, HOST};
 use crate::layout::{END, PAGE};
 use crate::operands::container;
+use crate::sine::{SINE_OF, sine};
 
 /// The name under which a module exports its memory.
 pub(crate) const MEMORY: &str = "memory";
@@ -68,6 +69,7 @@ impl Plan {
         let mut types = TypeSection::new();
         types.ty().function(SIGNATURE.0, SIGNATURE.1);
         types.ty().function(COMPUTE.0, COMPUTE.1);
+        types.ty().function(SINE_OF.0, SINE_OF.1);
         let mut imports = ImportSection::new();
         imports.import(HOST, HOST, EntityType::Function(1));
         let pages = u64::from(END / PAGE);
@@ -78,6 +80,10 @@ impl Plan {
         let (mut functions, mut exports, mut codes) =
             (FunctionSection::new(), ExportSection::new(), CodeSection::new());
         exports.export(MEMORY, ExportKind::Memory, 0);
+        for ahead in [0, 1] {
+            functions.function(2);
+            codes.function(&sine(ahead));
+        }
         for (number, index) in self.programs.iter().zip(FIRST..) {
             functions.function(0);
             exports.export(&Self::name(*number), ExportKind::Func, index);

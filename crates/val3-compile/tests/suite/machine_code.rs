@@ -134,6 +134,23 @@ fn indexes_are_rounded() {
 }
 
 #[test]
+fn sines_have_the_same_bits() {
+    for angle in ["i*15", "i*7.3", "i*i*i*1234.567", "i*0.25e-9", "i*4e9", "i*1e300*1e300"] {
+        // The bits of the larger half, then the others.
+        let print =
+            |function| format!("y=round({function}(x)*67108864)\n? y\n? ({function}(x)*67108864-y)*134217728\n");
+        let listing = format!(
+            "program start()\nnum i\nnum x\nnum y\nbegin\nfor i=-200 to 200\nx={angle}\n{}{}endFor\nend\n",
+            print("sin"),
+            print("cos")
+        );
+        assert_eq!(run(&listing).lines().count(), 401 * 4);
+        let found = lines(&listing.replace("? ", "y="));
+        assert!(found > 401 * 7 || angle.contains('e'), "{found} lines with {angle}");
+    }
+}
+
+#[test]
 fn others_have_their_turns_at_the_same_times() {
     let computing = "
         num nCount
