@@ -1,6 +1,8 @@
-//! The containers that programs name, and where their descriptions are.
+//! The containers that programs name, where their descriptions are, and how wide their values.
 
-use val3_bytecode::{Whole, WholeKind};
+use val3_bytecode::{Image, ImportKind, Program, Storage, Whole, WholeKind};
+use val3_lang::memory::{Kind, KindBase};
+use val3_lang::types::BaseType;
 
 use crate::layout::{CONTAINER, CONTAINERS, OWN, SHARED};
 
@@ -44,4 +46,49 @@ pub(crate) fn by_reference(number: impl Into<u32>) -> Option<u32> {
 
 fn own(number: u32) -> Option<u32> {
     ((number as usize) < CONTAINERS).then_some(OWN + number * CONTAINER)
+}
+
+/// How a value of a container is kept.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Width {
+    /// A truth value in a byte: large arrays of them stay near the processor.
+    Byte,
+    /// Numbers of eight bytes.
+    Eight,
+}
+
+impl Width {
+    /// How values of a type are kept.
+    pub(crate) fn of(kind: &Kind) -> Self {
+        match kind.base {
+            KindBase::Builtin(BaseType::Bool, _) => Self::Byte,
+            _ => Self::Eight,
+        }
+    }
+
+    /// What machine code takes a container for, by its declaration.
+    pub(crate) fn declared(whole: WholeKind, program: &Program, image: &Image) -> Self {
+        let variable = |storage: Storage| {
+            program.variables.iter().find(|variable| variable.storage == storage).map(|variable| &variable.kind)
+        };
+        let kind = match whole {
+            WholeKind::Data(number) => image.data.get(usize::from(number)).map(|data| &data.init.kind),
+            WholeKind::Import(number) => match image.imports.get(usize::from(number)).map(|import| &import.kind) {
+                Some(ImportKind::Data(kind, _)) => Some(kind),
+                _ => None,
+            },
+            WholeKind::Part(number) => variable(Storage::Part(number)),
+            WholeKind::View(number) => variable(Storage::View(number)),
+            WholeKind::Builtin(_) => None,
+        };
+        kind.map_or(Self::Eight, |kind| Self::of(kind))
+    }
+
+    /// The exponent of two of the bytes.
+    pub(crate) fn shift(self) -> u32 {
+        match self {
+            Self::Byte => 0,
+            Self::Eight => 3,
+        }
+    }
 }

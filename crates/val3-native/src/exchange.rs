@@ -1,11 +1,11 @@
 //! What the interpreter's memory and that of machine code exchange: numbers there, and back again.
 
 use rustc_hash::FxHashMap;
-use val3_bytecode::{Passing, Program, WholeKind};
-use val3_lang::memory::{Lanes, Memory, Place, Shape, StoreId, View};
+use val3_bytecode::{Image, Passing, Program, WholeKind};
+use val3_lang::memory::{Lanes, Memory, Place, Shape, Store, StoreId, View};
 use val3_vm::{Base, Frame, Imported, Instance};
 
-use crate::containers::{Shared, by_reference, local};
+use crate::containers::{Shared, Width, by_reference, local};
 use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, ROWS, SIZE, VALUES};
 
 /// The containers whose numbers were copied.
@@ -34,7 +34,10 @@ impl Exchange {
         read_numbers(bytes, NUMBERS, memory.stack.nums.get_mut(..end)?)?;
         for (id, (address, _)) in &self.known {
             let store = memory.stores.get_mut(*id).ok()?;
-            read_numbers(bytes, *address, &mut store.nums)?;
+            match Width::of(&store.kind) {
+                Width::Byte => read_truths(bytes, *address, &mut store.nums)?,
+                Width::Eight => read_numbers(bytes, *address, &mut store.nums)?,
+            }
         }
         Some(())
     }
@@ -44,12 +47,17 @@ impl Exchange {
         if let Some(known) = self.known.get(&id) {
             return Some(*known);
         }
-        let nums = &memory.stores.get(id).ok()?.nums;
+        let Store { nums, kind, .. } = memory.stores.get(id).ok()?;
+        let width = Width::of(kind);
         self.credit = self.credit.checked_sub(nums.len())?;
         let count = u32::try_from(nums.len()).ok()?;
-        let end = count.checked_mul(8)?.checked_add(self.free).filter(|end| *end <= END)?;
+        let size = count.checked_mul(1 << width.shift())?.checked_next_multiple_of(8)?;
+        let end = size.checked_add(self.free).filter(|end| *end <= END)?;
         let address = std::mem::replace(&mut self.free, end);
-        write_numbers(bytes, address, nums)?;
+        match width {
+            Width::Byte => write_truths(bytes, address, nums)?,
+            Width::Eight => write_numbers(bytes, address, nums)?,
+        }
         self.known.insert(id, (address, count));
         Some((address, count))
     }
@@ -81,18 +89,25 @@ impl Exchange {
         &mut self,
         bytes: &mut [u8],
         memory: &Memory,
-        program: &Program,
+        (program, image): (&Program, &Image),
         base: &Base,
     ) -> Option<()> {
+        let (parts, views) = (program.frame.lanes.part as usize, program.frame.views as usize);
         let stack = &memory.stack;
-        for (number, id) in (0..program.frame.lanes.part).zip(stack.parts.iter().skip(base.part as usize)) {
+        let is_declared = |view: &View, whole| {
+            let declared = Width::declared(whole, program, image);
+            memory.stores.get(view.store).is_ok_and(|store| Width::of(&store.kind) == declared)
+        };
+        for (number, id) in (0..).zip(stack.parts.iter().skip(base.part as usize).take(parts)) {
             if let Some(at) = local(number) {
-                self.describe(bytes, memory, Some(View::whole(*id)), at)?;
+                let view = Some(View::whole(*id)).filter(|view| is_declared(view, WholeKind::Part(number)));
+                self.describe(bytes, memory, view, at)?;
             }
         }
-        for (number, view) in (0..program.frame.views).zip(stack.views.iter().skip(base.view as usize)) {
+        for (number, view) in (0..).zip(stack.views.iter().skip(base.view as usize).take(views)) {
             if let Some(at) = by_reference(number) {
-                self.describe(bytes, memory, Some(*view), at)?;
+                let view = Some(*view).filter(|view| is_declared(view, WholeKind::View(number)));
+                self.describe(bytes, memory, view, at)?;
             }
         }
         for (number, place) in
@@ -123,18 +138,19 @@ impl Exchange {
             _ => (0, 0, 0),
         };
         let mut description = [0; CONTAINER as usize];
-        let address = address + skipped * 8;
+        let address = address + (skipped << Width::of(&store.kind).shift());
         for (at, number) in [(ADDRESS, address), (COUNT, left), (SIZE, size), (ROWS, rows), (COLUMNS, columns)] {
             write(&mut description, at, &number.to_le_bytes())?;
         }
         Some(description)
     }
 
-    /// The address of the first number of a place.
+    /// The address of the first number of a place; none for a truth value in a container.
     fn address(&mut self, bytes: &mut [u8], memory: &Memory, place: Place) -> Option<u32> {
         if place.store == StoreId::STACK {
             return Some(NUMBERS + place.num * 8);
         }
+        memory.stores.get(place.store).ok().filter(|store| Width::of(&store.kind) == Width::Eight)?;
         let (first, count) = self.numbers(bytes, memory, place.store)?;
         // The value may have left its container.
         (place.num < count).then(|| first + place.num * 8)
@@ -179,6 +195,20 @@ fn read_numbers(bytes: &[u8], at: u32, numbers: &mut [f64]) -> Option<()> {
     let (slots, _) = bytes.get(at as usize..)?.as_chunks::<8>();
     let slots = slots.get(..numbers.len())?;
     numbers.iter_mut().zip(slots).for_each(|(number, slot)| *number = f64::from_le_bytes(*slot));
+    Some(())
+}
+
+/// Writes truth values, a byte each.
+fn write_truths(bytes: &mut [u8], at: u32, numbers: &[f64]) -> Option<()> {
+    let slots = bytes.get_mut(at as usize..)?.get_mut(..numbers.len())?;
+    slots.iter_mut().zip(numbers).for_each(|(slot, number)| *slot = u8::from(*number != 0.0));
+    Some(())
+}
+
+/// Reads as many truth values as there are.
+fn read_truths(bytes: &[u8], at: u32, numbers: &mut [f64]) -> Option<()> {
+    let slots = bytes.get(at as usize..)?.get(..numbers.len())?;
+    numbers.iter_mut().zip(slots).for_each(|(number, slot)| *number = f64::from(*slot));
     Some(())
 }
 

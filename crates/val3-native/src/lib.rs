@@ -9,6 +9,7 @@
 mod body;
 mod calls;
 mod containers;
+mod elements;
 mod exchange;
 mod flow;
 mod functions;

@@ -1,14 +1,12 @@
 //! The machine code of operations.
 
-use val3_bytecode::{Op, Program, Register, Whole};
-use val3_lang::values::numbers::BELOW_HALF;
+use val3_bytecode::{Op, Program, Register};
 use wasm_encoder::Instruction;
 use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
 
 use crate::body::{Body, Surroundings, number_at, whole_at};
 use crate::calls::callee;
 use crate::lanes::Lane;
-use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
 use crate::local;
 use crate::operands::{container, registers};
 
@@ -114,49 +112,6 @@ impl Body<'_> {
         }
     }
 
-    fn containers(&mut self, op: Op) {
-        match op {
-            Op::LoadFirst { to, whole, lane } => {
-                self.first(whole, lane);
-                self.set(to, |body| {
-                    body.code().local_get(local::ADDRESS).f64_load(number_at(lane));
-                });
-            }
-            Op::StoreFirst { whole, lane, from } => {
-                self.first(whole, lane);
-                self.code().local_get(local::ADDRESS);
-                self.get(from);
-                self.code().f64_store(number_at(lane));
-            }
-            Op::LoadElement { to, whole, index } => {
-                self.element(whole, index);
-                self.set(to, |body| {
-                    body.code().local_get(local::ADDRESS).f64_load(number_at(0));
-                });
-            }
-            Op::StoreElement { whole, index, from } => {
-                self.element(whole, index);
-                self.code().local_get(local::ADDRESS);
-                self.get(from);
-                self.code().f64_store(number_at(0));
-            }
-            Op::LoadElement2 { to, whole, i, j } => {
-                self.element2(whole, i, j);
-                self.set(to, |body| {
-                    body.code().local_get(local::ADDRESS).f64_load(number_at(0));
-                });
-            }
-            Op::StoreElement2 { whole, i, j, from } => {
-                self.element2(whole, i, j);
-                self.code().local_get(local::ADDRESS);
-                self.get(from);
-                self.code().f64_store(number_at(0));
-            }
-            // A step that does no more than begin a line.
-            _ => {}
-        }
-    }
-
     pub(crate) fn all(&mut self, act: &[Instruction<'static>]) {
         for instruction in act {
             self.add(instruction);
@@ -230,7 +185,11 @@ impl Body<'_> {
     fn remainder(&mut self, to: Register, a: Register, b: Register) {
         match self.lanes.get(b) {
             Lane::Constant(divisor) if is_whole(divisor) && divisor != 0.0 => {
-                self.remainder_by(to, a, divisor.abs());
+                if self.whole.has(a) {
+                    self.whole_remainder_by(to, a, divisor.abs());
+                } else {
+                    self.remainder_by(to, a, divisor.abs());
+                }
             }
             _ => self.remainder_of(to, a, b),
         }
@@ -244,13 +203,30 @@ impl Body<'_> {
         self.code().f64_const(f64::from(i32::MAX).into()).f64_le();
         self.unless(Self::leave_it);
         self.set(to, |body| {
-            body.code().local_get(local::A);
-            body.code().local_get(local::A).f64_const(0.5.into()).f64_add().f64_const((1.0 / divisor).into()).f64_mul();
-            body.code().f64_trunc().f64_const(divisor.into()).f64_mul().f64_sub();
+            body.left_by(divisor);
             body.code().local_get(local::B).local_get(local::A).f64_sub().f64_add();
             body.get(a);
             body.code().f64_copysign();
         });
+    }
+
+    /// The same where there is no fraction.
+    fn whole_remainder_by(&mut self, to: Register, a: Register, divisor: f64) {
+        self.get(a);
+        self.code().f64_abs().local_tee(local::A).f64_const(f64::from(i32::MAX).into()).f64_le();
+        self.unless(Self::leave_it);
+        self.set(to, |body| {
+            body.left_by(divisor);
+            body.get(a);
+            body.code().f64_copysign();
+        });
+    }
+
+    /// What is left of the whole number in a variable.
+    fn left_by(&mut self, divisor: f64) {
+        self.code().local_get(local::A);
+        self.code().local_get(local::A).f64_const(0.5.into()).f64_add().f64_const((1.0 / divisor).into()).f64_mul();
+        self.code().f64_trunc().f64_const(divisor.into()).f64_mul().f64_sub();
     }
 
     /// The remainder by a number that is known when it is computed. The one by -1 may leave the range.
@@ -281,54 +257,6 @@ impl Body<'_> {
         let at = whole_at(u32::from(place) * 4);
         self.code().local_get(local::PLACES).i32_load(at).local_tee(local::ADDRESS).i32_eqz();
         self.when(Self::leave_it);
-    }
-
-    /// The address of the first value of a container, if it has so many numbers.
-    fn first(&mut self, whole: Whole, lane: u16) {
-        let Some(at) = self.module.shared.description(whole) else { return };
-        self.field(at + COUNT);
-        self.code().i32_const(lane.into()).i32_le_u();
-        self.when(Self::leave_it);
-        self.field(at + ADDRESS);
-        self.code().local_set(local::ADDRESS);
-    }
-
-    /// The address of a value of an array.
-    fn element(&mut self, whole: Whole, index: Register) {
-        let Some(at) = self.module.shared.description(whole) else { return };
-        self.index(local::COLUMN, index, at + SIZE);
-        self.field(at + ADDRESS);
-        self.code().local_get(local::COLUMN).i32_wrap_i64();
-        self.code().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
-    }
-
-    /// The address of a value of an array of two dimensions.
-    fn element2(&mut self, whole: Whole, i: Register, j: Register) {
-        let Some(at) = self.module.shared.description(whole) else { return };
-        self.index(local::ROW, i, at + ROWS);
-        self.index(local::COLUMN, j, at + COLUMNS);
-        self.field(at + ADDRESS);
-        self.code().local_get(local::ROW).i32_wrap_i64();
-        self.field(at + COLUMNS);
-        self.code().i32_mul().local_get(local::COLUMN).i32_wrap_i64().i32_add();
-        self.code().i32_const(3).i32_shl().i32_add().local_set(local::ADDRESS);
-    }
-
-    /// An index goes to a variable, if it is one of those of which the field at `size` tells how many there are.
-    ///
-    /// An index is rounded (2.5.3): above zero, [`BELOW_HALF`] tells how. The bits of a whole number to which 2^52 is added are those of 2^52 and the number;
-    /// what is negative, too large or no number is far beyond every size that way.
-    fn index(&mut self, variable: u32, index: Register, size: u32) {
-        const BEYOND: f64 = (1_u64 << 52) as f64;
-        self.get(index);
-        if !self.whole.has(index) {
-            self.code().f64_const(BELOW_HALF.into()).f64_add().f64_floor();
-        }
-        self.code().f64_const(BEYOND.into()).f64_add().i64_reinterpret_f64();
-        self.code().i64_const(BEYOND.to_bits().cast_signed()).i64_sub().local_tee(variable);
-        self.field(size);
-        self.code().i64_extend_i32_u().i64_lt_u();
-        self.unless(Self::leave_it);
     }
 }
 

@@ -90,7 +90,7 @@ fn go(
     {
         let program = image.programs.get(usize::from(frame.program))?;
         let bytes = machinery.bytes(code);
-        exchange.describe_own(bytes, &work.space.memory, program, &frame.base)?;
+        exchange.describe_own(bytes, &work.space.memory, (program, image), &frame.base)?;
         for (at, word) in [(STOPPED, 0), (NEXT, begin), (LINE, reached.at.line)] {
             write(bytes, at, &word.to_le_bytes())?;
         }

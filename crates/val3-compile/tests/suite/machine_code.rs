@@ -151,6 +151,61 @@ fn sines_have_the_same_bits() {
 }
 
 #[test]
+fn truth_values_in_containers() {
+    let listing = "
+        bool bAny
+        bool bSieve[200]
+        bool bGrid[6,9]
+        num nCount
+        program turn(bool& x_bOne, bool& x_bAll[], num x_nFrom)
+          num i
+        begin
+          x_bOne=!x_bOne
+          for i=x_nFrom to 199 step x_nFrom
+            x_bAll[i]=true
+          endFor
+        end
+        program start()
+          num i
+          num j
+          bool l_bOdd[10]
+          bool l_bLast
+        begin
+          for i=2 to 199
+            if !bSieve[i]
+              nCount=nCount+1
+              for j=i*i to 199 step i
+                bSieve[j]=i!=j
+              endFor
+            endIf
+            l_bOdd[i%10]=i%2==1
+            bGrid[i%6,i%9]=l_bOdd[i%7] or bSieve[i-1]
+            bAny=bGrid[(i*7)%6,i%9] xor l_bOdd[i/22]
+            if bAny and (i%3==0)
+              nCount=nCount+1000
+            endIf
+          endFor
+          ? nCount
+          for i=1 to 60
+            call turn(bAny,bSieve,i)
+            call turn(bSieve[i],bSieve,i+1)
+            call turn(l_bLast,l_bOdd,200+i)
+            call turn(l_bOdd[i/7],bSieve,i+3)
+          endFor
+          for i=0 to 199
+            ? bSieve[i]
+            ? bGrid[i%6,i%9]
+            ? l_bOdd[i/22]
+          endFor
+          ? bAny
+          ? l_bLast
+        end";
+    let printed = run(listing);
+    assert_eq!(printed.lines().count(), 603, "{printed}");
+    assert!(lines(listing) > 1_500, "{}", lines(listing));
+}
+
+#[test]
 fn others_have_their_turns_at_the_same_times() {
     let computing = "
         num nCount
