@@ -126,13 +126,14 @@ impl Body<'_> {
         }
     }
 
-    /// The caller has written the parameters; a variable is 0 at first.
+    /// The caller has written what it has not passed on; a variable is 0 at first.
     fn enter_new(&mut self) {
         let given: Vec<u32> = parameters(self.program).collect();
         for (register, lane) in self.lanes.iter() {
             let is_given = given.contains(&u32::from(register));
             let value = number(self.program, register).unwrap_or_default();
             match lane {
+                Lane::Variable(_) if self.lanes.parameter(register).is_some() => {}
                 Lane::Variable(variable) if is_given => {
                     self.load(register);
                     self.code().local_set(variable);

@@ -1,18 +1,18 @@
 //! Programs that call others and return to them (2.6).
 
 use val3_bytecode::{Op, Operand, Pass, Program, ProgramRef};
-use val3_lang::memory::Lanes;
-use wasm_encoder::ValType;
+use val3_lang::memory;
+use wasm_encoder::ValType::{self, F64, I32};
 
 use crate::body::{Body, Surroundings, number_at, whole_at};
 use crate::functions::FIRST;
+use crate::lanes::Lanes;
 use crate::layout::NUMBERS;
 use crate::local;
 
 /// What a function is given and what it gives: [`local`] tells the parameters; whether the program has stopped, and
 /// the lines that are left.
-pub(crate) const SIGNATURE: ([ValType; local::PARAMETERS], [ValType; 2]) =
-    ([ValType::I32; local::PARAMETERS], [ValType::I32; 2]);
+pub(crate) const SIGNATURE: ([ValType; 8], [ValType; 2]) = ([I32, I32, I32, I32, F64, F64, F64, F64], [I32; 2]);
 
 /// A call between programs with machine code.
 pub(crate) struct Call<'p> {
@@ -43,8 +43,26 @@ impl Body<'_> {
                 self.referred(*place);
             }
         }
+        let lanes = Lanes::of(callee, self.module.image);
+        self.write_arguments(passes, &lanes);
+        self.code().local_get(local::BASE).i32_const(numbers.cast_signed()).i32_add();
+        self.code().local_get(local::PLACES).i32_const(places.cast_signed()).i32_add();
+        self.code().local_get(local::ROOM).i32_const(taken).i32_sub();
+        self.code().local_get(local::BUDGET);
+        self.give_arguments(passes, &lanes);
+        self.code().call(function).local_set(local::BUDGET);
+        let (_, number) = self.step;
+        self.when(|body| body.stop_at(number + 1));
+    }
+
+    /// References, and numbers that are no parameters of the function, go to the frame of the program that is called,
+    /// which has `lanes`.
+    fn write_arguments(&mut self, passes: &[Pass], lanes: &Lanes) {
+        let size = &self.program.frame;
+        let (numbers, places) = (size.lanes.num * 8, size.places * 4);
         for pass in passes {
             match *pass {
+                Pass::Number(_, to) if lanes.parameter(to).is_some() => {}
                 Pass::Number(from, to) => {
                     self.code().local_get(local::BASE);
                     self.get(from);
@@ -59,12 +77,20 @@ impl Body<'_> {
                 }
             }
         }
-        self.code().local_get(local::BASE).i32_const(numbers.cast_signed()).i32_add();
-        self.code().local_get(local::PLACES).i32_const(places.cast_signed()).i32_add();
-        self.code().local_get(local::ROOM).i32_const(taken).i32_sub();
-        self.code().local_get(local::BUDGET).call(function).local_set(local::BUDGET);
-        let (_, number) = self.step;
-        self.when(|body| body.stop_at(number + 1));
+    }
+
+    /// The numbers that are parameters of the function come in their order.
+    fn give_arguments(&mut self, passes: &[Pass], lanes: &Lanes) {
+        for parameter in 0..local::NUMBERS_GIVEN {
+            let given = passes.iter().find_map(|pass| match *pass {
+                Pass::Number(from, to) => (lanes.parameter(to) == Some(parameter)).then_some(from),
+                Pass::Reference(..) => None,
+            });
+            match given {
+                Some(from) => self.get(from),
+                None => _ = self.code().f64_const(0.0.into()),
+            }
+        }
     }
 
     /// The address of the numbers of a value.
@@ -92,7 +118,7 @@ impl Body<'_> {
 
 /// What a program gets by reference has nothing but numbers.
 fn takes_numbers(program: &Program) -> bool {
-    program.params.iter().all(|param| param.kind.size == Lanes::nums(param.kind.size.num))
+    program.params.iter().all(|param| param.kind.size == memory::Lanes::nums(param.kind.size.num))
 }
 
 /// A call that needs nothing but numbers and references: what it passes, and the number of the program.

@@ -10,7 +10,7 @@ use crate::operands::registers;
 pub(crate) enum Lane {
     /// Nowhere: it is always this one.
     Constant(f64),
-    /// In a variable of its own, from the entry of the program to its exit.
+    /// In a variable of its own or a parameter, from the entry of the program to its exit.
     Variable(u32),
     /// In memory: a program that is called may change it by reference, or machine code has no use for it.
     Memory,
@@ -23,11 +23,13 @@ impl Lanes {
     /// Sorts the numbers of a frame.
     pub(crate) fn of(program: &Program, image: &Image) -> Self {
         let mut lanes = vec![Lane::Memory; program.frame.lanes.num as usize];
-        let mut variables = 0;
+        let given: Vec<u32> = parameters(program).take(local::NUMBERS_GIVEN).collect();
+        let mut variables = local::LANES..;
         for register in program.code.iter().flat_map(|step| registers(step.op)) {
             if let Some(lane @ Lane::Memory) = lanes.get_mut(usize::from(register)) {
-                *lane = Lane::Variable(local::LANES + variables);
-                variables += 1;
+                let parameter = (local::GIVEN..).zip(&given).find(|(_, given)| **given == u32::from(register));
+                let variable = parameter.map(|(parameter, _)| parameter).or_else(|| variables.next());
+                *lane = variable.map_or(Lane::Memory, Lane::Variable);
             }
         }
         for constant in &program.constants {
@@ -46,11 +48,18 @@ impl Lanes {
         self.0.get(usize::from(register)).copied().unwrap_or(Lane::Memory)
     }
 
-    /// How many variables there are; some of them may be in use for nothing.
+    /// How many variables there are besides the parameters; some of them may be in use for nothing.
     pub(crate) fn variables(&self) -> u32 {
-        let last =
-            self.iter().filter_map(|(_, lane)| if let Lane::Variable(at) = lane { Some(at) } else { None }).max();
-        last.map_or(0, |last| last + 1 - local::LANES)
+        let ends = self.iter().map(|(_, lane)| if let Lane::Variable(at) = lane { at + 1 } else { 0 });
+        ends.max().unwrap_or_default().saturating_sub(local::LANES)
+    }
+
+    /// Which of the numbers that are given as parameters a register has.
+    pub(crate) fn parameter(&self, register: Register) -> Option<usize> {
+        match self.get(register) {
+            Lane::Variable(at) if at < local::LANES => Some((at - local::GIVEN) as usize),
+            _ => None,
+        }
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = (Register, Lane)> + '_ {

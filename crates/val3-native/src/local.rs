@@ -9,43 +9,46 @@ pub(crate) const ROOM: u32 = 2;
 /// The lines that may still be begun.
 pub(crate) const BUDGET: u32 = 3;
 
-/// How many parameters there are: as many as there are registers for.
-pub(crate) const PARAMETERS: usize = 4;
+/// The first of the numbers that the program gets by value.
+pub(crate) const GIVEN: u32 = 4;
+
+/// How many of them are parameters of the function; a program need not have so many. The others are in memory.
+pub(crate) const NUMBERS_GIVEN: usize = 4;
 
 /// The frame has its numbers, and words in memory tell where to begin.
 pub(crate) const AGAIN: u32 = 1 << 31;
 
 /// Where to begin; later where a loop begins that is entered on the way.
-pub(crate) const NEXT: u32 = 4;
+pub(crate) const NEXT: u32 = 8;
 /// The first step of the line at hand.
-pub(crate) const LINE: u32 = 5;
+pub(crate) const LINE: u32 = 9;
 /// The step that the interpreter goes on with.
-pub(crate) const STEP: u32 = 6;
+pub(crate) const STEP: u32 = 10;
 /// An address, for the time of one operation.
-pub(crate) const ADDRESS: u32 = 7;
+pub(crate) const ADDRESS: u32 = 11;
 /// A whole number, for the time of one operation.
-pub(crate) const I: u32 = 8;
+pub(crate) const I: u32 = 12;
 /// Another.
-pub(crate) const J: u32 = 9;
+pub(crate) const J: u32 = 13;
 
 /// How many variables are whole numbers.
 pub(crate) const WHOLE: u32 = 6;
 
 /// An index, for the time of one operation.
-pub(crate) const ROW: u32 = 10;
+pub(crate) const ROW: u32 = 14;
 /// Another.
-pub(crate) const COLUMN: u32 = 11;
+pub(crate) const COLUMN: u32 = 15;
 
 /// How many variables are indexes.
 pub(crate) const INDEXES: u32 = 2;
 
 /// A number, for the time of one operation.
-pub(crate) const A: u32 = 12;
+pub(crate) const A: u32 = 16;
 /// Another.
-pub(crate) const B: u32 = 13;
+pub(crate) const B: u32 = 17;
 
 /// How many variables are numbers for the time of one operation.
 pub(crate) const NUMBERS: u32 = 2;
 
 /// The first number of the frame.
-pub(crate) const LANES: u32 = 14;
+pub(crate) const LANES: u32 = 18;

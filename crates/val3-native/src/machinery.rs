@@ -16,8 +16,8 @@ use crate::regions::Regions;
 use crate::ways::name;
 use crate::whole::WholeNumbers;
 
-/// What a function is given: see [`local`](crate::local).
-pub(crate) type Given = (u32, u32, u32, u32);
+/// What a function is given: see [`local`](crate::local). Where it is entered again, no numbers.
+pub(crate) type Given = (u32, u32, u32, u32, f64, f64, f64, f64);
 
 /// The function of a program: where its frame is and where to begin; whether it has stopped, and the lines left.
 pub(crate) type Entry = TypedFunc<Given, (u32, u32)>;

@@ -97,7 +97,7 @@ fn go(
         let taken = frame.base.bytes.saturating_add(program.stack_bytes);
         let room = work.stack_size.saturating_sub(taken).min(DEPTH * LEAST_BYTES);
         let base = (NUMBERS + frame.base.num * 8, PLACES + frame.base.place * 4);
-        let given = (base.0, base.1, room | local::AGAIN, reached.budget);
+        let given = (base.0, base.1, room | local::AGAIN, reached.budget, 0.0, 0.0, 0.0, 0.0);
         let (has_stopped, left) = machinery.call(entry, given).ok()?;
         reached.budget = left;
         if has_stopped != 0 {

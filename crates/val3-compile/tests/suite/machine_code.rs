@@ -206,6 +206,51 @@ fn truth_values_in_containers() {
 }
 
 #[test]
+fn numbers_are_passed_on() {
+    let listing = "
+        num nSum
+        num nCheck
+        num nA[10]
+        program six(num x_a, num x_b, num x_c, num x_d, num x_e, num x_f, num& x_r)
+          num l_n
+        begin
+          x_b=x_b+x_a/2
+          if x_a>0
+            call six(x_a-1,x_c,x_d,x_e,x_f,x_b,l_n)
+          endIf
+          if (x_a==7) and (x_b>150)
+            ? x_b+x_c*10+x_d*100+x_e*1000+x_f*10000
+          endIf
+          call deep(x_f)
+          x_r=l_n+x_b-x_c*2+x_d*3-x_e*4+x_f+nA[x_a]
+        end
+        program deep(num x_n)
+        begin
+          nA[x_n%8]=nA[x_n%8]+1
+          call other(x_n,nSum)
+        end
+        program other(num& x_n, num x_m)
+        begin
+          x_n=x_n+1
+          nSum=x_m+x_n
+        end
+        program start()
+          num i
+          num l_n
+        begin
+          for i=1 to 160
+            call six(i%8,i,i+1,i+2,i+3,i+4,l_n)
+            nCheck=(nCheck*7+l_n)%1000003
+          endFor
+          ? nSum
+          ? nCheck
+        end";
+    let printed = run(listing);
+    assert_eq!(printed.lines().count(), 4, "{printed}");
+    assert!(lines(listing) > 6_000, "{}", lines(listing));
+}
+
+#[test]
 fn others_have_their_turns_at_the_same_times() {
     let computing = "
         num nCount
