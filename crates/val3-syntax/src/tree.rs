@@ -135,14 +135,9 @@ impl<'t> Piece<'t> {
         self.tree.entries.get(self.indexes()).unwrap_or(&[])
     }
 
-    /// Its entries with all up to those of `last`, a piece of the same tree.
-    pub(crate) fn entries_to(self, last: Self) -> &'t [Entry] {
-        self.tree.entries.get(self.index()..last.indexes().end).unwrap_or(&[])
-    }
-
-    /// `next` stands right behind it in the same tree.
-    pub(crate) fn is_followed_by(self, next: Self) -> bool {
-        std::ptr::eq(self.tree, next.tree) && self.indexes().end == next.index()
+    /// Entries of its tree.
+    pub(crate) fn entries_of_tree(self, range: Range<usize>) -> &'t [Entry] {
+        self.tree.entries.get(range).unwrap_or(&[])
     }
 
     /// Where they stand in the list.

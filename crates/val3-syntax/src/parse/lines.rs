@@ -14,7 +14,7 @@ use super::run::{Run, is_line_end, runs_around};
 use super::{Parse, parse_within};
 use crate::edit::Change;
 use crate::kind::SyntaxKind;
-use crate::tree::{Piece, Splice};
+use crate::tree::{Entry, Piece, Splice};
 
 impl Parse {
     /// The parse of `new_text`, which this one's text is after `change`; `None` where other lines have to be read again.
@@ -28,8 +28,8 @@ impl Parse {
             let lines = run.lines_around(change.range)?;
             Some((run, lines))
         })?;
-        let old = run.range_of(&lines);
-        if run.pieces.get(lines.clone())?.iter().any(|piece| concerns_others(*piece)) {
+        let old = lines.range();
+        if concerns_others(lines.entries()) {
             return None;
         }
         let new = TextRange::new(old.start(), change.moved(old.end()));
@@ -38,7 +38,7 @@ impl Parse {
         let read = parse_within([head, code, tail].concat().into(), depth_of(run.around.len()));
         let path = read.path_to_code()?;
         let inside = Run::all_in_last(&path).next()?;
-        let is_whole = inside.start == TextSize::of(head) && inside.len() == new.len();
+        let is_whole = inside.range() == TextRange::at(TextSize::of(head), new.len());
         let is_alone = read.has_line_faults_only() && inside.is_for_itself();
         if !is_whole || !is_alone || !starts_as_before(new_text, new.end()) {
             return None;
@@ -46,7 +46,7 @@ impl Parse {
         let place = |at: TextSize| at - TextSize::of(head) + old.start();
         let odd_keywords = self.spliced_keywords(old, change, &read, place).into();
         let errors = self.spliced_errors(old, change, &read, place).into();
-        let new = run.with(lines, &inside.pieces)?;
+        let new = run.with(lines, &inside)?;
         let splice = Splice { range: run.indexes(), new: &new.entries() };
         let tree = self.tree.spliced(Arc::clone(new_text), change, run.around, &splice);
         Some(Parse { tree: Arc::new(tree), errors, odd_keywords })
@@ -91,14 +91,14 @@ fn starts_as_before(text: &str, at: TextSize) -> bool {
 impl Run<'_, '_> {
     /// It ends with a line, and nothing in it says something about other lines.
     fn is_for_itself(&self) -> bool {
-        let ends_line = self.pieces.last().is_some_and(|piece| is_line_end(*piece));
-        ends_line && !self.pieces.iter().any(|piece| concerns_others(*piece))
+        let ends_line = self.pieces().last().is_some_and(is_line_end);
+        ends_line && !self.pieces().any(|piece| concerns_others(piece.entries()))
     }
 }
 
-/// A keyword or mark in it says something about other lines.
-fn concerns_others(piece: Piece<'_>) -> bool {
-    piece.entries().iter().any(|entry| is_of_blocks(entry.kind))
+/// A keyword or mark among them says something about other lines.
+fn concerns_others(entries: &[Entry]) -> bool {
+    entries.iter().any(|entry| is_of_blocks(entry.kind))
 }
 
 fn is_of_blocks(kind: SyntaxKind) -> bool {

@@ -1,4 +1,6 @@
 //! The lines of a block: what an edit of lines looks at, and what it puts in their place.
+//!
+//! A program may be one long block, so nothing here looks at what stands behind an edit.
 
 use std::ops::Range;
 use std::slice;
@@ -12,12 +14,18 @@ use crate::tree::{Entry, Piece, count};
 pub(super) struct Run<'p, 't> {
     /// The nodes that hold both, innermost last.
     pub(super) around: &'p [Piece<'t>],
-    /// Trivia, the statements of the block with trivia between them, and trivia.
-    pub(super) pieces: Vec<Piece<'t>>,
+    before: Vec<Piece<'t>>,
     block: Piece<'t>,
-    pub(super) start: TextSize,
+    behind: Vec<Piece<'t>>,
     /// Nothing else follows in the innermost node.
     is_last: bool,
+}
+
+/// Some pieces of a run, by the first and the last of them.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Lines<'t> {
+    first: Piece<'t>,
+    last: Piece<'t>,
 }
 
 /// The runs that an edit may lie in, inner ones first; `path` leads from the root to the innermost node with the edit.
@@ -42,63 +50,90 @@ impl<'p, 't> Run<'p, 't> {
         let last = block + 1 + behind.iter().take_while(|piece| piece.kind().is_trivia()).count();
         let (before, behind) = (siblings.get(first..block)?, siblings.get(block + 1..last)?);
         let block = *siblings.get(block)?;
-        let pieces: Vec<Piece<'t>> =
-            before.iter().copied().chain(block.children()).chain(behind.iter().copied()).collect();
-        let start = before.first().unwrap_or(&block).range().start();
-        Some(Self { around, pieces, block, start, is_last: last == siblings.len() })
+        let is_last = last == siblings.len();
+        Some(Self { around, before: before.to_vec(), block, behind: behind.to_vec(), is_last })
     }
 
-    pub(super) fn len(&self) -> TextSize {
-        self.pieces.iter().map(|piece| piece.range().len()).sum()
+    /// Trivia, the statements of the block with trivia between them, and trivia.
+    pub(super) fn pieces(&self) -> impl Iterator<Item = Piece<'t>> {
+        self.before.iter().copied().chain(self.block.children()).chain(self.behind.iter().copied())
+    }
+
+    /// Where it stands in the text.
+    pub(super) fn range(&self) -> TextRange {
+        let first = self.before.first().unwrap_or(&self.block);
+        let last = self.behind.last().unwrap_or(&self.block);
+        first.range().cover(last.range())
     }
 
     /// Where its entries stand in the list of the tree.
     pub(super) fn indexes(&self) -> Range<usize> {
-        let start = self.pieces.first().map_or(self.block.index(), |piece| piece.index().min(self.block.index()));
-        let end = self.pieces.last().map_or(0, |piece| piece.indexes().end);
-        start..end.max(self.block.indexes().end)
+        let first = self.before.first().unwrap_or(&self.block);
+        let last = self.behind.last().unwrap_or(&self.block);
+        first.index()..last.indexes().end
+    }
+
+    /// The entries of its pieces within a range of the list, in stretches: all but that of the block itself.
+    fn entries(&self, range: &Range<usize>) -> [&'t [Entry]; 3] {
+        let (run, block) = (self.indexes(), self.block.indexes());
+        [run.start..block.start, block.start + 1..block.end, block.end..run.end]
+            .map(|part| self.block.entries_of_tree(part.start.max(range.start)..part.end.min(range.end)))
     }
 
     /// The pieces from the line end before an edit to the one behind it, or in which it ends.
-    pub(super) fn lines_around(&self, edit: TextRange) -> Option<Range<usize>> {
+    pub(super) fn lines_around(&self, edit: TextRange) -> Option<Lines<'t>> {
         let mut first = None;
-        for (index, piece) in self.pieces.iter().enumerate().filter(|(_, piece)| is_line_end(**piece)) {
+        for piece in self.pieces().filter(|piece| is_line_end(*piece)) {
             match first {
-                Some(first) if piece.range().end() >= edit.end() => return Some(first..index + 1),
-                _ if piece.range().start() < edit.start() => first = Some(index),
+                Some(first) if piece.range().end() >= edit.end() => return Some(Lines { first, last: piece }),
+                _ if piece.range().start() < edit.start() => first = Some(piece),
                 _ => {}
             }
         }
         None
     }
 
-    pub(super) fn range_of(&self, pieces: &Range<usize>) -> TextRange {
-        let pieces = self.pieces.get(pieces.clone()).unwrap_or(&[]);
-        let range = |piece: Option<&Piece<'_>>| piece.map_or(TextRange::empty(self.start), |piece| piece.range());
-        range(pieces.first()).cover(range(pieces.last()))
-    }
-
-    /// The run with other pieces in the place of some.
-    pub(super) fn with<'n>(&self, replaced: Range<usize>, pieces: &[Piece<'n>]) -> Option<NewRun<'n>>
+    /// The run with that of another tree in the place of some lines.
+    pub(super) fn with<'n>(&self, lines: Lines<'t>, new: &Run<'_, 'n>) -> Option<NewRun<'n>>
     where
         't: 'n,
     {
-        let (before, behind) = (self.pieces.get(..replaced.start)?, self.pieces.get(replaced.end..)?);
-        let pieces: Vec<Piece<'n>> = [before, pieces, behind].concat();
-        let is_solid = |piece: &Piece<'_>| !piece.kind().is_trivia();
-        let first = pieces.iter().position(is_solid).unwrap_or(pieces.len());
-        let last = pieces.iter().rposition(is_solid).map_or(first, |last| last + 1);
+        let (run, replaced) = (self.indexes(), lines.indexes());
+        let before = self.entries(&(run.start..replaced.start));
+        let behind = self.entries(&(replaced.end..run.end));
+        let entries: Vec<&[Entry]> = [before, new.entries(&new.indexes()), behind].concat();
+        // What is trivia has one entry, and no node ends with trivia.
+        let size: usize = entries.iter().map(|stretch| stretch.len()).sum();
+        let is_trivia = |entry: &&Entry| entry.kind.is_trivia();
+        let leading = entries.iter().copied().flatten().take_while(is_trivia).count();
+        let trailing = entries.iter().copied().rev().flat_map(|stretch| stretch.iter().rev()).take_while(is_trivia);
+        let trailing = if leading == size { 0 } else { trailing.count() };
         // Trivia at the end of a node belongs to the node around it.
-        if last < pieces.len() && self.is_last {
+        if trailing > 0 && self.is_last {
             return None;
         }
-        let (before, pieces) = pieces.split_at_checked(first)?;
-        let (inside, behind) = pieces.split_at_checked(last - first)?;
-        let len = inside.iter().map(|piece| piece.range().len()).sum::<TextSize>().into();
-        let size = inside.iter().map(|piece| piece.indexes().len()).sum();
-        let block = Entry { kind: SyntaxKind::BLOCK, len, size: count(size) };
-        let [before, inside, behind] = [before, inside, behind].map(stretches);
+        let (before, rest) = split(&entries, leading);
+        let (inside, behind) = split(&rest, size - leading - trailing);
+        let len = self.range().len() - lines.range().len() + new.range().len() - len(&before) - len(&behind);
+        let block = Entry { kind: SyntaxKind::BLOCK, len: len.into(), size: count(size - leading - trailing) };
         Some(NewRun { before, block, inside, behind })
+    }
+}
+
+impl<'t> Lines<'t> {
+    /// Where they stand in the text.
+    pub(super) fn range(self) -> TextRange {
+        self.first.range().cover(self.last.range())
+    }
+
+    /// Where their entries stand in the list of the tree.
+    fn indexes(self) -> Range<usize> {
+        self.first.index()..self.last.indexes().end
+    }
+
+    /// Their entries; where the block begins or ends among them, its own as well.
+    pub(super) fn entries(self) -> &'t [Entry] {
+        self.first.entries_of_tree(self.indexes())
     }
 }
 
@@ -117,10 +152,19 @@ impl NewRun<'_> {
     }
 }
 
-/// The entries of the pieces, those in one that stand one behind the other.
-fn stretches<'t>(pieces: &[Piece<'t>]) -> Vec<&'t [Entry]> {
-    let stretches = pieces.chunk_by(|piece, next| piece.is_followed_by(*next));
-    stretches.filter_map(|stretch| Some(stretch.first()?.entries_to(*stretch.last()?))).collect()
+/// The first `at` entries, and the others.
+fn split<'t>(stretches: &[&'t [Entry]], mut at: usize) -> (Vec<&'t [Entry]>, Vec<&'t [Entry]>) {
+    let cut = stretches.iter().map(|stretch| {
+        let (left, right) = stretch.split_at(at.min(stretch.len()));
+        at -= left.len();
+        (left, right)
+    });
+    cut.unzip()
+}
+
+/// The length of trivia.
+fn len(trivia: &[&[Entry]]) -> TextSize {
+    trivia.iter().copied().flatten().map(|entry| TextSize::new(entry.len)).sum()
 }
 
 pub(super) fn is_line_end(piece: Piece<'_>) -> bool {
