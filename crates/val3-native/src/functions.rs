@@ -1,4 +1,5 @@
-//! Instructions that make a number of numbers: a few are operations of the machine, the others a function of the host.
+//! Instructions that make a number of numbers: a few are operations of the machine, sine and cosine functions of the
+//! module, the others a function of the host.
 
 use val3_bytecode::Register;
 use val3_geometry::sine::MANY_TURNS;

@@ -109,7 +109,7 @@ impl<'e> Open<'e> {
         Ok(Self { editor, uri, text, version: 1 })
     }
 
-    /// Types a faulty line and takes it back, in the middle of the program.
+    /// Types a faulty line and takes it back, at the beginning of the code.
     fn edits(&mut self, what: &str) -> anyhow::Result<()> {
         // Let the first check of the rest come to its end.
         std::thread::sleep(Duration::from_secs(2));
