@@ -5,15 +5,15 @@
 //!
 //! | | 2,600 lines | 100,000 lines |
 //! |---|---|---|
-//! | edit to findings | 2.9 / 4.3 | 1.9 / 3.0 |
+//! | edit to findings | 2.8 / 4.0 | 2.2 / 3.4 |
 //! | hover, definition, completion, signature help | at most 0.8 / 1.0 | at most 0.5 / 0.8 |
 //! | semantic tokens of the whole program | 2.0 / 2.6 | 0.7 / 1.0 |
 //! | references of a name used 1,000 times | 1.6 / 2.2 | 7.1 / 10.7 |
 //! | rename of a name used 1,000 times | 1.2 / 1.5 | 8.8 / 11.8 |
-//! | cancel to answer | 0.2 / 0.4 to 3 | 0.3 / 1 to 4 |
-//! | start to first findings | 41 | 53 |
-//! | exit | 14 | 3 |
-//! | peak memory, MB | 37 | 92 |
+//! | cancel to answer | 0.2 / 0.3 to 1.2 | 0.2 / 0.3 to 0.6 |
+//! | start to first findings | 12 to 58 | 47 to 70 |
+//! | exit | 3 to 20 | 3 to 6 |
+//! | peak memory, MB | 39 | 91 |
 
 use std::time::{Duration, Instant};
 
