@@ -17,6 +17,11 @@ use crate::sine::{SINE_OF, sine};
 /// The name under which a module exports its memory.
 pub(crate) const MEMORY: &str = "memory";
 
+/// The types of functions, in the order in which a module lists them: of programs, of the host, of sine and cosine.
+const PROGRAM: u32 = 0;
+const HOST_FUNCTION: u32 = 1;
+const ANGLE_FUNCTION: u32 = 2;
+
 /// Steps of all programs of a module: more would take longer to translate than they could save.
 const MOST_STEPS: usize = 8_000;
 
@@ -71,7 +76,7 @@ impl Plan {
         types.ty().function(COMPUTE.0, COMPUTE.1);
         types.ty().function(SINE_OF.0, SINE_OF.1);
         let mut imports = ImportSection::new();
-        imports.import(HOST, HOST, EntityType::Function(1));
+        imports.import(HOST, HOST, EntityType::Function(HOST_FUNCTION));
         let pages = u64::from(END / PAGE);
         let memory =
             MemoryType { minimum: pages, maximum: Some(pages), memory64: false, shared: false, page_size_log2: None };
@@ -80,12 +85,13 @@ impl Plan {
         let (mut functions, mut exports, mut codes) =
             (FunctionSection::new(), ExportSection::new(), CodeSection::new());
         exports.export(MEMORY, ExportKind::Memory, 0);
+        // The sine, and the cosine, which is a quarter of a turn ahead.
         for ahead in [0, 1] {
-            functions.function(2);
+            functions.function(ANGLE_FUNCTION);
             codes.function(&sine(ahead));
         }
         for (number, index) in self.programs.iter().zip(FIRST..) {
-            functions.function(0);
+            functions.function(PROGRAM);
             exports.export(&Self::name(*number), ExportKind::Func, index);
             codes.function(&function(&surroundings, *number)?);
         }

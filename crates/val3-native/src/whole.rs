@@ -1,5 +1,7 @@
 //! Registers that never hold a fraction: an index of those needs no rounding.
 
+use std::collections::BTreeSet;
+
 use val3_bytecode::{Op, Program, Register};
 use val3_lang::number_functions::NumberFunction;
 
@@ -20,10 +22,13 @@ impl WholeNumbers {
             Lane::Memory => false,
         };
         let mut whole = Self(lanes.iter().filter(can_be).map(|(register, _)| register).collect());
-        while let Some(at) = whole.refuted(program) {
-            whole.0.remove(at);
+        loop {
+            let refuted = whole.refuted(program);
+            if refuted.is_empty() {
+                return whole;
+            }
+            whole.0.retain(|register| !refuted.contains(register));
         }
-        whole
     }
 
     pub(crate) fn has(&self, register: Register) -> bool {
@@ -35,9 +40,10 @@ impl WholeNumbers {
         self.0.iter().all(|register| !numbers.get(usize::from(*register)).copied().is_some_and(has_fraction))
     }
 
-    /// The place of a register in which a step may put a fraction.
-    fn refuted(&self, program: &Program) -> Option<usize> {
-        program.code.iter().find_map(|step| self.0.binary_search(&self.fraction(step.op)?).ok())
+    /// Those of the registers in which a step may put a fraction.
+    fn refuted(&self, program: &Program) -> BTreeSet<Register> {
+        let fractions = program.code.iter().filter_map(|step| self.fraction(step.op));
+        fractions.filter(|register| self.has(*register)).collect()
     }
 
     /// The register in which an operation may put a fraction.

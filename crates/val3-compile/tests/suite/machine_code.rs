@@ -128,6 +128,9 @@ fn indexes_are_rounded() {
         assert_eq!(printed.lines().count(), 16, "{index}: {printed}");
         assert!(lines(&listing) > 90, "{index}");
     }
+    let just_below_half = "num nA[2]\nprogram start()\nnum i\nbegin\nnA[1]=1\nfor i=0.49999999999999994 to 1\n\
+         nA[0]=nA[i]+5\n? nA[0]\nendFor\nend\n";
+    assert_eq!(run(just_below_half), "5\n", "in the interpreter and in machine code");
     for index in ["-i-1", "i-0.6", "i+7.5", "i*1e300*1e300-i", "4294967296+i", "1/3-i*1e15"] {
         run(&format!("num nA[8]\nprogram start()\nnum i\nbegin\nfor i=0 to 7\n? nA[{index}]\nendFor\nend\n"));
     }

@@ -14,8 +14,10 @@ use crate::tree::{Entry, Piece, count};
 pub(super) struct Run<'p, 't> {
     /// The nodes that hold both, innermost last.
     pub(super) around: &'p [Piece<'t>],
+    /// Trivia.
     before: Vec<Piece<'t>>,
     block: Piece<'t>,
+    /// Trivia.
     behind: Vec<Piece<'t>>,
     /// Nothing else follows in the innermost node.
     is_last: bool,
@@ -61,16 +63,19 @@ impl<'p, 't> Run<'p, 't> {
 
     /// Where it stands in the text.
     pub(super) fn range(&self) -> TextRange {
-        let first = self.before.first().unwrap_or(&self.block);
-        let last = self.behind.last().unwrap_or(&self.block);
-        first.range().cover(last.range())
+        self.lines().range()
     }
 
     /// Where its entries stand in the list of the tree.
     pub(super) fn indexes(&self) -> Range<usize> {
+        self.lines().indexes()
+    }
+
+    /// All of it.
+    fn lines(&self) -> Lines<'t> {
         let first = self.before.first().unwrap_or(&self.block);
         let last = self.behind.last().unwrap_or(&self.block);
-        first.index()..last.indexes().end
+        Lines { first: *first, last: *last }
     }
 
     /// The entries of its pieces within a range of the list, in stretches: all but that of the block itself.
