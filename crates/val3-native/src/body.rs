@@ -9,17 +9,18 @@
 //! operation and gives back the lines behind: the interpreter does it, and raises what is to be raised.
 
 use val3_bytecode::{Image, Program, Register, Step};
-use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg, ValType};
+use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg};
 
 use crate::containers::Shared;
-use crate::flow::{Flow, LineBefore};
+use crate::draft::Draft;
+use crate::flow::LineBefore;
+use crate::frame::Frame;
+use crate::inline;
 use crate::known::Known;
-use crate::lanes::{Lane, Lanes, number, parameters};
+use crate::lanes::{Lane, number, parameters};
 use crate::layout::{LINE, NEXT, RECORD, RECORDS, STOPPED};
 use crate::local;
-use crate::operations::has_code;
-use crate::regions::Regions;
-use crate::whole::WholeNumbers;
+use crate::study::Study;
 
 /// What is known of the module that a function is part of.
 pub(crate) struct Surroundings<'m> {
@@ -33,12 +34,12 @@ pub(crate) struct Surroundings<'m> {
 pub(crate) struct Body<'m> {
     pub(crate) module: &'m Surroundings<'m>,
     pub(crate) program: &'m Program,
-    pub(crate) lanes: &'m Lanes,
-    known: &'m Known,
-    pub(crate) whole: &'m WholeNumbers,
-    pub(crate) regions: &'m Regions,
-    pub(crate) flow: &'m Flow,
-    code: Function,
+    /// Its number in the image.
+    pub(crate) number: u16,
+    pub(crate) study: &'m Study,
+    pub(crate) known: &'m Known,
+    pub(crate) draft: &'m mut Draft,
+    pub(crate) frame: Frame,
     /// What can be left or repeated, the innermost last.
     pub(crate) labels: Vec<Label>,
     /// The step at hand, and its number.
@@ -52,6 +53,8 @@ pub(crate) struct Body<'m> {
 /// What a jump leaves or repeats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Label {
+    /// The program has ended, and the one that called it goes on in the same function.
+    Ended,
     /// The program stops.
     Stop,
     /// The step to go on with.
@@ -66,24 +69,19 @@ pub(crate) enum Label {
 pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Function> {
     let program = module.image.programs.get(usize::from(number))?;
     let first = *program.code.first()?;
-    let lanes = Lanes::of(program, module.image);
-    let regions = Regions::of(program);
-    let flow = Flow::of(program, |op| has_code(module, program, op));
-    let known = Known::of(program, module.shared, &lanes);
-    let whole = WholeNumbers::of(program, &lanes);
-    let numbers = local::NUMBERS + lanes.variables();
-    let fields = u32::try_from(known.variables().count()).ok()?;
-    let groups =
-        [(local::WHOLE, ValType::I32), (local::INDEXES, ValType::I64), (numbers, ValType::F64), (fields, ValType::I32)];
+    let levels = inline::levels(module, program);
+    let study = Study::of(module, program, levels);
+    let mut draft = Draft::new();
+    let known = Known::of(&inline::with_inlined(module, program, levels), module.shared, &mut draft);
+    let frame = Frame::of_function(&study.lanes, levels, &mut draft);
     let mut body = Body {
         module,
         program,
-        lanes: &lanes,
+        number,
+        study: &study,
         known: &known,
-        whole: &whole,
-        regions: &regions,
-        flow: &flow,
-        code: Function::new(groups),
+        draft: &mut draft,
+        frame,
         labels: Vec::new(),
         step: (first, 0),
         line: LineBefore::Kept,
@@ -91,14 +89,15 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     };
     body.begin();
     body.steps();
-    body.stop_here(u32::from(number));
-    Some(body.code)
+    body.write_frame();
+    body.code().i32_const(1).local_get(local::BUDGET).end();
+    Some(draft.finish())
 }
 
 impl Body<'_> {
     /// Behind the code so far.
     pub(crate) fn code(&mut self) -> InstructionSink<'_> {
-        self.code.instructions()
+        self.draft.code()
     }
 
     /// The numbers of a new frame, or of one that is entered again, go where the code has them.
@@ -109,7 +108,8 @@ impl Body<'_> {
         self.code().local_get(local::ROOM).i32_const(0).i32_lt_s().if_(BlockType::Empty);
         self.enter_again();
         self.code().else_();
-        self.enter_new();
+        self.take_given();
+        self.begin_anew();
         self.code().end();
     }
 
@@ -117,83 +117,93 @@ impl Body<'_> {
         let room = local::AGAIN - 1;
         self.code().local_get(local::ROOM).i32_const(room.cast_signed()).i32_and().local_set(local::ROOM);
         self.code().i32_const(0).i32_load(whole_at(NEXT)).local_set(local::NEXT);
-        self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(local::LINE);
-        for (register, lane) in self.lanes.iter() {
-            if let Lane::Variable(variable) = lane {
+        let line = self.frame.line;
+        self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(line);
+        for (register, lane) in self.study.lanes.iter() {
+            if let Lane::Variable(number) = lane {
+                let variable = self.frame.variable(number);
                 self.load(register);
                 self.code().local_set(variable);
             }
         }
     }
 
-    /// The caller has written what it has not passed on; a variable is 0 at first.
-    fn enter_new(&mut self) {
-        let given: Vec<u32> = parameters(self.program).collect();
-        for (register, lane) in self.lanes.iter() {
-            let is_given = given.contains(&u32::from(register));
-            let value = number(self.program, register).unwrap_or_default();
-            match lane {
-                Lane::Variable(_) if self.lanes.parameter(register).is_some() => {}
-                Lane::Variable(variable) if is_given => {
-                    self.load(register);
-                    self.code().local_set(variable);
-                }
-                Lane::Variable(variable) if value.to_bits() != 0 => {
-                    self.code().f64_const(value.into()).local_set(variable);
-                }
-                Lane::Memory if !is_given => {
-                    self.code().local_get(local::BASE).f64_const(value.into()).f64_store(number_at(register));
-                }
-                _ => {}
+    /// The caller has written what it has not passed on.
+    fn take_given(&mut self) {
+        for given in parameters(self.program) {
+            if let Ok(register) = Register::try_from(given)
+                && let Lane::Variable(number) = self.study.lanes.get(register)
+                && self.study.lanes.parameter(register).is_none()
+            {
+                let variable = self.frame.variable(number);
+                self.load(register);
+                self.code().local_set(variable);
             }
         }
     }
 
-    /// The end: where a program comes to that stops.
-    fn stop_here(&mut self, number: u32) {
-        self.write_numbers();
-        self.write_record(number);
-        self.code().i32_const(1).local_get(local::BUDGET).end();
+    /// The numbers of a new frame, but for parameters.
+    pub(crate) fn begin_anew(&mut self) {
+        let given: Vec<u32> = parameters(self.program).collect();
+        for (register, lane) in self.study.lanes.iter().filter(|(register, _)| !given.contains(&u32::from(*register))) {
+            let value = number(self.program, register).unwrap_or_default();
+            match lane {
+                Lane::Variable(number) => {
+                    let variable = self.frame.variable(number);
+                    self.code().f64_const(value.into()).local_set(variable);
+                }
+                Lane::Memory => {
+                    let at = self.at(register);
+                    self.code().local_get(local::BASE).f64_const(value.into()).f64_store(at);
+                }
+                Lane::Constant(_) => {}
+            }
+        }
     }
 
-    /// The numbers of the frame go where the interpreter looks for them.
-    fn write_numbers(&mut self) {
-        for (register, lane) in self.lanes.iter() {
+    /// The program has stopped: its numbers go where the interpreter looks for them, and a record tells where it is.
+    pub(crate) fn write_frame(&mut self) {
+        for (register, lane) in self.study.lanes.iter() {
             if lane != Lane::Memory {
                 self.code().local_get(local::BASE);
                 self.get(register);
-                self.code().f64_store(number_at(register));
+                let at = self.at(register);
+                self.code().f64_store(at);
             }
         }
-    }
-
-    /// A record tells where the program has stopped.
-    fn write_record(&mut self, number: u32) {
         let field = |number: u32| whole_at(RECORDS + number * 4);
+        let (number, line) = (i32::from(self.number), self.frame.line);
         self.code().i32_const(0).i32_load(whole_at(STOPPED)).local_tee(local::I);
         self.code().i32_const(RECORD.cast_signed()).i32_mul().local_tee(local::J);
-        self.code().i32_const(number.cast_signed()).i32_store(field(0));
+        self.code().i32_const(number).i32_store(field(0));
         self.code().local_get(local::J).local_get(local::STEP).i32_store(field(1));
-        self.code().local_get(local::J).local_get(local::LINE).i32_store(field(2));
+        self.code().local_get(local::J).local_get(line).i32_store(field(2));
         self.code().i32_const(0).local_get(local::I).i32_const(1).i32_add().i32_store(whole_at(STOPPED));
     }
 
+    /// Where a number of the frame is in memory, from the address of the function's frame on.
+    fn at(&self, register: Register) -> MemArg {
+        bytes_behind(self.frame.numbers + u32::from(register) * 8)
+    }
+
     fn load(&mut self, register: Register) {
-        self.code().local_get(local::BASE).f64_load(number_at(register));
+        let at = self.at(register);
+        self.code().local_get(local::BASE).f64_load(at);
     }
 
     /// Adds an instruction behind the code so far.
     pub(crate) fn add(&mut self, instruction: &Instruction<'_>) {
-        self.code.instruction(instruction);
+        self.draft.add(instruction);
     }
 
     /// A number of the frame.
     pub(crate) fn get(&mut self, register: Register) {
-        match self.lanes.get(register) {
+        match self.study.lanes.get(register) {
             Lane::Constant(value) => {
                 self.code().f64_const(value.into());
             }
-            Lane::Variable(variable) => {
+            Lane::Variable(number) => {
+                let variable = self.frame.variable(number);
                 self.code().local_get(variable);
             }
             Lane::Memory => self.load(register),
@@ -210,19 +220,21 @@ impl Body<'_> {
 
     /// Writes a number of the frame.
     pub(crate) fn set(&mut self, register: Register, value: impl FnOnce(&mut Self)) {
-        match self.lanes.get(register) {
+        match self.study.lanes.get(register) {
             Lane::Constant(_) => {
                 value(self);
                 self.code().drop();
             }
-            Lane::Variable(variable) => {
+            Lane::Variable(number) => {
+                let variable = self.frame.variable(number);
                 value(self);
                 self.code().local_set(variable);
             }
             Lane::Memory => {
+                let at = self.at(register);
                 self.code().local_get(local::BASE);
                 value(self);
-                self.code().f64_store(number_at(register));
+                self.code().f64_store(at);
             }
         }
     }
@@ -230,7 +242,12 @@ impl Body<'_> {
 
 /// A number behind an address.
 pub(crate) fn number_at(lane: u16) -> MemArg {
-    MemArg { offset: u64::from(lane) * 8, align: 3, memory_index: 0 }
+    bytes_behind(u32::from(lane) * 8)
+}
+
+/// A number so many bytes behind an address.
+pub(crate) fn bytes_behind(offset: u32) -> MemArg {
+    MemArg { offset: offset.into(), align: 3, memory_index: 0 }
 }
 
 /// A whole number behind an address.

@@ -116,7 +116,7 @@ impl Body<'_> {
     fn index(&mut self, variable: u32, index: Register, size: u32) {
         const BEYOND: f64 = (1_u64 << 52) as f64;
         self.get(index);
-        if !self.whole.has(index) {
+        if !self.study.whole.has(index) {
             self.code().f64_const(BELOW_HALF.into()).f64_add().f64_floor();
         }
         self.code().f64_const(BEYOND.into()).f64_add().i64_reinterpret_f64();

@@ -32,11 +32,12 @@ pub(crate) struct Flow {
 }
 
 impl Flow {
-    /// `has_code` tells which operations machine code does; it stops before all others.
-    pub(crate) fn of(program: &Program, has_code: impl Fn(Op) -> bool) -> Self {
+    /// `has_code` tells which operations machine code does; it stops before all others. `calls` tells behind which of
+    /// them another function takes lines.
+    pub(crate) fn of(program: &Program, has_code: impl Fn(Op) -> bool, calls: impl Fn(Op) -> bool) -> Self {
         let count = u32::try_from(program.code.len()).unwrap_or(u32::MAX);
         let mut flow = Self { blocks: BTreeMap::new() };
-        for (first, lines) in blocks(&program.code, &has_code) {
+        for (first, lines) in blocks(&program.code, &has_code, calls) {
             flow.blocks.insert(first, Block { lines, line: None });
         }
         flow.follow_lines(program, count, has_code);
@@ -80,7 +81,7 @@ impl Flow {
 }
 
 /// The first steps of all blocks, with the lines that begin in each.
-fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
+fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool, calls: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
     let targets: BTreeSet<u32> = code.iter().filter_map(|step| target(step.op)).collect();
     let mut blocks: Vec<(u32, u32)> = Vec::new();
     let mut begins = true;
@@ -91,7 +92,8 @@ fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
             _ => blocks.push((number, line)),
         }
         let is_full = blocks.last().is_some_and(|(_, lines)| *lines >= MOST_LINES);
-        begins = !has_code(step.op) || ends_block(step.op, number) || is_full && target(step.op).is_some();
+        let goes_on = has_code(step.op) && !calls(step.op) && !ends_block(step.op, number);
+        begins = !goes_on || is_full && target(step.op).is_some();
     }
     blocks
 }
@@ -108,10 +110,10 @@ pub(crate) fn target(mut op: Op) -> Option<u32> {
     }
 }
 
-/// A block ends with a step that never leads to the next, behind which another program takes lines, or by which a loop
-/// is repeated: its lines are not to be counted with those that follow it.
+/// A block ends with a step that never leads to the next, or by which a loop is repeated: its lines are not to be counted
+/// with those that follow it.
 fn ends_block(op: Op, number: u32) -> bool {
-    matches!(op, Op::Jump { .. } | Op::Return | Op::Call { .. }) || target(op).is_some_and(|to| to <= number)
+    matches!(op, Op::Jump { .. } | Op::Return) || target(op).is_some_and(|to| to <= number)
 }
 
 #[cfg(test)]
@@ -120,7 +122,7 @@ mod tests {
 
     fn blocks_of(ops: &[Op]) -> Vec<(u32, u32)> {
         let code: Vec<Step> = ops.iter().map(|op| Step { op: *op, line: true }).collect();
-        blocks(&code, |op| op != Op::Line)
+        blocks(&code, |op| op != Op::Line, |op| matches!(op, Op::Call { .. }))
     }
 
     #[test]

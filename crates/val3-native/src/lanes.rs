@@ -2,7 +2,7 @@
 
 use val3_bytecode::{CallSite, Image, Operand, Pass, Passing, Program, ProgramRef, Register};
 
-use crate::local;
+use crate::local::NUMBERS_GIVEN;
 use crate::operands::registers;
 
 /// Where machine code has a number of a frame.
@@ -10,9 +10,10 @@ use crate::operands::registers;
 pub(crate) enum Lane {
     /// Nowhere: it is always this one.
     Constant(f64),
-    /// In a variable of its own or a parameter, from the entry of the program to its exit.
+    /// In a variable of its own, from the entry of the program to its exit: the one with this number among those of
+    /// the program. The first [`NUMBERS_GIVEN`] are parameters.
     Variable(u32),
-    /// In memory: a program that is called may change it by reference, or machine code has no use for it.
+    /// In memory: machine code has no use for it.
     Memory,
 }
 
@@ -23,11 +24,12 @@ impl Lanes {
     /// Sorts the numbers of a frame.
     pub(crate) fn of(program: &Program, image: &Image) -> Self {
         let mut lanes = vec![Lane::Memory; program.frame.lanes.num as usize];
-        let given: Vec<u32> = parameters(program).take(local::NUMBERS_GIVEN).collect();
-        let mut variables = local::LANES..;
-        for register in program.code.iter().flat_map(|step| registers(step.op)) {
-            if let Some(lane @ Lane::Memory) = lanes.get_mut(usize::from(register)) {
-                let parameter = (local::GIVEN..).zip(&given).find(|(_, given)| **given == u32::from(register));
+        let mut variables = NUMBERS_GIVEN..;
+        let used = program.code.iter().flat_map(|step| registers(step.op)).map(u32::from);
+        for register in used.chain(referred(program, image)) {
+            if let Some(lane @ Lane::Memory) = lanes.get_mut(register as usize) {
+                let mut parameters = (0..NUMBERS_GIVEN).zip(parameters(program));
+                let parameter = parameters.find(|(_, given)| *given == register);
                 let variable = parameter.map(|(parameter, _)| parameter).or_else(|| variables.next());
                 *lane = variable.map_or(Lane::Memory, Lane::Variable);
             }
@@ -37,10 +39,6 @@ impl Lanes {
                 *lane = Lane::Constant(value);
             }
         }
-        for (start, count) in program.calls.iter().flat_map(|site| referred(site, image)) {
-            let start = start as usize;
-            lanes.iter_mut().skip(start).take(count as usize).for_each(|lane| *lane = Lane::Memory);
-        }
         Self(lanes)
     }
 
@@ -48,16 +46,16 @@ impl Lanes {
         self.0.get(usize::from(register)).copied().unwrap_or(Lane::Memory)
     }
 
-    /// How many variables there are besides the parameters; some of them may be in use for nothing.
+    /// How many variables there are, with [`NUMBERS_GIVEN`] parameters; some of them may be in use for nothing.
     pub(crate) fn variables(&self) -> u32 {
         let ends = self.iter().map(|(_, lane)| if let Lane::Variable(at) = lane { at + 1 } else { 0 });
-        ends.max().unwrap_or_default().saturating_sub(local::LANES)
+        ends.max().unwrap_or_default().max(NUMBERS_GIVEN)
     }
 
     /// Which of the numbers that are given as parameters a register has.
-    pub(crate) fn parameter(&self, register: Register) -> Option<usize> {
+    pub(crate) fn parameter(&self, register: Register) -> Option<u32> {
         match self.get(register) {
-            Lane::Variable(at) if at < local::LANES => Some((at - local::GIVEN) as usize),
+            Lane::Variable(at) if at < NUMBERS_GIVEN => Some(at),
             _ => None,
         }
     }
@@ -80,15 +78,20 @@ pub(crate) fn parameters(program: &Program) -> impl Iterator<Item = u32> + '_ {
     })
 }
 
-/// The numbers of the caller that a program gets by reference: where they begin, and how many.
-fn referred<'i>(site: &'i CallSite, image: &'i Image) -> impl Iterator<Item = (u32, u32)> + 'i {
+/// The numbers of its frame that a program passes by reference.
+pub(crate) fn referred<'p>(program: &'p Program, image: &'p Image) -> impl Iterator<Item = u32> + 'p {
+    program.calls.iter().flat_map(|site| referred_by(site, image))
+}
+
+fn referred_by<'i>(site: &'i CallSite, image: &'i Image) -> impl Iterator<Item = u32> + 'i {
     let callee = match site.program {
         ProgramRef::Own(number) => image.programs.get(usize::from(number)),
         ProgramRef::Import(_) => None,
     };
     let params = callee.map(|callee| callee.params.as_slice()).unwrap_or_default();
-    params.iter().zip(site.passes.iter().flatten()).filter_map(|(param, pass)| match pass {
-        Pass::Reference(Operand::Frame(lanes), _) => Some((lanes.num, param.kind.size.num)),
+    let numbers = params.iter().zip(site.passes.iter().flatten()).filter_map(|(param, pass)| match pass {
+        Pass::Reference(Operand::Frame(lanes), _) => Some(lanes.num..lanes.num + param.kind.size.num),
         _ => None,
-    })
+    });
+    numbers.flatten()
 }

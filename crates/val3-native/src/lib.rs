@@ -9,10 +9,13 @@
 mod body;
 mod calls;
 mod containers;
+mod draft;
 mod elements;
 mod exchange;
 mod flow;
+mod frame;
 mod functions;
+mod inline;
 mod known;
 mod lanes;
 mod layout;
@@ -21,9 +24,11 @@ mod machinery;
 mod module;
 mod operands;
 mod operations;
+mod references;
 mod regions;
 mod sine;
 mod stretch;
+mod study;
 mod ways;
 mod whole;
 

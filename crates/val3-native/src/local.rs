@@ -1,4 +1,6 @@
-//! The parameters and variables of the function that a program becomes, by number.
+//! The parameters of the function that a program becomes, and the variables that every function has, by number.
+
+use wasm_encoder::ValType::{self, F64, I32, I64};
 
 /// The address of the numbers of its frame.
 pub(crate) const BASE: u32 = 0;
@@ -13,42 +15,34 @@ pub(crate) const BUDGET: u32 = 3;
 pub(crate) const GIVEN: u32 = 4;
 
 /// How many of them are parameters of the function; a program need not have so many. The others are in memory.
-pub(crate) const NUMBERS_GIVEN: usize = 4;
+pub(crate) const NUMBERS_GIVEN: u32 = 4;
+
+/// How many parameters there are.
+pub(crate) const PARAMETERS: u32 = GIVEN + NUMBERS_GIVEN;
 
 /// The frame has its numbers, and words in memory tell where to begin.
 pub(crate) const AGAIN: u32 = 1 << 31;
 
 /// Where to begin; later where a loop begins that is entered on the way.
 pub(crate) const NEXT: u32 = 8;
-/// The first step of the line at hand.
-pub(crate) const LINE: u32 = 9;
 /// The step that the interpreter goes on with.
-pub(crate) const STEP: u32 = 10;
+pub(crate) const STEP: u32 = 9;
 /// An address, for the time of one operation.
-pub(crate) const ADDRESS: u32 = 11;
+pub(crate) const ADDRESS: u32 = 10;
 /// A whole number, for the time of one operation.
-pub(crate) const I: u32 = 12;
+pub(crate) const I: u32 = 11;
 /// Another.
-pub(crate) const J: u32 = 13;
-
-/// How many variables are whole numbers.
-pub(crate) const WHOLE: u32 = 6;
+pub(crate) const J: u32 = 12;
 
 /// An index, for the time of one operation.
-pub(crate) const ROW: u32 = 14;
+pub(crate) const ROW: u32 = 13;
 /// Another.
-pub(crate) const COLUMN: u32 = 15;
-
-/// How many variables are indexes.
-pub(crate) const INDEXES: u32 = 2;
+pub(crate) const COLUMN: u32 = 14;
 
 /// A number, for the time of one operation.
-pub(crate) const A: u32 = 16;
+pub(crate) const A: u32 = 15;
 /// Another.
-pub(crate) const B: u32 = 17;
+pub(crate) const B: u32 = 16;
 
-/// How many variables are numbers for the time of one operation.
-pub(crate) const NUMBERS: u32 = 2;
-
-/// The first number of the frame.
-pub(crate) const LANES: u32 = 18;
+/// The types of the variables above.
+pub(crate) const VARIABLES: [ValType; 9] = [I32, I32, I32, I32, I32, I64, I64, F64, F64];

@@ -60,7 +60,7 @@ impl Machinery {
             let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
             if let Some(program) = image.programs.get(usize::from(*number)) {
                 let steps = Regions::of(program).entries().clone();
-                let whole = WholeNumbers::of(program, &Lanes::of(program, image));
+                let whole = WholeNumbers::of(program, image, &Lanes::of(program, image));
                 programs.insert(*number, Entrance { entry, steps, whole });
             }
         }

@@ -4,7 +4,7 @@ use val3_bytecode::{Op, Program, Register};
 use wasm_encoder::Instruction;
 use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
 
-use crate::body::{Body, Surroundings, number_at, whole_at};
+use crate::body::{Body, Surroundings};
 use crate::calls::callee;
 use crate::lanes::Lane;
 use crate::local;
@@ -83,18 +83,8 @@ impl Body<'_> {
             Op::LessEqual { to, a, b } => self.compute(to, (a, b), &[F64Le, F64ConvertI32U]),
             Op::Equal { to, a, b } => self.compute(to, (a, b), &[F64Eq, F64ConvertI32U]),
             Op::NotEqual { to, a, b } => self.compute(to, (a, b), &[F64Ne, F64ConvertI32U]),
-            Op::Load { to, place, lane } => {
-                self.referred(place);
-                self.set(to, |body| {
-                    body.code().local_get(local::ADDRESS).f64_load(number_at(lane));
-                });
-            }
-            Op::Store { place, lane, from } => {
-                self.referred(place);
-                self.code().local_get(local::ADDRESS);
-                self.get(from);
-                self.code().f64_store(number_at(lane));
-            }
+            Op::Load { to, place, lane } => self.load_referred(to, place, lane),
+            Op::Store { place, lane, from } => self.store_referred(place, lane, from),
             Op::ForTest { counter, limit, exit } => {
                 self.is_beyond(counter, limit);
                 self.jump_if(exit);
@@ -166,7 +156,7 @@ impl Body<'_> {
 
     /// To divide by a power of two is to multiply with its inverse, to the last bit.
     fn divide(&mut self, to: Register, a: Register, b: Register) {
-        match self.lanes.get(b) {
+        match self.study.lanes.get(b) {
             Lane::Constant(divisor) if is_power_of_two(divisor) => self.set(to, |body| {
                 body.get(a);
                 body.code().f64_const((1.0 / divisor).into()).f64_mul();
@@ -183,9 +173,9 @@ impl Body<'_> {
     /// The remainder by a whole number: that of the whole part, and the fraction, which is exact. Others, and those of
     /// numbers that are no `i32`, are left to the interpreter.
     fn remainder(&mut self, to: Register, a: Register, b: Register) {
-        match self.lanes.get(b) {
+        match self.study.lanes.get(b) {
             Lane::Constant(divisor) if is_whole(divisor) && divisor != 0.0 => {
-                if self.whole.has(a) {
+                if self.study.whole.has(a) {
                     self.whole_remainder_by(to, a, divisor.abs());
                 } else {
                     self.remainder_by(to, a, divisor.abs());
@@ -250,13 +240,6 @@ impl Body<'_> {
             body.get(a);
             body.code().f64_copysign();
         });
-    }
-
-    /// The address of the number that a place refers to.
-    pub(crate) fn referred(&mut self, place: Register) {
-        let at = whole_at(u32::from(place) * 4);
-        self.code().local_get(local::PLACES).i32_load(at).local_tee(local::ADDRESS).i32_eqz();
-        self.when(Self::leave_it);
     }
 }
 

@@ -11,7 +11,7 @@ impl Body<'_> {
     /// All steps.
     pub(crate) fn steps(&mut self) {
         self.open_block(Label::Stop);
-        self.open_region(self.regions.program());
+        self.open_region(self.study.regions.program());
         let mut is_dead = false;
         for (step, number) in self.program.code.iter().zip(0..) {
             is_dead = !self.arrive(number, is_dead);
@@ -21,17 +21,17 @@ impl Body<'_> {
             }
         }
         self.code().unreachable();
-        while self.labels.pop().is_some() {
-            self.code().end();
+        while self.labels.last().is_some_and(|label| *label != Label::Ended) {
+            self.close();
         }
     }
 
-    fn open_block(&mut self, label: Label) {
+    pub(crate) fn open_block(&mut self, label: Label) {
         self.code().block(BlockType::Empty);
         self.labels.push(label);
     }
 
-    fn close(&mut self) {
+    pub(crate) fn close(&mut self) {
         self.code().end();
         self.labels.pop();
     }
@@ -55,8 +55,8 @@ impl Body<'_> {
 
     /// Goes to a step by which a region is entered. Where that is the head of another, it leads on.
     fn enter(&mut self, region: &Region, entry: u32) {
-        let label = self.regions.label(region, entry);
-        let leads_on = self.regions.at(entry).is_some_and(|inner| !inner.begins_at_head());
+        let label = self.study.regions.label(region, entry);
+        let leads_on = self.study.regions.at(entry).is_some_and(|inner| !inner.begins_at_head());
         let is_here = label == entry && (region.head == entry || !leads_on);
         if is_here {
             self.code().i32_const(0).local_set(local::NEXT);
@@ -69,7 +69,7 @@ impl Body<'_> {
     /// Comes to a step, on the way from the one before unless that `is_dead`. Whether any way leads there.
     fn arrive(&mut self, step: u32, is_dead: bool) -> bool {
         while let Some(Label::Loop(head)) = self.labels.last()
-            && self.regions.at(*head).is_none_or(|region| region.end <= step)
+            && self.study.regions.at(*head).is_none_or(|region| region.end <= step)
         {
             self.close();
         }
@@ -81,7 +81,7 @@ impl Body<'_> {
             self.close();
             is_reached = true;
         }
-        if let Some(region) = self.regions.at(step) {
+        if let Some(region) = self.study.regions.at(step) {
             self.code().loop_(BlockType::Empty);
             self.labels.push(Label::Loop(step));
             self.open_region(region);
@@ -94,7 +94,7 @@ impl Body<'_> {
 
     /// Takes the lines of a block from the budget, if one begins here.
     fn begin_block(&mut self, step: u32) {
-        let Some(block) = self.flow.block(step) else { return };
+        let Some(block) = self.study.flow.block(step) else { return };
         (self.line, self.ahead) = (block.line.unwrap_or(LineBefore::Kept), block.lines);
         if block.lines > 0 {
             let lines = block.lines.cast_signed();
@@ -114,7 +114,7 @@ impl Body<'_> {
     }
 
     /// How many labels are within this one.
-    fn depth(&self, label: Label) -> Option<u32> {
+    pub(crate) fn depth(&self, label: Label) -> Option<u32> {
         let within = self.labels.iter().rev().position(|known| *known == label)?;
         u32::try_from(within).ok()
     }
@@ -135,6 +135,16 @@ impl Body<'_> {
         self.close();
     }
 
+    /// What is done if the condition on the stack holds, and what if not.
+    pub(crate) fn when_else(&mut self, act: impl FnOnce(&mut Self), other: impl FnOnce(&mut Self)) {
+        self.code().if_(BlockType::Empty);
+        self.labels.push(Label::Condition);
+        act(self);
+        self.code().else_();
+        other(self);
+        self.close();
+    }
+
     /// Goes on at another step, and gives back the lines of the block that have not begun.
     pub(crate) fn jump(&mut self, to: u32) {
         self.give_back(self.ahead);
@@ -143,7 +153,7 @@ impl Body<'_> {
         let label = if to <= from { Label::Loop(to) } else { Label::Step(to) };
         if let Some(out) = self.depth(label) {
             self.code().br(out);
-        } else if let Some(out) = self.depth(Label::Step(self.regions.way(from, to))) {
+        } else if let Some(out) = self.depth(Label::Step(self.study.regions.way(from, to))) {
             self.code().i32_const(name(to).cast_signed()).local_set(local::NEXT).br(out);
         } else {
             self.stop_at(to);
@@ -157,14 +167,15 @@ impl Body<'_> {
 
     /// The line at hand goes to its variable where the block that follows looks for it there.
     fn keep_line(&mut self, next: u32) {
-        if self.flow.block(next).is_some_and(|block| block.line == Some(LineBefore::Kept)) {
+        if self.study.flow.block(next).is_some_and(|block| block.line == Some(LineBefore::Kept)) {
             self.write_line();
         }
     }
 
     fn write_line(&mut self) {
         if let LineBefore::Known(line) = self.line {
-            self.code().i32_const(line.cast_signed()).local_set(local::LINE);
+            let kept = self.frame.line;
+            self.code().i32_const(line.cast_signed()).local_set(kept);
         }
     }
 
@@ -182,7 +193,7 @@ impl Body<'_> {
         self.stop_at(number);
     }
 
-    fn give_back(&mut self, lines: u32) {
+    pub(crate) fn give_back(&mut self, lines: u32) {
         if lines > 0 {
             self.code().local_get(local::BUDGET).i32_const(lines.cast_signed()).i32_add().local_set(local::BUDGET);
         }

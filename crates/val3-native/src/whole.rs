@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::{Op, Program, Register};
+use val3_bytecode::{Image, Op, Program, Register};
 use val3_lang::number_functions::NumberFunction;
 
-use crate::lanes::{Lane, Lanes, number, parameters};
+use crate::lanes::{Lane, Lanes, number, parameters, referred};
 
 /// The registers of one program in which machine code only puts whole numbers, or what is no number at all.
 #[derive(Debug)]
@@ -13,8 +13,9 @@ pub(crate) struct WholeNumbers(Vec<Register>);
 
 impl WholeNumbers {
     /// Supposes it of all variables, and takes out those in which a step may put something else, until none is left.
-    pub(crate) fn of(program: &Program, lanes: &Lanes) -> Self {
-        let given: Vec<u32> = parameters(program).collect();
+    /// Programs that are called may put anything in what they get by reference.
+    pub(crate) fn of(program: &Program, image: &Image, lanes: &Lanes) -> Self {
+        let given: Vec<u32> = parameters(program).chain(referred(program, image)).collect();
         let begins_whole = |register: Register| !number(program, register).is_some_and(has_fraction);
         let can_be = |(register, lane): &(Register, Lane)| match lane {
             Lane::Variable(_) => !given.contains(&u32::from(*register)) && begins_whole(*register),

@@ -1,0 +1,66 @@
+//! The frame of a program within a function: where it is in memory, and which variables have what is in it.
+
+use wasm_encoder::ValType;
+
+use crate::draft::Draft;
+use crate::lanes::Lanes;
+use crate::local::{GIVEN, NUMBERS_GIVEN};
+
+/// The frame of a program within a function.
+pub(crate) struct Frame {
+    /// How far behind the frame of the function it is, in bytes: numbers, places, and of the declared stack.
+    pub(crate) numbers: u32,
+    pub(crate) places: u32,
+    pub(crate) taken: u32,
+    /// The variables of its [lanes](crate::lanes::Lane).
+    pub(crate) variables: Vec<u32>,
+    /// The variable with the line at hand.
+    pub(crate) line: u32,
+    /// What its places refer to, where the function knows it.
+    pub(crate) references: Vec<Option<Reference>>,
+    /// On how many levels calls become the code of what they call.
+    pub(crate) levels: u32,
+}
+
+/// What a parameter by reference refers to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) enum Reference {
+    /// A number whose address is in a variable.
+    Address(u32),
+    /// Numbers of a frame of the function.
+    Variables(Variables),
+}
+
+/// Numbers of a frame of the function, which are in variables and have a place in memory.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Variables {
+    /// Where they are in memory, in bytes from the frame of the function on.
+    pub(crate) at: u32,
+    pub(crate) numbers: Vec<u32>,
+}
+
+impl Frame {
+    /// The frame of the program that the function belongs to.
+    pub(crate) fn of_function(lanes: &Lanes, levels: u32, draft: &mut Draft) -> Self {
+        let mut frame = Self::new(lanes, levels, draft);
+        frame.variables.iter_mut().zip(GIVEN..GIVEN + NUMBERS_GIVEN).for_each(|(variable, given)| *variable = given);
+        frame
+    }
+
+    /// A frame with variables of its own.
+    pub(crate) fn new(lanes: &Lanes, levels: u32, draft: &mut Draft) -> Self {
+        let line = draft.variable(ValType::I32);
+        let variables = (0..lanes.variables()).map(|_| draft.variable(ValType::F64)).collect();
+        Self { numbers: 0, places: 0, taken: 0, variables, line, references: Vec::new(), levels }
+    }
+
+    /// The variable of a lane.
+    pub(crate) fn variable(&self, number: u32) -> u32 {
+        self.variables.get(number as usize).copied().unwrap_or_default()
+    }
+
+    /// What a place refers to; `None` where only memory knows.
+    pub(crate) fn reference(&self, place: u32) -> Option<&Reference> {
+        self.references.get(place as usize)?.as_ref()
+    }
+}

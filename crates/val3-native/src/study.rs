@@ -1,0 +1,30 @@
+//! What is found out about a program before its code is written.
+
+use val3_bytecode::Program;
+
+use crate::body::Surroundings;
+use crate::calls::callee;
+use crate::flow::Flow;
+use crate::lanes::Lanes;
+use crate::operations::has_code;
+use crate::regions::Regions;
+use crate::whole::WholeNumbers;
+
+/// What is found out about a program.
+pub(crate) struct Study {
+    pub(crate) lanes: Lanes,
+    pub(crate) regions: Regions,
+    pub(crate) flow: Flow,
+    pub(crate) whole: WholeNumbers,
+}
+
+impl Study {
+    /// Calls become the code of what they call on so many [levels](crate::inline::levels).
+    pub(crate) fn of(module: &Surroundings<'_>, program: &Program, levels: u32) -> Self {
+        let lanes = Lanes::of(program, module.image);
+        let whole = WholeNumbers::of(program, module.image, &lanes);
+        let calls_function = |op| callee(module, program, op).is_some_and(|call| !call.is_inlined(levels));
+        let flow = Flow::of(program, |op| has_code(module, program, op), calls_function);
+        Self { lanes, regions: Regions::of(program), flow, whole }
+    }
+}
