@@ -88,7 +88,7 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
         ahead: 0,
     };
     body.begin();
-    body.steps();
+    body.steps(None);
     body.write_frame();
     body.code().i32_const(1).local_get(local::BUDGET).end();
     Some(draft.finish())

@@ -6,7 +6,7 @@ use wasm_encoder::ValType::{self, F64, I32};
 
 use crate::body::{Body, Label, Surroundings, number_at, whole_at};
 use crate::functions::FIRST;
-use crate::inline;
+use crate::inline::{self, Becomes};
 use crate::lanes::Lanes;
 use crate::layout::NUMBERS;
 use crate::local;
@@ -61,24 +61,41 @@ impl Body<'_> {
                 self.referred(*place);
             }
         }
-        let is_inlined = call.is_inlined(self.frame.levels);
-        match (is_inlined, self.frame.taken) {
-            (true, 0) => {
+        match call.becomes(self.frame.levels) {
+            Becomes::Function => {
+                self.check_room(&call);
+                self.call_function(&call);
+            }
+            Becomes::Opening(opening) => {
+                self.check_room(&call);
+                self.inline_opening(&call, opening);
+            }
+            Becomes::Code if self.frame.taken > 0 => self.inline(&call),
+            Becomes::Code => {
                 let most = inline::most_taken(self.module, &call, self.frame.levels);
                 self.code().local_get(local::ROOM).i32_const(most.cast_signed()).i32_lt_u();
-                self.when_else(|body| body.call_function(&call), |body| body.inline(&call));
+                self.when_else(
+                    |body| {
+                        body.check_room(&call);
+                        body.call_function(&call);
+                    },
+                    |body| body.inline(&call),
+                );
             }
-            (true, _) => self.inline(&call),
-            (false, _) => self.call_function(&call),
         }
     }
 
-    fn call_function(&mut self, call: &Call<'_>) {
-        let taken = self.frame.taken + call.callee.stack_bytes;
+    /// Where there is no room for a frame, the interpreter raises the error.
+    fn check_room(&mut self, call: &Call<'_>) {
         if self.frame.taken == 0 {
-            self.code().local_get(local::ROOM).i32_const(taken.cast_signed()).i32_lt_u();
+            self.code().local_get(local::ROOM).i32_const(call.callee.stack_bytes.cast_signed()).i32_lt_u();
             self.when(Self::leave_it);
         }
+    }
+
+    /// The call of the function of a program.
+    pub(crate) fn call_function(&mut self, call: &Call<'_>) {
+        let taken = self.frame.taken + call.callee.stack_bytes;
         let size = &self.program.frame;
         let numbers = self.frame.numbers + size.lanes.num * 8;
         let places = self.frame.places + size.places * 4;

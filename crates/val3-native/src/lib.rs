@@ -16,6 +16,7 @@ mod flow;
 mod frame;
 mod functions;
 mod inline;
+mod insert;
 mod known;
 mod lanes;
 mod layout;

@@ -5,6 +5,7 @@ use val3_bytecode::Program;
 use crate::body::Surroundings;
 use crate::calls::callee;
 use crate::flow::Flow;
+use crate::inline::Becomes;
 use crate::lanes::Lanes;
 use crate::operations::has_code;
 use crate::regions::Regions;
@@ -23,7 +24,7 @@ impl Study {
     pub(crate) fn of(module: &Surroundings<'_>, program: &Program, levels: u32) -> Self {
         let lanes = Lanes::of(program, module.image);
         let whole = WholeNumbers::of(program, module.image, &lanes);
-        let calls_function = |op| callee(module, program, op).is_some_and(|call| !call.is_inlined(levels));
+        let calls_function = |op| callee(module, program, op).is_some_and(|call| call.becomes(levels) != Becomes::Code);
         let flow = Flow::of(program, |op| has_code(module, program, op), calls_function);
         Self { lanes, regions: Regions::of(program), flow, whole }
     }

@@ -8,12 +8,13 @@ use crate::local;
 use crate::regions::Region;
 
 impl Body<'_> {
-    /// All steps.
-    pub(crate) fn steps(&mut self) {
+    /// All steps, or those before the one behind which a label is that a jump to it leaves.
+    pub(crate) fn steps(&mut self, end: Option<u32>) {
+        let around = self.labels.len();
         self.open_block(Label::Stop);
         self.open_region(self.study.regions.program());
         let mut is_dead = false;
-        for (step, number) in self.program.code.iter().zip(0..) {
+        for (step, number) in self.program.code.iter().zip(0..end.unwrap_or(u32::MAX)) {
             is_dead = !self.arrive(number, is_dead);
             if !is_dead {
                 self.step = (*step, number);
@@ -21,7 +22,7 @@ impl Body<'_> {
             }
         }
         self.code().unreachable();
-        while self.labels.last().is_some_and(|label| *label != Label::Ended) {
+        while self.labels.len() > around {
             self.close();
         }
     }
@@ -39,7 +40,9 @@ impl Body<'_> {
     /// Opens the blocks that end in a region, and leads on to where it is entered.
     fn open_region(&mut self, region: &Region) {
         for label in region.labels.iter().rev() {
-            self.open_block(Label::Step(*label));
+            if !self.labels.contains(&Label::Step(*label)) {
+                self.open_block(Label::Step(*label));
+            }
         }
         if region.begins_at_head() {
             return;
