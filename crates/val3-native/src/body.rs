@@ -73,7 +73,7 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     let study = Study::of(module, program, levels);
     let mut draft = Draft::new();
     let known = Known::of(&inline::with_inlined(module, program, levels), module.shared, &mut draft);
-    let frame = Frame::of_function(&study.lanes, levels, &mut draft);
+    let frame = Frame::of_function(&study, levels, &mut draft);
     let mut body = Body {
         module,
         program,
@@ -120,10 +120,8 @@ impl Body<'_> {
         let line = self.frame.line;
         self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(line);
         for (register, lane) in self.study.lanes.iter() {
-            if let Lane::Variable(number) = lane {
-                let variable = self.frame.variable(number);
-                self.load(register);
-                self.code().local_set(variable);
+            if let Lane::Variable(_) = lane {
+                self.set(register, |body| body.load(register));
             }
         }
     }
@@ -148,10 +146,7 @@ impl Body<'_> {
         for (register, lane) in self.study.lanes.iter().filter(|(register, _)| !given.contains(&u32::from(*register))) {
             let value = number(self.program, register).unwrap_or_default();
             match lane {
-                Lane::Variable(number) => {
-                    let variable = self.frame.variable(number);
-                    self.code().f64_const(value.into()).local_set(variable);
-                }
+                Lane::Variable(_) => self.set(register, |body| _ = body.code().f64_const(value.into())),
                 Lane::Memory => {
                     let at = self.at(register);
                     self.code().local_get(local::BASE).f64_const(value.into()).f64_store(at);
@@ -182,11 +177,11 @@ impl Body<'_> {
     }
 
     /// Where a number of the frame is in memory, from the address of the function's frame on.
-    fn at(&self, register: Register) -> MemArg {
+    pub(crate) fn at(&self, register: Register) -> MemArg {
         bytes_behind(self.frame.numbers + u32::from(register) * 8)
     }
 
-    fn load(&mut self, register: Register) {
+    pub(crate) fn load(&mut self, register: Register) {
         let at = self.at(register);
         self.code().local_get(local::BASE).f64_load(at);
     }
@@ -196,47 +191,12 @@ impl Body<'_> {
         self.draft.add(instruction);
     }
 
-    /// A number of the frame.
-    pub(crate) fn get(&mut self, register: Register) {
-        match self.study.lanes.get(register) {
-            Lane::Constant(value) => {
-                self.code().f64_const(value.into());
-            }
-            Lane::Variable(number) => {
-                let variable = self.frame.variable(number);
-                self.code().local_get(variable);
-            }
-            Lane::Memory => self.load(register),
-        }
-    }
-
     /// A field of a description.
     pub(crate) fn field(&mut self, at: u32) {
         match self.known.variables().find(|(known, _)| *known == at) {
             Some((_, variable)) => self.code().local_get(variable),
             None => self.code().i32_const(0).i32_load(whole_at(at)),
         };
-    }
-
-    /// Writes a number of the frame.
-    pub(crate) fn set(&mut self, register: Register, value: impl FnOnce(&mut Self)) {
-        match self.study.lanes.get(register) {
-            Lane::Constant(_) => {
-                value(self);
-                self.code().drop();
-            }
-            Lane::Variable(number) => {
-                let variable = self.frame.variable(number);
-                value(self);
-                self.code().local_set(variable);
-            }
-            Lane::Memory => {
-                let at = self.at(register);
-                self.code().local_get(local::BASE);
-                value(self);
-                self.code().f64_store(at);
-            }
-        }
     }
 }
 

@@ -51,25 +51,27 @@ impl Body<'_> {
 
     /// Reads a number of the value at the address.
     fn load_value(&mut self, to: Register, whole: Whole, lane: u16) {
-        let width = self.width(whole);
-        self.set(to, |body| {
-            let mut code = body.code();
-            code.local_get(local::ADDRESS);
-            match width {
-                Width::Byte => code.i32_load8_u(BYTE).f64_convert_i32_u(),
-                Width::Eight => code.f64_load(number_at(lane)),
-            };
-        });
+        match self.width(whole) {
+            Width::Byte => self.set_truth(to, |body| _ = body.code().local_get(local::ADDRESS).i32_load8_u(BYTE)),
+            Width::Eight => {
+                self.set(to, |body| _ = body.code().local_get(local::ADDRESS).f64_load(number_at(lane)));
+            }
+        }
     }
 
     /// Writes a number of the value at the address.
     fn store_value(&mut self, whole: Whole, lane: u16, from: Register) {
         self.code().local_get(local::ADDRESS);
-        self.get(from);
         match self.width(whole) {
-            Width::Byte => self.code().f64_const(0.0.into()).f64_ne().i32_store8(BYTE),
-            Width::Eight => self.code().f64_store(number_at(lane)),
-        };
+            Width::Byte => {
+                self.truth(from);
+                self.code().i32_store8(BYTE);
+            }
+            Width::Eight => {
+                self.get(from);
+                self.code().f64_store(number_at(lane));
+            }
+        }
     }
 
     /// The address of the first value of a container, if it has so many numbers.
@@ -115,12 +117,17 @@ impl Body<'_> {
     /// added are those of 2^52 and the number; what is negative, too large or no number is far beyond every size then.
     fn index(&mut self, variable: u32, index: Register, size: u32) {
         const BEYOND: f64 = (1_u64 << 52) as f64;
-        self.get(index);
-        if !self.study.whole.has(index) {
-            self.code().f64_const(BELOW_HALF.into()).f64_add().f64_floor();
+        if self.is_whole(index) {
+            self.whole(index);
+        } else {
+            self.get(index);
+            if !self.study.whole.has(index) {
+                self.code().f64_const(BELOW_HALF.into()).f64_add().f64_floor();
+            }
+            self.code().f64_const(BEYOND.into()).f64_add().i64_reinterpret_f64();
+            self.code().i64_const(BEYOND.to_bits().cast_signed()).i64_sub();
         }
-        self.code().f64_const(BEYOND.into()).f64_add().i64_reinterpret_f64();
-        self.code().i64_const(BEYOND.to_bits().cast_signed()).i64_sub().local_tee(variable);
+        self.code().local_tee(variable);
         self.field(size);
         self.code().i64_extend_i32_u().i64_lt_u();
         self.unless(Self::leave_it);

@@ -5,6 +5,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use val3_bytecode::{Op, Program, Step};
 
+use crate::rotation::Rotated;
+
 /// Lines behind which no block goes on beyond a jump: all of them have to be left in the turn when it begins.
 const MOST_LINES: u32 = 16;
 
@@ -70,6 +72,12 @@ impl Flow {
                     break;
                 }
                 line = if step.line { LineBefore::Known(number) } else { line };
+                if let Some(rotated) = Rotated::at(&program.code, number) {
+                    let test = rotated.condition(&program.code).find(|(step, _)| step.line);
+                    line = test.map_or(line, |(_, number)| LineBefore::Known(number));
+                    open.push((rotated.end, line));
+                    continue;
+                }
                 open.extend(target(step.op).map(|to| (to, line)));
                 goes_on = !matches!(step.op, Op::Jump { .. } | Op::Return);
             }
@@ -82,7 +90,11 @@ impl Flow {
 
 /// The first steps of all blocks, with the lines that begin in each.
 fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool, calls: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
-    let targets: BTreeSet<u32> = code.iter().filter_map(|step| target(step.op)).collect();
+    let jumps = code.iter().zip(0..).filter_map(|(step, number)| match Rotated::at(code, number) {
+        Some(rotated) => Some(rotated.end),
+        None => target(step.op),
+    });
+    let targets: BTreeSet<u32> = jumps.collect();
     let mut blocks: Vec<(u32, u32)> = Vec::new();
     let mut begins = true;
     for (step, number) in code.iter().zip(0..) {

@@ -3,8 +3,10 @@
 use wasm_encoder::ValType;
 
 use crate::draft::Draft;
-use crate::lanes::Lanes;
+use crate::lanes::Lane;
 use crate::local::{GIVEN, NUMBERS_GIVEN};
+use crate::sorts::Sort;
+use crate::study::Study;
 
 /// The frame of a program within a function.
 pub(crate) struct Frame {
@@ -41,16 +43,24 @@ pub(crate) struct Variables {
 
 impl Frame {
     /// The frame of the program that the function belongs to.
-    pub(crate) fn of_function(lanes: &Lanes, levels: u32, draft: &mut Draft) -> Self {
-        let mut frame = Self::new(lanes, levels, draft);
+    pub(crate) fn of_function(study: &Study, levels: u32, draft: &mut Draft) -> Self {
+        let mut frame = Self::new(study, levels, draft);
         frame.variables.iter_mut().zip(GIVEN..GIVEN + NUMBERS_GIVEN).for_each(|(variable, given)| *variable = given);
         frame
     }
 
     /// A frame with variables of its own.
-    pub(crate) fn new(lanes: &Lanes, levels: u32, draft: &mut Draft) -> Self {
+    pub(crate) fn new(study: &Study, levels: u32, draft: &mut Draft) -> Self {
         let line = draft.variable(ValType::I32);
-        let variables = (0..lanes.variables()).map(|_| draft.variable(ValType::F64)).collect();
+        let mut sorts = vec![Sort::Number; study.lanes.variables() as usize];
+        for (register, lane) in study.lanes.iter() {
+            if let Lane::Variable(number) = lane
+                && let Some(sort) = sorts.get_mut(number as usize)
+            {
+                *sort = study.sorts.get(register);
+            }
+        }
+        let variables = sorts.into_iter().map(|sort| draft.variable(sort.kind())).collect();
         Self { numbers: 0, places: 0, taken: 0, variables, line, references: Vec::new(), levels }
     }
 

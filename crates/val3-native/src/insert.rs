@@ -39,7 +39,7 @@ impl Body<'_> {
     fn insert(&mut self, call: &Call<'_>, end: Option<u32>) {
         let levels = self.frame.levels.saturating_sub(1);
         let study = Study::of(self.module, call.callee, levels);
-        let frame = self.frame_of(call, &study.lanes, levels);
+        let frame = self.frame_of(call, &study, levels);
         self.pass_numbers(call, &study.lanes, &frame);
         let mut body = Body {
             module: self.module,
@@ -62,9 +62,9 @@ impl Body<'_> {
     }
 
     /// The frame of a program that is called here, with what it gets by reference.
-    fn frame_of(&mut self, call: &Call<'_>, lanes: &Lanes, levels: u32) -> Frame {
+    fn frame_of(&mut self, call: &Call<'_>, study: &Study, levels: u32) -> Frame {
         let size = &self.program.frame;
-        let mut frame = Frame::new(lanes, levels, self.draft);
+        let mut frame = Frame::new(study, levels, self.draft);
         frame.numbers = self.frame.numbers + size.lanes.num * 8;
         frame.places = self.frame.places + size.places * 4;
         frame.taken = self.frame.taken + call.callee.stack_bytes;

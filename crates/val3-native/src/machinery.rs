@@ -13,6 +13,7 @@ use crate::functions::compute;
 use crate::lanes::Lanes;
 use crate::module::{MEMORY, Plan};
 use crate::regions::Regions;
+use crate::sorts::Sorts;
 use crate::ways::name;
 use crate::whole::WholeNumbers;
 
@@ -39,6 +40,7 @@ struct Entrance {
     entry: Entry,
     steps: BTreeSet<u32>,
     whole: WholeNumbers,
+    sorts: Sorts,
 }
 
 impl Machinery {
@@ -60,8 +62,10 @@ impl Machinery {
             let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
             if let Some(program) = image.programs.get(usize::from(*number)) {
                 let steps = Regions::of(program).entries().clone();
-                let whole = WholeNumbers::of(program, image, &Lanes::of(program, image));
-                programs.insert(*number, Entrance { entry, steps, whole });
+                let lanes = Lanes::of(program, image);
+                let whole = WholeNumbers::of(program, image, &lanes);
+                let sorts = Sorts::of(program, image, &lanes);
+                programs.insert(*number, Entrance { entry, steps, whole, sorts });
             }
         }
         Ok(Compiled { shared: plan.shared, memory, programs })
@@ -87,7 +91,8 @@ impl Compiled {
 
     /// Whether a program can be entered with these numbers in its frame.
     pub(crate) fn takes(&self, program: u16, numbers: &[f64]) -> bool {
-        self.programs.get(&program).is_some_and(|entrance| entrance.whole.suit(numbers))
+        let Some(Entrance { whole, sorts, .. }) = self.programs.get(&program) else { return false };
+        whole.suit(numbers) && sorts.suit(numbers)
     }
 }
 

@@ -52,3 +52,39 @@ pub(crate) fn container(op: Op) -> Option<Whole> {
         _ => None,
     }
 }
+
+/// The register that machine code writes for an operation.
+pub(crate) fn written(op: Op) -> Option<Register> {
+    match op {
+        Op::Move { to, .. }
+        | Op::Negate { to, .. }
+        | Op::Not { to, .. }
+        | Op::Add { to, .. }
+        | Op::Subtract { to, .. }
+        | Op::Multiply { to, .. }
+        | Op::Divide { to, .. }
+        | Op::Remainder { to, .. }
+        | Op::Less { to, .. }
+        | Op::LessEqual { to, .. }
+        | Op::Equal { to, .. }
+        | Op::NotEqual { to, .. }
+        | Op::Function { to, .. }
+        | Op::LoadFirst { to, .. }
+        | Op::Load { to, .. }
+        | Op::LoadElement { to, .. }
+        | Op::LoadElement2 { to, .. }
+        | Op::ForNext { counter: to, .. }
+        | Op::ForNextUp { counter: to, .. } => Some(to),
+        _ => None,
+    }
+}
+
+/// The indexes of an operation.
+pub(crate) fn index(op: Op) -> impl Iterator<Item = Register> {
+    let indexes = match op {
+        Op::LoadElement { index, .. } | Op::StoreElement { index, .. } => [Some(index), None],
+        Op::LoadElement2 { i, j, .. } | Op::StoreElement2 { i, j, .. } => [Some(i), Some(j)],
+        _ => [None; 2],
+    };
+    indexes.into_iter().flatten()
+}

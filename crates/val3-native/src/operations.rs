@@ -2,16 +2,32 @@
 
 use val3_bytecode::{Op, Program, Register};
 use wasm_encoder::Instruction;
-use wasm_encoder::Instruction::{F64Add, F64ConvertI32U, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub};
+use wasm_encoder::Instruction::{
+    F64Add, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub, I64Add, I64Eq, I64GtS, I64LeS, I64LtS, I64Mul,
+    I64Ne, I64Sub,
+};
 
 use crate::body::{Body, Surroundings};
 use crate::calls::callee;
 use crate::lanes::Lane;
 use crate::local;
 use crate::operands::{container, registers};
+use crate::rotation::Rotated;
+use crate::sorts::Sort;
 
 /// Instructions on what is on the stack.
 type Act = &'static [Instruction<'static>];
+
+type Plain = Instruction<'static>;
+
+/// How numbers are compared, and how whole numbers.
+type Comparison = (Plain, Plain);
+
+const LESS: Comparison = (F64Lt, I64LtS);
+const LESS_EQUAL: Comparison = (F64Le, I64LeS);
+const GREATER: Comparison = (F64Gt, I64GtS);
+const EQUAL: Comparison = (F64Eq, I64Eq);
+const NOT_EQUAL: Comparison = (F64Ne, I64Ne);
 
 /// Whether there is code for an operation, in the best case.
 pub(crate) fn has_code(module: &Surroundings<'_>, program: &Program, op: Op) -> bool {
@@ -36,10 +52,13 @@ impl Body<'_> {
         }
         self.begin_line();
         match step.op {
-            Op::Jump { to } => {
-                self.jump(to);
-                return true;
-            }
+            Op::Jump { to } => match Rotated::at(&self.program.code, number) {
+                Some(rotated) => self.rotate(rotated),
+                None => {
+                    self.jump(to);
+                    return true;
+                }
+            },
             Op::Return => {
                 self.end_program();
                 return true;
@@ -52,37 +71,46 @@ impl Body<'_> {
 
     fn numbers(&mut self, op: Op) {
         match op {
-            Op::JumpUnless { condition, to } => self.jump_on(condition, &[F64Eq], to),
-            Op::JumpIf { condition, to } => self.jump_on(condition, &[F64Ne], to),
-            Op::WaitUntil { condition, .. } => {
-                self.is_zero(condition);
-                self.when(Self::leave_it);
+            Op::JumpUnless { condition, to } => {
+                self.truth(condition);
+                self.unless(|body| body.jump(to));
             }
-            Op::IfLess { a, b, to } => self.branch(a, b, &[F64Lt], to),
-            Op::IfLessEqual { a, b, to } => self.branch(a, b, &[F64Le], to),
-            Op::UnlessLess { a, b, to } => self.branch_unless(a, b, &[F64Lt], to),
-            Op::UnlessLessEqual { a, b, to } => self.branch_unless(a, b, &[F64Le], to),
-            Op::UnlessEqual { a, b, to } => self.branch(a, b, &[F64Ne], to),
-            Op::IfEqual { a, b, to } => self.branch(a, b, &[F64Eq], to),
-            Op::Move { to, from } => self.set(to, |body| body.get(from)),
+            Op::JumpIf { condition, to } => {
+                self.truth(condition);
+                self.jump_if(to);
+            }
+            Op::WaitUntil { condition, .. } => {
+                self.truth(condition);
+                self.unless(Self::leave_it);
+            }
+            Op::IfLess { a, b, to } => self.branch(a, b, &LESS, to),
+            Op::IfLessEqual { a, b, to } => self.branch(a, b, &LESS_EQUAL, to),
+            Op::UnlessLess { a, b, to } => self.branch_unless(a, b, &LESS, to),
+            Op::UnlessLessEqual { a, b, to } => self.branch_unless(a, b, &LESS_EQUAL, to),
+            Op::UnlessEqual { a, b, to } => self.branch(a, b, &NOT_EQUAL, to),
+            Op::IfEqual { a, b, to } => self.branch(a, b, &EQUAL, to),
+            Op::Move { to, from } => self.copy(to, from),
             Op::Negate { to, a } => self.set(to, |body| {
                 body.get(a);
                 body.code().f64_neg();
             }),
-            Op::Not { to, a } => self.set(to, |body| {
-                body.is_zero(a);
-                body.code().f64_convert_i32_u();
+            Op::Not { to, a } => self.set_truth(to, |body| {
+                body.truth(a);
+                body.code().i32_eqz();
             }),
-            Op::Add { to, a, b } => self.compute(to, (a, b), &[F64Add]),
-            Op::Subtract { to, a, b } => self.compute(to, (a, b), &[F64Sub]),
-            Op::Multiply { to, a, b } => self.compute(to, (a, b), &[F64Mul]),
+            Op::Add { to, a, b } => self.compute_either(to, (a, b), (F64Add, I64Add)),
+            Op::Subtract { to, a, b } => self.compute_either(to, (a, b), (F64Sub, I64Sub)),
+            Op::Multiply { to, a, b } => {
+                self.check_zero(to, a, b);
+                self.compute_either(to, (a, b), (F64Mul, I64Mul));
+            }
             Op::Divide { to, a, b } => self.divide(to, a, b),
             Op::Remainder { to, a, b } => self.remainder(to, a, b),
             Op::Function { function, to, a, b, c } => self.function(function, to, [a, b, c]),
-            Op::Less { to, a, b } => self.compute(to, (a, b), &[F64Lt, F64ConvertI32U]),
-            Op::LessEqual { to, a, b } => self.compute(to, (a, b), &[F64Le, F64ConvertI32U]),
-            Op::Equal { to, a, b } => self.compute(to, (a, b), &[F64Eq, F64ConvertI32U]),
-            Op::NotEqual { to, a, b } => self.compute(to, (a, b), &[F64Ne, F64ConvertI32U]),
+            Op::Less { to, a, b } => self.set_truth(to, |body| body.compare(a, b, &LESS)),
+            Op::LessEqual { to, a, b } => self.set_truth(to, |body| body.compare(a, b, &LESS_EQUAL)),
+            Op::Equal { to, a, b } => self.set_truth(to, |body| body.compare(a, b, &EQUAL)),
+            Op::NotEqual { to, a, b } => self.set_truth(to, |body| body.compare(a, b, &NOT_EQUAL)),
             Op::Load { to, place, lane } => self.load_referred(to, place, lane),
             Op::Store { place, lane, from } => self.store_referred(place, lane, from),
             Op::ForTest { counter, limit, exit } => {
@@ -90,13 +118,13 @@ impl Body<'_> {
                 self.jump_if(exit);
             }
             Op::ForNext { counter, limit, body } => {
-                self.compute(counter, (counter, limit + 1), &[F64Add]);
+                self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
                 self.is_beyond(counter, limit);
                 self.unless(|code| code.jump(body));
             }
             Op::ForNextUp { counter, limit, body } => {
-                self.compute(counter, (counter, limit + 1), &[F64Add]);
-                self.branch_unless(counter, limit, &[F64Gt], body);
+                self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
+                self.branch_unless(counter, limit, &GREATER, body);
             }
             _ => self.containers(op),
         }
@@ -113,25 +141,65 @@ impl Body<'_> {
         self.code().f64_const(0.0.into()).f64_eq();
     }
 
-    fn jump_on(&mut self, condition: Register, compare: Act, to: u32) {
-        self.get(condition);
-        self.code().f64_const(0.0.into());
-        self.all(compare);
+    fn branch(&mut self, a: Register, b: Register, comparison: &Comparison, to: u32) {
+        self.compare(a, b, comparison);
         self.jump_if(to);
     }
 
-    fn branch(&mut self, a: Register, b: Register, compare: Act, to: u32) {
-        self.get(a);
-        self.get(b);
-        self.all(compare);
-        self.jump_if(to);
-    }
-
-    fn branch_unless(&mut self, a: Register, b: Register, compare: Act, to: u32) {
-        self.get(a);
-        self.get(b);
-        self.all(compare);
+    fn branch_unless(&mut self, a: Register, b: Register, comparison: &Comparison, to: u32) {
+        self.compare(a, b, comparison);
         self.unless(|body| body.jump(to));
+    }
+
+    fn compare(&mut self, a: Register, b: Register, (of_numbers, of_whole): &Comparison) {
+        if self.is_whole(a) && self.is_whole(b) {
+            self.whole(a);
+            self.whole(b);
+            self.add(of_whole);
+        } else {
+            self.get(a);
+            self.get(b);
+            self.add(of_numbers);
+        }
+    }
+
+    fn copy(&mut self, to: Register, from: Register) {
+        if self.sort(to) == Sort::Whole {
+            self.set_whole(to, |body| body.whole(from));
+        } else {
+            self.set(to, |body| body.get(from));
+        }
+    }
+
+    /// Computes with numbers, or with whole numbers where the result is there as one.
+    fn compute_either(&mut self, to: Register, (a, b): (Register, Register), (numbers, whole): (Plain, Plain)) {
+        if self.sort(to) == Sort::Whole {
+            self.set_whole(to, |body| {
+                body.whole(a);
+                body.whole(b);
+                body.add(&whole);
+            });
+        } else {
+            self.set(to, |body| {
+                body.get(a);
+                body.get(b);
+                body.add(&numbers);
+            });
+        }
+    }
+
+    /// The product of zero and a negative number is the negative zero, which is no whole number.
+    fn check_zero(&mut self, to: Register, a: Register, b: Register) {
+        if self.sort(to) == Sort::Whole {
+            for (one, other) in [(a, b), (b, a)] {
+                self.whole(one);
+                self.code().i64_eqz();
+                self.whole(other);
+                self.code().i64_const(0).i64_lt_s().i32_and();
+            }
+            self.code().i32_or();
+            self.when(Self::leave_it);
+        }
     }
 
     fn compute(&mut self, to: Register, (a, b): (Register, Register), act: Act) {
@@ -144,12 +212,8 @@ impl Body<'_> {
 
     /// Whether the counter of a `for` has passed its limit; the step is the number behind the limit.
     fn is_beyond(&mut self, counter: Register, limit: Register) {
-        self.get(counter);
-        self.get(limit);
-        self.all(&[F64Lt]);
-        self.get(counter);
-        self.get(limit);
-        self.all(&[F64Gt]);
+        self.compare(counter, limit, &LESS);
+        self.compare(counter, limit, &GREATER);
         self.get(limit + 1);
         self.code().f64_const(0.0.into()).f64_lt().select();
     }

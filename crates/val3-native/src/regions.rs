@@ -7,9 +7,10 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::Program;
+use val3_bytecode::{Program, Step};
 
 use crate::flow::target;
+use crate::rotation::Rotated;
 
 /// A loop, or the program.
 #[derive(Debug)]
@@ -34,8 +35,7 @@ pub(crate) struct Regions {
 impl Regions {
     pub(crate) fn of(program: &Program) -> Self {
         let count = u32::try_from(program.code.len()).unwrap_or(u32::MAX);
-        let jumps: Vec<(u32, u32)> =
-            program.code.iter().zip(0..).filter_map(|(step, from)| Some((from, target(step.op)?))).collect();
+        let jumps: Vec<(u32, u32)> = jumps(&program.code).collect();
         let spans = loops(&jumps);
         let region =
             |(head, end): (u32, u32)| Region { head, end, entries: BTreeSet::from([head]), labels: BTreeSet::new() };
@@ -115,6 +115,14 @@ impl Region {
     fn has(&self, step: u32) -> bool {
         (self.head..self.end).contains(&step)
     }
+}
+
+/// From where to where there are jumps.
+fn jumps(code: &[Step]) -> impl Iterator<Item = (u32, u32)> {
+    code.iter().zip(0..).filter_map(|(step, from)| {
+        let to = target(step.op)?;
+        Some((from, Rotated::at(code, from).map_or(to, |rotated| rotated.end)))
+    })
 }
 
 /// First steps of loops with the steps behind their last, in order; none overlaps another without being in it.

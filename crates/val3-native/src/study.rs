@@ -9,6 +9,7 @@ use crate::inline::Becomes;
 use crate::lanes::Lanes;
 use crate::operations::has_code;
 use crate::regions::Regions;
+use crate::sorts::Sorts;
 use crate::whole::WholeNumbers;
 
 /// What is found out about a program.
@@ -17,6 +18,7 @@ pub(crate) struct Study {
     pub(crate) regions: Regions,
     pub(crate) flow: Flow,
     pub(crate) whole: WholeNumbers,
+    pub(crate) sorts: Sorts,
 }
 
 impl Study {
@@ -26,6 +28,7 @@ impl Study {
         let whole = WholeNumbers::of(program, module.image, &lanes);
         let calls_function = |op| callee(module, program, op).is_some_and(|call| call.becomes(levels) != Becomes::Code);
         let flow = Flow::of(program, |op| has_code(module, program, op), calls_function);
-        Self { lanes, regions: Regions::of(program), flow, whole }
+        let sorts = Sorts::of(program, module.image, &lanes);
+        Self { lanes, regions: Regions::of(program), flow, whole, sorts }
     }
 }

@@ -98,9 +98,15 @@ impl Body<'_> {
     /// Takes the lines of a block from the budget, if one begins here.
     fn begin_block(&mut self, step: u32) {
         let Some(block) = self.study.flow.block(step) else { return };
-        (self.line, self.ahead) = (block.line.unwrap_or(LineBefore::Kept), block.lines);
-        if block.lines > 0 {
-            let lines = block.lines.cast_signed();
+        self.line = block.line.unwrap_or(LineBefore::Kept);
+        self.take_lines(step, block.lines);
+    }
+
+    /// Takes the lines that begin from a step on from the budget.
+    pub(crate) fn take_lines(&mut self, step: u32, count: u32) {
+        self.ahead = count;
+        if count > 0 {
+            let lines = count.cast_signed();
             self.code().local_get(local::BUDGET).i32_const(lines).i32_lt_u();
             self.when(|body| body.stop_at(step));
             self.code().local_get(local::BUDGET).i32_const(lines).i32_sub().local_set(local::BUDGET);
