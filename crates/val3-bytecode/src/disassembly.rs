@@ -39,7 +39,7 @@ fn shown(op: &Op, program: &Program) -> String {
 }
 
 fn instruction(site: &InstructionSite) -> String {
-    let result = site.result.map_or(String::new(), |result| format!(" -> {}", operand(result, ALL)));
+    let result = site.result.map_or(String::new(), |(result, _)| format!(" -> {}", operand(result, ALL)));
     format!("Instruction {}({}){result}", site.name, arguments(&site.arguments))
 }
 

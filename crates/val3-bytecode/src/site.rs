@@ -65,8 +65,8 @@ pub struct InstructionSite {
     pub run: Option<Handler>,
     /// Its arguments.
     pub arguments: Vec<ArgumentSite>,
-    /// Where its value goes.
-    pub result: Option<Operand>,
+    /// Where its value goes, and its type.
+    pub result: Option<(Operand, BaseType)>,
 }
 
 /// The function behind a form of an instruction, or behind an operator on structured values.

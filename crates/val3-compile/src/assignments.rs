@@ -59,7 +59,7 @@ impl Coder<'_, '_> {
         let sent = self.result(base, None)?;
         let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(BaseType::Sio, base));
         site.arguments = vec![self.argument_of(to)?, self.argument_of(from)?];
-        site.result = Some(Operand::Frame(sent));
+        site.result = Some((Operand::Frame(sent), base));
         self.code.instruction(site);
         Ok(Value::on_frame(base, sent))
     }
@@ -69,7 +69,7 @@ impl Coder<'_, '_> {
         let received = self.result(base, wanted(to))?;
         let mut site = InstructionSite::named(ASSIGNMENT, handlers::assignment(base, BaseType::Sio));
         site.arguments = vec![self.argument_of(from)?];
-        site.result = Some(Operand::Frame(received));
+        site.result = Some((Operand::Frame(received), base));
         self.code.instruction(site);
         let value = Value::on_frame(base, received);
         self.copy(to, value)?;

@@ -43,7 +43,7 @@ impl Called {
             Some(ArgumentSite::Value(operand, base)) if is_number(*base) => number(operand),
             _ => None,
         };
-        let (function, to, a) = (self.function?, number(self.site.result.as_ref()?)?, argument(0)?);
+        let (function, to, a) = (self.function?, number(&self.site.result.as_ref()?.0)?, argument(0)?);
         let behind = |at: usize| if at < self.formals.len() { argument(at) } else { Some(a) };
         Some(Op::Function { function, to, a, b: behind(1)?, c: behind(2)? })
     }
@@ -64,7 +64,7 @@ impl Coder<'_, '_> {
         let mut called = self.called(id)?;
         let base = called.result.ok_or(Limit::Unclear)?;
         let lanes = self.result(base, want)?;
-        called.site.result = Some(Operand::Frame(lanes));
+        called.site.result = Some((Operand::Frame(lanes), base));
         self.execute(called, callee, args)?;
         Ok(Value { spot: crate::spot::Spot::Lanes(lanes), base: Base::of(base).on_arm(self.unit.items.arm) })
     }

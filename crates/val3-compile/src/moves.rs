@@ -47,7 +47,7 @@ impl Coder<'_, '_> {
         let run = handlers::assignment(BaseType::Bool, BaseType::Dio);
         let mut site = InstructionSite::named(ASSIGNMENT, run);
         site.arguments.push(argument);
-        site.result = Some(Operand::Frame(Lanes::nums(to.into())));
+        site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
         self.code.instruction(site);
         Ok(to)
     }

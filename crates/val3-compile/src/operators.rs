@@ -122,7 +122,7 @@ impl Coder<'_, '_> {
 
     fn handled(&mut self, mut site: InstructionSite, result: BaseType, want: Option<Lanes>) -> Result<Value> {
         let lanes = self.result(result, want)?;
-        site.result = Some(Operand::Frame(lanes));
+        site.result = Some((Operand::Frame(lanes), result));
         self.code.instruction(site);
         Ok(Value::on_frame(result, lanes))
     }
@@ -148,7 +148,7 @@ impl Coder<'_, '_> {
         } else if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base, self.unit.items.arm)) {
             let mut site = InstructionSite::named(BinaryOp::Equal.symbol(), Some(run));
             site.arguments = vec![self.argument_of(left)?, self.argument_of(right)?];
-            site.result = Some(Operand::Frame(Lanes::nums(to.into())));
+            site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
             self.code.instruction(site);
         } else {
             let site = self.copy_site(left.base, left.spot, right.spot)?;

@@ -73,7 +73,7 @@ impl Body<'_> {
         match op {
             Op::JumpUnless { condition, to } => {
                 self.truth(condition);
-                self.unless(|body| body.jump(to));
+                self.jump_unless(to);
             }
             Op::JumpIf { condition, to } => {
                 self.truth(condition);
@@ -101,7 +101,7 @@ impl Body<'_> {
             Op::Add { to, a, b } => self.compute_either(to, (a, b), (F64Add, I64Add)),
             Op::Subtract { to, a, b } => self.compute_either(to, (a, b), (F64Sub, I64Sub)),
             Op::Multiply { to, a, b } => {
-                self.check_zero(to, a, b);
+                self.check_factors(to, a, b);
                 self.compute_either(to, (a, b), (F64Mul, I64Mul));
             }
             Op::Divide { to, a, b } => self.divide(to, a, b),
@@ -120,12 +120,9 @@ impl Body<'_> {
             Op::ForNext { counter, limit, body } => {
                 self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
                 self.is_beyond(counter, limit);
-                self.unless(|code| code.jump(body));
+                self.jump_unless(body);
             }
-            Op::ForNextUp { counter, limit, body } => {
-                self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
-                self.branch_unless(counter, limit, &GREATER, body);
-            }
+            Op::ForNextUp { counter, limit, body } => self.next_up(counter, limit, body),
             _ => self.containers(op),
         }
     }
@@ -148,7 +145,7 @@ impl Body<'_> {
 
     fn branch_unless(&mut self, a: Register, b: Register, comparison: &Comparison, to: u32) {
         self.compare(a, b, comparison);
-        self.unless(|body| body.jump(to));
+        self.jump_unless(to);
     }
 
     fn compare(&mut self, a: Register, b: Register, (of_numbers, of_whole): &Comparison) {
@@ -188,17 +185,48 @@ impl Body<'_> {
         }
     }
 
-    /// The product of zero and a negative number is the negative zero, which is no whole number.
-    fn check_zero(&mut self, to: Register, a: Register, b: Register) {
-        if self.sort(to) == Sort::Whole {
-            for (one, other) in [(a, b), (b, a)] {
-                self.whole(one);
-                self.code().i64_eqz();
-                self.whole(other);
-                self.code().i64_const(0).i64_lt_s().i32_and();
-            }
-            self.code().i32_or();
-            self.when(Self::leave_it);
+    /// Factors of more than 32 bits, and those whose product is the negative zero, are left to the interpreter.
+    fn check_factors(&mut self, to: Register, a: Register, b: Register) {
+        if self.sort(to) != Sort::Whole {
+            return;
+        }
+        for factor in [a, b] {
+            self.whole(factor);
+            self.code().i64_extend32_s();
+            self.whole(factor);
+            self.code().i64_ne();
+        }
+        self.code().i32_or();
+        for (zero, negative) in [(a, b), (b, a)] {
+            self.whole(zero);
+            self.code().i64_eqz();
+            self.whole(negative);
+            self.code().i64_const(0).i64_lt_s().i32_and().i32_or();
+        }
+        self.when(Self::leave_it);
+    }
+
+    /// The next round of a `for` that counts up. What is within its limit is not too large.
+    fn next_up(&mut self, counter: Register, limit: Register, body: u32) {
+        if self.sort(counter) == Sort::Whole && self.is_whole(limit) {
+            self.whole(counter);
+            self.whole(limit + 1);
+            self.code().i64_add().local_tee(local::COLUMN);
+            self.whole(limit);
+            self.code().i64_gt_s();
+            self.when_else(
+                |code| {
+                    code.check_whole();
+                    code.keep_whole(counter);
+                },
+                |code| {
+                    code.keep_whole(counter);
+                    code.jump(body);
+                },
+            );
+        } else {
+            self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
+            self.branch_unless(counter, limit, &GREATER, body);
         }
     }
 

@@ -101,19 +101,32 @@ impl Body<'_> {
     /// A register that is there as a whole number.
     pub(crate) fn whole(&mut self, register: Register) {
         if let Lane::Constant(value) = self.study.lanes.get(register) {
-            #[expect(clippy::cast_possible_truncation, reason = "it is a whole number of 32 bits")]
+            #[expect(clippy::cast_possible_truncation, reason = "it is a whole number of less than 2^53")]
             self.code().i64_const(value as i64);
         } else if let Some(variable) = self.variable_of(register, Sort::Whole) {
             self.code().local_get(variable);
         }
     }
 
-    /// Writes a register that is there as a whole number. What has more than 32 bits is left to the interpreter.
+    /// Writes a register that is there as a whole number. What is too large is left to the interpreter.
     pub(crate) fn set_whole(&mut self, register: Register, value: impl FnOnce(&mut Self)) {
-        let Some(variable) = self.variable_of(register, Sort::Whole) else { return };
         value(self);
-        self.code().local_tee(local::COLUMN).local_get(local::COLUMN).i64_extend32_s().i64_ne();
+        self.code().local_set(local::COLUMN);
+        self.check_whole();
+        self.keep_whole(register);
+    }
+
+    /// A computed whole number that is too large is left to the interpreter: 54 bits are all of it where it is not.
+    pub(crate) fn check_whole(&mut self) {
+        self.code().local_get(local::COLUMN).i64_const(10).i64_shl().i64_const(10).i64_shr_s();
+        self.code().local_get(local::COLUMN).i64_ne();
         self.when(Self::leave_it);
-        self.code().local_get(local::COLUMN).local_set(variable);
+    }
+
+    /// A computed whole number goes to its register.
+    pub(crate) fn keep_whole(&mut self, register: Register) {
+        if let Some(variable) = self.variable_of(register, Sort::Whole) {
+            self.code().local_get(local::COLUMN).local_set(variable);
+        }
     }
 }

@@ -1,23 +1,24 @@
-//! What the variables of a program hold: numbers, or where that is enough, small whole numbers or truth values.
+//! What the variables of a program hold: numbers, or where that is enough, whole numbers or truth values.
 
 use std::collections::BTreeSet;
 
 use val3_bytecode::{Image, Op, Operand, Program, Register};
+use val3_lang::memory::Kind;
 use wasm_encoder::ValType;
 
 use crate::containers::Width;
 use crate::lanes::{Lane, Lanes, number, parameters, referred};
 use crate::operands::{container, index, written};
 
-/// No built-in type has more numbers.
-const WIDEST: u32 = 16;
+/// From here on not all whole numbers are exact.
+const LARGE: f64 = (1_u64 << 53) as f64;
 
 /// What a variable holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Sort {
     /// Any number.
     Number,
-    /// A whole number of 32 bits, in 64.
+    /// A whole number of less than 2^53 either way.
     Whole,
     /// A truth value.
     Truth,
@@ -140,18 +141,17 @@ fn indexes(program: &Program, registers: &BTreeSet<Register>) -> BTreeSet<Regist
 /// Registers that operations may write for which there is no machine code.
 fn results(program: &Program) -> impl Iterator<Item = u32> {
     let results = program.instructions.iter().filter_map(|site| site.result);
-    let copies = program.copies.iter().map(|site| site.to);
-    results.chain(copies).flat_map(|operand| match operand {
-        Operand::Frame(lanes) => lanes.num..lanes.num + WIDEST,
+    let results = results.map(|(operand, base)| (operand, Kind::builtin(base, None).size.num));
+    let copies = program.copies.iter().map(|site| (site.to, site.kind.size.num));
+    results.chain(copies).flat_map(|(operand, count)| match operand {
+        Operand::Frame(lanes) => lanes.num..lanes.num + count,
         Operand::Place(..) => 0..0,
     })
 }
 
-/// A whole number of 32 bits; the negative zero is none.
+/// A whole number that is exact, as are its neighbours; the negative zero is none.
 pub(crate) fn is_whole(number: f64) -> bool {
-    #[expect(clippy::cast_possible_truncation, reason = "what does not fit is another number")]
-    let whole = f64::from(number as i32);
-    whole.to_bits() == number.to_bits()
+    number.trunc().to_bits() == number.to_bits() && number.abs() < LARGE && number.to_bits() != (-0.0_f64).to_bits()
 }
 
 fn is_truth(number: f64) -> bool {

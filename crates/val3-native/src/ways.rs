@@ -128,7 +128,7 @@ impl Body<'_> {
         u32::try_from(within).ok()
     }
 
-    /// What is done if the condition on the stack holds.
+    /// What is done if the condition on the stack holds, which is the rare case: the engine puts it out of the way.
     pub(crate) fn when(&mut self, act: impl FnOnce(&mut Self)) {
         self.code().if_(BlockType::Empty);
         self.labels.push(Label::Condition);
@@ -136,12 +136,10 @@ impl Body<'_> {
         self.close();
     }
 
-    /// What is done if the condition on the stack does not hold.
+    /// What is done if the condition on the stack does not hold, which is the rare case.
     pub(crate) fn unless(&mut self, act: impl FnOnce(&mut Self)) {
-        self.code().if_(BlockType::Empty).else_();
-        self.labels.push(Label::Condition);
-        act(self);
-        self.close();
+        self.code().i32_eqz();
+        self.when(act);
     }
 
     /// What is done if the condition on the stack holds, and what if not.
@@ -171,7 +169,18 @@ impl Body<'_> {
 
     /// Goes on at another step if the condition on the stack holds.
     pub(crate) fn jump_if(&mut self, to: u32) {
-        self.when(|body| body.jump(to));
+        self.code().i32_eqz();
+        self.jump_unless(to);
+    }
+
+    /// Goes on at another step if the condition on the stack does not hold. That a loop is repeated is not rare.
+    pub(crate) fn jump_unless(&mut self, to: u32) {
+        let (_, from) = self.step;
+        if to <= from {
+            self.when_else(|_| {}, |body| body.jump(to));
+        } else {
+            self.unless(|body| body.jump(to));
+        }
     }
 
     /// The line at hand goes to its variable where the block that follows looks for it there.

@@ -33,7 +33,7 @@ impl Machine<'_> {
         for argument in &site.arguments {
             arguments.push(scope.argument(argument)?);
         }
-        let result = site.result.map(|operand| place(&self.space.memory, &frame.base, operand)).transpose()?;
+        let result = site.result.map(|(operand, _)| place(&self.space.memory, &frame.base, operand)).transpose()?;
         let mut services = Services {
             roster: self.roster,
             instances: &mut self.space.instances,

@@ -15,7 +15,7 @@ pub const CYCLE: Time = 4_000_000;
 const SYNCHRONOUS_LINES: u32 = 3000;
 
 /// Lines that a task executes at most before others outside may look: some hundredths of a second.
-const MOST_LINES: Time = 20_000_000;
+const MOST_LINES: Time = 50_000_000;
 
 /// The clock and the round of the scheduler.
 #[derive(Debug, Clone)]
