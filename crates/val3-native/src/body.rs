@@ -11,6 +11,7 @@
 use val3_bytecode::{Image, Program, Register, Step};
 use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg};
 
+use crate::bounds::Facts;
 use crate::containers::Shared;
 use crate::draft::Draft;
 use crate::flow::LineBefore;
@@ -48,6 +49,8 @@ pub(crate) struct Body<'m> {
     pub(crate) line: LineBefore,
     /// The lines of the block that have not begun.
     pub(crate) ahead: u32,
+    /// What is known of whole numbers, which holds as far as the block goes.
+    pub(crate) facts: Facts,
 }
 
 /// What a jump leaves or repeats.
@@ -86,6 +89,7 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
         step: (first, 0),
         line: LineBefore::Kept,
         ahead: 0,
+        facts: Facts::new(),
     };
     body.begin();
     body.steps(None);

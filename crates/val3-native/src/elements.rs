@@ -5,6 +5,7 @@ use val3_lang::values::numbers::BELOW_HALF;
 use wasm_encoder::MemArg;
 
 use crate::body::{Body, number_at};
+use crate::bounds::Bounds;
 use crate::containers::Width;
 use crate::layout::{ADDRESS, COLUMNS, COUNT, ROWS, SIZE};
 use crate::local;
@@ -131,5 +132,8 @@ impl Body<'_> {
         self.field(size);
         self.code().i64_extend_i32_u().i64_lt_u();
         self.unless(Self::leave_it);
+        if let Some(bounds) = self.bounds(index) {
+            self.facts.insert(index, bounds.and(Bounds::INDEXES));
+        }
     }
 }

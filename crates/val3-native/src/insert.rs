@@ -8,6 +8,7 @@ use val3_bytecode::Operand;
 use wasm_encoder::ValType;
 
 use crate::body::{Body, Label, whole_at};
+use crate::bounds::Facts;
 use crate::calls::Call;
 use crate::flow::LineBefore;
 use crate::frame::{Frame, Reference, Variables};
@@ -53,6 +54,7 @@ impl Body<'_> {
             step: self.step,
             line: LineBefore::Known(0),
             ahead: 0,
+            facts: Facts::new(),
         };
         body.begin_anew();
         body.steps(end);

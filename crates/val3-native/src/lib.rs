@@ -7,6 +7,7 @@
 //! without, and only the interpreter has to know all of VAL 3.
 
 mod body;
+mod bounds;
 mod calls;
 mod containers;
 mod draft;

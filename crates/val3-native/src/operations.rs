@@ -8,6 +8,7 @@ use wasm_encoder::Instruction::{
 };
 
 use crate::body::{Body, Surroundings};
+use crate::bounds::Bounds;
 use crate::calls::callee;
 use crate::lanes::Lane;
 use crate::local;
@@ -22,6 +23,17 @@ type Plain = Instruction<'static>;
 
 /// How numbers are compared, and how whole numbers.
 type Comparison = (Plain, Plain);
+
+/// How numbers become another, whole numbers, and their bounds.
+struct Arithmetic {
+    numbers: Plain,
+    whole: Plain,
+    bounds: fn(Bounds, Bounds) -> Bounds,
+}
+
+const ADD: Arithmetic = Arithmetic { numbers: F64Add, whole: I64Add, bounds: |a, b| a + b };
+const SUBTRACT: Arithmetic = Arithmetic { numbers: F64Sub, whole: I64Sub, bounds: |a, b| a - b };
+const MULTIPLY: Arithmetic = Arithmetic { numbers: F64Mul, whole: I64Mul, bounds: |a, b| a * b };
 
 const LESS: Comparison = (F64Lt, I64LtS);
 const LESS_EQUAL: Comparison = (F64Le, I64LeS);
@@ -98,11 +110,11 @@ impl Body<'_> {
                 body.truth(a);
                 body.code().i32_eqz();
             }),
-            Op::Add { to, a, b } => self.compute_either(to, (a, b), (F64Add, I64Add)),
-            Op::Subtract { to, a, b } => self.compute_either(to, (a, b), (F64Sub, I64Sub)),
+            Op::Add { to, a, b } => self.compute_either(to, (a, b), &ADD),
+            Op::Subtract { to, a, b } => self.compute_either(to, (a, b), &SUBTRACT),
             Op::Multiply { to, a, b } => {
                 self.check_factors(to, a, b);
-                self.compute_either(to, (a, b), (F64Mul, I64Mul));
+                self.compute_either(to, (a, b), &MULTIPLY);
             }
             Op::Divide { to, a, b } => self.divide(to, a, b),
             Op::Remainder { to, a, b } => self.remainder(to, a, b),
@@ -118,7 +130,7 @@ impl Body<'_> {
                 self.jump_if(exit);
             }
             Op::ForNext { counter, limit, body } => {
-                self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
+                self.compute_either(counter, (counter, limit + 1), &ADD);
                 self.is_beyond(counter, limit);
                 self.jump_unless(body);
             }
@@ -161,73 +173,82 @@ impl Body<'_> {
     }
 
     fn copy(&mut self, to: Register, from: Register) {
-        if self.sort(to) == Sort::Whole {
-            self.set_whole(to, |body| body.whole(from));
+        if let (Sort::Whole, Some(bounds)) = (self.sort(to), self.bounds(from)) {
+            self.set_whole(to, bounds, |body| body.whole(from));
         } else {
             self.set(to, |body| body.get(from));
         }
     }
 
     /// Computes with numbers, or with whole numbers where the result is there as one.
-    fn compute_either(&mut self, to: Register, (a, b): (Register, Register), (numbers, whole): (Plain, Plain)) {
-        if self.sort(to) == Sort::Whole {
-            self.set_whole(to, |body| {
+    fn compute_either(&mut self, to: Register, (a, b): (Register, Register), how: &Arithmetic) {
+        let Arithmetic { numbers, whole, bounds } = how;
+        if let (Sort::Whole, Some(one), Some(other)) = (self.sort(to), self.bounds(a), self.bounds(b)) {
+            self.set_whole(to, bounds(one, other), |body| {
                 body.whole(a);
                 body.whole(b);
-                body.add(&whole);
+                body.add(whole);
             });
         } else {
             self.set(to, |body| {
                 body.get(a);
                 body.get(b);
-                body.add(&numbers);
+                body.add(numbers);
             });
         }
     }
 
-    /// Factors of more than 32 bits, and those whose product is the negative zero, are left to the interpreter.
+    /// Factors of more than 32 bits whose product may be too large, and those whose product may be the negative zero,
+    /// are left to the interpreter.
     fn check_factors(&mut self, to: Register, a: Register, b: Register) {
-        if self.sort(to) != Sort::Whole {
-            return;
+        let (Sort::Whole, Some(one), Some(other)) = (self.sort(to), self.bounds(a), self.bounds(b)) else { return };
+        if !(one * other).are_exact() {
+            for factor in [a, b] {
+                self.whole(factor);
+                self.code().i64_extend32_s();
+                self.whole(factor);
+                self.code().i64_ne();
+            }
+            self.code().i32_or();
+            self.when(Self::leave_it);
         }
-        for factor in [a, b] {
-            self.whole(factor);
-            self.code().i64_extend32_s();
-            self.whole(factor);
-            self.code().i64_ne();
+        if !(one.are_positive() && other.are_positive()) {
+            for (zero, negative) in [(a, b), (b, a)] {
+                self.whole(zero);
+                self.code().i64_eqz();
+                self.whole(negative);
+                self.code().i64_const(0).i64_lt_s().i32_and();
+            }
+            self.code().i32_or();
+            self.when(Self::leave_it);
         }
-        self.code().i32_or();
-        for (zero, negative) in [(a, b), (b, a)] {
-            self.whole(zero);
-            self.code().i64_eqz();
-            self.whole(negative);
-            self.code().i64_const(0).i64_lt_s().i32_and().i32_or();
-        }
-        self.when(Self::leave_it);
     }
 
-    /// The next round of a `for` that counts up. What is within its limit is not too large.
+    /// The next round of a `for` that counts up. What is within its limit is within all bounds.
     fn next_up(&mut self, counter: Register, limit: Register, body: u32) {
-        if self.sort(counter) == Sort::Whole && self.is_whole(limit) {
-            self.whole(counter);
-            self.whole(limit + 1);
-            self.code().i64_add().local_tee(local::COLUMN);
-            self.whole(limit);
-            self.code().i64_gt_s();
-            self.when_else(
-                |code| {
-                    code.check_whole();
-                    code.keep_whole(counter);
-                },
-                |code| {
-                    code.keep_whole(counter);
-                    code.jump(body);
-                },
-            );
-        } else {
-            self.compute_either(counter, (counter, limit + 1), (F64Add, I64Add));
+        if self.sort(counter) != Sort::Whole || !self.is_whole(limit) {
+            self.compute_either(counter, (counter, limit + 1), &ADD);
             self.branch_unless(counter, limit, &GREATER, body);
+            return;
         }
+        let most = self.study.sorts.bounds(counter).most();
+        self.whole(counter);
+        self.whole(limit + 1);
+        self.code().i64_add().local_tee(local::COLUMN);
+        self.whole(limit);
+        self.code().i64_gt_s();
+        self.facts.remove(&counter);
+        self.when_else(
+            |code| {
+                code.code().local_get(local::COLUMN).i64_const(most).i64_gt_s();
+                code.when(Self::leave_it);
+                code.keep_whole(counter);
+            },
+            |code| {
+                code.keep_whole(counter);
+                code.jump(body);
+            },
+        );
     }
 
     fn compute(&mut self, to: Register, (a, b): (Register, Register), act: Act) {

@@ -3,9 +3,10 @@
 use val3_bytecode::Register;
 
 use crate::body::Body;
+use crate::bounds::Bounds;
 use crate::lanes::Lane;
 use crate::local;
-use crate::sorts::{Sort, is_whole};
+use crate::sorts::Sort;
 
 impl Body<'_> {
     /// A number of the frame.
@@ -92,9 +93,18 @@ impl Body<'_> {
 
     /// Whether a register is there as a whole number.
     pub(crate) fn is_whole(&self, register: Register) -> bool {
+        self.bounds(register).is_some()
+    }
+
+    /// The bounds of a register that is there as a whole number.
+    pub(crate) fn bounds(&self, register: Register) -> Option<Bounds> {
         match self.study.lanes.get(register) {
-            Lane::Constant(value) => is_whole(value),
-            _ => self.variable_of(register, Sort::Whole).is_some(),
+            Lane::Constant(value) => Bounds::of(value),
+            _ if self.sort(register) == Sort::Whole => {
+                let everywhere = self.study.sorts.bounds(register);
+                Some(self.facts.get(&register).map_or(everywhere, |here| here.and(everywhere)))
+            }
+            _ => None,
         }
     }
 
@@ -108,16 +118,19 @@ impl Body<'_> {
         }
     }
 
-    /// Writes a register that is there as a whole number. What is too large is left to the interpreter.
-    pub(crate) fn set_whole(&mut self, register: Register, value: impl FnOnce(&mut Self)) {
+    /// Writes a register that is there as a whole number. What may be too large is left to the interpreter.
+    pub(crate) fn set_whole(&mut self, register: Register, bounds: Bounds, value: impl FnOnce(&mut Self)) {
         value(self);
         self.code().local_set(local::COLUMN);
-        self.check_whole();
+        if !bounds.are_exact() {
+            self.check_exact();
+        }
         self.keep_whole(register);
+        self.facts.insert(register, bounds.and(Bounds::EXACT));
     }
 
     /// A computed whole number that is too large is left to the interpreter: 54 bits are all of it where it is not.
-    pub(crate) fn check_whole(&mut self) {
+    fn check_exact(&mut self) {
         self.code().local_get(local::COLUMN).i64_const(10).i64_shl().i64_const(10).i64_shr_s();
         self.code().local_get(local::COLUMN).i64_ne();
         self.when(Self::leave_it);

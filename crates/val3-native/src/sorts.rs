@@ -1,17 +1,15 @@
 //! What the variables of a program hold: numbers, or where that is enough, whole numbers or truth values.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use val3_bytecode::{Image, Op, Operand, Program, Register};
 use val3_lang::memory::Kind;
 use wasm_encoder::ValType;
 
+use crate::bounds::{self, Bounds};
 use crate::containers::Width;
 use crate::lanes::{Lane, Lanes, number, parameters, referred};
 use crate::operands::{container, index, written};
-
-/// From here on not all whole numbers are exact.
-const LARGE: f64 = (1_u64 << 53) as f64;
 
 /// What a variable holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,7 +36,7 @@ impl Sort {
 /// What the variables of one program hold. Parameters, and what is passed by reference, are numbers.
 #[derive(Debug)]
 pub(crate) struct Sorts {
-    whole: BTreeSet<Register>,
+    whole: BTreeMap<Register, Bounds>,
     truths: BTreeSet<Register>,
 }
 
@@ -55,21 +53,21 @@ impl Sorts {
                 variables.map(|(register, _)| register).filter(|register| !others.contains(&u32::from(*register)));
             own.filter(move |register| begins(*register)).collect()
         };
-        let mut sorts = Self { whole: of(is_whole), truths: of(is_truth) };
-        while let Some(register) = refuted(program, |op| sorts.keeps_whole(op, lanes), &sorts.whole) {
-            sorts.whole.remove(&register);
+        let mut whole: BTreeSet<Register> = of(is_whole);
+        while let Some(register) = refuted(program, |op| keeps_whole(&whole, op, lanes), &whole) {
+            whole.remove(&register);
         }
-        while let Some(register) = refuted(program, |op| sorts.keeps_truth(op, (program, image), lanes), &sorts.truths)
-        {
-            sorts.truths.remove(&register);
+        let mut truths: BTreeSet<Register> = of(is_truth);
+        while let Some(register) = refuted(program, |op| keeps_truth(&truths, op, (program, image), lanes), &truths) {
+            truths.remove(&register);
         }
-        sorts.whole = indexes(program, &sorts.whole);
-        sorts
+        let bounds = |register| (register, bounds::everywhere(program, lanes, register));
+        Self { whole: indexes(program, &whole).into_iter().map(bounds).collect(), truths }
     }
 
     /// What a register holds, if it is a variable.
     pub(crate) fn get(&self, register: Register) -> Sort {
-        if self.whole.contains(&register) {
+        if self.whole.contains_key(&register) {
             Sort::Whole
         } else if self.truths.contains(&register) {
             Sort::Truth
@@ -78,42 +76,46 @@ impl Sorts {
         }
     }
 
+    /// The bounds of a whole number wherever the program is.
+    pub(crate) fn bounds(&self, register: Register) -> Bounds {
+        self.whole.get(&register).copied().unwrap_or(Bounds::EXACT)
+    }
+
     /// Whether a frame with these numbers keeps to it: the interpreter may have put anything in its registers.
     pub(crate) fn suit(&self, numbers: &[f64]) -> bool {
-        let holds = |register: &Register, is: fn(f64) -> bool| {
-            numbers.get(usize::from(*register)).is_none_or(|number| is(*number))
-        };
-        self.whole.iter().all(|register| holds(register, is_whole))
-            && self.truths.iter().all(|register| holds(register, is_truth))
+        let number = |register: &Register| numbers.get(usize::from(*register)).copied().unwrap_or_default();
+        let suits = |register, bounds: &Bounds| Bounds::of(number(register)).is_some_and(|one| one.and(*bounds) == one);
+        self.whole.iter().all(|(register, bounds)| suits(register, bounds))
+            && self.truths.iter().all(|register| is_truth(number(register)))
     }
+}
 
-    /// Whether an operation writes a whole number, or stops before it writes something else.
-    fn keeps_whole(&self, op: Op, lanes: &Lanes) -> bool {
-        let has = |register| match lanes.get(register) {
-            Lane::Constant(value) => is_whole(value),
-            _ => self.whole.contains(&register),
-        };
-        match op {
-            Op::Move { from: a, .. } => has(a),
-            Op::Add { a, b, .. } | Op::Subtract { a, b, .. } | Op::Multiply { a, b, .. } => has(a) && has(b),
-            Op::ForNext { counter, limit, .. } | Op::ForNextUp { counter, limit, .. } => has(counter) && has(limit + 1),
-            _ => false,
-        }
+/// Whether an operation writes a whole number, where these registers are some, or stops before it writes something else.
+fn keeps_whole(registers: &BTreeSet<Register>, op: Op, lanes: &Lanes) -> bool {
+    let has = |register| match lanes.get(register) {
+        Lane::Constant(value) => is_whole(value),
+        _ => registers.contains(&register),
+    };
+    match op {
+        Op::Move { from: a, .. } => has(a),
+        Op::Add { a, b, .. } | Op::Subtract { a, b, .. } | Op::Multiply { a, b, .. } => has(a) && has(b),
+        Op::ForNext { counter, limit, .. } | Op::ForNextUp { counter, limit, .. } => has(counter) && has(limit + 1),
+        _ => false,
     }
+}
 
-    /// Whether an operation writes a truth value.
-    fn keeps_truth(&self, op: Op, (program, image): (&Program, &Image), lanes: &Lanes) -> bool {
-        match op {
-            Op::Less { .. } | Op::LessEqual { .. } | Op::Equal { .. } | Op::NotEqual { .. } | Op::Not { .. } => true,
-            Op::Move { from, .. } => match lanes.get(from) {
-                Lane::Constant(value) => is_truth(value),
-                _ => self.truths.contains(&from),
-            },
-            Op::LoadFirst { .. } | Op::LoadElement { .. } | Op::LoadElement2 { .. } => {
-                container(op).is_some_and(|whole| Width::declared(whole.kind(), program, image) == Width::Byte)
-            }
-            _ => false,
+/// Whether an operation writes a truth value, where these registers are some.
+fn keeps_truth(registers: &BTreeSet<Register>, op: Op, (program, image): (&Program, &Image), lanes: &Lanes) -> bool {
+    match op {
+        Op::Less { .. } | Op::LessEqual { .. } | Op::Equal { .. } | Op::NotEqual { .. } | Op::Not { .. } => true,
+        Op::Move { from, .. } => match lanes.get(from) {
+            Lane::Constant(value) => is_truth(value),
+            _ => registers.contains(&from),
+        },
+        Op::LoadFirst { .. } | Op::LoadElement { .. } | Op::LoadElement2 { .. } => {
+            container(op).is_some_and(|whole| Width::declared(whole.kind(), program, image) == Width::Byte)
         }
+        _ => false,
     }
 }
 
@@ -149,9 +151,9 @@ fn results(program: &Program) -> impl Iterator<Item = u32> {
     })
 }
 
-/// A whole number that is exact, as are its neighbours; the negative zero is none.
+/// A whole number that machine code can keep as one.
 pub(crate) fn is_whole(number: f64) -> bool {
-    number.trunc().to_bits() == number.to_bits() && number.abs() < LARGE && number.to_bits() != (-0.0_f64).to_bits()
+    Bounds::of(number).is_some()
 }
 
 fn is_truth(number: f64) -> bool {

@@ -98,6 +98,7 @@ impl Body<'_> {
     /// Takes the lines of a block from the budget, if one begins here.
     fn begin_block(&mut self, step: u32) {
         let Some(block) = self.study.flow.block(step) else { return };
+        self.facts.clear();
         self.line = block.line.unwrap_or(LineBefore::Kept);
         self.take_lines(step, block.lines);
     }
