@@ -340,7 +340,9 @@ enum Statement {
     If(String, Vec<Self>, Vec<Self>),
     For(String, Vec<Self>),
     While(Vec<Self>),
-    Call(String, String),
+    Call(&'static str, String, String),
+    /// With the whole numbers `l_nU` and `l_nV` and the truth value `l_bIs`.
+    Count(&'static str),
     Print(String),
     Leave(String),
 }
@@ -375,6 +377,27 @@ const FUNCTIONS: [(&str, usize); 17] = [
     ("sqrt", 1),
 ];
 
+/// What becomes of whole numbers, also of those that are too large to be exact, and of truth values.
+const COUNTS: [&str; 17] = [
+    "l_nU=0",
+    "l_nU=l_nU+1",
+    "l_nU=l_nV",
+    "l_nU=l_nU-l_nV",
+    "l_nU=l_nU*l_nV",
+    "l_nV=3",
+    "l_nV=l_nV+l_nU",
+    "l_nV=-2",
+    "l_nV=9007199254740990",
+    "for l_nU=0 to 5\nnA[l_nU]=nA[l_nU]+l_nV\nendFor",
+    "for l_nU=5 to 1 step -2\nnX=nA[l_nU]*l_nU\nendFor",
+    "if l_nU>=0 and l_nU<6\nnY=nY+nA[l_nU]\nbSeen[l_nU]=!bSeen[l_nU]\nendIf",
+    "if l_nV>=0 and l_nV<=5\nl_bIs=bSeen[l_nV]\nnG[1,l_nV/2]=l_nU\nendIf",
+    "l_bIs=l_nU<l_nV",
+    "if l_bIs\nnX=nX+1\nl_bIs=false\nendIf",
+    "bSeen[2]=l_bIs",
+    "nX=nA[l_nU]",
+];
+
 fn call_of(((name, takes), a, b, c): ((&str, usize), String, String, String)) -> String {
     let arguments: Vec<String> = [a, b, c].into_iter().take(takes).collect();
     format!("{name}({})", arguments.join(","))
@@ -404,7 +427,9 @@ fn condition() -> impl Strategy<Value = String> {
 fn statements() -> impl Strategy<Value = Vec<Statement>> {
     let leaf = prop_oneof![
         6 => (variable(), expression()).prop_map(|(to, value)| Statement::Assign(to, value)),
-        1 => (expression(), variable()).prop_map(|(given, result)| Statement::Call(given, result)),
+        1 => (prop::sample::select(vec!["twice", "both", "down"]), expression(), variable())
+            .prop_map(|(name, given, result)| Statement::Call(name, given, result)),
+        2 => prop::sample::select(COUNTS.to_vec()).prop_map(Statement::Count),
         1 => expression().prop_map(Statement::Print),
         1 => condition().prop_map(Statement::Leave),
     ];
@@ -446,7 +471,8 @@ fn write(statements: &[Statement], loops: &mut u32, text: &mut String) {
                 write(body, loops, text);
                 text.push_str("endWhile\n");
             }
-            Statement::Call(given, result) => writeln!(text, "call twice({given},{result})").unwrap(),
+            Statement::Call(name, given, result) => writeln!(text, "call {name}({given},{result})").unwrap(),
+            Statement::Count(count) => writeln!(text, "{count}").unwrap(),
             Statement::Print(value) => writeln!(text, "? {value}").unwrap(),
             Statement::Leave(on) => writeln!(text, "if {on}\nnY=nY+1\nreturn\nendIf").unwrap(),
         }
@@ -459,10 +485,15 @@ fn application(statements: &[Statement]) -> String {
     write(statements, &mut loops, &mut body);
     let counters: String = (1..=loops).fold(String::new(), |text, number| text + &format!("num l_n{number}\n"));
     format!(
-        "num nX\nnum nY\nnum nA[6]\nnum nG[3,4]\n\
+        "num nX\nnum nY\nnum nA[6]\nnum nG[3,4]\nbool bSeen[6]\n\
          program twice(num x_nGiven, num& x_nResult)\nbegin\nif x_nGiven>100\nreturn\nendIf\n\
          x_nResult=x_nGiven*2+x_nResult\nnX=x_nResult\nend\n\
-         program work(num x_nRound, num& x_nDone)\nnum l_nI\nnum l_nJ\nnum l_nK\nnum l_nB[6]\n{counters}begin\n\
+         program both(num x_nGiven, num& x_nResult)\nnum l_nHalf\nbegin\ncall twice(x_nGiven/2,l_nHalf)\n\
+         call twice(l_nHalf,x_nResult)\nx_nGiven=nX+l_nHalf\ncall twice(x_nGiven,nY)\nend\n\
+         program down(num x_nGiven, num& x_nResult)\nnum l_nLess\nbegin\nif !(x_nGiven>0.5)\nx_nResult=x_nResult+1\nreturn\nendIf\n\
+         if x_nGiven>10\nx_nGiven=10\nendIf\ncall down(x_nGiven-1,l_nLess)\ncall down(x_nGiven-4,x_nResult)\n\
+         x_nResult=x_nResult+l_nLess\nend\n\
+         program work(num x_nRound, num& x_nDone)\nnum l_nI\nnum l_nJ\nnum l_nK\nnum l_nU\nnum l_nV\nbool l_bIs\nnum l_nB[6]\n{counters}begin\n\
          l_nI=x_nRound%4\nl_nJ=3\nx_nDone=x_nDone+1\n{body}end\n\
          program start()\nnum l_nRound\nnum l_nDone\nbegin\nfor l_nRound=1 to 40\ncall work(l_nRound,l_nDone)\nendFor\n\
          ? nX\n? nY\n? l_nDone\n? nA[1]\n? nG[1,1]\nend\n"
