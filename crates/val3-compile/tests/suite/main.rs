@@ -1,8 +1,6 @@
 //! Compiled programs as text.
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, clippy::indexing_slicing, reason = "tests")]
 
-mod show;
-
 mod assignments;
 mod calls;
 mod cell;
@@ -19,5 +17,7 @@ mod machine_code;
 mod media;
 mod places;
 mod programs;
+mod random_programs;
 mod references;
 mod saving;
+mod show;
