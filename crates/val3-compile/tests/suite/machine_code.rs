@@ -465,3 +465,70 @@ fn openings_and_long_programs() {
     }
     assert!(lines(&listing) > 1_500, "{}", lines(&listing));
 }
+
+#[test]
+fn programs_stop_within_one_another() {
+    let listing = r#"
+        num nA
+        num nB
+        num nC
+        bool bLate
+        num nTicks
+        program third(num x_nGiven, num& x_nOne, num& x_nOther)
+        begin
+          x_nOne=x_nOne+x_nGiven
+          if x_nGiven%5==0
+            x_nOther=x_nOther+1
+          endIf
+          x_nOther=x_nOther+x_nOne%7
+        end
+        program second(num& x_nTo, num x_nGiven, num& x_nKept)
+          num l_nOwn
+        begin
+          l_nOwn=x_nGiven
+          call third(x_nGiven,l_nOwn,x_nKept)
+          call third(l_nOwn%10,x_nKept,l_nOwn)
+          call third(1,x_nTo,x_nTo)
+          x_nTo=(x_nTo+l_nOwn)%1009
+          x_nKept=x_nKept%997
+        end
+        program first(num x_nGiven, num& x_nResult)
+          num l_nMine
+          num l_nOther
+        begin
+          call second(l_nMine,x_nGiven,x_nResult)
+          call second(x_nResult,x_nGiven+1,l_nMine)
+          call second(l_nOther,l_nMine,x_nResult)
+          nC=nC+l_nOther
+        end
+        program tick()
+        begin
+          nTicks=nTicks+1
+          ? nA+nB*1000+nC*1000000
+          if nTicks>200
+            taskKill("tick")
+          endIf
+        end
+        program start()
+          num l_nK
+          num l_nA
+          num l_nB
+          num l_nOwn
+        begin
+          taskCreateSync "tick",0.004,bLate,tick()
+          delay(0.01)
+          for l_nK=1 to 60
+            call first(l_nK,l_nA)
+            call first(l_nA,l_nOwn)
+            call first(l_nOwn,l_nB)
+            nA=l_nA
+            nB=l_nB
+          endFor
+          ? l_nOwn
+          taskKill("tick")
+        end"#;
+    for line_cost in (11_000..60_000).step_by(997) {
+        run_at(listing, line_cost);
+    }
+    assert!(lines(listing) > 900, "{}", lines(listing));
+}
