@@ -1,7 +1,7 @@
 //! The containers that programs name, where their descriptions are, and how wide their values.
 
 use val3_bytecode::{Image, ImportKind, Program, Storage, Whole, WholeKind};
-use val3_lang::memory::{Kind, KindBase};
+use val3_lang::memory::{Kind, KindBase, Lanes};
 use val3_lang::types::BaseType;
 
 use crate::layout::{CONTAINER, CONTAINERS, OWN, SHARED};
@@ -68,20 +68,7 @@ impl Width {
 
     /// What machine code takes a container for, by its declaration.
     pub(crate) fn declared(whole: WholeKind, program: &Program, image: &Image) -> Self {
-        let variable = |storage: Storage| {
-            program.variables.iter().find(|variable| variable.storage == storage).map(|variable| &variable.kind)
-        };
-        let kind = match whole {
-            WholeKind::Data(number) => image.data.get(usize::from(number)).map(|data| &data.init.kind),
-            WholeKind::Import(number) => match image.imports.get(usize::from(number)).map(|import| &import.kind) {
-                Some(ImportKind::Data(kind, _)) => Some(kind),
-                _ => None,
-            },
-            WholeKind::Part(number) => variable(Storage::Part(number)),
-            WholeKind::View(number) => variable(Storage::View(number)),
-            WholeKind::Builtin(_) => None,
-        };
-        kind.map_or(Self::Eight, |kind| Self::of(kind))
+        declared(whole, program, image).map_or(Self::Eight, Self::of)
     }
 
     /// The exponent of two of the bytes.
@@ -91,4 +78,28 @@ impl Width {
             Self::Eight => 3,
         }
     }
+}
+
+/// The type of the values that a container is declared with.
+fn declared<'p>(whole: WholeKind, program: &'p Program, image: &'p Image) -> Option<&'p Kind> {
+    let variable = |storage: Storage| {
+        program.variables.iter().find(|variable| variable.storage == storage).map(|variable| &variable.kind)
+    };
+    let kind = match whole {
+        WholeKind::Data(number) => image.data.get(usize::from(number)).map(|data| &data.init.kind),
+        WholeKind::Import(number) => match image.imports.get(usize::from(number)).map(|import| &import.kind) {
+            Some(ImportKind::Data(kind, _)) => Some(kind),
+            _ => None,
+        },
+        WholeKind::Part(number) => variable(Storage::Part(number)),
+        WholeKind::View(number) => variable(Storage::View(number)),
+        WholeKind::Builtin(_) => None,
+    };
+    kind.map(|kind| &**kind)
+}
+
+/// Whether machine code can refer to the values of a container: they are numbers of eight bytes and nothing else.
+pub(crate) fn can_refer(whole: WholeKind, program: &Program, image: &Image) -> bool {
+    declared(whole, program, image)
+        .is_some_and(|kind| Width::of(kind) == Width::Eight && kind.size == Lanes::nums(kind.size.num))
 }

@@ -41,6 +41,18 @@ impl Body<'_> {
                 self.element2(whole, i, j);
                 self.store_value(whole, 0, from);
             }
+            Op::LocateFirst { to, whole } => {
+                self.first(whole, 0);
+                self.locate(to);
+            }
+            Op::Locate { to, whole, index } => {
+                self.element(whole, index);
+                self.locate(to);
+            }
+            Op::Locate2 { to, whole, i, j } => {
+                self.element2(whole, i, j);
+                self.locate(to);
+            }
             // A step that does no more than begin a line.
             _ => {}
         }

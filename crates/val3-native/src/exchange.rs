@@ -11,12 +11,20 @@ use crate::layout::{ADDRESS, COLUMNS, CONTAINER, COUNT, END, NUMBERS, PLACES, RO
 /// The containers whose numbers were copied.
 #[derive(Debug)]
 pub(crate) struct Exchange {
-    /// The address of the first number of each, and how many there are.
-    known: FxHashMap<StoreId, (u32, u32)>,
+    known: FxHashMap<StoreId, Copied>,
     /// The first address that is free.
     free: u32,
     /// How many numbers may still be copied: more would take longer than the interpreter.
     credit: usize,
+}
+
+/// The numbers of a container in the memory of machine code.
+#[derive(Debug, Clone, Copy)]
+struct Copied {
+    /// The address of the first.
+    address: u32,
+    count: u32,
+    width: Width,
 }
 
 impl Exchange {
@@ -32,9 +40,9 @@ impl Exchange {
     /// Copies them back, with what was changed in containers.
     pub(crate) fn take_back(&self, bytes: &[u8], memory: &mut Memory, end: usize) -> Option<()> {
         read_numbers(bytes, NUMBERS, memory.stack.nums.get_mut(..end)?)?;
-        for (id, (address, _)) in &self.known {
+        for (id, Copied { address, width, .. }) in &self.known {
             let store = memory.stores.get_mut(*id).ok()?;
-            match Width::of(&store.kind) {
+            match width {
                 Width::Byte => read_truths(bytes, *address, &mut store.nums)?,
                 Width::Eight => read_numbers(bytes, *address, &mut store.nums)?,
             }
@@ -42,8 +50,8 @@ impl Exchange {
         Some(())
     }
 
-    /// Where the first number of a container is, and how many there are; `None` if there is no room for them.
-    fn numbers(&mut self, bytes: &mut [u8], memory: &Memory, id: StoreId) -> Option<(u32, u32)> {
+    /// Copies the numbers of a container, if they are not there; `None` if there is no room for them.
+    fn numbers(&mut self, bytes: &mut [u8], memory: &Memory, id: StoreId) -> Option<Copied> {
         if let Some(known) = self.known.get(&id) {
             return Some(*known);
         }
@@ -58,8 +66,9 @@ impl Exchange {
             Width::Byte => write_truths(bytes, address, nums)?,
             Width::Eight => write_numbers(bytes, address, nums)?,
         }
-        self.known.insert(id, (address, count));
-        Some((address, count))
+        let copied = Copied { address, count, width };
+        self.known.insert(id, copied);
+        Some(copied)
     }
 
     /// Describes the containers that all programs of a module share.
@@ -128,7 +137,7 @@ impl Exchange {
 
     fn description(&mut self, bytes: &mut [u8], memory: &Memory, view: View) -> Option<[u8; CONTAINER as usize]> {
         let store = memory.stores.get(view.store).ok()?;
-        let (address, count) = self.numbers(bytes, memory, view.store)?;
+        let Copied { address, count, width } = self.numbers(bytes, memory, view.store)?;
         let skipped = view.start * store.kind.size.num;
         let left = count.saturating_sub(skipped);
         let is_of_numbers = store.kind.size == Lanes::nums(1);
@@ -138,7 +147,7 @@ impl Exchange {
             _ => (0, 0, 0),
         };
         let mut description = [0; CONTAINER as usize];
-        let address = address + (skipped << Width::of(&store.kind).shift());
+        let address = address + (skipped << width.shift());
         for (at, number) in [(ADDRESS, address), (COUNT, left), (SIZE, size), (ROWS, rows), (COLUMNS, columns)] {
             write(&mut description, at, &number.to_le_bytes())?;
         }
@@ -151,9 +160,9 @@ impl Exchange {
             return Some(NUMBERS + place.num * 8);
         }
         memory.stores.get(place.store).ok().filter(|store| Width::of(&store.kind) == Width::Eight)?;
-        let (first, count) = self.numbers(bytes, memory, place.store)?;
+        let Copied { address, count, .. } = self.numbers(bytes, memory, place.store)?;
         // The value may have left its container.
-        (place.num < count).then(|| first + place.num * 8)
+        (place.num < count).then(|| address + place.num * 8)
     }
 
     /// The place behind an address.
@@ -161,25 +170,36 @@ impl Exchange {
         if address < VALUES {
             return Some(Place::on_stack(Lanes::nums(address.checked_sub(NUMBERS)? / 8)));
         }
-        let holds = |(start, count): (u32, u32)| (start..start + count * 8).contains(&address);
-        let (id, (start, _)) = self.known.iter().find(|(_, numbers)| holds(**numbers))?;
-        Some(Place::new(*id, Lanes::nums((address - start) / 8)))
+        let holds = |copied: &Copied| {
+            copied.width == Width::Eight && (copied.address..copied.address + copied.count * 8).contains(&address)
+        };
+        let (id, copied) = self.known.iter().find(|(_, copied)| holds(copied))?;
+        Some(Place::new(*id, Lanes::nums((address - copied.address) / 8)))
     }
 
-    /// What the parameters by reference of a frame that machine code has made refer to.
-    pub(crate) fn take_references(&self, bytes: &[u8], memory: &mut Memory, frame: &Frame, program: &Program) {
-        let first = frame.base.place;
-        let references = program.params.iter().filter_map(|param| match param.passing {
-            Passing::Reference(number) => Some(first + number),
-            _ => None,
-        });
-        for number in references {
+    /// What places of a frame refer to, by their numbers, where machine code has written them.
+    pub(crate) fn take_references(
+        &self,
+        bytes: &[u8],
+        memory: &mut Memory,
+        frame: &Frame,
+        places: impl Iterator<Item = u32>,
+    ) {
+        for number in places.map(|place| frame.base.place + place) {
             let place = read(bytes, PLACES + number * 4).and_then(|address| self.place(u32::from_le_bytes(address)));
             if let Some((slot, place)) = memory.stack.places.get_mut(number as usize).zip(place) {
                 *slot = place;
             }
         }
     }
+}
+
+/// The places that the parameters by reference of a program have.
+pub(crate) fn references(program: &Program) -> impl Iterator<Item = u32> {
+    program.params.iter().filter_map(|param| match param.passing {
+        Passing::Reference(number) => Some(number),
+        _ => None,
+    })
 }
 
 /// Writes numbers, one behind the other.

@@ -25,8 +25,8 @@ impl Known {
         for step in programs.iter().flat_map(|program| &program.code) {
             let Some(at) = container(step.op).and_then(|whole| shared.description(whole)) else { continue };
             let fields: &[u32] = match step.op {
-                Op::LoadFirst { .. } | Op::StoreFirst { .. } => &[COUNT, ADDRESS],
-                Op::LoadElement2 { .. } | Op::StoreElement2 { .. } => &[ROWS, COLUMNS, ADDRESS],
+                Op::LoadFirst { .. } | Op::StoreFirst { .. } | Op::LocateFirst { .. } => &[COUNT, ADDRESS],
+                Op::LoadElement2 { .. } | Op::StoreElement2 { .. } | Op::Locate2 { .. } => &[ROWS, COLUMNS, ADDRESS],
                 _ => &[SIZE, ADDRESS],
             };
             fields.iter().for_each(|field| known.add(at + field, draft));

@@ -8,10 +8,13 @@ use val3_bytecode::Image;
 use wasmtime::error::Context as _;
 use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc};
 
+use crate::body::Surroundings;
 use crate::containers::Shared;
 use crate::functions::compute;
 use crate::lanes::Lanes;
 use crate::module::{MEMORY, Plan};
+use crate::operands::located;
+use crate::operations::has_code;
 use crate::regions::Regions;
 use crate::sorts::Sorts;
 use crate::ways::name;
@@ -41,6 +44,8 @@ struct Entrance {
     steps: BTreeSet<u32>,
     whole: WholeNumbers,
     sorts: Sorts,
+    /// The places that machine code looks up.
+    located: BTreeSet<u32>,
 }
 
 impl Machinery {
@@ -58,6 +63,7 @@ impl Machinery {
         let instance = Instance::new(&mut self.store, &module, &[compute.into()])?;
         let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;
         let mut programs = FxHashMap::default();
+        let module = Surroundings { image, programs: &plan.programs, shared: &plan.shared };
         for number in &plan.programs {
             let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
             if let Some(program) = image.programs.get(usize::from(*number)) {
@@ -65,7 +71,9 @@ impl Machinery {
                 let lanes = Lanes::of(program, image);
                 let whole = WholeNumbers::of(program, image, &lanes);
                 let sorts = Sorts::of(program, image, &lanes);
-                programs.insert(*number, Entrance { entry, steps, whole, sorts });
+                let ops = program.code.iter().map(|step| step.op).filter(|op| has_code(&module, program, *op));
+                let located = ops.filter_map(located).map(|(place, _)| place.into()).collect();
+                programs.insert(*number, Entrance { entry, steps, whole, sorts, located });
             }
         }
         Ok(Compiled { shared: plan.shared, memory, programs })
@@ -87,6 +95,11 @@ impl Compiled {
     pub(crate) fn entry(&self, program: u16, step: u32) -> Option<(&Entry, u32)> {
         let Entrance { entry, steps, .. } = self.programs.get(&program)?;
         steps.contains(&step).then_some((entry, name(step)))
+    }
+
+    /// The places of a program that machine code looks up.
+    pub(crate) fn located(&self, program: u16) -> impl Iterator<Item = u32> {
+        self.programs.get(&program).into_iter().flat_map(|entrance| entrance.located.iter().copied())
     }
 
     /// Whether a program can be entered with these numbers in its frame.

@@ -28,6 +28,8 @@ pub(crate) fn registers(op: Op) -> impl Iterator<Item = Register> {
         Op::Function { to, a, b, c, .. } => [Some(to), Some(a), Some(b), Some(c)],
         Op::LoadFirst { to, .. } | Op::Load { to, .. } => [Some(to), None, None, None],
         Op::StoreFirst { from, .. } | Op::Store { from, .. } => [Some(from), None, None, None],
+        Op::Locate { index, .. } => [Some(index), None, None, None],
+        Op::Locate2 { i, j, .. } => [Some(i), Some(j), None, None],
         Op::LoadElement { to, index, .. } => [Some(to), Some(index), None, None],
         Op::StoreElement { index, from, .. } => [Some(from), Some(index), None, None],
         Op::LoadElement2 { to, i, j, .. } => [Some(to), Some(i), Some(j), None],
@@ -40,7 +42,7 @@ pub(crate) fn registers(op: Op) -> impl Iterator<Item = Register> {
     used.into_iter().flatten()
 }
 
-/// The container in which an operation reads or writes a number.
+/// The container in which an operation reads or writes a number, or looks one up.
 pub(crate) fn container(op: Op) -> Option<Whole> {
     match op {
         Op::LoadFirst { whole, .. }
@@ -49,6 +51,16 @@ pub(crate) fn container(op: Op) -> Option<Whole> {
         | Op::StoreElement { whole, .. }
         | Op::LoadElement2 { whole, .. }
         | Op::StoreElement2 { whole, .. } => Some(whole),
+        _ => located(op).map(|(_, whole)| whole),
+    }
+}
+
+/// The place that an operation makes by looking up a value, and the container of that.
+pub(crate) fn located(op: Op) -> Option<(Register, Whole)> {
+    match op {
+        Op::LocateFirst { to, whole } | Op::Locate { to, whole, .. } | Op::Locate2 { to, whole, .. } => {
+            Some((to, whole))
+        }
         _ => None,
     }
 }
@@ -82,8 +94,10 @@ pub(crate) fn written(op: Op) -> Option<Register> {
 /// The indexes of an operation.
 pub(crate) fn index(op: Op) -> impl Iterator<Item = Register> {
     let indexes = match op {
-        Op::LoadElement { index, .. } | Op::StoreElement { index, .. } => [Some(index), None],
-        Op::LoadElement2 { i, j, .. } | Op::StoreElement2 { i, j, .. } => [Some(i), Some(j)],
+        Op::LoadElement { index, .. } | Op::StoreElement { index, .. } | Op::Locate { index, .. } => {
+            [Some(index), None]
+        }
+        Op::LoadElement2 { i, j, .. } | Op::StoreElement2 { i, j, .. } | Op::Locate2 { i, j, .. } => [Some(i), Some(j)],
         _ => [None; 2],
     };
     indexes.into_iter().flatten()

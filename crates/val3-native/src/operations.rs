@@ -1,6 +1,6 @@
 //! The machine code of operations.
 
-use val3_bytecode::{Op, Program, Register};
+use val3_bytecode::{Op, Program, Register, Whole};
 use wasm_encoder::Instruction;
 use wasm_encoder::Instruction::{
     F64Add, F64Div, F64Eq, F64Gt, F64Le, F64Lt, F64Mul, F64Ne, F64Sub, I64Add, I64Eq, I64GtS, I64LeS, I64LtS, I64Mul,
@@ -10,9 +10,10 @@ use wasm_encoder::Instruction::{
 use crate::body::{Body, Surroundings};
 use crate::bounds::Bounds;
 use crate::calls::callee;
+use crate::containers::can_refer;
 use crate::lanes::Lane;
 use crate::local;
-use crate::operands::{container, registers};
+use crate::operands::{container, located, registers};
 use crate::rotation::Rotated;
 use crate::sorts::Sort;
 
@@ -49,7 +50,9 @@ pub(crate) fn has_code(module: &Surroundings<'_>, program: &Program, op: Op) -> 
         Op::Call { .. } => callee(module, program, op).is_some(),
         _ => {
             let has_description = |whole| module.shared.description(whole).is_some();
-            registers(op).next().is_some() && container(op).is_none_or(has_description)
+            let can_refer = |(_, whole): (Register, Whole)| can_refer(whole.kind(), program, module.image);
+            let is_known = registers(op).next().is_some() || located(op).is_some();
+            is_known && container(op).is_none_or(has_description) && located(op).is_none_or(can_refer)
         }
     }
 }

@@ -64,6 +64,12 @@ impl Body<'_> {
         }
     }
 
+    /// The address goes to a place.
+    pub(crate) fn locate(&mut self, place: Register) {
+        let at = whole_at(self.frame.places + u32::from(place) * 4);
+        self.code().local_get(local::PLACES).local_get(local::ADDRESS).i32_store(at);
+    }
+
     /// The address of the numbers of a value, of which there are so many.
     pub(crate) fn address(&mut self, operand: Operand, count: u32) {
         let skipped = match (self.variables_of(operand, count), operand) {

@@ -4,7 +4,7 @@ use val3_bytecode::Image;
 use val3_lang::memory::{Memory, Place, StoreId};
 use val3_vm::{Frame, Stretch, Thread};
 
-use crate::exchange::{Exchange, read, write};
+use crate::exchange::{Exchange, read, references, write};
 use crate::layout::{DEPTH, LINE, MOST_NUMBERS, MOST_PLACES, NEXT, NUMBERS, PLACES, RECORD, RECORDS, STOPPED};
 use crate::local;
 use crate::machinery::{Compiled, Machinery};
@@ -65,9 +65,12 @@ pub(crate) fn run(machinery: &mut Machinery, code: &Compiled, image: &Image, wor
     let end = (end.num + MOST_LANES) as usize;
     let bytes = machinery.bytes(code);
     exchange.take_back(bytes, memory, end)?;
-    for frame in work.thread.frames.iter().skip(reached.frames) {
+    // The frame that was entered has stopped as the first, if one has.
+    let entered = reached.frames - usize::from(!reached.stopped.is_empty());
+    for (frame, number) in work.thread.frames.iter().zip(0..).skip(entered) {
         let program = image.programs.get(usize::from(frame.program))?;
-        exchange.take_references(bytes, memory, frame, program);
+        let given = references(program).filter(|_| number >= reached.frames);
+        exchange.take_references(bytes, memory, frame, given.chain(code.located(frame.program)));
     }
     Some(())
 }

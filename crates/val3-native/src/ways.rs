@@ -174,14 +174,9 @@ impl Body<'_> {
         self.jump_unless(to);
     }
 
-    /// Goes on at another step if the condition on the stack does not hold. That a loop is repeated is not rare.
+    /// Goes on at another step if the condition on the stack does not hold, which is not rare: loops are repeated.
     pub(crate) fn jump_unless(&mut self, to: u32) {
-        let (_, from) = self.step;
-        if to <= from {
-            self.when_else(|_| {}, |body| body.jump(to));
-        } else {
-            self.unless(|body| body.jump(to));
-        }
+        self.when_else(|_| {}, |body| body.jump(to));
     }
 
     /// The line at hand goes to its variable where the block that follows looks for it there.

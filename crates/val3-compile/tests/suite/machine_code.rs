@@ -532,3 +532,59 @@ fn programs_stop_within_one_another() {
     }
     assert!(lines(listing) > 900, "{}", lines(listing));
 }
+
+#[test]
+fn values_of_containers_are_passed_on() {
+    let listing = r#"
+        bool bFlags[9]
+        num nA[7]
+        num nG[3,4]
+        num nOne
+        bool bLate
+        num nTicks
+        program add(num x_nGiven, num& x_nTo, num& x_nCount)
+        begin
+          x_nTo=x_nTo+x_nGiven
+          x_nCount=x_nCount+1
+          if x_nTo>1000
+            x_nTo=x_nTo-1000
+          endIf
+        end
+        program row(num x_nI, num& x_nTo)
+          num l_nJ
+        begin
+          for l_nJ=0 to 3
+            call add(x_nI+l_nJ,nG[x_nI%3,l_nJ],x_nTo)
+            call add(x_nTo,nA[(x_nI+l_nJ)%7],nOne)
+            bFlags[x_nI%9]=nA[l_nJ]>500
+          endFor
+          call add(1,nOne,nA[6])
+        end
+        program tick()
+        begin
+          nTicks=nTicks+1
+          ? nOne+nA[nTicks%7]*1000+nG[nTicks%3,nTicks%4]*1000000
+          if nTicks>200
+            taskKill("tick")
+          endIf
+        end
+        program start()
+          num l_nK
+        begin
+          taskCreateSync "tick",0.004,bLate,tick()
+          delay(0.01)
+          for l_nK=1 to 60
+            call row(l_nK,nA[l_nK%6])
+            call add(l_nK,nOne,nOne)
+            if bFlags[l_nK%9]
+              nA[0]=nA[0]+1
+            endIf
+          endFor
+          ? nOne
+          taskKill("tick")
+        end"#;
+    for line_cost in (11_000..60_000).step_by(997) {
+        run_at(listing, line_cost);
+    }
+    assert!(lines(listing) > 1_000, "{}", lines(listing));
+}

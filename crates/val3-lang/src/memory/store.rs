@@ -98,7 +98,7 @@ impl Store {
         let count = shape.len() as usize;
         Self {
             generation: 0,
-            nums: kind.default.nums.repeat(count),
+            nums: repeated(&kind.default.nums, count),
             texts: vec![Text::default(); kind.default.texts.len() * count],
             links: kind.default.links.repeat(count),
             parts: Vec::new(),
@@ -210,6 +210,14 @@ impl Store {
 #[inline]
 pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
+}
+
+/// Numbers so many times, one behind the other. Memory that is zero already is not written for one that is zero.
+fn repeated(numbers: &[f64], count: usize) -> Vec<f64> {
+    match numbers {
+        [one] => vec![*one; count],
+        _ => numbers.repeat(count),
+    }
 }
 
 /// The whole number nearest to `index` if it is one of `size` indexes. A number that is none is no index either.
