@@ -108,3 +108,36 @@ pub(crate) fn everywhere(program: &Program, lanes: &Lanes, register: Register) -
 
 /// What is known of whole numbers between two jumps that lead in.
 pub(crate) type Facts = BTreeMap<Register, Bounds>;
+
+#[cfg(test)]
+mod tests {
+    use super::Bounds;
+
+    #[test]
+    fn results_are_within_the_bounds_of_the_operation() {
+        let ends = [-9_007_199_254_740_991_i64, -3, -1, 0, 1, 2, 5, 9_007_199_254_740_991];
+        let bounds = || {
+            let pairs = ends.iter().flat_map(|least| ends.iter().map(|most| (*least, *most)));
+            pairs.filter(|(least, most)| least <= most).map(|(least, most)| Bounds { least, most })
+        };
+        for (a, b) in bounds().flat_map(|a| bounds().map(move |b| (a, b))) {
+            let members = |of: Bounds| ends.into_iter().filter(move |end| (of.least..=of.most).contains(end));
+            for (x, y) in members(a).flat_map(|x| members(b).map(move |y| (x, y))) {
+                let holds = |bounds: Bounds, result: i64| (bounds.least..=bounds.most).contains(&result);
+                assert!(holds(a + b, x + y), "{x} + {y} in {:?}", a + b);
+                assert!(holds(a - b, x - y), "{x} - {y} in {:?}", a - b);
+                assert!(holds(a * b, x.saturating_mul(y)), "{x} * {y} in {:?}", a * b);
+            }
+        }
+    }
+
+    #[test]
+    fn whole_numbers_are_exact() {
+        for number in [0.0, -1.0, 9_007_199_254_740_991.0, -9_007_199_254_740_991.0] {
+            assert!(Bounds::of(number).is_some_and(Bounds::are_exact), "{number}");
+        }
+        for number in [-0.0, 0.5, 9_007_199_254_740_992.0, 1e300, f64::INFINITY, f64::NAN, f64::MIN_POSITIVE] {
+            assert_eq!(Bounds::of(number), None, "{number}");
+        }
+    }
+}

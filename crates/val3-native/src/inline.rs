@@ -93,7 +93,8 @@ fn is_short(program: &Program) -> bool {
 /// The opening of a program.
 fn opening(program: &Program) -> Option<Opening> {
     let test = program.code.iter().position(|step| target(step.op).is_some())?;
-    let end = target(program.code.get(test)?.op)?;
+    let op = program.code.get(test)?.op;
+    let end = target(op).filter(|_| !matches!(op, Op::Jump { .. }))?;
     let steps = program.code.get(..end as usize).filter(|steps| steps.len() <= SHORT)?;
     let (before, within) = steps.split_at_checked(test + 1)?;
     let changes_nothing = before.iter().all(|step| target(step.op).is_some() || computes(step.op));

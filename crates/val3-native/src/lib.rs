@@ -6,6 +6,7 @@
 //! for, at what would be an error, at the end of the lines. So programs, lines, time and errors are the same with and
 //! without, and only the interpreter has to know all of VAL 3.
 
+mod arithmetic;
 mod body;
 mod bounds;
 mod calls;
@@ -26,6 +27,7 @@ mod machinery;
 mod module;
 mod operands;
 mod operations;
+mod quotients;
 mod references;
 mod regions;
 mod registers;

@@ -1,5 +1,6 @@
 //! The ways through a program: blocks, loops, jumps, and the exits to the interpreter.
 
+use val3_bytecode::Op;
 use wasm_encoder::BlockType;
 
 use crate::body::{Body, Label};
@@ -174,9 +175,16 @@ impl Body<'_> {
         self.jump_unless(to);
     }
 
-    /// Goes on at another step if the condition on the stack does not hold, which is not rare: loops are repeated.
+    /// Goes on at another step if the condition on the stack does not hold. That a loop is repeated is not rare, nor that
+    /// a program does not return on the way.
     pub(crate) fn jump_unless(&mut self, to: u32) {
-        self.when_else(|_| {}, |body| body.jump(to));
+        let (_, from) = self.step;
+        let skipped = self.program.code.get(from as usize..to as usize).unwrap_or_default();
+        if to <= from || skipped.last().is_some_and(|step| step.op == Op::Return) {
+            self.when_else(|_| {}, |body| body.jump(to));
+        } else {
+            self.unless(|body| body.jump(to));
+        }
     }
 
     /// The line at hand goes to its variable where the block that follows looks for it there.
