@@ -12,6 +12,7 @@ mod bounds;
 mod calls;
 mod containers;
 mod draft;
+mod effort;
 mod elements;
 mod exchange;
 mod flow;
@@ -163,9 +164,15 @@ impl Native for MachineCode {
         if code.entry(frame.program, work.thread.next).is_none() {
             return Prospect::Near;
         }
+        let reserve = work.budget.saturating_sub(code.most_lines);
+        work.budget -= reserve;
         let before = work.budget;
-        match stretch::run(machinery, code, &image, work) {
-            Some(()) => self.judge(key, before - work.budget),
+        let result = stretch::run(machinery, code, &image, work);
+        let lines = before - work.budget;
+        work.budget += reserve;
+        match result {
+            Some(()) if reserve > 0 && lines == before => Prospect::None,
+            Some(()) => self.judge(key, lines),
             None => {
                 self.programs.insert(key, State::Left);
                 Prospect::None

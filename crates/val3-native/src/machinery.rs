@@ -10,6 +10,7 @@ use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc}
 
 use crate::body::Surroundings;
 use crate::containers::Shared;
+use crate::effort;
 use crate::functions::compute;
 use crate::lanes::Lanes;
 use crate::module::{MEMORY, Plan};
@@ -34,6 +35,8 @@ pub(crate) struct Machinery {
 /// A module, ready to run.
 pub(crate) struct Compiled {
     pub(crate) shared: Shared,
+    /// Lines that a stretch may execute, so that others outside can look.
+    pub(crate) most_lines: u32,
     memory: Memory,
     programs: FxHashMap<u16, Entrance>,
 }
@@ -76,7 +79,9 @@ impl Machinery {
                 programs.insert(*number, Entrance { entry, steps, whole, sorts, located });
             }
         }
-        Ok(Compiled { shared: plan.shared, memory, programs })
+        let most_lines =
+            effort::most_lines(plan.programs.iter().filter_map(|number| image.programs.get(usize::from(*number))));
+        Ok(Compiled { shared: plan.shared, most_lines, memory, programs })
     }
 
     /// The memory of a module.

@@ -14,8 +14,8 @@ pub const CYCLE: Time = 4_000_000;
 /// Lines that a synchronous task executes at most in a cycle (5.5).
 const SYNCHRONOUS_LINES: u32 = 3000;
 
-/// Lines that a task executes at most before others outside may look: mostly less than a tenth of a second.
-const MOST_LINES: Time = 40_000_000;
+/// Lines that a task executes at most before others outside may look. Machine code stops before, if they take long.
+const MOST_LINES: Time = 200_000_000;
 
 /// The clock and the round of the scheduler.
 #[derive(Debug, Clone)]
