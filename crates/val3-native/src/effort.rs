@@ -1,14 +1,13 @@
 //! How long machine code takes, roughly: from time to time others outside have to look.
 
-use val3_bytecode::{Op, Program};
+use val3_bytecode::{Op, Step};
 use val3_lang::number_functions::NumberFunction;
 
 /// What takes a tenth of a second, or less.
 const MOST: u64 = 100_000_000;
 
-/// The lines that a stretch may execute in programs like these, in which steps are as frequent as in their text.
-pub(crate) fn most_lines<'p>(programs: impl Iterator<Item = &'p Program>) -> u32 {
-    let steps = programs.flat_map(|program| &program.code);
+/// The lines that a stretch may execute of programs with these steps, if each of them is as frequent as the others.
+pub(crate) fn most_lines<'p>(steps: impl Iterator<Item = &'p Step>) -> u32 {
     let (lines, effort) =
         steps.fold((1, 1), |(lines, all), step| (lines + u64::from(step.line), all + effort(step.op)));
     u32::try_from(MOST * lines / effort).unwrap_or(u32::MAX)
@@ -24,5 +23,20 @@ fn effort(op: Op) -> u64 {
             _ => 50,
         },
         _ => 1,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_that_take_long_are_fewer() {
+        let line = |op| Step { op, line: true };
+        let short = [line(Op::Negate { to: 0, a: 1 })];
+        let long = [line(Op::Function { function: NumberFunction::Power, to: 0, a: 1, b: 2, c: 2 })];
+        assert!(most_lines(short.iter()) >= 50_000_000);
+        assert!((1_000_000..10_000_000).contains(&most_lines(long.iter())));
+        assert!(most_lines([].iter()) > 0);
     }
 }

@@ -1,7 +1,7 @@
 //! Instructions that make a number of numbers: a few are operations of the machine, sine and cosine functions of the
 //! module, the others a function of the host.
 
-use val3_bytecode::Register;
+use val3_bytecode::{Op, Register};
 use val3_geometry::sine::MANY_TURNS;
 use val3_lang::number_functions::NumberFunction;
 use wasm_encoder::Instruction::{
@@ -23,12 +23,13 @@ pub(crate) const COMPUTE: ([ValType; 4], [ValType; 2]) =
 /// The function of the host comes before those of the module.
 const IMPORTED: u32 = 0;
 
-/// Sine and cosine come next.
-const SINE: u32 = IMPORTED + 1;
-const COSINE: u32 = SINE + 1;
+/// The function of the first program. Sine and cosine are behind the last, in modules that have them.
+pub(crate) const FIRST: u32 = IMPORTED + 1;
 
-/// The function of the first program.
-pub(crate) const FIRST: u32 = COSINE + 1;
+/// Whether an operation needs sine or cosine.
+pub(crate) fn is_of_angle(op: Op) -> bool {
+    matches!(op, Op::Function { function: NumberFunction::Sin | NumberFunction::Cos, .. })
+}
 
 const ZERO: Instruction<'static> = F64Const(Ieee64::new(0));
 
@@ -66,8 +67,8 @@ impl Body<'_> {
                 body.get(a);
                 body.all(&[ZERO, F64Ne, Select]);
             }),
-            NumberFunction::Sin => self.of_angle(to, a, SINE),
-            NumberFunction::Cos => self.of_angle(to, a, COSINE),
+            NumberFunction::Sin => self.of_angle(to, a, 0),
+            NumberFunction::Cos => self.of_angle(to, a, 1),
             _ => self.of_the_host(function, to, arguments),
         }
     }
@@ -80,7 +81,9 @@ impl Body<'_> {
     }
 
     /// An angle of very many turns is left to the interpreter.
-    fn of_angle(&mut self, to: Register, a: Register, function: u32) {
+    fn of_angle(&mut self, to: Register, a: Register, behind_sine: u32) {
+        let programs = u32::try_from(self.module.programs.len()).unwrap_or(u32::MAX);
+        let function = FIRST.saturating_add(programs).saturating_add(behind_sine);
         self.get(a);
         self.code().f64_abs().f64_const(MANY_TURNS.into()).f64_lt();
         self.unless(Self::leave_it);

@@ -79,8 +79,7 @@ impl Machinery {
                 programs.insert(*number, Entrance { entry, steps, whole, sorts, located });
             }
         }
-        let most_lines =
-            effort::most_lines(plan.programs.iter().filter_map(|number| image.programs.get(usize::from(*number))));
+        let most_lines = effort::most_lines(plan.steps(image));
         Ok(Compiled { shared: plan.shared, most_lines, memory, programs })
     }
 

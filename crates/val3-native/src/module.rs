@@ -1,6 +1,6 @@
 //! The programs that call one another as one module of machine code.
 
-use val3_bytecode::{Image, Program};
+use val3_bytecode::{Image, Program, Step};
 use wasm_encoder::{
     CodeSection, EntityType, ExportKind, ExportSection, FunctionSection, ImportSection, MemorySection, MemoryType,
     Module, TypeSection,
@@ -9,7 +9,7 @@ use wasm_encoder::{
 use crate::body::{Surroundings, function};
 use crate::calls::{SIGNATURE, plain_call};
 use crate::containers::Shared;
-use crate::functions::{COMPUTE, FIRST, HOST};
+use crate::functions::{COMPUTE, FIRST, HOST, is_of_angle};
 use crate::layout::{END, PAGE};
 use crate::operands::container;
 use crate::sine::{SINE_OF, sine};
@@ -63,6 +63,14 @@ impl Plan {
         (fits && programs.contains(&root)).then_some(Self { programs, shared })
     }
 
+    /// The steps of all programs.
+    pub(crate) fn steps<'i>(&self, image: &'i Image) -> impl Iterator<Item = &'i Step> {
+        self.programs
+            .iter()
+            .filter_map(|number| image.programs.get(usize::from(*number)))
+            .flat_map(|program| &program.code)
+    }
+
     /// The name under which a module exports a program.
     pub(crate) fn name(number: u16) -> String {
         number.to_string()
@@ -85,15 +93,17 @@ impl Plan {
         let (mut functions, mut exports, mut codes) =
             (FunctionSection::new(), ExportSection::new(), CodeSection::new());
         exports.export(MEMORY, ExportKind::Memory, 0);
-        // The sine, and the cosine, which is a quarter of a turn ahead.
-        for ahead in [0, 1] {
-            functions.function(ANGLE_FUNCTION);
-            codes.function(&sine(ahead));
-        }
         for (number, index) in self.programs.iter().zip(FIRST..) {
             functions.function(PROGRAM);
             exports.export(&Self::name(*number), ExportKind::Func, index);
             codes.function(&function(&surroundings, *number)?);
+        }
+        if self.steps(image).any(|step| is_of_angle(step.op)) {
+            // The sine, and the cosine, which is a quarter of a turn ahead.
+            for ahead in [0, 1] {
+                functions.function(ANGLE_FUNCTION);
+                codes.function(&sine(ahead));
+            }
         }
         let mut module = Module::new();
         module
