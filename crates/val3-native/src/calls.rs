@@ -57,7 +57,9 @@ impl Body<'_> {
     pub(crate) fn call(&mut self) {
         let Some(call) = callee(self.module, self.program, self.step.0.op) else { return };
         for pass in call.passes {
-            if let Pass::Reference(Operand::Place(place, _), _) = pass {
+            if let Pass::Reference(Operand::Place(place, _), _) = pass
+                && self.frame.reference(u32::from(*place)).is_none()
+            {
                 self.referred(*place);
             }
         }

@@ -14,6 +14,7 @@ mod libraries;
 mod library_tasks;
 mod lines;
 mod machine_code;
+mod machine_code_calls;
 mod media;
 mod places;
 mod programs;
