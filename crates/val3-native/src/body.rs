@@ -134,12 +134,10 @@ impl Body<'_> {
     fn take_given(&mut self) {
         for given in parameters(self.program) {
             if let Ok(register) = Register::try_from(given)
-                && let Lane::Variable(number) = self.study.lanes.get(register)
+                && let Lane::Variable(_) = self.study.lanes.get(register)
                 && self.study.lanes.parameter(register).is_none()
             {
-                let variable = self.frame.variable(number);
-                self.load(register);
-                self.code().local_set(variable);
+                self.set(register, |body| body.load(register));
             }
         }
     }

@@ -72,7 +72,7 @@ impl Body<'_> {
                 self.check_room(&call);
                 self.inline_opening(&call, opening);
             }
-            Becomes::Code if self.frame.taken > 0 => self.inline(&call),
+            Becomes::Code if self.frame.is_inlined() => self.inline(&call),
             Becomes::Code => {
                 let most = inline::most_taken(self.module, &call, self.frame.levels);
                 self.code().local_get(local::ROOM).i32_const(most.cast_signed()).i32_lt_u();
@@ -89,7 +89,7 @@ impl Body<'_> {
 
     /// Where there is no room for a frame, the interpreter raises the error.
     fn check_room(&mut self, call: &Call<'_>) {
-        if self.frame.taken == 0 {
+        if !self.frame.is_inlined() {
             self.code().local_get(local::ROOM).i32_const(call.callee.stack_bytes.cast_signed()).i32_lt_u();
             self.when(Self::leave_it);
         }

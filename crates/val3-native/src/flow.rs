@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use val3_bytecode::{Op, Program, Step};
 
-use crate::rotation::Rotated;
+use crate::rotation::{Rotated, jumps};
 
 /// Lines behind which no block goes on beyond a jump: all of them have to be left in the turn when it begins.
 const MOST_LINES: u32 = 16;
@@ -90,11 +90,7 @@ impl Flow {
 
 /// The first steps of all blocks, with the lines that begin in each.
 fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool, calls: impl Fn(Op) -> bool) -> Vec<(u32, u32)> {
-    let jumps = code.iter().zip(0..).filter_map(|(step, number)| match Rotated::at(code, number) {
-        Some(rotated) => Some(rotated.end),
-        None => target(step.op),
-    });
-    let targets: BTreeSet<u32> = jumps.collect();
+    let targets: BTreeSet<u32> = jumps(code).map(|(_, to)| to).collect();
     let mut blocks: Vec<(u32, u32)> = Vec::new();
     let mut begins = true;
     for (step, number) in code.iter().zip(0..) {

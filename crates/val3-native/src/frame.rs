@@ -20,7 +20,7 @@ pub(crate) struct Frame {
     pub(crate) line: u32,
     /// What its places refer to, where the function knows it.
     pub(crate) references: Vec<Option<Reference>>,
-    /// On how many levels calls become the code of what they call.
+    /// How far calls become code: [`inline::levels`](crate::inline::levels).
     pub(crate) levels: u32,
 }
 
@@ -62,6 +62,11 @@ impl Frame {
         }
         let variables = sorts.into_iter().map(|sort| draft.variable(sort.kind())).collect();
         Self { numbers: 0, places: 0, taken: 0, variables, line, references: Vec::new(), levels }
+    }
+
+    /// Whether its program is part of the function of another: every frame takes some of the declared stack.
+    pub(crate) fn is_inlined(&self) -> bool {
+        self.taken > 0
     }
 
     /// The variable of a lane.

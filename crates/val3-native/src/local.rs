@@ -24,25 +24,25 @@ pub(crate) const PARAMETERS: u32 = GIVEN + NUMBERS_GIVEN;
 pub(crate) const AGAIN: u32 = 1 << 31;
 
 /// Where to begin; later where a loop begins that is entered on the way.
-pub(crate) const NEXT: u32 = 8;
+pub(crate) const NEXT: u32 = PARAMETERS;
 /// The step that the interpreter goes on with.
-pub(crate) const STEP: u32 = 9;
+pub(crate) const STEP: u32 = NEXT + 1;
 /// An address, for the time of one operation.
-pub(crate) const ADDRESS: u32 = 10;
+pub(crate) const ADDRESS: u32 = STEP + 1;
 /// A whole number, for the time of one operation.
-pub(crate) const I: u32 = 11;
+pub(crate) const I: u32 = ADDRESS + 1;
 /// Another.
-pub(crate) const J: u32 = 12;
+pub(crate) const J: u32 = I + 1;
 
 /// An index, for the time of one operation.
-pub(crate) const ROW: u32 = 13;
+pub(crate) const ROW: u32 = J + 1;
 /// Another.
-pub(crate) const COLUMN: u32 = 14;
+pub(crate) const COLUMN: u32 = ROW + 1;
 
 /// A number, for the time of one operation.
-pub(crate) const A: u32 = 15;
+pub(crate) const A: u32 = COLUMN + 1;
 /// Another.
-pub(crate) const B: u32 = 16;
+pub(crate) const B: u32 = A + 1;
 
-/// The types of the variables above.
+/// The types of the variables above, in their order.
 pub(crate) const VARIABLES: [ValType; 9] = [I32, I32, I32, I32, I32, I64, I64, F64, F64];

@@ -7,10 +7,9 @@
 
 use std::collections::BTreeSet;
 
-use val3_bytecode::{Program, Step};
+use val3_bytecode::Program;
 
-use crate::flow::target;
-use crate::rotation::Rotated;
+use crate::rotation::jumps;
 
 /// A loop, or the program.
 #[derive(Debug)]
@@ -115,14 +114,6 @@ impl Region {
     fn has(&self, step: u32) -> bool {
         (self.head..self.end).contains(&step)
     }
-}
-
-/// From where to where there are jumps.
-fn jumps(code: &[Step]) -> impl Iterator<Item = (u32, u32)> {
-    code.iter().zip(0..).filter_map(|(step, from)| {
-        let to = target(step.op)?;
-        Some((from, Rotated::at(code, from).map_or(to, |rotated| rotated.end)))
-    })
 }
 
 /// First steps of loops with the steps behind their last, in order; none overlaps another without being in it.

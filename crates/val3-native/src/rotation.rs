@@ -39,6 +39,14 @@ impl Rotated {
     }
 }
 
+/// From where to where machine code jumps. The first jump of a rotated loop leads past it.
+pub(crate) fn jumps(code: &[Step]) -> impl Iterator<Item = (u32, u32)> {
+    code.iter().zip(0..).filter_map(|(step, from)| {
+        let to = target(step.op)?;
+        Some((from, Rotated::at(code, from).map_or(to, |rotated| rotated.end)))
+    })
+}
+
 impl Body<'_> {
     /// The condition of a loop before the first round.
     pub(crate) fn rotate(&mut self, rotated: Rotated) {

@@ -41,6 +41,7 @@ impl Body<'_> {
     /// Opens the blocks that end in a region, and leads on to where it is entered.
     fn open_region(&mut self, region: &Region) {
         for label in region.labels.iter().rev() {
+            // The end of an opening is a label already.
             if !self.labels.contains(&Label::Step(*label)) {
                 self.open_block(Label::Step(*label));
             }
