@@ -9,7 +9,7 @@
 //! operation and gives back the lines behind: the interpreter does it, and raises what is to be raised.
 
 use val3_bytecode::{Image, Program, Register, Step};
-use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg};
+use wasm_encoder::{BlockType, Function, Instruction, InstructionSink, MemArg, ValType};
 
 use crate::bounds::Facts;
 use crate::containers::Shared;
@@ -49,6 +49,8 @@ pub(crate) struct Body<'m> {
     pub(crate) line: LineBefore,
     /// The lines of the block that have not begun.
     pub(crate) ahead: u32,
+    /// The variable that tells whether the program was entered again, where that matters.
+    pub(crate) entered: Option<u32>,
     /// What is known of whole numbers, which holds as far as the block goes.
     pub(crate) facts: Facts,
 }
@@ -77,6 +79,7 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
     let mut draft = Draft::new();
     let known = Known::of(&inline::with_inlined(module, program, levels), module.shared, &mut draft);
     let frame = Frame::of_function(&study, levels, &mut draft);
+    let entered = (!study.fills.is_empty()).then(|| draft.variable(ValType::I32));
     let mut body = Body {
         module,
         program,
@@ -89,6 +92,7 @@ pub(crate) fn function(module: &Surroundings<'_>, number: u16) -> Option<Functio
         step: (first, 0),
         line: LineBefore::Kept,
         ahead: 0,
+        entered,
         facts: Facts::new(),
     };
     body.begin();
@@ -123,6 +127,9 @@ impl Body<'_> {
         self.code().i32_const(0).i32_load(whole_at(NEXT)).local_set(local::NEXT);
         let line = self.frame.line;
         self.code().i32_const(0).i32_load(whole_at(LINE)).local_set(line);
+        if let Some(entered) = self.entered {
+            self.code().i32_const(1).local_set(entered);
+        }
         for (register, lane) in self.study.lanes.iter() {
             if let Lane::Variable(_) = lane {
                 self.set(register, |body| body.load(register));

@@ -4,7 +4,7 @@ use val3_bytecode::{Op, Step};
 use val3_lang::number_functions::NumberFunction;
 
 /// What takes a tenth of a second, or less.
-const MOST: u64 = 200_000_000;
+const MOST: u64 = 300_000_000;
 
 /// The lines that a stretch may execute of programs with these steps, if each of them is as frequent as the others.
 pub(crate) fn most_lines<'p>(steps: impl Iterator<Item = &'p Step>) -> u32 {
@@ -16,11 +16,11 @@ pub(crate) fn most_lines<'p>(steps: impl Iterator<Item = &'p Step>) -> u32 {
 /// How long an operation takes, against the addition of two numbers.
 fn effort(op: Op) -> u64 {
     match op {
-        Op::Divide { .. } | Op::Remainder { .. } | Op::Call { .. } => 5,
+        Op::Divide { .. } | Op::Remainder { .. } | Op::Call { .. } => 8,
         Op::Function { function, .. } => match function {
-            NumberFunction::Sin | NumberFunction::Cos => 20,
+            NumberFunction::Sin | NumberFunction::Cos => 30,
             NumberFunction::Abs | NumberFunction::Min | NumberFunction::Max | NumberFunction::Sel => 1,
-            _ => 120,
+            _ => 180,
         },
         _ => 1,
     }

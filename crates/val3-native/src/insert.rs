@@ -54,6 +54,7 @@ impl Body<'_> {
             step: self.step,
             line: LineBefore::Known(0),
             ahead: 0,
+            entered: None,
             facts: Facts::new(),
         };
         body.begin_anew();

@@ -15,6 +15,7 @@ mod draft;
 mod effort;
 mod elements;
 mod exchange;
+mod fill;
 mod flow;
 mod frame;
 mod functions;

@@ -1,6 +1,6 @@
 //! The machine that runs machine code: a WebAssembly engine, which keeps it within its memory.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use rustc_hash::FxHashMap;
@@ -11,6 +11,7 @@ use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc}
 use crate::body::Surroundings;
 use crate::containers::Shared;
 use crate::effort;
+use crate::fill::{Fill, fills};
 use crate::functions::compute;
 use crate::lanes::Lanes;
 use crate::module::{MEMORY, Plan};
@@ -49,6 +50,8 @@ struct Entrance {
     sorts: Sorts,
     /// The places that machine code looks up.
     located: BTreeSet<u32>,
+    /// The loops at whose heads it may stop for their rounds to be done at once.
+    fills: BTreeMap<u32, Fill>,
 }
 
 impl Machinery {
@@ -76,7 +79,8 @@ impl Machinery {
                 let sorts = Sorts::of(program, image, &lanes);
                 let ops = program.code.iter().map(|step| step.op).filter(|op| has_code(&module, program, *op));
                 let located = ops.filter_map(located).map(|(place, _)| place.into()).collect();
-                programs.insert(*number, Entrance { entry, steps, whole, sorts, located });
+                let fills = fills(program, image, &plan.shared);
+                programs.insert(*number, Entrance { entry, steps, whole, sorts, located, fills });
             }
         }
         let most_lines = effort::most_lines(plan.steps(image));
@@ -104,6 +108,11 @@ impl Compiled {
     /// The places of a program that machine code looks up.
     pub(crate) fn located(&self, program: u16) -> impl Iterator<Item = u32> {
         self.programs.get(&program).into_iter().flat_map(|entrance| entrance.located.iter().copied())
+    }
+
+    /// The loop with this head, if it fills an array.
+    pub(crate) fn fill(&self, program: u16, head: u32) -> Option<&Fill> {
+        self.programs.get(&program)?.fills.get(&head)
     }
 
     /// Whether a program can be entered with these numbers in its frame.

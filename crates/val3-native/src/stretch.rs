@@ -88,30 +88,50 @@ fn go(
     let mut reached = Reached { frames: frames.len(), stopped: Vec::new(), at, budget: work.budget };
     while let Some(frame) = frames.get(..reached.frames).and_then(<[Frame]>::last)
         && frame.instance == instance
-        && let Some((entry, begin)) = code.entry(frame.program, reached.at.step)
+        && code.entry(frame.program, reached.at.step).is_some()
         && code.takes(frame.program, work.space.memory.stack.nums.get(frame.base.num as usize..)?)
     {
         let program = image.programs.get(usize::from(frame.program))?;
-        let bytes = machinery.bytes(code);
-        exchange.describe_own(bytes, &work.space.memory, (program, image), &frame.base)?;
-        for (at, word) in [(STOPPED, 0), (NEXT, begin), (LINE, reached.at.line)] {
-            write(bytes, at, &word.to_le_bytes())?;
-        }
+        exchange.describe_own(machinery.bytes(code), &work.space.memory, (program, image), &frame.base)?;
         let taken = frame.base.bytes.saturating_add(program.stack_bytes);
         let room = work.stack_size.saturating_sub(taken).min(DEPTH * LEAST_BYTES);
-        let base = (NUMBERS + frame.base.num * 8, PLACES + frame.base.place * 4);
-        let given = (base.0, base.1, room | local::AGAIN, reached.budget, 0.0, 0.0, 0.0, 0.0);
-        let (has_stopped, left) = machinery.call(entry, given).ok()?;
-        reached.budget = left;
-        if has_stopped != 0 {
-            reached.stopped = stopped(machinery.bytes(code))?;
-            reached.at = reached.stopped.last()?.at;
+        call(machinery, code, (frame, room), &mut reached)?;
+        if !reached.stopped.is_empty() {
             break;
         }
         reached.frames -= 1;
         reached.at = At { step: frame.back, line: frame.back_line };
     }
     Some(reached)
+}
+
+/// Lets machine code run a program whose frame is there, up to its end or to where it stops.
+fn call(machinery: &mut Machinery, code: &Compiled, (frame, room): (&Frame, u32), reached: &mut Reached) -> Option<()> {
+    let numbers = NUMBERS + frame.base.num * 8;
+    loop {
+        let (entry, begin) = code.entry(frame.program, reached.at.step)?;
+        let bytes = machinery.bytes(code);
+        for (at, word) in [(STOPPED, 0), (NEXT, begin), (LINE, reached.at.line)] {
+            write(bytes, at, &word.to_le_bytes())?;
+        }
+        let places = PLACES + frame.base.place * 4;
+        let given = (numbers, places, room | local::AGAIN, reached.budget, 0.0, 0.0, 0.0, 0.0);
+        let (has_stopped, left) = machinery.call(entry, given).ok()?;
+        reached.budget = left;
+        if has_stopped == 0 {
+            return Some(());
+        }
+        let bytes = machinery.bytes(code);
+        reached.stopped = stopped(bytes)?;
+        reached.at = reached.stopped.last()?.at;
+        let fill = code.fill(frame.program, reached.at.step).filter(|_| reached.stopped.len() == 1);
+        let Some((fill, lines)) = fill.and_then(|fill| Some((fill, fill.run(bytes, numbers, left)?))) else {
+            return Some(());
+        };
+        reached.stopped.clear();
+        reached.budget -= lines;
+        reached.at.line = fill.last_line;
+    }
 }
 
 /// The programs that have stopped, the outermost first.

@@ -1,9 +1,12 @@
 //! What is found out about a program before its code is written.
 
+use std::collections::BTreeMap;
+
 use val3_bytecode::Program;
 
 use crate::body::Surroundings;
 use crate::calls::callee;
+use crate::fill::{Fill, fills};
 use crate::flow::Flow;
 use crate::inline::Becomes;
 use crate::lanes::Lanes;
@@ -19,6 +22,8 @@ pub(crate) struct Study {
     pub(crate) flow: Flow,
     pub(crate) whole: WholeNumbers,
     pub(crate) sorts: Sorts,
+    /// The loops that fill arrays, by their heads.
+    pub(crate) fills: BTreeMap<u32, Fill>,
 }
 
 impl Study {
@@ -29,6 +34,7 @@ impl Study {
         let calls_function = |op| callee(module, program, op).is_some_and(|call| call.becomes(levels) != Becomes::Code);
         let flow = Flow::of(program, |op| has_code(module, program, op), calls_function);
         let sorts = Sorts::of(program, module.image, &lanes);
-        Self { lanes, regions: Regions::of(program), flow, whole, sorts }
+        let fills = fills(program, module.image, module.shared);
+        Self { lanes, regions: Regions::of(program), flow, whole, sorts, fills }
     }
 }

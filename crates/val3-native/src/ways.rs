@@ -55,6 +55,9 @@ impl Body<'_> {
                 body.code().local_get(local::NEXT).i32_const(name(*entry).cast_signed()).i32_eq();
                 body.when(|body| body.enter(region, *entry));
             }
+            if body.depth(Label::Loop(region.head)).is_some() {
+                body.code().unreachable();
+            }
         });
     }
 
@@ -66,7 +69,7 @@ impl Body<'_> {
         if is_here {
             self.code().i32_const(0).local_set(local::NEXT);
         }
-        if let Some(out) = self.depth(Label::Step(label)) {
+        if let Some(out) = self.depth(Label::Step(label)).or_else(|| self.depth(Label::Loop(region.head))) {
             self.code().br(out);
         }
     }
@@ -102,6 +105,7 @@ impl Body<'_> {
         let Some(block) = self.study.flow.block(step) else { return };
         self.facts.clear();
         self.line = block.line.unwrap_or(LineBefore::Kept);
+        self.stop_at_fill(step);
         self.take_lines(step, block.lines);
     }
 

@@ -15,6 +15,7 @@ mod library_tasks;
 mod lines;
 mod machine_code;
 mod machine_code_calls;
+mod machine_code_fills;
 mod media;
 mod places;
 mod programs;
