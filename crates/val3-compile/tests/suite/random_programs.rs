@@ -70,8 +70,8 @@ const COUNTS: [&str; 19] = [
     "if l_bIs\nnX=nX+1\nl_bIs=false\nendIf",
     "bSeen[2]=l_bIs",
     "nX=nA[l_nU]",
-    "for l_nU=3 to 299\nnLong[l_nU]=l_nV\nendFor",
-    "for l_nU=0 to 260+l_nV\nbLong[l_nU]=l_bIs\nendFor\nnX=nX+nLong[l_nI]",
+    "nFills=nFills+1\nif nFills<30\nfor l_nU=3 to 299\nnLong[l_nU]=l_nV\nendFor\nendIf",
+    "nFills=nFills+1\nif nFills<30\nfor l_nU=0 to 260+l_nV\nbLong[l_nU]=l_bIs\nendFor\nnX=nX+nLong[l_nI]\nendIf",
 ];
 
 fn call_of(((name, takes), a, b, c): ((&str, usize), String, String, String)) -> String {
@@ -166,7 +166,7 @@ fn application(statements: &[Statement], is_interrupted: bool) -> String {
     write(statements, &mut loops, &mut body);
     let counters: String = (1..=loops).fold(String::new(), |text, number| text + &format!("num l_n{number}\n"));
     format!(
-        "num nX\nnum nY\nnum nA[6]\nnum nG[3,4]\nbool bSeen[6]\nnum nTicks\nbool bLate\nnum nLong[300]\nbool bLong[300]\n\
+        "num nX\nnum nY\nnum nA[6]\nnum nG[3,4]\nbool bSeen[6]\nnum nTicks\nbool bLate\nnum nLong[300]\nbool bLong[300]\nnum nFills\n\
          program twice(num x_nGiven, num& x_nResult)\nbegin\nif x_nGiven>100\nreturn\nendIf\n\
          x_nResult=x_nGiven*2+x_nResult\nnX=x_nResult\nend\n\
          program both(num x_nGiven, num& x_nResult)\nnum l_nHalf\nbegin\ncall twice(x_nGiven/2,l_nHalf)\n\
@@ -176,7 +176,8 @@ fn application(statements: &[Statement], is_interrupted: bool) -> String {
          x_nResult=x_nResult+l_nLess\nend\n\
          program work(num x_nRound, num& x_nDone)\nnum l_nI\nnum l_nJ\nnum l_nK\nnum l_nU\nnum l_nV\nbool l_bIs\nnum l_nB[6]\n{counters}begin\n\
          l_nI=x_nRound%4\nl_nJ=3\nx_nDone=x_nDone+1\n{body}end\n\
-         program tick()\nbegin\nnTicks=nTicks+1\nif nTicks>1000\ntaskKill(\"tick\")\nendIf\nif nTicks%4==0\n? nX+nY\n? nLong[nTicks%300]\n? bLong[nTicks%300]\nendIf\nend\n\
+         program tick()\nbegin\nwhile nTicks<1000\nnTicks=nTicks+1\nif nTicks%4==0\n? nX+nY\n? nLong[nTicks%300]\n? bLong[nTicks%300]\nendIf\n\
+         delay(0)\nendWhile\nend\n\
          program start()\nnum l_nRound\nnum l_nDone\nbegin\n{begin}for l_nRound=1 to 40\ncall work(l_nRound,l_nDone)\nendFor\n\
          ? nX\n? nY\n? l_nDone\n? nA[1]\n? nG[1,1]\n{end}end\n"
     )
