@@ -8,6 +8,7 @@ use wasm_encoder::Instruction::{
 
 use crate::body::Body;
 use crate::bounds::Bounds;
+use crate::lanes::Lane;
 use crate::local;
 use crate::sorts::Sort;
 
@@ -106,23 +107,28 @@ impl Body<'_> {
             return;
         }
         let most = self.study.sorts.bounds(counter).most();
-        self.whole(counter);
-        self.whole(limit + 1);
-        self.code().i64_add().local_tee(local::COLUMN);
-        self.whole(limit);
-        self.code().i64_gt_s();
+        self.step_counter(counter, limit + 1, &I64Add);
         self.facts.remove(&counter);
-        self.when_else(
-            |code| {
-                code.code().local_get(local::COLUMN).i64_const(most).i64_gt_s();
-                code.when(Self::leave_it);
-                code.keep_whole(counter);
-            },
-            |code| {
-                code.keep_whole(counter);
-                code.jump(body);
-            },
-        );
+        self.compare(counter, limit, &LESS_EQUAL);
+        self.jump_if(body);
+        self.whole(counter);
+        self.code().i64_const(most).i64_gt_s();
+        self.when(|code| {
+            code.step_counter(counter, limit + 1, &I64Sub);
+            code.leave_it();
+        });
+    }
+
+    /// The counter of a `for` goes a step on, or back.
+    fn step_counter(&mut self, counter: Register, step: Register, way: &Plain) {
+        self.whole(counter);
+        match self.study.lanes.get(step) {
+            Lane::Constant(1.0) => self.one(),
+            _ => self.whole(step),
+        }
+        self.add(way);
+        self.code().local_set(local::COLUMN);
+        self.keep_whole(counter);
     }
 
     /// Whether the counter of a `for` has passed its limit; the step is the number behind the limit.

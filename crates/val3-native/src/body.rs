@@ -130,7 +130,7 @@ impl Body<'_> {
         if let Some(entered) = self.entered {
             self.code().i32_const(1).local_set(entered);
         }
-        for (register, lane) in self.study.lanes.iter() {
+        for (register, lane) in self.study.lasting() {
             if let Lane::Variable(_) = lane {
                 self.set(register, |body| body.load(register));
             }
@@ -152,7 +152,7 @@ impl Body<'_> {
     /// The numbers of a new frame, but for parameters.
     pub(crate) fn begin_anew(&mut self) {
         let given: Vec<u32> = parameters(self.program).collect();
-        for (register, lane) in self.study.lanes.iter().filter(|(register, _)| !given.contains(&u32::from(*register))) {
+        for (register, lane) in self.study.lasting().filter(|(register, _)| !given.contains(&u32::from(*register))) {
             let value = number(self.program, register).unwrap_or_default();
             match lane {
                 Lane::Variable(_) => self.set(register, |body| _ = body.code().f64_const(value.into())),
@@ -167,12 +167,9 @@ impl Body<'_> {
 
     /// The program has stopped: its numbers go where the interpreter looks for them, and a record tells where it is.
     pub(crate) fn write_frame(&mut self) {
-        for (register, lane) in self.study.lanes.iter() {
+        for (register, lane) in self.study.lasting() {
             if lane != Lane::Memory {
-                self.code().local_get(local::BASE);
-                self.get(register);
-                let at = self.at(register);
-                self.code().f64_store(at);
+                self.save(register);
             }
         }
         let field = |number: u32| whole_at(RECORDS + number * 4);
@@ -183,6 +180,14 @@ impl Body<'_> {
         self.code().local_get(local::J).local_get(local::STEP).i32_store(field(1));
         self.code().local_get(local::J).local_get(line).i32_store(field(2));
         self.code().i32_const(0).local_get(local::I).i32_const(1).i32_add().i32_store(whole_at(STOPPED));
+    }
+
+    /// A number of the frame goes to its memory.
+    pub(crate) fn save(&mut self, register: Register) {
+        let at = self.at(register);
+        self.code().local_get(local::BASE);
+        self.get(register);
+        self.code().f64_store(at);
     }
 
     /// Where a number of the frame is in memory, from the address of the function's frame on.

@@ -1,5 +1,5 @@
 //! How the steps of a program follow one another: blocks that are entered at their first step alone. They are left
-//! behind their last, or on the way by jumps forward.
+//! behind their last, or on the way by jumps past a `return`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -100,8 +100,9 @@ fn blocks(code: &[Step], has_code: impl Fn(Op) -> bool, calls: impl Fn(Op) -> bo
             _ => blocks.push((number, line)),
         }
         let is_full = blocks.last().is_some_and(|(_, lines)| *lines >= MOST_LINES);
-        let goes_on = has_code(step.op) && !calls(step.op) && !ends_block(step.op, number);
-        begins = !goes_on || is_full && target(step.op).is_some();
+        let returns = |to| !is_full && returns_before(code, number, to);
+        let leads_on = !matches!(step.op, Op::Jump { .. } | Op::Return) && target(step.op).is_none_or(returns);
+        begins = !leads_on || !has_code(step.op) || calls(step.op);
     }
     blocks
 }
@@ -118,10 +119,10 @@ pub(crate) fn target(mut op: Op) -> Option<u32> {
     }
 }
 
-/// A block ends with a step that never leads to the next, or by which a loop is repeated: its lines are not to be counted
-/// with those that follow it.
-fn ends_block(op: Op, number: u32) -> bool {
-    matches!(op, Op::Jump { .. } | Op::Return) || target(op).is_some_and(|to| to <= number)
+/// Whether a jump skips what ends the program.
+pub(crate) fn returns_before(code: &[Step], from: u32, to: u32) -> bool {
+    let skipped = code.get(from as usize..to as usize).unwrap_or_default();
+    skipped.last().is_some_and(|step| step.op == Op::Return)
 }
 
 #[cfg(test)]
@@ -134,19 +135,21 @@ mod tests {
     }
 
     #[test]
-    fn a_block_goes_on_behind_a_jump_forward() {
-        let head = Op::UnlessLess { a: 0, b: 1, to: 4 };
-        let round = [Op::Negate { to: 0, a: 1 }, head, Op::Negate { to: 0, a: 1 }, Op::Jump { to: 1 }, Op::Return];
-        assert_eq!(blocks_of(&round), [(0, 1), (1, 3), (4, 1)]);
-        let again = [Op::Negate { to: 0, a: 1 }, Op::IfLess { a: 0, b: 1, to: 0 }, Op::Return];
+    fn a_block_goes_on_behind_a_jump_past_a_return() {
+        let negate = Op::Negate { to: 0, a: 1 };
+        let leaving = [Op::UnlessLess { a: 0, b: 1, to: 3 }, negate, Op::Return, negate, Op::Return];
+        assert_eq!(blocks_of(&leaving), [(0, 3), (3, 2)]);
+        let round = [negate, Op::UnlessLess { a: 0, b: 1, to: 4 }, negate, Op::Jump { to: 1 }, Op::Return];
+        assert_eq!(blocks_of(&round), [(0, 1), (1, 1), (2, 2), (4, 1)]);
+        let again = [negate, Op::IfLess { a: 0, b: 1, to: 0 }, Op::Return];
         assert_eq!(blocks_of(&again), [(0, 2), (2, 1)], "what follows a loop is not part of it");
     }
 
     #[test]
     fn a_block_ends_before_it_is_long_and_at_what_has_no_code() {
-        let mut ops = vec![Op::UnlessLess { a: 0, b: 1, to: 20 }; 20];
-        ops.push(Op::Return);
-        assert_eq!(blocks_of(&ops), [(0, 16), (16, 4), (20, 1)]);
+        let mut ops = vec![Op::UnlessLess { a: 0, b: 1, to: 21 }; 20];
+        ops.extend([Op::Return; 2]);
+        assert_eq!(blocks_of(&ops), [(0, 16), (16, 5), (21, 1)]);
         assert_eq!(blocks_of(&[Op::Negate { to: 0, a: 1 }, Op::Line, Op::Return]), [(0, 1), (2, 1)]);
     }
 }

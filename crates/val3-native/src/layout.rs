@@ -9,8 +9,17 @@ pub(crate) const NEXT: u32 = 4;
 /// The line that it is in.
 pub(crate) const LINE: u32 = 8;
 
+/// The number 1 of eight bytes, for [counting](crate::counting).
+pub(crate) const ONE: u32 = 16;
+
+/// Small numbers from 0 on, each of four bytes, for [counting](crate::counting).
+pub(crate) const SMALL: u32 = 24;
+
+/// How many there are.
+pub(crate) const SMALL_NUMBERS: u32 = (RECORDS - SMALL) / 4;
+
 /// A record for each of them: program, next step, line.
-pub(crate) const RECORDS: u32 = 64;
+pub(crate) const RECORDS: u32 = 128;
 
 /// The bytes of a record.
 pub(crate) const RECORD: u32 = 12;

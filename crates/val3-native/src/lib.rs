@@ -11,6 +11,7 @@ mod body;
 mod bounds;
 mod calls;
 mod containers;
+mod counting;
 mod draft;
 mod effort;
 mod elements;
@@ -38,6 +39,7 @@ mod sine;
 mod sorts;
 mod stretch;
 mod study;
+mod temporaries;
 mod ways;
 mod whole;
 

@@ -1,6 +1,6 @@
 //! The machine that runs machine code: a WebAssembly engine, which keeps it within its memory.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fmt;
 
 use rustc_hash::FxHashMap;
@@ -10,17 +10,15 @@ use wasmtime::{Config, Engine, Func, Instance, Memory, Module, Store, TypedFunc}
 
 use crate::body::Surroundings;
 use crate::containers::Shared;
+use crate::counting::write_numbers;
 use crate::effort;
-use crate::fill::{Fill, fills};
+use crate::fill::Fill;
 use crate::functions::compute;
-use crate::lanes::Lanes;
 use crate::module::{MEMORY, Plan};
 use crate::operands::located;
 use crate::operations::has_code;
-use crate::regions::Regions;
-use crate::sorts::Sorts;
+use crate::study::Study;
 use crate::ways::name;
-use crate::whole::WholeNumbers;
 
 /// What a function is given: see [`local`](crate::local). Where it is entered again, no numbers.
 pub(crate) type Given = (u32, u32, u32, u32, f64, f64, f64, f64);
@@ -45,13 +43,9 @@ pub(crate) struct Compiled {
 /// How a program is entered.
 struct Entrance {
     entry: Entry,
-    steps: BTreeSet<u32>,
-    whole: WholeNumbers,
-    sorts: Sorts,
+    study: Study,
     /// The places that machine code looks up.
     located: BTreeSet<u32>,
-    /// The loops at whose heads it may stop for their rounds to be done at once.
-    fills: BTreeMap<u32, Fill>,
 }
 
 impl Machinery {
@@ -68,19 +62,16 @@ impl Machinery {
         let compute = Func::wrap(&mut self.store, compute);
         let instance = Instance::new(&mut self.store, &module, &[compute.into()])?;
         let memory = instance.get_memory(&mut self.store, MEMORY).context("no memory")?;
+        write_numbers(memory.data_mut(&mut self.store)).context("no room for numbers")?;
         let mut programs = FxHashMap::default();
         let module = Surroundings { image, programs: &plan.programs, shared: &plan.shared };
         for number in &plan.programs {
             let entry = instance.get_typed_func(&mut self.store, &Plan::name(*number))?;
             if let Some(program) = image.programs.get(usize::from(*number)) {
-                let steps = Regions::of(program).entries().clone();
-                let lanes = Lanes::of(program, image);
-                let whole = WholeNumbers::of(program, image, &lanes);
-                let sorts = Sorts::of(program, image, &lanes);
                 let ops = program.code.iter().map(|step| step.op).filter(|op| has_code(&module, program, *op));
                 let located = ops.filter_map(located).map(|(place, _)| place.into()).collect();
-                let fills = fills(program, image, &plan.shared);
-                programs.insert(*number, Entrance { entry, steps, whole, sorts, located, fills });
+                let study = Study::of(&module, program, 0);
+                programs.insert(*number, Entrance { entry, study, located });
             }
         }
         let most_lines = effort::most_lines(plan.steps(image));
@@ -101,8 +92,8 @@ impl Machinery {
 impl Compiled {
     /// The function of a program and how it is told to begin at a step; `None` where it cannot.
     pub(crate) fn entry(&self, program: u16, step: u32) -> Option<(&Entry, u32)> {
-        let Entrance { entry, steps, .. } = self.programs.get(&program)?;
-        steps.contains(&step).then_some((entry, name(step)))
+        let Entrance { entry, study, .. } = self.programs.get(&program)?;
+        study.regions.entries().contains(&step).then_some((entry, name(step)))
     }
 
     /// The places of a program that machine code looks up.
@@ -112,13 +103,12 @@ impl Compiled {
 
     /// The loop with this head, if it fills an array.
     pub(crate) fn fill(&self, program: u16, head: u32) -> Option<&Fill> {
-        self.programs.get(&program)?.fills.get(&head)
+        self.programs.get(&program)?.study.fills.get(&head)
     }
 
     /// Whether a program can be entered with these numbers in its frame.
     pub(crate) fn takes(&self, program: u16, numbers: &[f64]) -> bool {
-        let Some(Entrance { whole, sorts, .. }) = self.programs.get(&program) else { return false };
-        whole.suit(numbers) && sorts.suit(numbers)
+        self.programs.get(&program).is_some_and(|entrance| entrance.study.suits(numbers))
     }
 }
 

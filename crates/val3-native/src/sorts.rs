@@ -81,12 +81,13 @@ impl Sorts {
         self.whole.get(&register).copied().unwrap_or(Bounds::EXACT)
     }
 
-    /// Whether a frame with these numbers keeps to it: the interpreter may have put anything in its registers.
-    pub(crate) fn suit(&self, numbers: &[f64]) -> bool {
+    /// Whether a frame with these numbers keeps to it, as far as the registers are `asked` for.
+    pub(crate) fn suit(&self, numbers: &[f64], asked: impl Fn(&Register) -> bool) -> bool {
         let number = |register: &Register| numbers.get(usize::from(*register)).copied().unwrap_or_default();
         let suits = |register, bounds: &Bounds| Bounds::of(number(register)).is_some_and(|one| one.and(*bounds) == one);
-        self.whole.iter().all(|(register, bounds)| suits(register, bounds))
-            && self.truths.iter().all(|register| is_truth(number(register)))
+        let mut whole = self.whole.iter().filter(|(register, _)| asked(register));
+        let mut truths = self.truths.iter().filter(|register| asked(register));
+        whole.all(|(register, bounds)| suits(register, bounds)) && truths.all(|register| is_truth(number(register)))
     }
 }
 

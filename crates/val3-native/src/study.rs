@@ -2,17 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use val3_bytecode::Program;
+use val3_bytecode::{Program, Register};
 
 use crate::body::Surroundings;
 use crate::calls::callee;
 use crate::fill::{Fill, fills};
 use crate::flow::Flow;
 use crate::inline::Becomes;
-use crate::lanes::Lanes;
+use crate::lanes::{Lane, Lanes};
 use crate::operations::has_code;
 use crate::regions::Regions;
 use crate::sorts::Sorts;
+use crate::temporaries::Temporaries;
 use crate::whole::WholeNumbers;
 
 /// What is found out about a program.
@@ -22,6 +23,7 @@ pub(crate) struct Study {
     pub(crate) flow: Flow,
     pub(crate) whole: WholeNumbers,
     pub(crate) sorts: Sorts,
+    pub(crate) temporaries: Temporaries,
     /// The loops that fill arrays, by their heads.
     pub(crate) fills: BTreeMap<u32, Fill>,
 }
@@ -35,6 +37,19 @@ impl Study {
         let flow = Flow::of(program, |op| has_code(module, program, op), calls_function);
         let sorts = Sorts::of(program, module.image, &lanes);
         let fills = fills(program, module.image, module.shared);
-        Self { lanes, regions: Regions::of(program), flow, whole, sorts, fills }
+        let temporaries = Temporaries::of(program, module.image, &lanes);
+        Self { lanes, regions: Regions::of(program), flow, whole, sorts, temporaries, fills }
+    }
+
+    /// Whether the program can be entered with these numbers in its frame: the interpreter may have put anything in
+    /// its registers.
+    pub(crate) fn suits(&self, numbers: &[f64]) -> bool {
+        let lasting = |register: &Register| !self.temporaries.has(*register);
+        self.whole.suit(numbers, lasting) && self.sorts.suit(numbers, lasting)
+    }
+
+    /// The numbers of a frame but for temporaries.
+    pub(crate) fn lasting(&self) -> impl Iterator<Item = (Register, Lane)> {
+        self.lanes.iter().filter(|(register, _)| !self.temporaries.has(*register))
     }
 }

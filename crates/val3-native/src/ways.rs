@@ -1,10 +1,9 @@
 //! The ways through a program: blocks, loops, jumps, and the exits to the interpreter.
 
-use val3_bytecode::Op;
 use wasm_encoder::BlockType;
 
 use crate::body::{Body, Label};
-use crate::flow::LineBefore;
+use crate::flow::{LineBefore, returns_before};
 use crate::local;
 use crate::regions::Region;
 
@@ -113,10 +112,13 @@ impl Body<'_> {
     pub(crate) fn take_lines(&mut self, step: u32, count: u32) {
         self.ahead = count;
         if count > 0 {
-            let lines = count.cast_signed();
-            self.code().local_get(local::BUDGET).i32_const(lines).i32_lt_u();
-            self.when(|body| body.stop_at(step));
-            self.code().local_get(local::BUDGET).i32_const(lines).i32_sub().local_set(local::BUDGET);
+            self.code().local_get(local::BUDGET);
+            self.lines(count);
+            self.code().i32_sub().local_tee(local::BUDGET).i32_const(0).i32_lt_s();
+            self.when(|body| {
+                body.give_back(count);
+                body.stop_at(step);
+            });
         }
     }
 
@@ -176,20 +178,34 @@ impl Body<'_> {
 
     /// Goes on at another step if the condition on the stack holds.
     pub(crate) fn jump_if(&mut self, to: u32) {
-        self.code().i32_eqz();
-        self.jump_unless(to);
+        if let Some(out) = self.direct(to) {
+            self.keep_line(to);
+            self.code().br_if(out);
+        } else {
+            self.code().i32_eqz();
+            self.jump_unless(to);
+        }
     }
 
     /// Goes on at another step if the condition on the stack does not hold. That a loop is repeated is not rare, nor that
     /// a program does not return on the way.
     pub(crate) fn jump_unless(&mut self, to: u32) {
         let (_, from) = self.step;
-        let skipped = self.program.code.get(from as usize..to as usize).unwrap_or_default();
-        if to <= from || skipped.last().is_some_and(|step| step.op == Op::Return) {
+        if self.direct(to).is_some() {
+            self.code().i32_eqz();
+            self.jump_if(to);
+        } else if to <= from || returns_before(&self.program.code, from, to) {
             self.when_else(|_| {}, |body| body.jump(to));
         } else {
             self.unless(|body| body.jump(to));
         }
+    }
+
+    /// The label of a step, if a jump to it is all there is to do.
+    fn direct(&self, to: u32) -> Option<u32> {
+        let (_, from) = self.step;
+        let label = if to <= from { Label::Loop(to) } else { Label::Step(to) };
+        self.depth(label).filter(|_| self.ahead == 0)
     }
 
     /// The line at hand goes to its variable where the block that follows looks for it there.
@@ -209,6 +225,9 @@ impl Body<'_> {
     /// The interpreter goes on at a step.
     pub(crate) fn stop_at(&mut self, step: u32) {
         self.write_line();
+        for register in self.study.temporaries.at(step, self.program) {
+            self.save(register);
+        }
         let out = self.depth(Label::Stop).unwrap_or_default();
         self.code().i32_const(step.cast_signed()).local_set(local::STEP).br(out);
     }

@@ -36,9 +36,12 @@ impl WholeNumbers {
         self.0.binary_search(&register).is_ok()
     }
 
-    /// Whether a frame with these numbers keeps to it: the interpreter may have put anything in its registers.
-    pub(crate) fn suit(&self, numbers: &[f64]) -> bool {
-        self.0.iter().all(|register| !numbers.get(usize::from(*register)).copied().is_some_and(has_fraction))
+    /// Whether a frame with these numbers keeps to it, as far as the registers are `asked` for.
+    pub(crate) fn suit(&self, numbers: &[f64], asked: impl Fn(&Register) -> bool) -> bool {
+        self.0
+            .iter()
+            .filter(|register| asked(register))
+            .all(|register| !numbers.get(usize::from(*register)).copied().is_some_and(has_fraction))
     }
 
     /// Those of the registers in which a step may put a fraction.
