@@ -367,3 +367,30 @@ fn what_a_block_knows_of_an_index_ends_with_it() {
     assert_eq!(run(listing).lines().count(), 8);
     assert!(lines(listing) > 10);
 }
+
+#[test]
+fn a_counter_that_leaves_the_exact_numbers_is_counted_once() {
+    let listing = "
+        num nA[6]
+        num nX
+        program start()
+          num i
+          num l_nRound
+          num l_nK
+        begin
+          for l_nRound=1 to 20
+            for l_nK=1 to 50
+              for i=0 to 5
+                nX=nX+nA[i]+1
+              endFor
+            endFor
+            for i=0 to 9007199254740990 step 4503599627370495
+              nX=nX+1
+            endFor
+            ? i-13510798882110000
+            ? nX
+          endFor
+        end";
+    assert_eq!(run(listing).lines().count(), 40);
+    assert!(lines(listing) > 1_000, "{}", lines(listing));
+}

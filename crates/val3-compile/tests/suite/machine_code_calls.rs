@@ -261,3 +261,58 @@ fn calls_within_one_another_as_deep_as_machine_code_goes() {
     assert!(!printed.contains("error"), "{printed}");
     assert!(lines(listing) > 60_000, "{}", lines(listing));
 }
+
+#[test]
+fn computed_numbers_are_passed_on_by_the_interpreter_too() {
+    let listing = "
+        bool bAll[10]
+        program add(num x_n, bool& x_bIs, num& x_nSum)
+        begin
+          x_bIs=!x_bIs
+          x_nSum=(x_nSum+x_n)%1000
+        end
+        program start()
+          num i
+          num j
+          num l_nSum
+        begin
+          for i=1 to 100
+            for j=1 to 400
+              l_nSum=l_nSum+j%7
+            endFor
+            call add(i*2+l_nSum,bAll[i%10],l_nSum)
+            ? l_nSum
+          endFor
+        end";
+    assert_eq!(run(listing).lines().count(), 100);
+    assert!(lines(listing) > 8_000, "{}", lines(listing));
+}
+
+#[test]
+fn computed_numbers_become_part_of_structures() {
+    let listing = "
+        trsf trAll[4]
+        num nX
+        program start()
+          num i
+          num j
+          trsf l_trOne
+        begin
+          for i=1 to 200
+            for j=1 to 400
+              nX=nX+j%3
+            endFor
+            trAll[i%4]={i*2,i+1,nX%7,0,0,0}
+            l_trOne={i/2,i*i,nX+1,0,0,0}
+            if trAll[i%4]=={i*2,i+1,nX%7,0,0,0}
+              nX=nX+l_trOne.x+trAll[(i+1)%4].y
+            endIf
+            if l_trOne!={i/2,i*i,nX+1,0,0,0}
+              nX=nX+1
+            endIf
+            ? nX
+          endFor
+        end";
+    assert_eq!(run(listing).lines().count(), 200);
+    assert!(lines(listing) > 16_000, "{}", lines(listing));
+}

@@ -155,13 +155,33 @@ fn write(statements: &[Statement], loops: &mut u32, text: &mut String) {
     }
 }
 
-/// An application whose program `work` consists of statements, and may be interrupted each cycle.
-fn application(statements: &[Statement], is_interrupted: bool) -> String {
-    let (begin, end) = if is_interrupted {
-        ("taskCreateSync \"tick\",0.004,bLate,tick()\n", "taskKill(\"tick\")\n")
-    } else {
-        ("", "")
-    };
+/// How others disturb the task that computes.
+#[derive(Debug, Clone, Copy)]
+enum Disturbed {
+    Never,
+    /// Each cycle another task prints what has been computed.
+    Interrupted,
+    /// Again and again another task suspends it, which tells the line that it is in.
+    Suspended,
+}
+
+impl Disturbed {
+    /// The statements of `start`.
+    fn start(self) -> &'static str {
+        match self {
+            Self::Never => "call rounds()\n",
+            Self::Interrupted => "taskCreateSync \"tick\",0.004,bLate,tick()\ncall rounds()\ntaskKill(\"tick\")\n",
+            Self::Suspended => {
+                "taskCreate \"work\",10,rounds()\nwhile taskStatus(\"work\")==1 and l_nRound<200\n\
+                 l_nRound=l_nRound+1\ndelay(0.0041*(l_nRound%7+1))\nif taskStatus(\"work\")==1\n\
+                 taskSuspend(\"work\")\n? nX+nY\ntaskResume(\"work\",0)\nendIf\nendWhile\ntaskKill(\"work\")\n"
+            }
+        }
+    }
+}
+
+/// An application whose program `work` consists of statements.
+fn application(statements: &[Statement], disturbed: Disturbed) -> String {
     let (mut body, mut loops) = (String::new(), 0);
     write(statements, &mut loops, &mut body);
     let counters: String = (1..=loops).fold(String::new(), |text, number| text + &format!("num l_n{number}\n"));
@@ -178,8 +198,10 @@ fn application(statements: &[Statement], is_interrupted: bool) -> String {
          l_nI=x_nRound%4\nl_nJ=3\nx_nDone=x_nDone+1\n{body}end\n\
          program tick()\nbegin\nwhile nTicks<1000\nnTicks=nTicks+1\nif nTicks%4==0\n? nX+nY\n? nLong[nTicks%300]\n? bLong[nTicks%300]\nendIf\n\
          delay(0)\nendWhile\nend\n\
-         program start()\nnum l_nRound\nnum l_nDone\nbegin\n{begin}for l_nRound=1 to 40\ncall work(l_nRound,l_nDone)\nendFor\n\
-         ? nX\n? nY\n? l_nDone\n? nA[1]\n? nG[1,1]\n{end}end\n"
+         program rounds()\nnum l_nRound\nnum l_nDone\nbegin\nfor l_nRound=1 to 40\ncall work(l_nRound,l_nDone)\nendFor\n\
+         ? nX\n? nY\n? l_nDone\n? nA[1]\n? nG[1,1]\nend\n\
+         program start()\nnum l_nRound\nbegin\n{}end\n",
+        disturbed.start()
     )
 }
 
@@ -188,13 +210,18 @@ proptest! {
 
     #[test]
     fn any_program_does_the_same(statements in statements()) {
-        let listing = application(&statements, false);
+        let listing = application(&statements, Disturbed::Never);
         run(&listing);
         assert!(lines(&listing) > 0, "no machine code for {listing}");
     }
 
     #[test]
     fn any_program_is_interrupted_at_the_same_lines(statements in statements(), line_cost in 20_000_u64..60_000) {
-        run_at(&application(&statements, true), line_cost);
+        run_at(&application(&statements, Disturbed::Interrupted), line_cost);
+    }
+    #[test]
+    fn any_program_is_suspended_in_the_same_lines(statements in statements(), lines_of_cycle in 1_u64..40) {
+        // A line ends where the cycle does, so that no other begins in it.
+        run_at(&application(&statements, Disturbed::Suspended), 4_000_000 / (50 * lines_of_cycle));
     }
 }
