@@ -127,6 +127,7 @@ const STEPS = {
     await user.command("File: Save");
     await becomes("home.pgx", after("home.pgx", ["x_bOk=isInRange", "x_bOk   =isInRange"]));
     await user.command("Format Document");
+    await user.sees("x_bOk=isInRange");
     await user.command("File: Save");
     await becomes("home.pgx", original("home.pgx"));
   },
