@@ -16,7 +16,9 @@ pub(crate) fn most_lines<'p>(steps: impl Iterator<Item = &'p Step>) -> u32 {
 /// How long an operation takes, against the addition of two numbers.
 fn effort(op: Op) -> u64 {
     match op {
-        Op::Divide { .. } | Op::Remainder { .. } | Op::Call { .. } => 8,
+        Op::Call { .. } => 8,
+        Op::Divide { .. } => 15,
+        Op::Remainder { .. } => 30,
         Op::Function { function, .. } => match function {
             NumberFunction::Sin | NumberFunction::Cos => 30,
             NumberFunction::Abs | NumberFunction::Min | NumberFunction::Max | NumberFunction::Sel => 1,

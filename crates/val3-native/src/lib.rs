@@ -171,10 +171,11 @@ impl Native for MachineCode {
         work.budget -= reserve;
         let before = work.budget;
         let result = stretch::run(machinery, code, &image, work);
-        let lines = before - work.budget;
+        let (left, lines) = (work.budget, before - work.budget);
         work.budget += reserve;
         match result {
-            Some(()) if reserve > 0 && lines == before => Prospect::None,
+            // A block that needs more lines than are left is not begun. Others outside are to look now.
+            Some(()) if reserve > 0 && left < LEAST => Prospect::None,
             Some(()) => self.judge(key, lines),
             None => {
                 self.programs.insert(key, State::Left);

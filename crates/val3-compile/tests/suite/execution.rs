@@ -28,12 +28,18 @@ const LONGEST: Time = 100_000_000_000;
 /// What a line takes, in nanoseconds.
 pub(crate) const LINE_COST: Time = 2_000;
 
-/// What happens while an application runs, until it has ended.
-pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_cost: Time) -> Vec<Event> {
+/// A controller whose application has begun.
+pub(crate) fn started(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_cost: Time) -> Controller {
     let mut devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     devices.native = native;
     let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), line_cost);
     controller.start("start").unwrap();
+    controller
+}
+
+/// What happens while an application runs, until it has ended.
+pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_cost: Time) -> Vec<Event> {
+    let mut controller = started(image, native, line_cost);
     let mut events = Vec::new();
     while controller.now() < LONGEST {
         controller.expect_quiet(controller.next_due().map_or(LONGEST, |due| due.min(LONGEST)));

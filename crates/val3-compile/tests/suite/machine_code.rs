@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use val3_native::MachineCode;
 use val3_vm::{Native, Prospect, Stretch};
 
-use crate::execution::{LINE_COST, events, run, run_at};
+use crate::execution::{LINE_COST, events, run, run_at, started};
 use crate::show::image;
 
 /// Machine code that counts the lines it has executed.
@@ -393,4 +393,19 @@ fn a_counter_that_leaves_the_exact_numbers_is_counted_once() {
         end";
     assert_eq!(run(listing).lines().count(), 40);
     assert!(lines(listing) > 1_000, "{}", lines(listing));
+}
+
+/// Whoever stops a run by hand waits as long.
+#[test]
+fn others_outside_can_look_again_and_again() {
+    let listing = "num nX\nprogram start()\nbegin\nwhile true\nnX=power(nX%100+1,0.5)+nX/3\nendWhile\nend";
+    let mut controller = started(&Arc::new(image(listing)), Some(Box::new(MachineCode::after(0))), LINE_COST);
+    controller.expect_quiet(400_000_000 * LINE_COST);
+    for _ in 0..3 {
+        let before = controller.now();
+        controller.step();
+        let lines = (controller.now() - before) / LINE_COST;
+        assert!(lines < 10_000_000, "{lines} lines");
+    }
+    assert!(controller.now() > 3_000_000 * LINE_COST, "machine code goes on beyond the end of a cycle");
 }
