@@ -15,7 +15,7 @@ use crate::lanes::{Lane, Lanes, parameters, referred};
 use crate::operands::{registers, written};
 
 /// The temporary registers of a program.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct Temporaries {
     registers: BTreeSet<Register>,
     /// Steps to which jumps lead.

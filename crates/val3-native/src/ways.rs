@@ -54,6 +54,7 @@ impl Body<'_> {
                 body.code().local_get(local::NEXT).i32_const(name(*entry).cast_signed()).i32_eq();
                 body.when(|body| body.enter(region, *entry));
             }
+            // All ways of a loop lead on from here: what never falls through is out of the way of the rounds.
             if body.depth(Label::Loop(region.head)).is_some() {
                 body.code().unreachable();
             }
@@ -166,8 +167,7 @@ impl Body<'_> {
         self.give_back(self.ahead);
         self.keep_line(to);
         let (_, from) = self.step;
-        let label = if to <= from { Label::Loop(to) } else { Label::Step(to) };
-        if let Some(out) = self.depth(label) {
+        if let Some(out) = self.label(to) {
             self.code().br(out);
         } else if let Some(out) = self.depth(Label::Step(self.study.regions.way(from, to))) {
             self.code().i32_const(name(to).cast_signed()).local_set(local::NEXT).br(out);
@@ -203,9 +203,13 @@ impl Body<'_> {
 
     /// The label of a step, if a jump to it is all there is to do.
     fn direct(&self, to: u32) -> Option<u32> {
+        self.label(to).filter(|_| self.ahead == 0)
+    }
+
+    /// The label of a step: a jump backward leads to the head of a loop.
+    fn label(&self, to: u32) -> Option<u32> {
         let (_, from) = self.step;
-        let label = if to <= from { Label::Loop(to) } else { Label::Step(to) };
-        self.depth(label).filter(|_| self.ahead == 0)
+        self.depth(if to <= from { Label::Loop(to) } else { Label::Step(to) })
     }
 
     /// The line at hand goes to its variable where the block that follows looks for it there.
