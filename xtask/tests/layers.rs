@@ -14,7 +14,7 @@ use cargo_metadata::{DependencyKind, Metadata, MetadataCommand, Package};
 const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide", "val3-lsp"];
 
 /// The crates that run programs.
-const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-native", "val3-kinematics", "val3-motion", "val3-machine"];
+const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion", "val3-machine"];
 
 /// The crates that put both together.
 const BRIDGES: &[&str] = &["val3-compile", "val3-dap", "val3-cli"];
@@ -106,11 +106,7 @@ fn layout_knows_trees_and_settings() {
 #[test]
 fn vm_and_motion_do_not_know_each_other() {
     check_only("val3-vm", &["val3-lang", "val3-bytecode"], &["salsa", "rowan", "tokio"]);
-    check_only(
-        "val3-native",
-        &["val3-lang", "val3-geometry", "val3-bytecode", "val3-vm"],
-        &["salsa", "rowan", "tokio"],
-    );
+    check_only(&["val3-lang", "val3-geometry", "val3-bytecode", "val3-vm"], &["salsa", "rowan", "tokio"]);
     check_only("val3-motion", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "tokio"]);
 }
 

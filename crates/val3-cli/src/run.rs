@@ -80,7 +80,6 @@ fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
     let (pace, signals) = (pace(args), Signals::catch()?);
     let end = loop {
-        controller.expect_quiet(pace.quiet(controller));
         let step = controller.step();
         audience.tell(&controller.devices.take_events())?;
         let wish = audience.attend(controller)?;

@@ -12,7 +12,7 @@ pub mod degrees;
 mod frame;
 mod interpolate;
 mod rotation;
-pub mod sine;
+mod sine;
 #[cfg(test)]
 mod testing;
 mod trsf;

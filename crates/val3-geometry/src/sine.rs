@@ -1,47 +1,13 @@
 //! The sine of an angle in degrees (manual 3.2.3), correct to the last bit or the one before.
 //!
-//! It is computed with any [`Real`]: numbers here, machine code elsewhere, which then has the same bits. Nothing
-//! branches, as nobody can foresee the quarter of the turn that an angle is in.
-
-use std::ops::{Add, Mul, Sub};
-
-/// What a sine can be computed with: operations of IEEE 754, and two on bits.
-pub trait Real:
-    Copy
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Add<f64, Output = Self>
-    + Sub<f64, Output = Self>
-    + Mul<f64, Output = Self>
-{
-    /// The number with the bits of [`HEAD`] alone.
-    #[must_use]
-    fn head(self) -> Self;
-
-    /// For an angle near zero, given its sine and cosine, the sine so many quarters of a turn further on. The number
-    /// itself, of which the lowest bits count, and `ahead` tell how many.
-    #[must_use]
-    fn sine_after(self, ahead: u64, sin: Self, cos: Self) -> Self;
-}
-
-impl Real for f64 {
-    fn head(self) -> Self {
-        Self::from_bits(self.to_bits() & HEAD)
-    }
-
-    fn sine_after(self, ahead: u64, sin: Self, cos: Self) -> Self {
-        let quarters = self.to_bits().wrapping_add(ahead);
-        let value = if quarters & 1 == 0 { sin } else { cos };
-        Self::from_bits(value.to_bits() ^ ((quarters & 2) << 62))
-    }
-}
+//! `libm` takes radians, whose rounding would cost the exact values (`sin(180)` is 0, `sin(30)` is 0.5) and the last bit of
+//! others. The quarter turn is selected without a branch because it is unpredictable.
 
 /// The bits of the larger half of a number: sign, exponent, and 26 bits with the one that is not written.
-pub const HEAD: u64 = !0 << 27;
+const HEAD: u64 = !0 << 27;
 
 /// Below as many degrees, the quarters of a turn are a number that is exact, and exact in degrees too.
-pub const MANY_TURNS: f64 = 360.0 * 2_147_483_648.0;
+pub(crate) const MANY_TURNS: f64 = 360.0 * 2_147_483_648.0;
 
 /// A number to which this is added is rounded, and its units are the lowest bits.
 const UNITS: f64 = 6_755_399_441_055_744.0;
@@ -74,41 +40,49 @@ const COSINE: [f64; 6] = [
 ];
 
 /// The sine of an angle of less than [`MANY_TURNS`] degrees, so many quarters of a turn further on; never -0.
-pub fn sine_of<N: Real>(degrees: N, ahead: u64) -> N {
+pub(crate) fn sine_of(degrees: f64, ahead: u64) -> f64 {
     let (quarters, rest) = reduce(degrees);
     let (sin, cos) = near_zero(rest);
-    quarters.sine_after(ahead, sin, cos) + 0.0
+    sine_after(quarters, ahead, sin, cos) + 0.0
 }
 
 /// Sine and cosine of an angle of less than [`MANY_TURNS`] degrees; never -0.
-pub fn sine_and_cosine<N: Real>(degrees: N) -> (N, N) {
+pub(crate) fn sine_and_cosine(degrees: f64) -> (f64, f64) {
     let (quarters, rest) = reduce(degrees);
     let (sin, cos) = near_zero(rest);
-    (quarters.sine_after(0, sin, cos) + 0.0, quarters.sine_after(1, sin, cos) + 0.0)
+    (sine_after(quarters, 0, sin, cos) + 0.0, sine_after(quarters, 1, sin, cos) + 0.0)
+}
+
+/// The sine of a direction that is `ahead` quarter turns further than one whose sine and cosine are given. The lowest bits
+/// of `quarters` are the number of quarter turns that `reduce` removed.
+fn sine_after(quarters: f64, ahead: u64, sin: f64, cos: f64) -> f64 {
+    let quarters = quarters.to_bits().wrapping_add(ahead);
+    let value = if quarters & 1 == 0 { sin } else { cos };
+    f64::from_bits(value.to_bits() ^ ((quarters & 2) << 62))
 }
 
 /// How many quarters of a turn, in the lowest bits, lead to the direction that is nearest, and what is left of the
 /// angle, exactly: at most 45°, but for what rounding does where two directions are as near.
-pub(crate) fn reduce<N: Real>(degrees: N) -> (N, N) {
+pub(crate) fn reduce(degrees: f64) -> (f64, f64) {
     let quarters = degrees * (1.0 / 90.0) + UNITS;
     (quarters, degrees - (quarters - UNITS) * 90.0)
 }
 
 /// The angle in radians, and what rounding has taken from it.
-pub(crate) fn to_radians<N: Real>(degrees: N) -> (N, N) {
+pub(crate) fn to_radians(degrees: f64) -> (f64, f64) {
     let radians = degrees * RADIANS.0;
     (radians, product_error(degrees, radians) + degrees * RADIANS.1)
 }
 
 /// What `product`, the rounded product of `degrees` and π/180, lacks (T. J. Dekker).
-fn product_error<N: Real>(degrees: N, product: N) -> N {
-    let head = degrees.head();
+fn product_error(degrees: f64, product: f64) -> f64 {
+    let head = f64::from_bits(degrees.to_bits() & HEAD);
     let tail = degrees - head;
     ((head * RADIANS_HEAD - product) + head * RADIANS_TAIL + tail * RADIANS_HEAD) + tail * RADIANS_TAIL
 }
 
 /// Sine and cosine of an angle of at most 45°.
-fn near_zero<N: Real>(degrees: N) -> (N, N) {
+fn near_zero(degrees: f64) -> (f64, f64) {
     let (radians, error) = to_radians(degrees);
     let square = radians * radians;
     let half = square * 0.5;

@@ -201,11 +201,6 @@ impl Controller {
         cycle
     }
 
-    /// Nothing happens from outside until a time: a task that computes alone need not be interrupted before.
-    pub fn expect_quiet(&mut self, until: Time) {
-        self.schedule.quiet = until;
-    }
-
     /// Leaves out the time until the cycle of `time`: nothing can happen before.
     pub fn jump(&mut self, time: Time) {
         self.schedule.now = self.schedule.now.max(time / CYCLE * CYCLE);

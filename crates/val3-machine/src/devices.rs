@@ -19,7 +19,6 @@ use std::sync::Arc;
 
 use val3_bytecode::Image;
 use val3_lang::ports::{Origin, TaskNumber, Time};
-use val3_vm::Native;
 
 use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
@@ -63,8 +62,6 @@ pub struct Devices {
     files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
-    /// Machine code for what tasks do most, if there is any.
-    pub native: Option<Box<dyn Native>>,
     /// What has happened and was not taken yet.
     events: Vec<Event>,
     /// A task was at an instruction that is not there.
@@ -119,7 +116,6 @@ impl Devices {
             instances: Vec::new(),
             sources: BTreeMap::new(),
             read: None,
-            native: None,
         }
     }
 

@@ -317,7 +317,6 @@ impl Machine<'_> {
                     change!(caller);
                 }
                 Op::Instruction { site } => {
-                    self.is_touched = true;
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     if let Some(stop) = outside!(self.instruction(thread, image, (&frame, at.line), site))? {
                         at.next -= usize::from(stop == Stop::Waits);
@@ -325,7 +324,6 @@ impl Machine<'_> {
                     }
                 }
                 Op::CreateTask { site } => {
-                    self.is_touched = true;
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     outside!(self.create_task(image, (&frame, at.line), site))?;
                 }

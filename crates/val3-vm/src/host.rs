@@ -6,13 +6,10 @@ use val3_bytecode::Image;
 use val3_lang::memory::StoreId;
 use val3_lang::ports::Ports;
 
-use crate::{InstanceId, Native, Space};
+use crate::{InstanceId, Space};
 
 /// The controller around the run time.
 pub trait Host: Ports {
-    /// Machine code, if there is any.
-    fn native(&mut self) -> Option<&mut dyn Native>;
-
     /// The task that runs is at an instruction that this controller does not have.
     fn lacking(&mut self, instruction: &str);
 

@@ -14,7 +14,6 @@ mod instruction;
 mod interface;
 mod libraries;
 mod machine;
-mod native;
 mod resume;
 mod roster;
 mod schedule;
@@ -29,7 +28,6 @@ mod window;
 
 pub use host::{Host, LibraryOp, Loaded};
 pub use instance::{Imported, Instance, InstanceId};
-pub use native::{Native, Prospect, Stretch};
 pub use schedule::{CYCLE, Cycle, Schedule};
 pub use space::Space;
 pub use task::{Base, Frame, Rate, Task, TaskState, Thread};

@@ -21,15 +21,9 @@ pub(crate) struct Machine<'v> {
     pub(crate) granted: u32,
     /// Lines that may still be executed.
     pub(crate) budget: u32,
-    /// More of them, which are held back.
-    pub(crate) reserve: u32,
-    /// An instruction was executed, or a task created: what others see at the end of the cycle.
-    pub(crate) is_touched: bool,
     /// The time at which the budget is used up, and what a line takes: the time now follows from both.
     pub(crate) end: Time,
     pub(crate) line_cost: Time,
-    /// The end of the cycle that machine code has come to, if it is a later one.
-    pub(crate) cycle: Option<Time>,
     /// Something asked for the time.
     pub(crate) reads_clock: bool,
 }
@@ -40,7 +34,7 @@ impl Machine<'_> {
     }
 
     pub(crate) fn now(&self) -> Time {
-        self.end - Time::from(self.budget + self.reserve) * self.line_cost
+        self.end - Time::from(self.budget) * self.line_cost
     }
 
     /// The line of a frame that begins with this step, as events name it.

@@ -14,9 +14,6 @@ pub const CYCLE: Time = 4_000_000;
 /// Lines that a synchronous task executes at most in a cycle (5.5).
 const SYNCHRONOUS_LINES: u32 = 3000;
 
-/// Lines that a task executes at most before others outside may look. Machine code stops before, if they take long.
-const MOST_LINES: Time = 200_000_000;
-
 /// The clock and the round of the scheduler.
 #[derive(Debug, Clone)]
 pub struct Schedule {
@@ -24,15 +21,8 @@ pub struct Schedule {
     pub now: Time,
     /// What a line takes, in nanoseconds; at least 1.
     pub line_cost: Time,
-    /// Until then nothing happens from outside: what only computes may go on beyond the end of a cycle.
-    pub quiet: Time,
     /// The asynchronous task whose turn is next: this one or the next behind it.
     next: TaskNumber,
-}
-
-/// The end of the cycle that begins at this time, or that it is in.
-pub(crate) const fn end_of_cycle(time: Time) -> Time {
-    (time / CYCLE + 1) * CYCLE
 }
 
 /// What a cycle came to.
@@ -54,15 +44,15 @@ impl Schedule {
     /// A clock at 0.
     #[must_use]
     pub fn new(line_cost: Time) -> Self {
-        Self { now: 0, line_cost: line_cost.max(1), quiet: 0, next: TaskNumber(0) }
+        Self { now: 0, line_cost: line_cost.max(1), next: TaskNumber(0) }
     }
 
-    /// Runs tasks until the end of the cycle, which is given with what it came to: it is a later one where a task that
-    /// nothing can disturb has gone on.
+    /// Runs tasks until the end of the cycle, which is returned with its outcome. The last turn may overrun that end by
+    /// part of a line.
     pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> (Cycle, Time) {
-        let mut end = end_of_cycle(self.now);
+        let end = (self.now / CYCLE + 1) * CYCLE;
         let synchronous = self.synchronous(vm, host);
-        let asynchronous = self.asynchronous(vm, &mut end, synchronous, host);
+        let asynchronous = self.asynchronous(vm, end, host);
         self.now = self.now.max(end);
         (if synchronous { Cycle::Busy } else { asynchronous }, end)
     }
@@ -124,13 +114,12 @@ impl Schedule {
         }
     }
 
-    /// `is_late`: synchronous tasks have run in this cycle.
-    fn asynchronous(&mut self, vm: &mut Vm, end: &mut Time, is_late: bool, host: &mut dyn Host) -> Cycle {
+    fn asynchronous(&mut self, vm: &mut Vm, end: Time, host: &mut dyn Host) -> Cycle {
         let mut any = false;
         // A round that the last cycle has interrupted does not show that all tasks wait.
         let mut round = Round { has_run: self.next != TaskNumber(0), reads_clock: false };
-        while self.now < *end {
-            let Some((id, grant)) = self.next_turn(vm, (*end, is_late || any)) else {
+        while self.now < end {
+            let Some((id, grant)) = self.next_turn(vm, end) else {
                 // The round is over.
                 self.next = TaskNumber(0);
                 if round.has_run {
@@ -138,7 +127,7 @@ impl Schedule {
                     continue;
                 }
                 let wake = self.wake(vm);
-                match wake.filter(|wake| *wake < *end) {
+                match wake.filter(|wake| *wake < end) {
                     Some(wake) => self.now = self.now.max(wake),
                     None if any => return Cycle::Busy,
                     None => return Cycle::Idle { wake, watches_clock: round.reads_clock },
@@ -148,7 +137,6 @@ impl Schedule {
             };
             let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
             self.now += Time::from(turn.lines) * self.line_cost;
-            *end = turn.cycle.unwrap_or(*end);
             vm.set_left(id, turn.left);
             self.next = if turn.left > 0 { id } else { TaskNumber(id.0 + 1) };
             // One that ends behind what it waited for executes no line, but others see that it is over.
@@ -161,29 +149,14 @@ impl Schedule {
     }
 
     /// The next asynchronous task that can run, with the lines of its turn.
-    fn next_turn(&self, vm: &Vm, (end, is_late): (Time, bool)) -> Option<(TaskNumber, Grant)> {
+    fn next_turn(&self, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
         let tasks = vm.tasks();
         let from = vm.roster.first_from(self.next);
         let (task, lines) = tasks.iter().skip(from).find_map(|task| Some((task, self.lines(task)?)))?;
         let first = if task.left > 0 { task.left } else { lines };
         let most = u32::try_from((end - self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX);
-        let is_alone = self.is_alone(task, tasks, end);
-        let each = if is_alone { lines } else { 0 };
-        let far = if is_alone && !is_late { self.far(task, vm) } else { 0 };
-        Some((task.id, Grant { first, each, most, far }))
-    }
-
-    /// The lines that a task may execute while nothing else can happen, where no other has run in this cycle: what
-    /// others have done would show at its end.
-    fn far(&self, task: &Task, vm: &Vm) -> u32 {
-        let others = vm.tasks().iter().filter(|other| other.id != task.id && other.is_running());
-        let wakes = others.filter_map(|other| match other.rate {
-            Rate::Period { next, .. } => Some(next),
-            Rate::Priority(_) => other.thread.wait.and_then(|wait| wait.wake),
-        });
-        let most = self.now.saturating_add(MOST_LINES.saturating_mul(self.line_cost));
-        let quiet = wakes.fold(self.quiet.min(most), Time::min) / CYCLE * CYCLE;
-        u32::try_from(quiet.saturating_sub(self.now).div_ceil(self.line_cost)).unwrap_or(u32::MAX)
+        let each = if self.is_alone(task, tasks, end) { lines } else { 0 };
+        Some((task.id, Grant { first, each, most }))
     }
 
     /// The lines of a turn of an asynchronous task that can run.

@@ -40,8 +40,6 @@ pub struct Turn {
     pub lines: u32,
     /// The lines that are left, where it was interrupted.
     pub left: u32,
-    /// The end of the cycle that it ended in, if machine code has gone beyond its own.
-    pub cycle: Option<Time>,
     /// Something asked for the time.
     pub reads_clock: bool,
 }
@@ -55,15 +53,13 @@ pub struct Grant {
     pub each: u32,
     /// In all.
     pub most: u32,
-    /// In all in machine code, while nothing else happens; no more than `most` where something may.
-    pub far: u32,
 }
 
 impl Grant {
     /// One turn.
     #[must_use]
     pub const fn once(lines: u32) -> Self {
-        Self { first: lines, each: 0, most: lines, far: 0 }
+        Self { first: lines, each: 0, most: lines }
     }
 
     /// The lines that may be executed if no other task becomes able to run.
@@ -83,11 +79,9 @@ impl Grant {
 impl Machine<'_> {
     /// Another task may be able to run: it has its turn when this one is over.
     pub(crate) fn end_with_turn(&mut self) {
-        let ahead = self.budget + self.reserve;
-        let left = ahead.min(self.grant.left(self.granted - ahead));
-        let cut = ahead - left;
-        self.budget = self.budget.min(left);
-        self.reserve = left - self.budget;
+        let left = self.budget.min(self.grant.left(self.granted - self.budget));
+        let cut = self.budget - left;
+        self.budget = left;
         self.granted -= cut;
         self.end -= Time::from(cut) * self.line_cost;
     }
@@ -176,7 +170,7 @@ mod tests {
 
     #[test]
     fn turns_that_follow_one_another_end_where_single_ones_do() {
-        let alone = Grant { first: 3, each: 10, most: 2000, far: 0 };
+        let alone = Grant { first: 3, each: 10, most: 2000 };
         assert_eq!(alone.budget(), 2000);
         assert_eq!([0, 1, 3, 4, 13, 14, 23].map(|lines| alone.left(lines)), [3, 2, 0, 9, 0, 9, 0]);
         let among_others = Grant { each: 0, ..alone };

@@ -48,20 +48,20 @@ impl Vm {
 
     /// Gives a task its turn: lines of `line_cost` nanoseconds each, from `now` on.
     pub fn turn(&mut self, id: TaskNumber, grant: Grant, (now, line_cost): (Time, Time), host: &mut dyn Host) -> Turn {
-        let nothing = Turn { stop: Stop::Waits, lines: 0, left: 0, cycle: None, reads_clock: false };
+        let nothing = Turn { stop: Stop::Waits, lines: 0, left: 0, reads_clock: false };
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return nothing };
         let stack_size = task.stack_size;
         let mut thread = std::mem::replace(&mut task.thread, self.idle.take().unwrap_or_default());
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         let mut machine = self.machine(id, grant, (now, line_cost), stack_size, host);
-        let stop = machine.run(&mut thread).unwrap_or_else(Stop::Failed);
+        let stop = machine.interpret(&mut thread).unwrap_or_else(Stop::Failed);
         if let Some(frame) = thread.frames.last() {
             machine.ports.origin(machine.origin(machine.now(), frame, thread.line));
         }
         let lines = machine.granted - machine.budget;
         let left = if stop == Stop::Budget { grant.left(lines) } else { 0 };
-        let turn = Turn { stop, lines, left, cycle: machine.cycle, reads_clock: machine.reads_clock };
+        let turn = Turn { stop, lines, left, reads_clock: machine.reads_clock };
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
         self.settle(id, thread, stop, host);
         turn
@@ -87,9 +87,6 @@ impl Vm {
             budget,
             end: now + Time::from(budget) * line_cost,
             line_cost,
-            cycle: None,
-            reserve: 0,
-            is_touched: false,
             reads_clock: false,
         }
     }

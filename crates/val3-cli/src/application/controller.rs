@@ -8,7 +8,6 @@ use val3_bytecode::Image;
 use val3_lang::components::Component;
 use val3_machine::controller::Controller;
 use val3_machine::devices::Devices;
-use val3_native::MachineCode;
 
 use super::lines::Tape;
 use super::settings::Settings;
@@ -35,9 +34,6 @@ pub(crate) fn controller(
     cell::describe(&mut devices, &disk);
     describe(&mut devices, args);
     settings.apply(&mut devices);
-    if !args.interpret {
-        devices.native = Some(Box::new(MachineCode::default()));
-    }
     lines::connect(&mut devices.lines, &disk, tape, &settings)?;
     Ok(Controller::new(devices, image, application, settings.line_cost))
 }

@@ -47,14 +47,6 @@ impl Pace {
         }
     }
 
-    /// Until when nothing can come from outside.
-    pub(crate) fn quiet(&self, controller: &Controller) -> Time {
-        if self.started.is_some() || self.attended || controller.hears_outside() {
-            return 0;
-        }
-        [controller.next_due(), self.until].into_iter().flatten().min().unwrap_or(Time::MAX)
-    }
-
     /// All tasks wait until `wake`, or for the outside. Whether something can still happen.
     pub(crate) fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> bool {
         if self.attended || controller.hears_outside() {

@@ -38,9 +38,6 @@ pub(crate) struct ControllerArgs {
     /// What a line takes on the controller's clock, in microseconds [default: 2]
     #[arg(long, value_name = "US", value_parser = microseconds)]
     pub(crate) line_cost: Option<Time>,
-    /// Interpret every line, and compile nothing to machine code
-    #[arg(long)]
-    pub(crate) interpret: bool,
 }
 
 /// A root of paths and the folder it stands for.

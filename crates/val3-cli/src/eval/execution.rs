@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use val3_bytecode::Image;
-use val3_lang::ports::{SECOND, TaskNumber, Time};
+use val3_lang::ports::TaskNumber;
 use val3_machine::controller::{Controller, Step};
 use val3_vm::TaskState;
 
@@ -12,9 +12,6 @@ use super::interrupt::Interrupt;
 use super::sources::NAME;
 use crate::application::Pace;
 use crate::user_error::UserError;
-
-/// The time on the controller's clock after which somebody may have pressed Ctrl-C.
-const ATTENTION: Time = SECOND;
 
 /// Who hears what comes of a text, as it comes.
 pub(super) type Listener<'a> = dyn FnMut(&Answer) -> Result<(), UserError> + 'a;
@@ -43,8 +40,6 @@ impl Execution {
             return tell(&Answer::Fault("the text cannot be started".to_owned().into()));
         };
         loop {
-            let look = self.controller.now() + ATTENTION;
-            self.controller.expect_quiet(self.pace.quiet(&self.controller).min(look));
             let step = self.controller.step_tasks();
             for answer in self.controller.devices.take_events().iter().filter_map(|event| Answer::of(event, is_string))
             {

@@ -9,8 +9,6 @@ use val3_machine::controller::{Controller, Step};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, What};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
-use val3_native::MachineCode;
-use val3_vm::Native;
 
 use crate::show::image;
 
@@ -29,20 +27,18 @@ const LONGEST: Time = 100_000_000_000;
 pub(crate) const LINE_COST: Time = 2_000;
 
 /// A controller whose application has begun.
-pub(crate) fn started(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_cost: Time) -> Controller {
-    let mut devices = Devices::new(Roots::default(), Box::new(NoLibraries));
-    devices.native = native;
+pub(crate) fn started(image: &Arc<Image>, line_cost: Time) -> Controller {
+    let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
     let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), line_cost);
     controller.start("start").unwrap();
     controller
 }
 
 /// What happens while an application runs, until it has ended.
-pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_cost: Time) -> Vec<Event> {
-    let mut controller = started(image, native, line_cost);
+pub(crate) fn events(image: &Arc<Image>, line_cost: Time) -> Vec<Event> {
+    let mut controller = started(image, line_cost);
     let mut events = Vec::new();
     while controller.now() < LONGEST {
-        controller.expect_quiet(controller.next_due().map_or(LONGEST, |due| due.min(LONGEST)));
         let step = controller.step();
         events.extend(controller.devices.take_events());
         match step {
@@ -54,21 +50,17 @@ pub(crate) fn events(image: &Arc<Image>, native: Option<Box<dyn Native>>, line_c
     panic!("goes on: {events:?}");
 }
 
-/// What an application prints until it has ended, then the numbers of the errors of its tasks. It does the same, at the
-/// same times, with and without machine code.
+/// The lines that an application prints until it has ended, and the errors of its tasks.
 #[track_caller]
 pub(crate) fn run(listing: &str) -> String {
     run_at(listing, LINE_COST)
 }
 
-/// As [`run`], with lines that take so many nanoseconds.
+/// As [`run`], with lines that take `line_cost` nanoseconds.
 #[track_caller]
 pub(crate) fn run_at(listing: &str, line_cost: Time) -> String {
     let image = Arc::new(image(listing));
-    let interpreted = events(&image, None, line_cost);
-    let compiled = events(&image, Some(Box::new(MachineCode::after(0))), line_cost);
-    assert_eq!(interpreted, compiled, "the machine code of {listing}");
-    interpreted
+    events(&image, line_cost)
         .into_iter()
         .filter_map(|event| match event.what {
             What::Print { text } => Some(text + "\n"),
@@ -386,4 +378,38 @@ fn a_task_that_is_alone_gets_the_same_turns() {
     let (alone, among_others) = (printed("delay(9)"), printed("wait(bGo)"));
     assert!(alone.contains("-27\n"), "{alone}");
     assert_eq!(alone, among_others);
+}
+
+/// An index is rounded as floor(x + 0.5), and exactly so: the largest number below a half is index 0.
+#[test]
+fn indexes_are_rounded() {
+    check(
+        "
+        num nA[3]
+        program start()
+          num i
+        begin
+          nA[0]=10
+          nA[1]=11
+          nA[2]=12
+          for i=0 to 2.4 step 0.4
+            ? nA[i]
+          endFor
+          ? nA[0.49999999999999994]
+          ? nA[-0.5]
+          ? nA[-0.6]
+        end",
+        expect![[r#"
+            10
+            10
+            11
+            11
+            12
+            12
+            12
+            10
+            10
+            error 21 in line Some(12)
+        "#]],
+    );
 }

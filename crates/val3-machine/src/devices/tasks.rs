@@ -8,7 +8,7 @@ use val3_lang::memory::StoreId;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
-use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Native, Space};
+use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
 
 use super::Devices;
 use crate::event::What;
@@ -54,13 +54,6 @@ impl Ports for Devices {
 }
 
 impl Host for Devices {
-    fn native(&mut self) -> Option<&mut dyn Native> {
-        match &mut self.native {
-            Some(native) => Some(native.as_mut()),
-            None => None,
-        }
-    }
-
     fn lacking(&mut self, instruction: &str) {
         let (program, line, file) = self.place(self.origin.at);
         self.record(What::Lacking { instruction: instruction.to_owned(), program, line, file });
