@@ -86,11 +86,11 @@ fn near_zero(degrees: f64) -> (f64, f64) {
     let (radians, error) = to_radians(degrees);
     let square = radians * radians;
     let half = square * 0.5;
-    let up_to_square = (half - 1.0) * -1.0;
+    let up_to_square = 1.0 - half;
     let rest = square * (square * (square * (square * SINE[5] + SINE[4]) + SINE[3]) + SINE[2]) + SINE[1];
     let sin = radians + (square * radians * (square * rest + SINE[0]) + error * up_to_square);
     let rest = square * (square * (square * (square * COSINE[5] + COSINE[4]) + COSINE[3]) + COSINE[2]) + COSINE[1];
-    let lost = (up_to_square - 1.0 + half) * -1.0;
+    let lost = -(up_to_square - 1.0 + half);
     let cos = up_to_square + (lost + (square * square * (square * rest + COSINE[0]) - radians * error));
     (sin, cos)
 }
