@@ -39,9 +39,11 @@ struct Line {
 }
 
 /// The level of a comment: that of the line that follows. Before the end of a block it may belong to the block or to
-/// the line that ends it, as its own indentation tells.
+/// the line that ends it, as its own indentation tells. A comment in the first column stays there if the code is
+/// indented: it is mostly code that was switched off, and keeps its own blanks after the slashes.
 fn comment(piece: &Piece<'_>, column: usize, next: Option<Line>) -> usize {
     match next {
+        Some(next) if column == 0 && next.column > 0 => 0,
         Some(next) if next.closes && column > next.column => next.level + 1,
         Some(next) => next.level,
         None => piece.depth,

@@ -138,6 +138,41 @@ fn comments_stay_as_they_are() {
 }
 
 #[test]
+fn comments_in_the_first_column_stay_there() {
+    check(
+        "begin\n    if a\n//    if b\n//      x = 1\n//    endIf\n  b = 1\n//  b = 2\n    endIf\n//  c = 1\nend",
+        expect![[r#"
+            begin
+              if a
+            //    if b
+            //      x = 1
+            //    endIf
+                b=1
+            //  b = 2
+              endIf
+            //  c = 1
+            end
+        "#]],
+    );
+}
+
+#[test]
+fn comments_of_code_without_indentation_are_indented_with_it() {
+    check(
+        "begin\n// one\nif a\n// two\nb=1\nendIf\nend",
+        expect![[r#"
+            begin
+              // one
+              if a
+                // two
+                b=1
+              endIf
+            end
+        "#]],
+    );
+}
+
+#[test]
 fn lines_that_cannot_be_read_stay() {
     check(
         "begin\na = 1\n   b =  = 2 \nc = 3  \nend",
