@@ -161,7 +161,7 @@ impl CheckArgs {
 /// Arguments of `val3 fmt`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct FmtArgs {
-    /// Programs (.pgx), or folders that hold some; `-` reads one program and writes it to the standard output
+    /// Programs (.pgx), or folders that hold some; `-` reads one program, or its code alone, and writes it to the standard output
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
     /// Write nothing; list the programs that would change, and exit with 1 if there are any

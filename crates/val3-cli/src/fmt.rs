@@ -1,5 +1,6 @@
 //! `val3 fmt`: gives the code of programs its layout.
 
+mod bare;
 mod program;
 mod search;
 
@@ -60,13 +61,14 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
     let path = current.join(args.stdin_path.as_deref().unwrap_or(Utf8Path::new("program.pgx")));
     let style = search::style(&Disk, &path)?;
     let shown = args.stdin_path.as_ref().map_or_else(|| "program.pgx".to_owned(), Utf8PathBuf::to_string);
-    let formatted = Formatted::new(path, shown, bytes, &style);
+    let formatted = Formatted::of_stream(path, shown, bytes, &style)?;
     if args.check || args.diff {
         show(args, color, std::slice::from_ref(&formatted))?;
     } else {
         let bytes = formatted.bytes()?;
         to_stdout(Color::Never, |out| out.write_all(&bytes))?;
     }
+    tell_unread(std::slice::from_ref(&formatted));
     Ok(exit_code(args, formatted.changes()))
 }
 
@@ -82,10 +84,15 @@ fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), Use
     })
 }
 
-fn summarise(formatted: &[Formatted], written: bool) {
+/// Names the programs with code that cannot be read.
+fn tell_unread(formatted: &[Formatted]) {
     for program in formatted.iter().filter(|program| program.left_alone) {
         to_stderr(|out| writeln!(out, "{}: code that cannot be read keeps its layout; see val3 check", program.shown));
     }
+}
+
+fn summarise(formatted: &[Formatted], written: bool) {
+    tell_unread(formatted);
     let changed = formatted.iter().filter(|program| program.changes()).count();
     let verb = if written { "changed" } else { "would change" };
     to_stderr(|out| writeln!(out, "{changed} of {} {verb}", programs(formatted.len())));

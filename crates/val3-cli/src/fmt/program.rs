@@ -4,6 +4,7 @@ use camino::Utf8PathBuf;
 use val3_fmt::{Style, apply, format};
 use val3_syntax::encoding::{Encoding, decode};
 
+use super::bare;
 use crate::fixing::{encoded, unencodable};
 use crate::output::replace_file;
 use crate::user_error::UserError;
@@ -33,6 +34,19 @@ impl Formatted {
         Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding }
     }
 
+    /// As [`Self::new`], for a program or for its code alone, as the standard input may hold it.
+    ///
+    /// # Errors
+    /// If the bytes are neither.
+    pub(super) fn of_stream(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Result<Self, UserError> {
+        let decoded = decode(bytes.clone());
+        if !bare::is_bare(&decoded.text) {
+            return Ok(Self::new(path, shown, bytes, style));
+        }
+        let (after, left_alone) = bare::format(&decoded.text, style).ok_or_else(no_program)?;
+        Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })
+    }
+
     /// The layout is another than before.
     pub(super) fn changes(&self) -> bool {
         self.before != self.after
@@ -60,4 +74,9 @@ impl Formatted {
         replace_file(&self.path, &self.bytes, &self.bytes()?)
             .map_err(|reason| UserError::new(format!("cannot write `{}`: {reason}", self.shown)))
     }
+}
+
+fn no_program() -> UserError {
+    UserError::new("the standard input is no VAL 3 program: it is not XML, and does not start with `begin`")
+        .with_help("pass a whole `.pgx`, or its code from `begin` to `end`")
 }

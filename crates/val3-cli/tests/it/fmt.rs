@@ -79,6 +79,23 @@ fn one_program_through_the_pipe_keeps_its_bytes() {
 }
 
 #[test]
+fn code_alone_is_formatted_or_refused_with_a_reason() {
+    let folder = Folder::empty();
+    let run = piped(&folder, &["fmt", "-"], b"begin\nIF a<1\nb = 1\nendif\nend\n");
+    let expected = "begin\n  if a<1\n    b=1\n  endIf\nend\n";
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, expected, ""));
+    assert_eq!(piped(&folder, &["fmt", "--check", "-"], expected.as_bytes()).code, 0);
+    let run = piped(&folder, &["fmt", "-"], b"begin\na = = 1\nend\n");
+    assert_eq!((run.code, run.stdout.as_str()), (0, "begin\na = = 1\nend\n"));
+    assert!(run.stderr.contains("code that cannot be read keeps its layout"), "{run:?}");
+    for input in [&b"b = 1\n"[..], b""] {
+        let run = piped(&folder, &["fmt", "-"], input);
+        assert_eq!((run.code, run.stdout.as_str()), (2, ""));
+        assert!(run.stderr.contains("does not start with `begin`"), "{run:?}");
+    }
+}
+
+#[test]
 fn the_style_comes_from_the_settings() {
     let folder = Folder::with(UNTIDY);
     folder.write(".editorconfig", "root=true\n[*.pgx]\nindent_style=tab\n");
