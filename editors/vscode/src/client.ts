@@ -10,6 +10,7 @@ import { codeViewMiddleware } from "./codeView/middleware";
 import { SCHEME } from "./codeView/uris";
 import { SHOW_REFERENCES } from "./commands/showReferences";
 import { Deaths, TOO_MANY } from "./deaths";
+import { encodingMiddleware, withOpenFiles } from "./encoding/middleware";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
 
@@ -169,7 +170,7 @@ export class Client implements vscode.Disposable {
       // Told by `begin`, once.
       initializationFailedHandler: () => false,
       errorHandler: noteDeath(life),
-      middleware: { ...codeViewMiddleware(this.views), ...this.changeMiddleware(life) },
+      middleware: { ...codeViewMiddleware(this.views), ...encodingMiddleware, ...this.changeMiddleware(life) },
     };
   }
 
@@ -191,6 +192,7 @@ export class Client implements vscode.Disposable {
           await next(event);
           this.contents.fire();
         },
+        willRenameFiles: async (event, next) => withOpenFiles(await next(event)),
       },
     };
   }

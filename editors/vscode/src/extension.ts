@@ -10,6 +10,7 @@ import { registerNewApplication } from "./commands/newApplication";
 import { registerNewProgram } from "./commands/newProgram";
 import { registerPages } from "./commands/openPage";
 import { registerShowReferences } from "./commands/showReferences";
+import { registerEncodings } from "./encoding/documents";
 import { Findings } from "./findings";
 import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
@@ -19,7 +20,8 @@ let client: Client | undefined;
 
 export async function activate(context: vscode.ExtensionContext): Promise<void> {
   const output = vscode.window.createOutputChannel("VAL 3", { log: true });
-  const views = new CodeFiles((fault) => output.error(String(fault)));
+  const report = (fault: unknown): void => output.error(String(fault));
+  const views = new CodeFiles(report);
   const findings = new Findings(views);
   const started = new Client(context, output, views, findings);
   const tree = new WorkspaceTree(started, output);
@@ -41,6 +43,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
         void started.restart();
       }
     }),
+    ...registerEncodings(report),
     ...registerStatus(started),
     ...registerCodeView(views),
     ...registerNewApplication(context),

@@ -1,6 +1,7 @@
 // A definition that was asked for in a code view leads to another code view, not to the XML around it.
 
 import * as vscode from "vscode";
+import { openDocument } from "../encoding/documents";
 import type { Range } from "./mapping";
 import { placeInCode } from "./place";
 import { programsOf } from "./projection";
@@ -36,7 +37,7 @@ async function follow(target: Target): Promise<Target> {
   if (!/\.pgx$/i.test(uri.path) || uri.scheme !== "file" || range === undefined) {
     return target;
   }
-  const text = (await vscode.workspace.openTextDocument(uri)).getText();
+  const text = (await openDocument(uri)).getText();
   const place = placeInCode(text, range);
   if (place === undefined) {
     return target;

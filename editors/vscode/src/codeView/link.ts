@@ -4,6 +4,7 @@
 // what the user sees, so the code wins; at every other time the file does.
 
 import * as vscode from "vscode";
+import { openDocument } from "../encoding/documents";
 import { Mapping } from "./mapping";
 import { difference, Projection } from "./projection";
 import { fileUri, programIndex } from "./uris";
@@ -25,7 +26,7 @@ export class Link {
 
   /** Opens the file of a code view. Fails where there is no such file. */
   static async open(code: vscode.Uri, reload: (code: vscode.Uri) => void): Promise<Link> {
-    return new Link(code, await vscode.workspace.openTextDocument(fileUri(code)), reload);
+    return new Link(code, await openDocument(fileUri(code)), reload);
   }
 
   /** The code as the file has it; nothing where it has none. */

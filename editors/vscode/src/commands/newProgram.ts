@@ -1,6 +1,7 @@
 // "New Program": a file, and its entry in the project.
 
 import * as vscode from "vscode";
+import { openDocument } from "../encoding/documents";
 import { nameFault } from "./names";
 import { entry, isOld } from "./projectEntry";
 
@@ -42,7 +43,7 @@ function folderOf({ path }: vscode.Uri): string {
 }
 
 async function create(project: vscode.Uri, name: string): Promise<void> {
-  const document = await vscode.workspace.openTextDocument(project);
+  const document = await openDocument(project);
   const text = document.getText();
   const file = vscode.Uri.joinPath(project, "..", `${name}.pgx`);
   await vscode.workspace.fs.writeFile(file, Buffer.from(isOld(text) ? oldProgram(name) : program(name)));

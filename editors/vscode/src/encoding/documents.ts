@@ -1,0 +1,143 @@
+// Opens files in the encoding that they declare, and sees to it that saving one loses nothing.
+//
+// VS Code reads a file as its settings say, which know nothing of the XML declaration: in UTF-8, every accent of a file
+// in ISO-8859-1 is lost, and saving makes that final. So a file of VAL 3 is read again as it declares. One that changed
+// before that, as "Replace in Files" does it, gets its characters back when it is saved.
+
+import { readFile, writeFile } from "node:fs/promises";
+import * as vscode from "vscode";
+import { encodingsOf, isDeclaredAlike, isSameEncoding, isUtf8, LATIN1 } from "./declared";
+import { asReferences, restore } from "./rescue";
+
+const LANGUAGES = new Set(["val3", "val3-data", "val3-project"]);
+
+/** Opens a file in its own encoding. */
+export async function openDocument(uri: vscode.Uri): Promise<vscode.TextDocument> {
+  const document = await vscode.workspace.openTextDocument(uri);
+  const encoding = await missedEncoding(document);
+  return encoding === undefined || document.isDirty ? document : vscode.workspace.openTextDocument(uri, { encoding });
+}
+
+/** `report` is told what fails while nobody waits for it. */
+export function registerEncodings(report: (fault: unknown) => void): vscode.Disposable[] {
+  const saves = new Saves();
+  const correct = ({ uri }: vscode.TextDocument): void => void openDocument(uri).catch(report);
+  vscode.workspace.textDocuments.filter(isOwn).forEach(correct);
+  return [
+    vscode.workspace.onDidOpenTextDocument((document) => isOwn(document) && correct(document)),
+    vscode.workspace.onWillSaveTextDocument((event) => isOwn(event.document) && event.waitUntil(saves.prepare(event.document))),
+    vscode.workspace.onDidSaveTextDocument((document) => isOwn(document) && void saves.finish(document).catch(report)),
+  ];
+}
+
+function isOwn({ uri, languageId, encoding }: vscode.TextDocument): boolean {
+  return uri.scheme === "file" && LANGUAGES.has(languageId) && !encoding.startsWith("utf16");
+}
+
+/** The encoding of a file, where its document has another. */
+async function missedEncoding(document: vscode.TextDocument): Promise<string | undefined> {
+  if (!isOwn(document)) {
+    return undefined;
+  }
+  const encoding = await encodingOf(await readFile(document.uri.fsPath));
+  return encoding === undefined || isSameEncoding(encoding, document.encoding) ? undefined : encoding;
+}
+
+/** The first encoding in which all bytes survive. */
+async function encodingOf(bytes: Uint8Array): Promise<string | undefined> {
+  for (const encoding of encodingsOf(bytes)) {
+    if (isUtf8(encoding) || Buffer.compare(await encode(await decode(bytes, encoding), encoding), bytes) === 0) {
+      return encoding;
+    }
+  }
+  return undefined;
+}
+
+class Saves {
+  /** Encodings of files that VS Code is about to save in another one, by their addresses. */
+  private readonly pending = new Map<string, string>();
+
+  /** The edits without which saving would lose characters. */
+  async prepare(document: vscode.TextDocument): Promise<vscode.TextEdit[]> {
+    const text = Buffer.from(document.getText());
+    // A file that does not exist yet has lost nothing.
+    const bytes = await readFile(document.uri.fsPath).catch(() => text);
+    const encoding = bytes === text ? document.encoding : await encodingOf(bytes);
+    if (encoding === undefined) {
+      return [];
+    }
+    const wanted = bytes !== text && isDeclaredAlike(bytes, text) ? encoding : (encodingsOf(text)[0] ?? encoding);
+    if (!isSameEncoding(wanted, document.encoding)) {
+      this.pending.set(document.uri.toString(), wanted);
+    }
+    if (!isSameEncoding(encoding, document.encoding)) {
+      return restored(document, bytes, encoding);
+    }
+    return isUtf8(wanted) ? [] : references(document, wanted);
+  }
+
+  /** Saves a file once more where VS Code could not save it as it should be. */
+  async finish(document: vscode.TextDocument): Promise<void> {
+    const wanted = this.pending.get(document.uri.toString());
+    this.pending.delete(document.uri.toString());
+    const encoding = wanted ?? document.encoding;
+    if (document.isDirty || isUtf8(document.encoding) && isUtf8(encoding)) {
+      return;
+    }
+    const edits = isUtf8(encoding) ? [] : await references(document, encoding);
+    if (edits.length > 0) {
+      await replace(document, edits);
+    } else if (wanted !== undefined) {
+      await writeFile(document.uri.fsPath, await encode(document.getText(), wanted));
+      await vscode.workspace.openTextDocument(document.uri, { encoding: wanted });
+    }
+  }
+}
+
+/** Makes edits that came too late for the save before, and saves them. */
+async function replace(document: vscode.TextDocument, edits: vscode.TextEdit[]): Promise<void> {
+  const edit = new vscode.WorkspaceEdit();
+  edit.set(document.uri, edits);
+  if (await vscode.workspace.applyEdit(edit)) {
+    await document.save();
+  }
+}
+
+/** The text of a document that was changed in the wrong encoding, or else what its file holds. */
+async function restored(document: vscode.TextDocument, bytes: Uint8Array, encoding: string): Promise<vscode.TextEdit[]> {
+  const right = await decode(bytes, encoding);
+  const text = restore(document.getText(), await decode(bytes, document.encoding), right);
+  if (text === undefined) {
+    void vscode.window.showErrorMessage(`${vscode.workspace.asRelativePath(document.uri)} was not changed: it was opened as `
+      + `${document.encoding}, but holds ${encoding}, and characters would have been lost. Make the change once more.`);
+  }
+  return [vscode.TextEdit.replace(whole(document), text ?? right)];
+}
+
+/** Writes as references the characters that an encoding does not have. */
+async function references(document: vscode.TextDocument, encoding: string): Promise<vscode.TextEdit[]> {
+  const text = document.getText();
+  const letters = [...new Set(text)].filter((letter) => letter > "\x7f");
+  const kept = (await decode(await encode(letters.join("\n"), encoding), encoding)).split("\n");
+  const known = new Set(letters.filter((letter, index) => letter === kept[index]));
+  return asReferences(text, (letter) => known.has(letter)).map(({ start, end, text }) =>
+    vscode.TextEdit.replace(new vscode.Range(document.positionAt(start), document.positionAt(end)), text),
+  );
+}
+
+function whole(document: vscode.TextDocument): vscode.Range {
+  return document.validateRange(new vscode.Range(0, 0, document.lineCount, 0));
+}
+
+// VS Code saves without the edits that it has to wait for too long, so the usual encodings are done here.
+
+async function decode(bytes: Uint8Array, encoding: string): Promise<string> {
+  if (isUtf8(encoding) || encoding === LATIN1) {
+    return isUtf8(encoding) ? new TextDecoder().decode(bytes) : Buffer.from(bytes).toString("latin1");
+  }
+  return vscode.workspace.decode(bytes, { encoding });
+}
+
+async function encode(text: string, encoding: string): Promise<Uint8Array> {
+  return encoding === LATIN1 ? Buffer.from(text, "latin1") : vscode.workspace.encode(text, { encoding });
+}
