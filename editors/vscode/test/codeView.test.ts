@@ -7,6 +7,7 @@ import { Mapping } from "../src/codeView/mapping";
 import { placeInCode } from "../src/codeView/place";
 import { programsOf, Projection } from "../src/codeView/projection";
 import { toCode, toFile } from "../src/codeView/requests";
+import { type Symbol, SYMBOLS } from "../src/codeView/symbols";
 
 const CDATA = '<Program name="a">\r\n  <Description><![CDATA[<Code>]]></Description>\r\n  <Code><![CDATA[begin\r\n  a=b[1]\r\nend]]></Code>\r\n</Program>';
 const SPLIT = "<Code><![CDATA[begin\n// a]]]]><![CDATA[> b\nend]]></Code>";
@@ -151,4 +152,20 @@ test("a lens above the name of the program stands above its code, and is resolve
   assert.deepEqual(resolved.command?.arguments, [target.code, top.start, [["file"], "view"]]);
   const unused = { ...above(5), command: { title: "0 references", command: "" } };
   assert.deepEqual((await lensToCode(unused, asked, () => Promise.reject(new Error()))).command, unused.command);
+});
+
+const place = (line: number, from: number, to: number): Symbol["range"] => ({ start: { line, character: from }, end: { line, character: to } });
+
+test("the outline of a view has its program, whose parameters and locals are where the code first uses them", () => {
+  const mapping = Mapping.of(TWO, 1);
+  assert.ok(mapping !== undefined);
+  const declaration = place(8, 20, 21);
+  const local = (name: string): Symbol => ({ name, detail: "num", kind: 13, range: declaration, selectionRange: declaration });
+  const program = (name: string, line: number, ...children: Symbol[]): Symbol =>
+    ({ name, kind: 12, range: { start: { line, character: 2 }, end: { line: line + 5, character: 12 } }, selectionRange: declaration, children });
+  const found = toCode(SYMBOLS, [program("a", 1), program("b", 7, local("l"), local("unused"))], { ...target, mapping }) as Symbol[];
+  const children = [{ ...local("l"), range: place(1, 2, 3), selectionRange: place(1, 2, 3) }, { ...local("unused"), range: place(0, 0, 5), selectionRange: place(0, 0, 5) }];
+  assert.deepEqual(found, [{ name: "b", kind: 12, range: { start: { line: 0, character: 0 }, end: { line: 2, character: 3 } }, selectionRange: place(0, 0, 5), children }]);
+  const unknown = toCode(SYMBOLS, null, { ...target, mapping }) as Symbol[];
+  assert.deepEqual(unknown.map(({ name, children }) => [name, children]), [["b", []]]);
 });

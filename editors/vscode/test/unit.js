@@ -6,7 +6,8 @@ const { buildSync } = require("esbuild");
 
 const names = readdirSync(__dirname).filter((name) => name.endsWith(".test.ts"));
 const folder = join(__dirname, "../dist/test");
-buildSync({ entryPoints: names.map((name) => join(__dirname, name)), outdir: folder, bundle: true, platform: "node", external: ["vscode"] });
+const entryPoints = names.map((name) => join(__dirname, name));
+buildSync({ entryPoints, outdir: folder, bundle: true, platform: "node", alias: { vscode: join(__dirname, "vscode.ts") } });
 const bundles = names.map((name) => join(folder, name.replace(/ts$/, "js")));
 const { status, stdout } = spawnSync(process.execPath, ["--test", "--test-reporter=tap", ...bundles], { encoding: "utf8" });
 const count = (word) => Number(new RegExp(`^# ${word} (\\d+)`, "m").exec(stdout)?.[1] ?? 0);

@@ -1,12 +1,13 @@
 // From a program file to its code view and back, with the cursor where it was.
 
 import * as vscode from "vscode";
+import { openDocument } from "../encoding/documents";
 import type { CodeFiles } from "./files";
 import { programUri } from "./follow";
 import { Mapping, type Position } from "./mapping";
 import { type Program, programsOf } from "./projection";
 import { APPLY_EDITS } from "./requests";
-import { fileUri, SCHEME } from "./uris";
+import { fileUri, SCHEME, uriOf } from "./uris";
 
 export function registerCodeView(views: CodeFiles): vscode.Disposable[] {
   return [
@@ -23,12 +24,12 @@ interface TreeNode {
 
 async function openCode(target?: vscode.Uri | TreeNode): Promise<void> {
   const editor = vscode.window.activeTextEditor;
-  const item = target instanceof vscode.Uri ? undefined : target?.item;
-  const file = item?.resourceUri ?? (target instanceof vscode.Uri ? target : await programFile(editor));
+  const item = target !== undefined && "item" in target ? target.item : undefined;
+  const file = uriOf(item?.resourceUri ?? target) ?? (await programFile(editor));
   if (file === undefined || file.scheme === SCHEME) {
     return;
   }
-  const document = await vscode.workspace.openTextDocument(file);
+  const document = await openDocument(file);
   const text = document.getText();
   const cursor = editor?.document === document ? editor.selection.active : undefined;
   const programs = programsOf(text);

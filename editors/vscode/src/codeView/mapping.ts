@@ -45,6 +45,15 @@ export class Mapping {
     return this.projection.isHead(this.file.offsetAt(position));
   }
 
+  /** An offset of the code as a position of it. */
+  inCode(offset: number): Position {
+    return this.code.positionAt(Math.min(offset, this.projection.code.length));
+  }
+
+  wholeCode(): Range {
+    return { start: { line: 0, character: 0 }, end: this.code.end() };
+  }
+
   /** Nothing for a position outside of the code. */
   toCode(position: Position): Position | undefined {
     const offset = this.projection.toCode(this.file.offsetAt(position));
@@ -58,7 +67,7 @@ export class Mapping {
     if (start !== undefined && end !== undefined) {
       return { start, end };
     }
-    const whole = this.rangeToFile({ start: { line: 0, character: 0 }, end: this.code.end() });
+    const whole = this.rangeToFile(this.wholeCode());
     const overlaps = isBefore(range.start, whole.end) && isBefore(whole.start, range.end);
     return overlaps ? { start: start ?? { line: 0, character: 0 }, end: end ?? this.code.end() } : undefined;
   }

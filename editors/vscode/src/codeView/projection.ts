@@ -37,6 +37,8 @@ export class Projection {
   private constructor(
     /** The code as the programmer thinks of it. */
     readonly code: string,
+    /** The name of its program; may be empty. */
+    readonly program: string,
     private readonly chunks: Chunk[],
     private readonly isCdata: boolean,
     private readonly fileStart: number,
@@ -59,7 +61,7 @@ export class Projection {
       chunks.push({ code: code.length, file: piece.start, codeLength: piece.text.length, fileLength: piece.length });
       code += piece.text;
     }
-    return new Projection(code, chunks, isCdata, start, program.tagStart);
+    return new Projection(code, program.name, chunks, isCdata, start, program.tagStart);
   }
 
   /** Where an offset of the code stands in the file. */

@@ -5,6 +5,7 @@
 
 import { type Lens, LENSES, lensesToCode } from "./lenses";
 import type { Mapping, Position, Range } from "./mapping";
+import { type Symbol, SYMBOLS, symbolsToCode } from "./symbols";
 import { toCodeTokens } from "./tokens";
 
 /** A view and its file, as addresses of the protocol. */
@@ -42,6 +43,8 @@ export function toCode(method: string, answer: Json, target: Target): Json {
     return (answer as JsonObject[] | null)?.flatMap((fold) => toCodeFold(fold, target) ?? []) ?? null;
   } else if (method === LENSES) {
     return lensesToCode(answer as Lens[] | null, target);
+  } else if (method === SYMBOLS) {
+    return symbolsToCode(answer as Symbol[] | null, target);
   } else if (method === "textDocument/completion") {
     return toCodeValue(withOutsideEdits(answer, target), target) ?? null;
   }

@@ -4,11 +4,22 @@ import * as vscode from "vscode";
 
 export const SCHEME = "val3-code";
 
-/** The code view of a program; of a file with several programs each has its own, named after it. */
-export function codeUri(file: vscode.Uri, index = 0, program?: string): vscode.Uri {
-  const stem = file.path.replace(/^\/?/, "/").replace(/\.pgx$/i, "");
-  const path = program === undefined ? `${stem}.val3` : `${stem}/${program}.val3`;
-  return vscode.Uri.from({ scheme: SCHEME, path, query: file.with({ query: index === 0 ? "" : String(index) }).toString() });
+/**
+ * The code view of a program. Its tab names the file, and of a file with several programs the program: `pick.pgx (code)`,
+ * `two.pgx (second)`. The manifest knows the language of the view by such a path.
+ */
+export function codeUri(file: vscode.Uri, index = 0, program = "code"): vscode.Uri {
+  const path = file.path.replace(/^\/?/, "/");
+  const name = `${path.slice(path.lastIndexOf("/") + 1)} (${program})`;
+  // Theia shows no `Uri.from`, which is of another class there.
+  const view = vscode.Uri.parse(`${SCHEME}:/`);
+  return view.with({ path: `${path}/${name}`, query: file.with({ query: index === 0 ? "" : String(index) }).toString() });
+}
+
+/** A file that a command was given. Other editors give values that only look like `vscode.Uri`. */
+export function uriOf(value: unknown): vscode.Uri | undefined {
+  const isUri = typeof value === "object" && value !== null && "scheme" in value && "path" in value;
+  return isUri ? vscode.Uri.parse((value as vscode.Uri).toString()) : undefined;
 }
 
 /** The program file of a code view. */

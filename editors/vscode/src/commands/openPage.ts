@@ -27,7 +27,7 @@ async function page(client: Client, uri: vscode.Uri): Promise<string> {
 async function openPage(code?: string): Promise<void> {
   const topic = code ?? (await chosen());
   if (topic !== undefined) {
-    await vscode.commands.executeCommand("markdown.showPreview", vscode.Uri.from({ scheme: SCHEME, path: `${topic}.md` }));
+    await vscode.commands.executeCommand("markdown.showPreview", vscode.Uri.parse(`${SCHEME}:/`).with({ path: `${topic}.md` }));
   }
 }
 

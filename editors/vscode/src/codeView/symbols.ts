@@ -1,0 +1,45 @@
+// The outline of a code view: its program, with the parameters and locals, though all of them are declared in the XML.
+
+import type { Range } from "./mapping";
+import type { Target } from "./requests";
+
+export const SYMBOLS = "textDocument/documentSymbol";
+/** `SymbolKind.Function` of the protocol. */
+const FUNCTION = 12;
+/** Comments, strings, and names. */
+const WORD = /\/\/.*|"[^"\r\n]*"?|([A-Za-z_]\w*)/g;
+
+export interface Symbol {
+  name: string;
+  detail?: string;
+  kind: number;
+  range: Range;
+  selectionRange: Range;
+  children?: Symbol[];
+}
+
+/** The symbol of the program that the view shows. Its parameters and locals are where the code uses them first. */
+export function symbolsToCode(symbols: Symbol[] | null, { mapping }: Target): Symbol[] {
+  const { code, program } = mapping.projection;
+  const range = mapping.wholeCode();
+  const head = { start: range.start, end: mapping.inCode("begin".length) };
+  const found = symbols?.find((symbol) => mapping.rangeToCode(symbol.range) !== undefined);
+  const uses = firstUses(code);
+  const children = (found?.children ?? []).map((child): Symbol => {
+    const at = uses.get(child.name);
+    const place = at === undefined ? head : { start: mapping.inCode(at), end: mapping.inCode(at + child.name.length) };
+    return { ...child, range: place, selectionRange: place };
+  });
+  return [{ name: program || "(no name)", kind: FUNCTION, ...found, range, selectionRange: head, children }];
+}
+
+/** Where each name is in the code at first. */
+function firstUses(code: string): Map<string, number> {
+  const uses = new Map<string, number>();
+  for (const { 1: name, index } of code.matchAll(WORD)) {
+    if (name !== undefined && !uses.has(name)) {
+      uses.set(name, index);
+    }
+  }
+  return uses;
+}

@@ -1,0 +1,36 @@
+// A stand-in for the part of `vscode` that the tests reach, as Theia has it: its `Uri` is a class of its own, which
+// neither `Uri.from` nor the arguments of commands are of.
+
+interface Parts {
+  scheme: string;
+  path: string;
+  query: string;
+}
+
+class BaseUri implements Parts {
+  constructor(readonly scheme: string, readonly path: string, readonly query: string) {}
+
+  static from({ scheme, path, query }: Parts): BaseUri {
+    return new BaseUri(scheme, path, query);
+  }
+
+  toString(): string {
+    return `${this.scheme}:${encodeURI(this.path)}${this.query && "?"}${encodeURIComponent(this.query)}`;
+  }
+}
+
+export class Uri extends BaseUri {
+  static parse(text: string): Uri {
+    const [, scheme = "", path = "", query = ""] = /^(\w[\w-]*):(?:\/\/)?([^?]*)\??(.*)$/.exec(text) ?? [];
+    return new Uri(scheme, decodeURI(path), decodeURIComponent(query));
+  }
+
+  with(parts: Partial<Parts>): Uri {
+    return new Uri(parts.scheme ?? this.scheme, parts.path ?? this.path, parts.query ?? this.query);
+  }
+}
+
+/** As a command of Theia gets a file. */
+export function asArgument(uri: Uri): object {
+  return BaseUri.from(uri);
+}
