@@ -30,6 +30,9 @@ const TWO = '<?xml version="1.0" encoding="utf-8"?>\n<Programs xmlns="http://www
   + ["two", "second"].map((name) => `  <Program name="${name}">\n    <Code><![CDATA[begin\n  bOverrun=${name === "second"}\nend]]></Code>\n  </Program>\n`).join("")
   + "</Programs>\n";
 
+/** Full-width punctuation, which VS Code takes for a mistyped one, and a full-width blank. */
+const CHINESE = original("pick.pgx").replace('name="pick"', 'name="chinese"').replace("[begin\n", "[begin\n  logMsg(\"你好，世界（一）\u3000\")\n");
+
 const row = (text) => `.part.sidebar .monaco-list-row:has-text(${JSON.stringify(text)})`;
 
 /** Waits until a file on the disk has this text. */
@@ -93,9 +96,9 @@ const STEPS = {
   async "the check of the workspace says the same, and lists nothing twice"(user) {
     await user.command("VAL 3: Check Workspace");
     await user.terminal("info[V0531]");
-    await user.terminal("2 infos in 1 of");
+    await user.terminal("3 infos in 1 of");
     await user.keys("Control+Shift+M");
-    await user.problems("lies in the folder and is not listed", 2);
+    await user.problems("lies in the folder and is not listed", 3);
     await user.focusEditor();
   },
 
@@ -135,7 +138,7 @@ const STEPS = {
   async "the code view shows code without XML"(user) {
     await user.openFile("place.pgx");
     await user.command("VAL 3: Open Code without XML");
-    await user.tab("place.val3");
+    await user.tab("place.pgx (code)");
     await user.sees("begin");
     await user.seesNot("<Program");
   },
@@ -155,7 +158,7 @@ const STEPS = {
     await user.page.waitForSelector(".editor-instance .squiggly-error", { state: "attached" });
     await user.problems("a `num` cannot be assigned", 1);
     await user.command("VAL 3: Open Code without XML");
-    await user.tab("place.val3");
+    await user.tab("place.pgx (code)");
     await user.page.waitForSelector(".editor-instance .squiggly-error", { state: "attached" });
     await user.problems("a `num` cannot be assigned", 1);
   },
@@ -181,16 +184,40 @@ const STEPS = {
   async "a lens above the first line counts the calls of the program"(user) {
     await user.openFile("tower.pgx");
     await user.command("VAL 3: Open Code without XML");
-    await user.tab("tower.val3");
+    await user.tab("tower.pgx (code)");
     await user.opensLens(/^\d+ references$/, ".peekview-widget .view-line:has-text('call tower(')");
-    await user.tab("tower.val3");
+    await user.tab("tower.pgx (code)");
     await user.keys("Escape");
+  },
+
+  async "the code view has an outline, breadcrumbs and symbols"(user) {
+    await user.page.waitForSelector('.breadcrumbs-control .monaco-breadcrumb-item:has-text("tower.pgx (code)")');
+    await user.keys("Control+Shift+O");
+    await user.page.waitForSelector('.quick-input-list .monaco-list-row:has-text("x_sColour")');
+    await user.choose("l_sKey");
+    await user.page.waitForSelector('.statusbar-item:has-text("Ln 3, Col 3")');
+    await user.page.waitForSelector('.breadcrumbs-control .monaco-breadcrumb-item:has-text("l_sKey")');
+    await user.command("Explorer: Focus on Outline View");
+    await user.page.waitForSelector('.outline-pane .monaco-list-row:has-text("x_sColour")');
+    await user.focusEditor();
+  },
+
+  async "Chinese text is not marked"(user) {
+    await user.openFile("chinese.pgx");
+    await user.sees("你好，世界（一）");
+    await user.page.waitForTimeout(1000);
+    assert.equal(await user.page.locator(".editor-instance .unicode-highlight").count(), 0);
+    await user.command("VAL 3: Open Code without XML");
+    await user.tab("chinese.pgx (code)");
+    await user.sees("你好，世界（一）");
+    await user.page.waitForTimeout(1000);
+    assert.equal(await user.page.locator(".editor-instance .unicode-highlight").count(), 0);
   },
 
   async "the code view of the old dialect keeps entities and line ends"(user) {
     await user.openFile("old.pgx");
     await user.command("VAL 3: Open Code without XML");
-    await user.tab("old.val3");
+    await user.tab("old.pgx (code)");
     await user.sees("if nAbove<3");
     await user.goTo(2, 14);
     await user.type(' or libPath()!="<&>"');
@@ -202,9 +229,9 @@ const STEPS = {
     await user.openFile("cycle.pgx");
     await user.goTo(22, 9);
     await user.command("VAL 3: Open Code without XML");
-    await user.tab("cycle.val3");
+    await user.tab("cycle.pgx (code)");
     await user.keys("F12");
-    await user.tab("pick.val3");
+    await user.tab("pick.pgx (code)");
     await user.sees("io:doConveyor=true");
   },
 
@@ -212,7 +239,7 @@ const STEPS = {
     await user.openFile("two.pgx");
     await user.keys("F1");
     await user.choose("VAL 3: Open Code without XML", undefined, "second");
-    await user.tab("second.val3");
+    await user.tab("two.pgx (second)");
     await user.sees("bOverrun=true");
     await user.goTo(2, 16);
     await user.type(" and bRun");
@@ -280,6 +307,7 @@ const STEPS = {
     await user.page.waitForSelector('.quick-input-widget:visible input[placeholder="The program whose code is shown"]');
     await user.keys("Escape");
     await user.page.waitForSelector(".getting-started-step.expanded [role=checkbox][aria-checked=true]");
+    await user.page.waitForFunction((count) => document.querySelectorAll(".getting-started-step [role=checkbox][aria-checked=true]").length === count, 4);
   },
 
   async "a folder without an application is told how to get one"(user) {
@@ -299,4 +327,5 @@ const STEPS = {
 cpSync(EXAMPLE, cell, { recursive: true });
 writeFileSync(join(APPLICATION, "old.pgx"), OLD);
 writeFileSync(join(APPLICATION, "two.pgx"), TWO);
+writeFileSync(join(APPLICATION, "chinese.pgx"), CHINESE);
 runSteps({ name: "workbench", folder, open: `folder=${cell}`, steps: STEPS });
