@@ -1,7 +1,7 @@
 ;;; val3-mode.el --- VAL 3, the language of Stäubli robots -*- lexical-binding: t -*-
 
 ;;; Commentary:
-;; Modes for programs (.pgx), data (.dtx) and projects (.pjx), with the server `val3 lsp' through eglot.
+;; Modes for programs (.pgx), data (.dtx) and projects (.pjx), with the server `val3 lsp' through eglot or lsp-mode.
 
 ;;; Code:
 (require 'nxml-mode)
@@ -63,6 +63,19 @@
   (put 'val3-data-mode 'eglot-language-id "val3-data")
   (put 'val3-project-mode 'eglot-language-id "val3-project")
   (add-to-list 'eglot-server-programs '((val3-mode val3-data-mode val3-project-mode) . val3--contact)))
+
+(defvar lsp-language-id-configuration)
+(declare-function lsp-register-client "lsp-mode")
+(declare-function make-lsp-client "lsp-mode")
+(declare-function lsp-stdio-connection "lsp-mode")
+(declare-function lsp-activate-on "lsp-mode")
+(with-eval-after-load 'lsp-mode
+  (dolist (language '((val3-mode . "val3") (val3-data-mode . "val3-data") (val3-project-mode . "val3-project")))
+    (add-to-list 'lsp-language-id-configuration language))
+  (lsp-register-client
+   (make-lsp-client :new-connection (lsp-stdio-connection #'val3--contact)
+                    :activation-fn (lsp-activate-on "val3" "val3-data" "val3-project")
+                    :server-id 'val3)))
 
 (provide 'val3-mode)
 ;;; val3-mode.el ends here

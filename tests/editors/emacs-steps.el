@@ -1,0 +1,47 @@
+;;; emacs-steps.el --- What the tests of Emacs share -*- lexical-binding: t -*-
+(require 'cl-lib)
+
+(defvar root (getenv "VAL3_ROOT"))
+(defvar passed 0)
+(load (concat root "/editors/emacs/val3-mode.el") nil t)
+(setq val3-server-command (list (concat root "/tests/editors/record") "lsp")
+      make-backup-files nil)
+
+(defun until (what condition)
+  "Wait until CONDITION gives something, and return it; WHAT is missing otherwise."
+  (let ((end (+ (float-time) 10)) found)
+    (while (and (not (setq found (funcall condition))) (< (float-time) end))
+      (accept-process-output nil 0.05))
+    (or found (error "No %s" what))))
+
+(defmacro step (name &rest body)
+  "Run BODY, which NAME describes."
+  (declare (indent 1))
+  `(progn ,@body (cl-incf passed) (princ (format "ok %s\n" ,name))))
+
+(defun place (text)
+  "Put the cursor on the beginning of TEXT."
+  (goto-char (point-min))
+  (search-forward text)
+  (goto-char (match-beginning 0)))
+
+(defun bytes (path)
+  "The content of the file PATH."
+  (with-temp-buffer
+    (set-buffer-multibyte nil)
+    (insert-file-contents-literally path)
+    (buffer-string)))
+
+(defun check-files (application old new files)
+  "Each of FILES in APPLICATION is that of the example, with NEW for OLD."
+  (dolist (file files)
+    (let ((before (bytes (concat root "/examples/palletiser/usr/usrapp/palletiser/" file))))
+      (cl-assert (equal (bytes (concat application file)) (replace-regexp-in-string old new before t t)) t "%s" file))))
+
+(defun run-test (name run)
+  "Call RUN, print how many steps of the test NAME passed, and end."
+  (let ((failed 0))
+    (condition-case fault (funcall run)
+      (error (setq failed 1) (princ (format "FAILED %S\n" fault))))
+    (princ (format "test result: %s. %d passed; %d failed; %s\n" (if (= failed 0) "ok" "FAILED") passed failed name))
+    (kill-emacs failed)))
