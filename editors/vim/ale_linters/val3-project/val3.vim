@@ -1,0 +1,1 @@
+call val3#DefineLinter('val3-project')
