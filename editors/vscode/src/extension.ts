@@ -15,6 +15,7 @@ import { Findings } from "./findings";
 import { registerStatus } from "./status";
 import { CheckTasks } from "./tasks";
 import { WorkspaceTree } from "./tree";
+import { Walkthrough } from "./walkthrough";
 
 let client: Client | undefined;
 
@@ -25,6 +26,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
   const findings = new Findings(views);
   const started = new Client(context, output, views, findings);
   const tree = new WorkspaceTree(started, output);
+  const walkthrough = new Walkthrough(context.globalState, report);
   client = started;
   context.subscriptions.push(
     output,
@@ -32,6 +34,7 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
     findings,
     started,
     tree,
+    walkthrough,
     vscode.window.registerTreeDataProvider("val3.workspace", tree),
     vscode.tasks.registerTaskProvider("val3", new CheckTasks(started)),
     vscode.commands.registerCommand("val3.refreshTree", () => tree.refresh()),
@@ -44,11 +47,11 @@ export async function activate(context: vscode.ExtensionContext): Promise<void> 
       }
     }),
     ...registerEncodings(report),
-    ...registerStatus(started),
-    ...registerCodeView(views),
-    ...registerNewApplication(context),
+    ...registerStatus(started, walkthrough),
+    ...registerCodeView(views, walkthrough),
+    ...registerNewApplication(context, walkthrough),
     ...registerNewProgram(),
-    ...registerCheckWorkspace(),
+    ...registerCheckWorkspace(walkthrough),
     ...registerPages(started),
     ...registerShowReferences(),
   );

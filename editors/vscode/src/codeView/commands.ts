@@ -8,10 +8,15 @@ import { Mapping, type Position } from "./mapping";
 import { type Program, programsOf } from "./projection";
 import { APPLY_EDITS } from "./requests";
 import { fileUri, SCHEME, uriOf } from "./uris";
+import type { Walkthrough } from "../walkthrough";
 
-export function registerCodeView(views: CodeFiles): vscode.Disposable[] {
+export function registerCodeView(views: CodeFiles, walkthrough: Walkthrough): vscode.Disposable[] {
   return [
-    vscode.commands.registerCommand("val3.openCode", (target?: vscode.Uri | TreeNode) => openCode(target)),
+    vscode.commands.registerCommand("val3.openCode", async (target?: vscode.Uri | TreeNode) => {
+      if (await openCode(target)) {
+        walkthrough.done("code");
+      }
+    }),
     vscode.commands.registerCommand("val3.openFile", () => openFile(views)),
     vscode.commands.registerCommand(APPLY_EDITS, applyEdits),
   ];
@@ -22,12 +27,13 @@ interface TreeNode {
   item: vscode.TreeItem;
 }
 
-async function openCode(target?: vscode.Uri | TreeNode): Promise<void> {
+/** Says whether a code view was opened. */
+async function openCode(target?: vscode.Uri | TreeNode): Promise<boolean> {
   const editor = vscode.window.activeTextEditor;
   const item = target !== undefined && "item" in target ? target.item : undefined;
   const file = uriOf(item?.resourceUri ?? target) ?? (await programFile(editor));
   if (file === undefined || file.scheme === SCHEME) {
-    return;
+    return false;
   }
   const document = await openDocument(file);
   const text = document.getText();
@@ -39,6 +45,7 @@ async function openCode(target?: vscode.Uri | TreeNode): Promise<void> {
   } else if (index !== undefined) {
     await show(programUri(file, text, index), cursor && Mapping.of(text, index)?.toCode(cursor));
   }
+  return index !== undefined;
 }
 
 /** The program in the editor, else one that the user picks. */

@@ -1,16 +1,18 @@
 // "Check Workspace": runs `val3 check` over each folder and shows what it says.
 
 import * as vscode from "vscode";
+import type { Walkthrough } from "../walkthrough";
 
-export function registerCheckWorkspace(): vscode.Disposable[] {
-  return [vscode.commands.registerCommand("val3.checkWorkspace", checkWorkspace)];
+export function registerCheckWorkspace(walkthrough: Walkthrough): vscode.Disposable[] {
+  return [vscode.commands.registerCommand("val3.checkWorkspace", () => checkWorkspace(walkthrough))];
 }
 
-async function checkWorkspace(): Promise<void> {
+async function checkWorkspace(walkthrough: Walkthrough): Promise<void> {
   const tasks = (await vscode.tasks.fetchTasks({ type: "val3" })).filter((task) => task.name === "check");
   if (tasks.length === 0) {
     void vscode.window.showInformationMessage("Open a folder first: there is nothing to check.");
     return;
   }
   await Promise.all(tasks.map((task) => vscode.tasks.executeTask(task)));
+  walkthrough.done("check");
 }

@@ -1,16 +1,17 @@
 // "New Application": copies the template under the name that is asked for.
 
 import * as vscode from "vscode";
+import type { Walkthrough } from "../walkthrough";
 import { nameFault } from "./names";
 
 const PLACEHOLDER = /application/g;
 
-export function registerNewApplication(context: vscode.ExtensionContext): vscode.Disposable[] {
+export function registerNewApplication(context: vscode.ExtensionContext, walkthrough: Walkthrough): vscode.Disposable[] {
   const template = vscode.Uri.joinPath(context.extensionUri, "templates", "application");
-  return [vscode.commands.registerCommand("val3.newApplication", () => newApplication(template))];
+  return [vscode.commands.registerCommand("val3.newApplication", () => newApplication(template, walkthrough))];
 }
 
-async function newApplication(template: vscode.Uri): Promise<void> {
+async function newApplication(template: vscode.Uri, walkthrough: Walkthrough): Promise<void> {
   const parent = await chooseFolder();
   if (parent === undefined) {
     return;
@@ -26,6 +27,7 @@ async function newApplication(template: vscode.Uri): Promise<void> {
   }
   const folder = vscode.Uri.joinPath(parent, name);
   await copyTemplate(template, folder, name);
+  walkthrough.done("new");
   await vscode.commands.executeCommand("vscode.open", vscode.Uri.joinPath(folder, "start.pgx"));
 }
 

@@ -1,0 +1,52 @@
+// Ticks the steps of the walkthrough, also those that were done before it was opened.
+//
+// VS Code sees what a step waits for only while the walkthrough is loaded, and it never ticks a step whose context holds
+// when it loads. So each step has a context that holds for a moment: when it is done, and again when a walkthrough opens.
+
+import * as vscode from "vscode";
+
+export type Step = "open" | "new" | "code" | "check";
+
+const KEY = "val3.stepsDone";
+
+export class Walkthrough implements vscode.Disposable {
+  private readonly subscription: vscode.Disposable;
+
+  constructor(private readonly memory: vscode.Memento, private readonly report: (fault: unknown) => void) {
+    this.subscription = vscode.window.tabGroups.onDidChangeTabs(({ opened, changed }) => this.show([...opened, ...changed]));
+    this.show(vscode.window.tabGroups.all.flatMap(({ tabs }) => tabs));
+  }
+
+  dispose(): void {
+    this.subscription.dispose();
+  }
+
+  done(step: Step): void {
+    this.finish(step).catch(this.report);
+  }
+
+  private async finish(step: Step): Promise<void> {
+    const before = this.steps();
+    if (!before.includes(step)) {
+      await this.memory.update(KEY, [...before, step]);
+    }
+    await tick(step);
+  }
+
+  /** A walkthrough is a tab of a kind that extensions are not told. */
+  private show(tabs: readonly vscode.Tab[]): void {
+    if (tabs.some(({ input }) => input === undefined)) {
+      Promise.all(this.steps().map(tick)).catch(this.report);
+    }
+  }
+
+  private steps(): Step[] {
+    return this.memory.get<Step[]>(KEY, []);
+  }
+}
+
+async function tick(step: Step): Promise<void> {
+  for (const holds of [true, false]) {
+    await vscode.commands.executeCommand("setContext", `val3.done.${step}`, holds);
+  }
+}
