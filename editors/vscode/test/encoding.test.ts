@@ -3,7 +3,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { encodingsOf, isDeclaredAlike, isSameEncoding } from "../src/encoding/declared";
-import { asReferences, restore } from "../src/encoding/rescue";
+import type { Replacement } from "../src/codeView/projection";
+import { asReferences, asUtf8, restore } from "../src/encoding/rescue";
 
 const declared = (encoding: string, text = ""): Buffer => Buffer.from(`<?xml version="1.0" encoding="${encoding}"?>${text}`, "latin1");
 const MARK = Buffer.from([0xef, 0xbb, 0xbf]);
@@ -50,9 +51,20 @@ test("nothing is said where it is not clear which character was which", () => {
   assert.equal(restore("é\ufffd", "é\ufffd", "Ã©è"), undefined);
 });
 
-test("what an encoding lacks is written as a reference, also in a CDATA section", () => {
-  const text = '<a b="é中">\u{1f600}<![CDATA[put("€")]]></a>';
-  const isLatin = (letter: string): boolean => letter <= "\xff";
-  const written = asReferences(text, isLatin).reverse().reduce((text, { start, end, text: now }) => text.slice(0, start) + now + text.slice(end), text);
-  assert.equal(written, '<a b="é&#20013;">&#128512;<![CDATA[put("]]>&#8364;<![CDATA[")]]></a>');
+const changed = (text: string, changes: Replacement[]): string =>
+  [...changes].reverse().reduce((text, { start, end, text: now }) => text.slice(0, start) + now + text.slice(end), text);
+const isLatin = (letter: string): boolean => letter <= "\xff";
+
+test("what an encoding lacks is written as a reference, which a CDATA section does not have", () => {
+  const text = '<a b="é中">\u{1f600}<![CDATA[é]]></a>';
+  assert.equal(changed(text, asReferences(text, isLatin) ?? []), '<a b="é&#20013;">&#128512;<![CDATA[é]]></a>');
+  assert.equal(asReferences('<a><![CDATA[put("€")]]></a>', isLatin), undefined);
+  assert.deepEqual(asReferences("<a>é</a>", isLatin), []);
+});
+
+test("a file in UTF-8 says so", () => {
+  const head = (name: string): string => `<?xml version='1.0' encoding = '${name}' ?><a/>`;
+  assert.equal(changed(head("iso-8859-1"), asUtf8(head("iso-8859-1"))), head("utf-8"));
+  assert.deepEqual(asUtf8(head("UTF-8")), []);
+  assert.deepEqual(asUtf8("<a encoding='x'/>"), []);
 });

@@ -25,6 +25,9 @@ const FILES = {
   "start.pgx": program("start", "  call cup()", "  call pot()"),
   "stop.pgx": program("stop", "  // arrêt", "  // total"),
 };
+/** A program as newer controllers write it, but in ISO-8859-1. */
+const SECTION = lines(HEAD, '<Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">', '  <Program name="section">',
+  "    <Code><![CDATA[begin", "  // thé", "end]]></Code>", "  </Program>", "</Programs>");
 /** Says UTF-8, and is not. */
 const FALSE = Buffer.from(program("false", "  // crème").replace("iso-8859-1", "utf-8"), "latin1");
 
@@ -67,6 +70,17 @@ const STEPS = {
     await user.seesNot("&#20013;");
     await user.keys("Control+S");
     await becomes("cup.pgx", FILES["cup.pgx"]);
+  },
+
+  async "a CDATA section has no references, so its file becomes UTF-8 and says so"(user) {
+    await user.openFile("section.pgx");
+    await user.goTo(5, 9);
+    await user.type("中");
+    await user.keys("Control+S");
+    await user.told("section.pgx is saved in UTF-8: iso88591 does not have 中.");
+    const now = SECTION.replace("iso-8859-1", "utf-8").replace("thé", "thé中");
+    await becomes("section.pgx", Buffer.from(now).toString("latin1"));
+    await user.page.waitForSelector('.statusbar-item:has-text("UTF-8")');
   },
 
   async "the code view shows the letters and saves them"(user) {
@@ -128,4 +142,5 @@ for (const [name, text] of Object.entries(FILES)) {
   writeFileSync(join(APPLICATION, name), text, "latin1");
 }
 writeFileSync(join(APPLICATION, "false.pgx"), FALSE);
+writeFileSync(join(APPLICATION, "section.pgx"), SECTION, "latin1");
 runSteps({ name: "encoding", folder, open: `folder=${cell}`, steps: STEPS });

@@ -7,7 +7,8 @@
 import { readFile, writeFile } from "node:fs/promises";
 import * as vscode from "vscode";
 import { encodingsOf, isDeclaredAlike, isSameEncoding, isUtf8, LATIN1 } from "./declared";
-import { asReferences, restore } from "./rescue";
+import type { Replacement } from "../codeView/projection";
+import { asReferences, asUtf8, restore } from "./rescue";
 
 const LANGUAGES = new Set(["val3", "val3-data", "val3-project"]);
 
@@ -73,24 +74,45 @@ class Saves {
     if (!isSameEncoding(encoding, document.encoding)) {
       return restored(document, bytes, encoding);
     }
-    return isUtf8(wanted) ? [] : references(document, wanted);
+    return this.fit(document, wanted);
   }
 
   /** Saves a file once more where VS Code could not save it as it should be. */
   async finish(document: vscode.TextDocument): Promise<void> {
-    const wanted = this.pending.get(document.uri.toString());
-    this.pending.delete(document.uri.toString());
-    const encoding = wanted ?? document.encoding;
-    if (document.isDirty || isUtf8(document.encoding) && isUtf8(encoding)) {
+    const encoding = this.take(document) ?? document.encoding;
+    if (document.isDirty || (isUtf8(document.encoding) && isUtf8(encoding))) {
       return;
     }
-    const edits = isUtf8(encoding) ? [] : await references(document, encoding);
+    const edits = await this.fit(document, encoding);
+    const wanted = this.take(document) ?? encoding;
     if (edits.length > 0) {
       await replace(document, edits);
-    } else if (wanted !== undefined) {
+    } else if (!isSameEncoding(wanted, document.encoding)) {
       await writeFile(document.uri.fsPath, await encode(document.getText(), wanted));
       await vscode.workspace.openTextDocument(document.uri, { encoding: wanted });
     }
+  }
+
+  private take({ uri }: vscode.TextDocument): string | undefined {
+    const encoding = this.pending.get(uri.toString());
+    this.pending.delete(uri.toString());
+    return encoding;
+  }
+
+  /** The edits for characters that an encoding does not have: references, or else another encoding for the file. */
+  private async fit(document: vscode.TextDocument, encoding: string): Promise<vscode.TextEdit[]> {
+    const text = document.getText();
+    if (isUtf8(encoding)) {
+      return isUtf8(document.encoding) ? [] : edits(document, asUtf8(text));
+    }
+    const missing = await missingLetters(text, encoding);
+    const references = asReferences(text, (letter) => !missing.has(letter));
+    if (references === undefined) {
+      this.pending.set(document.uri.toString(), "utf8");
+      void vscode.window.showInformationMessage(`${vscode.workspace.asRelativePath(document.uri)} is saved in UTF-8: `
+        + `${encoding} does not have ${[...missing].join(" ")}.`);
+    }
+    return edits(document, references ?? asUtf8(text));
   }
 }
 
@@ -114,13 +136,15 @@ async function restored(document: vscode.TextDocument, bytes: Uint8Array, encodi
   return [vscode.TextEdit.replace(whole(document), text ?? right)];
 }
 
-/** Writes as references the characters that an encoding does not have. */
-async function references(document: vscode.TextDocument, encoding: string): Promise<vscode.TextEdit[]> {
-  const text = document.getText();
+/** The letters of a text that an encoding does not have. */
+async function missingLetters(text: string, encoding: string): Promise<Set<string>> {
   const letters = [...new Set(text)].filter((letter) => letter > "\x7f");
   const kept = (await decode(await encode(letters.join("\n"), encoding), encoding)).split("\n");
-  const known = new Set(letters.filter((letter, index) => letter === kept[index]));
-  return asReferences(text, (letter) => known.has(letter)).map(({ start, end, text }) =>
+  return new Set(letters.filter((letter, index) => letter !== kept[index]));
+}
+
+function edits(document: vscode.TextDocument, replacements: Replacement[]): vscode.TextEdit[] {
+  return replacements.map(({ start, end, text }) =>
     vscode.TextEdit.replace(new vscode.Range(document.positionAt(start), document.positionAt(end)), text),
   );
 }

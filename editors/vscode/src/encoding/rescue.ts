@@ -39,15 +39,23 @@ function lostCharacters(read: string, right: string): string[] | undefined {
   return lost;
 }
 
-/** The edits that write as references what an encoding does not have. `has` says whether it has a character. */
-export function asReferences(text: string, has: (character: string) => boolean): Replacement[] {
+/**
+ * The edits that write as references what an encoding does not have. `has` says whether it has a character. Nothing where
+ * such a character is in a CDATA section, in which there are no references.
+ */
+export function asReferences(text: string, has: (character: string) => boolean): Replacement[] | undefined {
   const sections = Array.from(text.matchAll(CDATA), ({ 0: section, index }) => ({ start: index, end: index + section.length }));
-  const missing = Array.from(text.matchAll(/[^\0-\x7f]/gu), ({ 0: character, index }) => ({ character, index }));
-  return missing.filter(({ character }) => !has(character)).map(({ character, index }) => {
-    const reference = `&#${character.codePointAt(0)};`;
-    const isInSection = sections.some(({ start, end }) => start < index && index < end);
-    // References are read outside of a section alone.
-    const written = isInSection ? `]]>${reference}<![CDATA[` : reference;
-    return { start: index, end: index + character.length, text: written };
+  const letters = Array.from(text.matchAll(/[^\0-\x7f]/gu), ({ 0: character, index }) => ({ character, index }));
+  const missing = letters.filter(({ character }) => !has(character));
+  const isInSection = ({ index }: { index: number }): boolean => sections.some(({ start, end }) => start < index && index < end);
+  return missing.some(isInSection) ? undefined : missing.map(({ character, index }) => {
+    return { start: index, end: index + character.length, text: `&#${character.codePointAt(0)};` };
   });
+}
+
+/** The edit that makes the XML declaration say UTF-8. */
+export function asUtf8(text: string): Replacement[] {
+  const [, before, name] = /^(<\?xml[^>]*?\sencoding\s*=\s*["'])([^"']*)/i.exec(text) ?? [];
+  const isChanged = before !== undefined && name !== undefined && name.toLowerCase() !== "utf-8";
+  return !isChanged ? [] : [{ start: before.length, end: before.length + name.length, text: "utf-8" }];
 }
