@@ -11,10 +11,12 @@ use smol_str::SmolStr;
 
 use crate::db::{Db, File, Project, Sources, path_key};
 use crate::items::declarations;
+use crate::items::program::header;
 use crate::items::project::{find_project, folder, items, program_files};
 use crate::paths::{self, Target};
 use crate::problem::{Place, Problem, ProblemKind};
 
+pub use compare::{implements, is_same_item};
 pub use usage::{Load, LoadedPath, Uses, uses};
 
 /// What is wrong with the libraries of a project.
@@ -52,6 +54,48 @@ pub fn replacements(db: &dyn Db, project: Project) -> Vec<(Project, Project)> {
     found.sort_unstable_by_key(|pair| (pair.0.manifest(db).path(db), pair.1.manifest(db).path(db)));
     found.dedup();
     found
+}
+
+/// How well a library fits an interface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Fit {
+    /// It lacks something that the programs use, or the interface is not known.
+    Lacks,
+    /// It has what the programs use of the interface.
+    Used,
+    /// It has every public item of the interface.
+    Whole,
+}
+
+/// How well `library` fits the interface that `alias` names in `project`.
+pub fn fit(db: &dyn Db, project: Project, alias: &str, library: Project) -> Fit {
+    let Some((alias, item)) = items(db, project).libraries.get_key_value(alias) else { return Fit::Lacks };
+    let Some(interface) = item.interface else { return Fit::Lacks };
+    let offers = |name: &SmolStr| implements(db, interface, library, name);
+    let public = public_items(db, interface);
+    if library == interface || !public.is_empty() && public.iter().all(offers) {
+        return Fit::Whole;
+    }
+    let programs: Vec<(File, &Uses)> = program_files(db, project).iter().map(|file| (*file, uses(db, *file))).collect();
+    let mut needed = Interfaces { db, project, programs, problems: Vec::new() }.needed(alias);
+    needed.retain(|item| is_public(db, interface, item));
+    if !needed.is_empty() && needed.iter().all(offers) { Fit::Used } else { Fit::Lacks }
+}
+
+/// The names of the public data and programs of a project.
+fn public_items(db: &dyn Db, project: Project) -> Vec<SmolStr> {
+    let items = items(db, project);
+    let names = items.data.keys().chain(items.programs.keys());
+    names.filter(|name| is_public(db, project, name)).cloned().collect()
+}
+
+/// The project has public data or a public program called `item`.
+pub fn is_public(db: &dyn Db, project: Project, item: &str) -> bool {
+    let items = items(db, project);
+    match items.data.get(item) {
+        Some(data) => data.decl.public,
+        None => items.programs.get(item).is_some_and(|file| header(db, *file).public),
+    }
 }
 
 struct Interfaces<'db> {

@@ -2,8 +2,8 @@
 
 use smol_str::{SmolStr, format_smolstr};
 
-use super::Interfaces;
-use crate::db::{File, Project};
+use super::{Interfaces, is_public};
+use crate::db::{Db, File, Project};
 use crate::infer::programs::syntax_line;
 use crate::items::declarations;
 use crate::items::project::{DataItem, Signature, items, signature};
@@ -73,11 +73,9 @@ impl Interfaces<'_> {
 
     fn data(&mut self, pair: &Pair<'_>, wanted: &DataItem, found: &DataItem) {
         let there = declarations::data(self.db, found.file, pair.item.clone());
-        // Sizes may differ: instructions change them.
-        let same = wanted.base.same_as(found.base) && wanted.decl.container == found.decl.container;
         if !found.decl.public {
             self.private(pair, there);
-        } else if !same {
+        } else if !same_data(wanted, found) {
             self.different(pair, data_line(wanted, pair.item), data_line(found, pair.item), there);
         }
     }
@@ -88,7 +86,7 @@ impl Interfaces<'_> {
         let there = declarations::program(db, file);
         if !found.public {
             self.private(pair, there);
-        } else if wanted.complete && found.complete && !same_parameters(wanted, found) {
+        } else if !same_parameters(wanted, found) {
             self.different(pair, syntax_line(db, wanted), syntax_line(db, found), there);
         }
     }
@@ -141,8 +139,32 @@ impl Interfaces<'_> {
     }
 }
 
-/// Names may differ; types, containers and passing may not.
+/// `library` has the item of `interface`: public, and of the same kind.
+pub fn implements(db: &dyn Db, interface: Project, library: Project, item: &str) -> bool {
+    is_public(db, library, item) && is_same_item(db, interface, library, item).unwrap_or(false)
+}
+
+/// Two projects have data or programs of one name: whether their types or parameters agree, so that a library with one
+/// can be loaded for an interface with the other. `None` where one of them has no such item.
+pub fn is_same_item(db: &dyn Db, interface: Project, library: Project, item: &str) -> Option<bool> {
+    let (wanted, found) = (items(db, interface), items(db, library));
+    if let Some(data) = wanted.data.get(item) {
+        return found.data.get(item).map(|found| same_data(data, found));
+    }
+    let wanted = signature(db, interface, *wanted.programs.get(item)?);
+    found.programs.get(item).map(|file| same_parameters(wanted, signature(db, library, *file)))
+}
+
+/// Sizes may differ: instructions change them.
+fn same_data(wanted: &DataItem, found: &DataItem) -> bool {
+    wanted.base.same_as(found.base) && wanted.decl.container == found.decl.container
+}
+
+/// Names may differ; types, containers and passing may not. Parameters that cannot be read are taken to agree.
 fn same_parameters(wanted: &Signature, found: &Signature) -> bool {
+    if !wanted.complete || !found.complete {
+        return true;
+    }
     wanted.params.len() == found.params.len()
         && wanted.params.iter().zip(&found.params).all(|(a, b)| {
             let same_passing = a.container == b.container && a.by_reference == b.by_reference;
