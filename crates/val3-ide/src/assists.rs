@@ -58,6 +58,8 @@ pub struct Assist {
     pub title: String,
     /// Assists with the same words here are shown as one with choices.
     pub group: Option<&'static str>,
+    /// Why it cannot be done here, as a sentence for the user; `None` if it can.
+    pub disabled: Option<String>,
 }
 
 /// Offers its assists for a place. What each changes is computed only when it is asked for.
@@ -113,10 +115,27 @@ impl Assists<'_> {
         match self.wanted {
             Some(wanted) if wanted == id && self.change.is_none() => self.change = change(),
             Some(_) => {}
-            None if self.only.is_none_or(|only| only.contains(&kind)) => {
-                self.found.push(Assist { id, kind, title: title.into(), group });
-            }
-            None => {}
+            None => self.show(Assist { id, kind, title: title.into(), group, disabled: None }),
+        }
+    }
+
+    /// Shows an assist that would break something here, with the reason.
+    pub(crate) fn refuse(
+        &mut self,
+        group: Option<&'static str>,
+        id: &'static str,
+        kind: AssistKind,
+        title: impl Into<String>,
+        reason: String,
+    ) {
+        if self.wanted.is_none() {
+            self.show(Assist { id, kind, title: title.into(), group, disabled: Some(reason) });
+        }
+    }
+
+    fn show(&mut self, assist: Assist) {
+        if self.only.is_none_or(|only| only.contains(&assist.kind)) {
+            self.found.push(assist);
         }
     }
 }

@@ -75,6 +75,10 @@ fn local_entry(old: bool, variable: &Variable) -> String {
 /// A parameter of the program in `file`, behind the others.
 pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
     let old = is_old_program(db, file);
+    // It has no collections, and arrays of one dimension.
+    if old && (variable.container == Container::Collection || variable.sizes.len() > 1) {
+        return None;
+    }
     let entry = parameter_entry(old, variable, by_reference);
     match old {
         true => into_program(db, file, "paramSection", "", &["localSection", "source"], &[entry]),
@@ -154,12 +158,26 @@ fn new_data(variable: &Variable, value: Option<&str>, public: bool) -> Vec<Strin
         _ => format!("xsi:type=\"array\" type=\"{ty}\" size=\"{}\"", variable.size()),
     };
     let start = format!("<Data name=\"{name}\" access=\"{access}\" {shape}");
-    let attribute = match (value, built_in_father(ty)) {
-        (Some(value), _) => format!("value=\"{}\"", escaped(value)),
-        (None, Some(father)) if variable.is_single() => format!("fatherId=\"{father}[0]\""),
+    let values: Vec<String> = match (value, built_in_father(ty)) {
+        (Some(value), _) => vec![format!("  <Value key=\"0\" value=\"{}\" />", escaped(value))],
+        (None, Some(father)) if variable.container != Container::Collection => {
+            let value = |key| format!("  <Value key=\"{key}\" fatherId=\"{father}[0]\" />");
+            keys(&variable.sizes).into_iter().map(value).collect()
+        }
         _ => return vec![format!("{start} />")],
     };
-    vec![format!("{start}>"), format!("  <Value key=\"0\" {attribute} />"), "</Data>".to_owned()]
+    [vec![format!("{start}>")], values, vec!["</Data>".to_owned()]].concat()
+}
+
+/// The keys of an array's values: `0`, or `0,0` where it has two dimensions.
+fn keys(sizes: &[u32]) -> Vec<String> {
+    let indexes = |key: &str, size: u32| -> Vec<String> { (0..size).map(|index| format!("{key},{index}")).collect() };
+    match sizes.split_first() {
+        None => vec!["0".to_owned()],
+        Some((first, rest)) => rest.iter().fold((0..*first).map(|index| index.to_string()).collect(), |keys, size| {
+            keys.iter().flat_map(|key| indexes(key, *size)).collect()
+        }),
+    }
 }
 
 /// What a new point, frame or tool hangs on.

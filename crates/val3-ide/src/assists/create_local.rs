@@ -10,7 +10,7 @@ use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let unknown = unknown(context)?;
-    let variable = unknown.variable(context, false);
+    let variable = unknown.variable(context, false, [context.body()])?;
     // Locals are arrays only, and nothing links them to an input or output.
     if variable.container == Container::Collection || unknown.is_linkable() {
         return None;
@@ -58,7 +58,7 @@ mod tests {
             "program start()\n  num l_i\nbegin\n  l_$0j[1,2]=l_i\nend",
             expect![[r#"
             usrapp/main/start.pgx
-            +      <Local name="l_j" type="num" xsi:type="array" size="1 1" />
+            +      <Local name="l_j" type="num" xsi:type="array" size="2 3" />
         "#]],
         );
         check(

@@ -1,13 +1,21 @@
-//! Declares an unknown name as a parameter, by reference where the program changes it.
+//! Declares an unknown name as a parameter, by reference where the program changes it. Every call passes something for
+//! it.
+
+mod callers;
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::items::project::{items, signature};
+use val3_lang::instruction::Shape;
 use val3_lang::types::Container;
 
 use super::context::Context;
-use super::expected::unknown;
+use super::expected::{Unknown, unknown};
 use super::{AssistKind, Assists};
-use crate::declare::{self, Variable};
+use crate::declare;
 use crate::edit::SourceChange;
+
+const ID: &str = "create-parameter";
+const GROUP: Option<&str> = Some("Create");
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let unknown = unknown(context)?;
@@ -15,29 +23,71 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     if context.options().entry_points.iter().any(|name| *name == *context.header().name) {
         return None;
     }
-    let variable = unknown.variable(context, false);
+    let by_reference =
+        unknown.ty().container != Container::Element || unknown.is_linkable() || is_written(context, &unknown);
+    let declaration = declare::parameter(context.db, context.file, &unknown.parameter(context), by_reference)?;
     let title = format!("Create parameter `{} {}`", unknown.shown(context.db), unknown.name);
-    assists.add_in(Some("Create"), "create-parameter", AssistKind::QuickFix, title, || {
-        let by_reference = variable.container == Container::Collection || is_written(context, &variable);
-        let edit = declare::parameter(context.db, context.file, &variable, by_reference)?;
-        Some(SourceChange::of([edit]))
-    });
+    let kind = AssistKind::QuickFix;
+    let passed = match callers::pass(context, &unknown, by_reference) {
+        Ok(passed) => passed,
+        Err(reason) => {
+            assists.refuse(GROUP, ID, kind, title, reason);
+            return None;
+        }
+    };
+    let title = match &passed.default {
+        Some(value) => format!("{title}, passing `{value}` in its calls"),
+        None => title,
+    };
+    assists.add_in(GROUP, ID, kind, title, || Some(SourceChange::of(std::iter::once(declaration).chain(passed.edits))));
     Some(())
 }
 
-/// The program gives the name a value somewhere.
-fn is_written(context: &Context<'_>, variable: &Variable) -> bool {
+/// The program gives the name a value somewhere, or hands it over to something that may.
+fn is_written(context: &Context<'_>, unknown: &Unknown) -> bool {
     let body = context.body();
     let names = |mut id: ExprId| {
         while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
             id = *base;
         }
-        matches!(body.expr(id), Expr::Name(name) if *name == variable.name)
+        matches!(body.expr(id), Expr::Name(name) if *name == unknown.name)
     };
-    body.stmts().iter().any(|stmt| match &stmt.kind {
+    let assigned = body.stmts().iter().any(|stmt| match &stmt.kind {
         StmtKind::Assign { target, .. } => names(*target),
         StmtKind::For { counter: Some(counter), .. } => names(*counter),
         _ => false,
+    });
+    assigned
+        || body.exprs().any(|(call, expr, _)| match expr {
+            Expr::Assign(target, _) => names(*target),
+            Expr::Call(callee, arguments) => {
+                let mut named = (0..).zip(arguments.iter()).filter(|(_, argument)| names(**argument));
+                named.any(|(at, _)| takes_reference(context, call, *callee, at))
+            }
+            _ => false,
+        })
+}
+
+/// What is called takes a variable as its argument number `at`, not a value.
+fn takes_reference(context: &Context<'_>, call: ExprId, callee: ExprId, at: usize) -> bool {
+    if let Some(found) = context.inference().call(call) {
+        let is_variable = |shape| !matches!(shape, Shape::Value | Shape::ProgramCall);
+        let mut forms = match found.form {
+            Some(form) => std::slice::from_ref(form).iter(),
+            None => found.instruction.overloads.iter(),
+        };
+        return forms.any(|form| form.params.get(at).is_some_and(|param| is_variable(param.shape)));
+    }
+    let (project, name) = match context.body().expr(callee) {
+        Expr::Name(name) => (Some(context.project), name),
+        Expr::Path { library, item } => {
+            (context.items().libraries.get(library).and_then(|library| library.interface), item)
+        }
+        _ => return false,
+    };
+    let file = project.and_then(|project| Some((project, *items(context.db, project).programs.get(name)?)));
+    file.is_some_and(|(project, file)| {
+        signature(context.db, project, file).params.get(at).is_some_and(|param| param.by_reference)
     })
 }
 
@@ -45,9 +95,8 @@ fn is_written(context: &Context<'_>, variable: &Variable) -> bool {
 mod tests {
     use expect_test::expect;
 
-    use crate::assists::testing::{check, offered};
-
-    const ID: &str = "create-parameter";
+    use super::ID;
+    use crate::assists::testing::{check, done, offered, refused};
 
     #[test]
     fn passed_as_it_is_used() {
@@ -74,5 +123,93 @@ mod tests {
     #[test]
     fn start_has_none() {
         assert_eq!(offered("putln(x_$0s)", ID), None);
+    }
+
+    #[test]
+    fn every_call_passes_something() {
+        let program = "program other(num x_a)\nbegin\n  putln(x_$0b+x_a)\n  call other(1,2)\nend\n\
+            program third()\n  num x_b\nbegin\n  call other(3)\n  taskCreate \"t\",10,other(4)\nend";
+        check(
+            ID,
+            &format!("call other(0)\n{program}"),
+            expect![[r#"
+                usrapp/main/other.pgx
+                -    </Parameters>
+                -    <Code><![CDATA[begin
+                -  putln(x_b+x_a)
+                -  call other(1,2)
+                +      <Parameter name="x_b" type="num" xsi:type="element" />
+                +    </Parameters>
+                +    <Code><![CDATA[begin
+                +  putln(x_b+x_a)
+                +  call other(1,2,x_b)
+                usrapp/main/start.pgx
+                -call other(0)
+                +call other(0,0)
+                usrapp/main/third.pgx
+                -  call other(3)
+                -  taskCreate "t",10,other(4)
+                +  call other(3,x_b)
+                +  taskCreate "t",10,other(4,x_b)
+            "#]],
+        );
+        let title = "Create parameter `num x_b`, passing `0` in its calls";
+        assert_eq!(offered(&format!("call other(0)\n{program}"), ID).as_deref(), Some(title));
+        assert_eq!(offered(program, ID).as_deref(), Some("Create parameter `num x_b`"));
+    }
+
+    #[test]
+    fn calls_of_other_projects_and_without_arguments() {
+        let done = done(
+            "library part \"Disk://part/part.pjx\"\ncall part:show()\n--- part\npublic program show()\nbegin\n  putln(x_$0s)\nend",
+            ID,
+        );
+        assert!(done.contains("+call part:show(0)") || done.contains("+call part:show(\"\")"), "{done}");
+    }
+
+    #[test]
+    fn escaped_calls() {
+        let old = |name: &str, code: &str| {
+            format!(
+                "=== main/{name}.pgx\n<programList xmlns=\"ProgramNameSpace\"><program name=\"{name}\" public=\"false\"><paramSection /><localSection /><source><code>begin\n{code}\nend</code></source></program></programList>\n"
+            )
+        };
+        let done =
+            done(&format!("num nZ\n{}{}", old("start", "call other()"), old("other", "put(x_$0s+&quot;a&quot;)")), ID);
+        assert!(done.contains("call other(&quot;&quot;)"), "{done}");
+    }
+
+    #[test]
+    fn calls_with_nothing_to_pass() {
+        for (code, reason) in [
+            ("x_$0n[2]=1", "`start` calls it and has nothing to pass"),
+            ("x_$0n=1", "`start` calls it and has nothing to pass"),
+            ("call third(x_$0n)", "`start` calls it and has nothing to pass"),
+            ("putln(x_$0p.trsf.x)", "`start` calls it and has nothing to pass"),
+        ] {
+            let listing = format!(
+                "call other()\nprogram other()\nbegin\n  {code}\nend\nprogram third(num& x_n)\nbegin\n  x_n=1\nend"
+            );
+            assert_eq!(refused(&listing, ID).as_deref(), Some(reason), "{code}");
+        }
+    }
+
+    #[test]
+    fn an_array_is_declared_as_one() {
+        let declared = |code: &str| done(&format!("program other()\nbegin\n  {code}\nend"), ID);
+        let array = "<Parameter name=\"x_n\" type=\"num\" xsi:type=\"array\" use=\"reference\" />";
+        assert!(declared("put(x_$0n[2]+1)").contains(array));
+        assert!(declared("put(x_$0n[1,2]+1)").contains("use=\"reference\" dimensions=\"2\""));
+        assert!(declared("call third(x_$0n)\nend\nprogram third(num& x_n[])\nbegin\n  x_n[0]=1").contains(array));
+    }
+
+    #[test]
+    fn programs_of_interfaces_keep_their_parameters() {
+        let listing = "library part \"Disk://part/part.pjx\" autoload=false\nnum nA\nnA=part:libLoad(\"Disk://box\")\n\
+            --- part\npublic program pick()\nbegin\n  putln(x_$0n)\nend\n--- box\npublic program pick()\nbegin\nend";
+        assert_eq!(
+            refused(listing, ID).as_deref(),
+            Some("`box` has the program with the same parameters, for one interface")
+        );
     }
 }

@@ -58,18 +58,36 @@ pub(super) fn is_called(body: &Body, id: ExprId) -> bool {
 }
 
 impl Unknown {
-    /// Its declaration. Positions of data are bound to an arm.
-    pub(super) fn variable(&self, context: &Context<'_>, bound: bool) -> Variable {
-        let sizes = match self.variable.container {
-            Container::Array { dims } => vec![1; usize::from(dims.max(1))],
-            _ => vec![1],
+    /// Its declaration. Positions of data are bound to an arm. An array gets the sizes that `bodies` ask for; `None`
+    /// where that would be a larger one than programs have.
+    pub(super) fn variable<'b>(
+        &self,
+        context: &Context<'_>,
+        bound: bool,
+        bodies: impl IntoIterator<Item = &'b Body>,
+    ) -> Option<Variable> {
+        let (container, sizes) = match self.variable.container {
+            Container::Array { dims } => (self.variable.container, sizes(&self.name, dims, bodies)?),
+            Container::Element => (Container::Array { dims: 1 }, vec![1]),
+            Container::Collection => (Container::Collection, vec![1]),
         };
         let type_name = type_name(context, self.variable.base, bound);
-        let container = match self.variable.container {
-            Container::Element => Container::Array { dims: 1 },
-            other => other,
+        Some(Variable { name: self.name.to_string(), type_name, container, sizes })
+    }
+
+    /// Its declaration as a parameter, which says how many dimensions it has and no sizes.
+    pub(super) fn parameter(&self, context: &Context<'_>) -> Variable {
+        let sizes = match self.variable.container {
+            Container::Array { dims } => vec![2; usize::from(dims.max(1))],
+            _ => vec![1],
         };
-        Variable { name: self.name.to_string(), type_name, container, sizes }
+        let type_name = type_name(context, self.variable.base, false);
+        Variable { name: self.name.to_string(), type_name, container: self.variable.container, sizes }
+    }
+
+    /// What it would have to be.
+    pub(super) fn ty(&self) -> Ty {
+        self.variable
     }
 
     /// It would have to be an input, an output or a serial line.
@@ -81,6 +99,53 @@ impl Unknown {
     pub(super) fn shown(&self, db: &dyn Db) -> SmolStr {
         Ty::element(self.variable.base).display(db)
     }
+}
+
+/// Elements that an array has at most, in the programs that are known.
+const LARGEST: u64 = 10_000;
+
+/// One more than the highest index of each dimension that is known.
+fn sizes<'b>(name: &str, dims: u8, bodies: impl IntoIterator<Item = &'b Body>) -> Option<Vec<u32>> {
+    let mut sizes = vec![1_u32; usize::from(dims.max(1))];
+    for body in bodies {
+        for (_, expr, _) in body.exprs() {
+            let Expr::Index(base, indexes) = expr else { continue };
+            if !matches!(body.expr(*base), Expr::Name(other) if other == name) || indexes.len() != sizes.len() {
+                continue;
+            }
+            for (size, index) in sizes.iter_mut().zip(indexes.iter()) {
+                *size = (*size).max(size_for(highest(body, *index)));
+            }
+        }
+    }
+    let elements = sizes.iter().fold(1_u64, |elements, size| elements.saturating_mul(u64::from(*size)));
+    (elements <= LARGEST).then_some(sizes)
+}
+
+/// The size that has this index: 1 where the index is none.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "the number is in range")]
+fn size_for(index: Option<f64>) -> u32 {
+    match index {
+        Some(index) if index.fract() == 0.0 && index >= 0.0 => (index.min(f64::from(u32::MAX - 1)) as u32) + 1,
+        _ => 1,
+    }
+}
+
+/// The highest value of an index that is constant, or that counts between two constants.
+fn highest(body: &Body, index: ExprId) -> Option<f64> {
+    if let Some(number) = body.number(index) {
+        return Some(number);
+    }
+    let Expr::Name(name) = body.expr(body.peel(index)) else { return None };
+    let place = body.range(index);
+    let around = body.stmts().into_iter().filter(|stmt| stmt.range.contains_range(place));
+    around.rev().find_map(|stmt| match &stmt.kind {
+        StmtKind::For { counter: Some(counter), start: Some(start), stop: Some(stop), .. } => {
+            let counts = matches!(body.expr(body.peel(*counter)), Expr::Name(other) if other == name);
+            counts.then(|| Some(body.number(*start)?.max(body.number(*stop)?))).flatten()
+        }
+        _ => None,
+    })
 }
 
 /// A type as files of the project write it; `bound` where it has to name the arm.

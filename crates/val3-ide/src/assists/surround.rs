@@ -1,4 +1,4 @@
-//! Puts a block around statements.
+//! Puts a block around the statements that are selected.
 
 use super::context::Context;
 use super::{AssistKind, Assists};
@@ -8,6 +8,10 @@ use crate::edit::{FileEdit, SourceChange};
 const GROUP: &str = "Surround";
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
+    // A line without a selection is seldom meant.
+    if context.range.is_empty() {
+        return None;
+    }
     context.code()?;
     let (_, range) = context.stmts()?;
     let around = |head: &str, tail: &str| block(context, range, head, tail);
@@ -61,10 +65,10 @@ mod tests {
     use crate::assists::testing::{check, offered};
 
     #[test]
-    fn the_statement_at_the_cursor() {
+    fn one_statement() {
         check(
             "surround-if",
-            "num nA\n  nA=1\n$0  nA=2",
+            "num nA\n  nA=1\n$0  nA=2$0",
             expect![[r#"
             usrapp/main/start.pgx
             -  nA=2
@@ -75,7 +79,7 @@ mod tests {
         );
         check(
             "surround-while",
-            "num nA\nif nA==1\n  nA=$02\nendIf",
+            "num nA\nif nA==1\n  $0nA=2$0\nendIf",
             expect![[r#"
             usrapp/main/start.pgx
             -  nA=2
@@ -139,8 +143,10 @@ mod tests {
     }
 
     #[test]
-    fn no_part_of_a_statement() {
+    fn a_selection_of_whole_statements() {
         for listing in [
+            "num nA\nnA=$02",
+            "num nA\n$0if nA==1\nnA=2\nendIf",
             "num nA\n$0if nA==1\n  nA$0=2\nendIf",
             "num nA\nif nA==1\n  $0nA=2\nend$0If\nnA=1",
             "num nA\nif $0nA==1$0\nendIf",
@@ -154,7 +160,7 @@ mod tests {
     fn escaped_code() {
         check(
             "surround-if",
-            "num nA\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <source><code>begin\r\n  put(\"&lt;$0\")\r\nend</code></source>\n  </program>\n</programList>\n",
+            "num nA\n=== main/start.pgx\n<programList xmlns=\"ProgramNameSpace\">\n  <program name=\"start\" public=\"false\">\n    <source><code>begin\r\n  $0put(\"&lt;\")$0\r\nend</code></source>\n  </program>\n</programList>\n",
             expect![[r#"
                 usrapp/main/start.pgx
                 -  put("&lt;")

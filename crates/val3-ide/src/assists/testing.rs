@@ -6,26 +6,46 @@ use val3_analysis::db::{Db, Sources};
 use val3_syntax::TextRange;
 use val3_test::ROOT;
 
-use super::{assists, resolve_assist};
+use super::{Assist, assists, resolve_assist};
 use crate::FileRange;
 use crate::edit::SourceChange;
 use crate::testing::Marked;
 
 /// The title under which an assist is offered.
 pub(super) fn offered(listing: &str, id: &str) -> Option<String> {
+    found(listing, id).filter(|assist| assist.disabled.is_none()).map(|assist| assist.title)
+}
+
+/// Why an assist is shown and cannot be done.
+pub(super) fn refused(listing: &str, id: &str) -> Option<String> {
+    found(listing, id)?.disabled
+}
+
+fn found(listing: &str, id: &str) -> Option<Assist> {
     let marked = Marked::new(listing);
-    let found = assists(marked.db(), place(&marked), None);
-    found.into_iter().find(|assist| assist.id == id).map(|assist| assist.title)
+    let place = place(&marked);
+    let found = assists(marked.db(), place, None).into_iter().find(|assist| assist.id == id)?;
+    let is_done = resolve_assist(marked.db(), id, place).is_some();
+    assert_eq!(is_done, found.disabled.is_none(), "`{id}` does what it offers, and nothing else");
+    Some(found)
 }
 
 /// The assist is offered, and changes the files so.
 pub(super) fn check(id: &str, listing: &str, expected: Expect) {
+    expected.assert_eq(&done(listing, id));
+}
+
+/// How an assist that is offered changes the files.
+pub(super) fn done(listing: &str, id: &str) -> String {
     let marked = Marked::new(listing);
     let place = place(&marked);
     let found = assists(marked.db(), place, None);
-    assert!(found.iter().any(|assist| assist.id == id), "`{id}` is not offered: {found:?}");
+    assert!(
+        found.iter().any(|assist| assist.id == id && assist.disabled.is_none()),
+        "`{id}` is not offered: {found:?}"
+    );
     let change = resolve_assist(marked.db(), id, place).expect("what is offered can be done");
-    expected.assert_eq(&shown(marked.db(), &change));
+    shown(marked.db(), &change)
 }
 
 fn place(marked: &Marked) -> FileRange {

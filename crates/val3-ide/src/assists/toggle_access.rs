@@ -1,6 +1,10 @@
 //! Makes a program or data public, or private.
 
+use smol_str::SmolStr;
+use val3_analysis::db::{Db, Project};
+use val3_analysis::interfaces::{implements, is_public, is_same_item};
 use val3_analysis::items::{data, program};
+use val3_analysis::occurrences::Symbol;
 use val3_analysis::xml::Element;
 use val3_syntax::view::View;
 use val3_syntax::{SyntaxKind, TextRange};
@@ -8,40 +12,100 @@ use val3_syntax::{SyntaxKind, TextRange};
 use super::context::Context;
 use super::{AssistKind, Assists};
 use crate::edit::{FileEdit, SourceChange};
+use crate::navigate::{implemented, implementing};
+use crate::owner::projects_of;
+use crate::references::uses;
+
+const ID: &str = "toggle-access";
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let parse = val3_analysis::items::parse(context.db, context.file);
     let view = parse.view();
     let element = declaring(context, view)?;
-    let is_old = !matches!(element.name(), "Program" | "Data");
-    let attribute = element.attribute(if is_old { "public" } else { "access" });
-    let yes = if is_old { "true" } else { "public" };
-    let public = attribute.is_some_and(|found| found.text().trim() == yes);
-    let title = if public { "Make private" } else { "Make public" };
-    assists.add("toggle-access", AssistKind::Rewrite, title, || {
-        let word = match (is_old, public) {
-            (true, _) => {
-                if public {
-                    "false"
-                } else {
-                    "true"
-                }
-            }
-            (false, _) => {
-                if public {
-                    "private"
-                } else {
-                    "public"
-                }
-            }
-        };
+    let spelling = Spelling::of(element);
+    let attribute = element.attribute(spelling.attribute);
+    let public = attribute.is_some_and(|found| found.text().trim() == spelling.public);
+    let (title, word) = if public { ("Make private", spelling.private) } else { ("Make public", spelling.public) };
+    if let Some(reason) = obstacle(context, element, public) {
+        assists.refuse(None, ID, AssistKind::Rewrite, title, reason);
+        return None;
+    }
+    assists.add(ID, AssistKind::Rewrite, title, || {
         let edit = match attribute {
             Some(found) => context.replace(found.range, word),
-            None => new_attribute(context, element, if is_old { "public" } else { "access" }, word)?,
+            None => new_attribute(context, element, spelling.attribute, word)?,
         };
         Some(SourceChange::of([edit]))
     });
     Some(())
+}
+
+/// How a dialect writes the access.
+struct Spelling {
+    attribute: &'static str,
+    public: &'static str,
+    private: &'static str,
+}
+
+impl Spelling {
+    fn of(element: Element<'_>) -> Self {
+        match element.name() {
+            "Program" | "Data" => Self { attribute: "access", public: "public", private: "private" },
+            _ => Self { attribute: "public", public: "true", private: "false" },
+        }
+    }
+}
+
+/// Why the access has to stay, in a project that has the file.
+fn obstacle(context: &Context<'_>, element: Element<'_>, public: bool) -> Option<String> {
+    let name = SmolStr::from(element.value("name")?);
+    let is_program = matches!(element.name(), "Program" | "program");
+    let symbol = |project: Project| match is_program {
+        true => Symbol::Program(project, name.clone()),
+        false => Symbol::Data(project, name.clone()),
+    };
+    let db = context.db;
+    let mut projects = projects_of(db, context.file).iter().copied();
+    match public {
+        true => projects.find_map(|project| used_elsewhere(db, project, &name, symbol)),
+        false => projects.find_map(|project| against_interface(db, project, &name)),
+    }
+}
+
+/// Another project uses the item, or loads its project in place of an interface and uses the item of that.
+fn used_elsewhere(db: &dyn Db, project: Project, name: &str, symbol: impl Fn(Project) -> Symbol) -> Option<String> {
+    let user_of = |of: Project| {
+        let item = symbol(of);
+        let mut uses = uses(db, &item);
+        uses.find(|(_, user, _)| *user != of && *user != project).map(|(_, user, _)| stem(db, user))
+    };
+    if let Some(user) = user_of(project) {
+        return Some(format!("`{user}` uses `{name}`"));
+    }
+    implemented(db, project).find_map(|interface| {
+        let user = user_of(interface)?;
+        Some(format!(
+            "`{user}` uses `{name}` of the interface `{}`, which this library is loaded for",
+            stem(db, interface)
+        ))
+    })
+}
+
+/// A public item would make a library differ from an interface: this one, or those that are loaded in its place.
+fn against_interface(db: &dyn Db, project: Project, name: &str) -> Option<String> {
+    let differs = |interface: &Project| {
+        is_public(db, *interface, name) && is_same_item(db, *interface, project, name) == Some(false)
+    };
+    if let Some(interface) = implemented(db, project).find(differs) {
+        return Some(format!("the interface `{}` declares `{name}` differently", stem(db, interface)));
+    }
+    let lacking = implementing(db, project).find(|library| !implements(db, project, *library, name))?;
+    Some(format!("`{}` is loaded for this interface and has no such public `{name}`", stem(db, lacking)))
+}
+
+/// The name of a project: that of its file.
+fn stem(db: &dyn Db, project: Project) -> &str {
+    project.manifest(db).path(db).file_stem().unwrap_or("")
 }
 
 /// The program whose header the place is in, or the data whose start tag it is in.
@@ -66,9 +130,8 @@ fn new_attribute(context: &Context<'_>, element: Element<'_>, name: &str, value:
 mod tests {
     use expect_test::expect;
 
-    use crate::assists::testing::{check, offered};
-
-    const ID: &str = "toggle-access";
+    use super::ID;
+    use crate::assists::testing::{check, offered, refused};
 
     fn program(attributes: &str) -> String {
         format!(
@@ -130,5 +193,66 @@ mod tests {
                 +<dataList><numSection><num name="nA" public="false"></num></numSection></dataList>
             "#]],
         );
+    }
+
+    const LOADER: &str = "library part \"Disk://part/part.pjx\" autoload=false\nnum nA\n\
+        nA=part:libLoad(\"Disk://box\")\npart:nWeight=1\ncall part:pick(1)\n";
+
+    #[test]
+    fn what_others_use_stays_public() {
+        for (library, reason) in [
+            ("--- part\n=== part/part.dtx\n@\n--- box", "`main` uses `nWeight`"),
+            (
+                "--- part\npublic num nWeight\n--- box\n=== box/box.dtx\n@",
+                "`main` uses `nWeight` of the interface `part`, which this library is loaded for",
+            ),
+            (
+                "--- part\n=== part/pick.pgx\n<Programs><Program na$0me=\"pick\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>",
+                "`main` uses `pick`",
+            ),
+            (
+                "--- part\n=== part/part.dtx\n<dataList><numSection><num name=\"nWei$0ght\" public=\"true\" /></numSection></dataList>",
+                "`main` uses `nWeight`",
+            ),
+        ] {
+            let data = "<Database><Datas><Data name=\"nWei$0ght\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
+            let listing = format!("{LOADER}{}", library.replace('@', data));
+            assert_eq!(refused(&listing, ID).as_deref(), Some(reason), "{listing}");
+        }
+    }
+
+    #[test]
+    fn fields_of_user_types_stay_public() {
+        let listing = "type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slot sA\nsA.nHeight=1\n--- Slot\n=== Slot/Slot.dtx\n\
+            <Database><Datas><Data name=\"nHei$0ght\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
+        assert_eq!(refused(listing, ID).as_deref(), Some("`main` uses `nHeight`"));
+    }
+
+    #[test]
+    fn what_is_used_at_home_alone_can_become_private() {
+        let listing = "nA=1\n=== main/main.dtx\n<Database><Datas><Data name=\"n$0A\" access=\"public\" xsi:type=\"array\" type=\"num\" size=\"1\" /></Datas></Database>";
+        assert_eq!((offered(listing, ID).as_deref(), refused(listing, ID)), (Some("Make private"), None));
+    }
+
+    #[test]
+    fn an_interface_and_its_libraries_stay_alike() {
+        let private = |ty: &str| {
+            format!(
+                "<Database><Datas><Data name=\"nWei$0ght\" access=\"private\" xsi:type=\"array\" type=\"{ty}\" size=\"1\" /></Datas></Database>"
+            )
+        };
+        let library = |ty| format!("{LOADER}--- part\npublic num nWeight\n--- box\n=== box/box.dtx\n{}", private(ty));
+        assert_eq!(
+            refused(&library("string"), ID).as_deref(),
+            Some("the interface `part` declares `nWeight` differently")
+        );
+        assert_eq!(offered(&library("num"), ID).as_deref(), Some("Make public"));
+        let interface =
+            |other: &str| format!("{LOADER}--- box\n{other}\n--- part\n=== part/part.dtx\n{}", private("num"));
+        assert_eq!(
+            refused(&interface("num nWeight"), ID).as_deref(),
+            Some("`box` is loaded for this interface and has no such public `nWeight`")
+        );
+        assert_eq!(offered(&interface("public num nWeight[3]"), ID).as_deref(), Some("Make public"));
     }
 }

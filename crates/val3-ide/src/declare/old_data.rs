@@ -1,6 +1,6 @@
 //! Data in the form of s5 and s6, where every value is written, in elements that go by the type.
 
-use val3_lang::types::{Arm, Attribute, BaseType, DefaultValue, attributes};
+use val3_lang::types::{Arm, Attribute, BaseType, Container, DefaultValue, attributes};
 
 use super::{Variable, built_in_father};
 use crate::xml_list::escaped;
@@ -55,6 +55,9 @@ pub(super) fn type_name(type_name: &str) -> &str {
 pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> Option<Vec<String>> {
     let (name, ty) = (&variable.name, type_name(&variable.type_name));
     let [size] = variable.sizes.as_slice() else { return None };
+    if variable.container == Container::Collection {
+        return None;
+    }
     let start = format!("<{ty} name=\"{name}\" public=\"{public}\"");
     if matches!(ty, "dio" | "aio" | "sio") {
         return Some(vec![format!("{start} size=\"{size}\" />")]);

@@ -1,0 +1,137 @@
+//! What the calls of a program pass for a new parameter.
+
+use val3_analysis::body::{Expr, ExprId, body};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::interfaces::is_public;
+use val3_analysis::items::parse;
+use val3_analysis::items::program::{self, header};
+use val3_analysis::items::project::{items, resolve_type};
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Ty;
+use val3_lang::types::{BaseType, Container};
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
+
+use super::super::context::Context;
+use super::super::expected::Unknown;
+use crate::edit::FileEdit;
+use crate::navigate::{implemented, implementing};
+use crate::owner::projects_of;
+use crate::references::uses;
+use crate::xml_list::escaped;
+
+/// What the calls pass.
+#[derive(Debug, Default)]
+pub(super) struct Passed {
+    /// One more argument in each call.
+    pub(super) edits: Vec<FileEdit>,
+    /// The value that a call passes whose program has no variable of the name.
+    pub(super) default: Option<&'static str>,
+}
+
+/// One more argument in each call of the program.
+///
+/// # Errors
+/// If some call would have nothing to pass, or other programs have to have the same parameters: why.
+pub(super) fn pass(context: &Context<'_>, unknown: &Unknown, by_reference: bool) -> Result<Passed, String> {
+    let name = &context.header().name;
+    let mut passed = Passed::default();
+    for project in projects_of(context.db, context.file) {
+        same_elsewhere(context.db, *project, name)?;
+        let symbol = Symbol::Program(*project, name.clone());
+        for (file, user, range) in uses(context.db, &symbol) {
+            let Some(place) = Call::at(context.db, file, range)? else { continue };
+            let argument = match is_at_hand(context, unknown, file, user) {
+                true => unknown.name.as_str(),
+                false => default(unknown.ty(), by_reference)
+                    .inspect(|value| passed.default = Some(value))
+                    .ok_or_else(|| format!("`{}` calls it and has nothing to pass", header(context.db, file).name))?,
+            };
+            let edit = place.with(argument);
+            if !passed.edits.contains(&edit) {
+                passed.edits.push(edit);
+            }
+        }
+    }
+    Ok(passed)
+}
+
+/// A library and its interface have the program with the same parameters.
+fn same_elsewhere(db: &dyn Db, project: Project, name: &str) -> Result<(), String> {
+    let others = implemented(db, project).chain(implementing(db, project));
+    let other = others.into_iter().find(|other| items(db, *other).programs.contains_key(name));
+    match other.filter(|_| is_public(db, project, name)) {
+        Some(other) => {
+            let other = other.manifest(db).path(db).file_stem().unwrap_or("");
+            Err(format!("`{other}` has the program with the same parameters, for one interface"))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The program of a call has a variable of the name that can be passed. Where it calls itself it has the new parameter.
+fn is_at_hand(context: &Context<'_>, unknown: &Unknown, file: File, user: Project) -> bool {
+    let db = context.db;
+    if file == context.file {
+        return true;
+    }
+    let (header, types) = (header(db, file), &items(db, user).types);
+    let wanted = unknown.ty();
+    let suits = |type_name: &str, container: Container| {
+        let base = resolve_type(types, type_name);
+        let is_array = matches!(wanted.container, Container::Array { .. } | Container::Collection);
+        base.is_some_and(|base| base.same_as(wanted.base)) && (!is_array || container == wanted.container)
+    };
+    let local = header.locals.iter().find(|local| local.name == unknown.name);
+    let param = header.params.iter().find(|param| param.name == unknown.name);
+    local.is_some_and(|local| suits(&local.type_name, local.container))
+        || param.is_some_and(|param| suits(&param.type_name, param.container))
+}
+
+/// The literal that is passed for a single value.
+fn default(ty: Ty, by_reference: bool) -> Option<&'static str> {
+    if by_reference || ty.container != Container::Element {
+        return None;
+    }
+    match ty.base.builtin()? {
+        BaseType::Num => Some("0"),
+        BaseType::Bool => Some("false"),
+        BaseType::String => Some("\"\""),
+        _ => None,
+    }
+}
+
+/// The end of the arguments of a call.
+struct Call {
+    file: File,
+    /// Where the closing parenthesis is.
+    end: TextSize,
+    has_arguments: bool,
+    is_escaped: bool,
+}
+
+impl Call {
+    /// The call whose program is named at `range`; `None` where the name is no call.
+    fn at(db: &dyn Db, file: File, range: TextRange) -> Result<Option<Self>, String> {
+        let body = body(db, file);
+        let is_callee = |id: ExprId| body.range(id).end() == range.end();
+        let mut calls = body.exprs().filter_map(|(_, expr, whole)| match expr {
+            Expr::Call(callee, arguments) if is_callee(*callee) => Some((whole, arguments.is_empty())),
+            _ => None,
+        });
+        let Some((whole, is_empty)) = calls.next() else { return Ok(None) };
+        let text = file.text(db).get(std::ops::Range::<usize>::from(whole)).unwrap_or("");
+        if !text.ends_with(')') {
+            return Err(format!("a call in `{}` has no end", header(db, file).name));
+        }
+        let end = whole.end() - TextSize::of(')');
+        let parse = parse(db, file);
+        let is_escaped = program::code(parse.view()).is_none_or(|code| code.token(SyntaxKind::CDATA_OPEN).is_none());
+        Ok(Some(Self { file, end, has_arguments: !is_empty, is_escaped }))
+    }
+
+    fn with(&self, argument: &str) -> FileEdit {
+        let argument = if self.is_escaped { escaped(argument) } else { argument.to_owned() };
+        let text = if self.has_arguments { format!(",{argument}") } else { argument };
+        FileEdit { file: self.file, range: TextRange::empty(self.end), text }
+    }
+}
