@@ -56,6 +56,8 @@ pub(crate) struct ClientAbilities {
     pub(crate) has_code_actions: bool,
     /// It asks for the edit of a code action when that is chosen.
     pub(crate) resolves_edits: bool,
+    /// It shows code actions that cannot be done, with the reason.
+    pub(crate) shows_disabled: bool,
     /// It asks for the range of a symbol of the workspace when that is chosen.
     pub(crate) resolves_symbols: bool,
     /// It asks for inlay hints anew when it is told to.
@@ -214,6 +216,7 @@ impl ClientAbilities {
             has_code_actions: action.is_some_and(|it| it.code_action_literal_support.is_some()),
             resolves_edits: yes(action.and_then(|it| it.data_support))
                 && action.and_then(|it| it.resolve_support.as_ref()).is_some_and(|it| names(&it.properties, "edit")),
+            shows_disabled: yes(action.and_then(|it| it.disabled_support)),
             resolves_symbols: found.is_some_and(|it| names(&it.properties, "location.range")),
             refreshes_hints: yes(workspace.and_then(|it| it.inlay_hint.as_ref()?.refresh_support)),
             refreshes_lenses: yes(workspace.and_then(|it| it.code_lens.as_ref()?.refresh_support)),

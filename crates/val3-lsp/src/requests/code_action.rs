@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{
-    CodeAction, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command, Range, Url,
-    WorkspaceEdit,
+    CodeAction, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
+    Range, Url, WorkspaceEdit,
 };
 use val3_analysis::db::File;
 use val3_check::diagnostic::Diagnostic;
@@ -110,6 +110,10 @@ fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -
 
 fn assist(snapshot: &Snapshot, at: FileRange, found: Assist, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
     let action = CodeAction { title: found.title, kind: Some(kind(found.kind)), ..CodeAction::default() };
+    if let Some(reason) = found.disabled {
+        let shown = snapshot.session.client.shows_disabled;
+        return shown.then(|| CodeAction { disabled: Some(CodeActionDisabled { reason }), ..action });
+    }
     offer(snapshot, found.id, at, action, place, is_lazy)
 }
 

@@ -83,6 +83,27 @@ fn the_edit_of_an_action_comes_when_it_is_chosen() {
 }
 
 #[test]
+fn actions_that_would_break_something_come_with_the_reason() {
+    const CELL: &str = "call other()\nprogram other()\nbegin\n  x_nOut=1\nend";
+    const OTHER: &str = "usrapp/main/other.pgx";
+    let titled = |session: &mut Session, file: &str| {
+        let offered = session.actions_in(file, "x_nOut", Value::Null);
+        let found = offered.as_array().unwrap().iter().find(|it| it["title"] == "Create parameter `num x_nOut`");
+        found.cloned()
+    };
+    let mut abilities = able();
+    abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
+    let mut session = Session::of(CELL, abilities);
+    let found = titled(&mut session, OTHER).unwrap();
+    assert_eq!(found["disabled"]["reason"], "`start` calls it and has nothing to pass");
+    assert_eq!((&found["edit"], &found["data"]), (&Value::Null, &Value::Null));
+    assert_eq!(session.client.end(), 0);
+    let mut session = Session::of(CELL, able());
+    assert_eq!(titled(&mut session, OTHER), None);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
 fn clients_that_can_do_little() {
     let mut session = Session::of(CELL, modest());
     let offered = session.actions_at("missing", Value::Null);

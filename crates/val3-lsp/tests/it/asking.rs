@@ -26,8 +26,13 @@ impl Session {
 
     /// The first place of a part of `start`.
     pub fn place(&self, part: &str) -> Value {
-        let (line, column) = place(self.cell.text(START), part);
-        at(&self.cell.path(START), line, column)
+        self.place_in(START, part)
+    }
+
+    /// The first place of a part of a file.
+    fn place_in(&self, file: &str, part: &str) -> Value {
+        let (line, column) = place(self.cell.text(file), part);
+        at(&self.cell.path(file), line, column)
     }
 
     /// Asks about the first place of a part of `start`.
@@ -47,7 +52,13 @@ impl Session {
     /// Asks about a range that begins and ends at the first place of a part of `start`.
     #[track_caller]
     pub fn actions_at(&mut self, part: &str, only: Value) -> Value {
-        let mut params = self.place(part);
+        self.actions_in(START, part, only)
+    }
+
+    /// The same for a part of another file.
+    #[track_caller]
+    pub fn actions_in(&mut self, file: &str, part: &str, only: Value) -> Value {
+        let mut params = self.place_in(file, part);
         let place = params["position"].take();
         params["range"] = json!({ "start": place, "end": place });
         params["context"] = json!({ "diagnostics": [], "only": only });
