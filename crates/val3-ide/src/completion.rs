@@ -5,6 +5,7 @@ mod context;
 mod literals;
 mod missing;
 mod names;
+mod reach;
 mod strings;
 mod text_place;
 mod xml_place;

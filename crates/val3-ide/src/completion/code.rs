@@ -173,9 +173,10 @@ pub(super) fn members(found: &mut Found<'_>, base: Base) {
 pub(super) fn library_items(found: &mut Found<'_>, library: &str, wanted: &Wanted) {
     let db = found.db;
     let declared = items(db, found.project).libraries.get(library);
-    let interface = match declared {
-        Some(library) => library.interface,
-        None => missing::library_called(found, library),
+    let undeclared = if declared.is_none() { missing::library_called(found, library) } else { None };
+    let interface = match (declared, &undeclared) {
+        (Some(library), _) => library.interface,
+        (None, called) => called.as_ref().map(|called| called.project),
     };
     let start = found.items.len();
     if let Some(interface) = interface {
@@ -185,9 +186,9 @@ pub(super) fn library_items(found: &mut Found<'_>, library: &str, wanted: &Wante
             Wanted::Value(expected) => data_of(found, interface, &expected.bases),
         }
     }
-    if declared.is_none() {
-        missing::declare_library(found, start, library, interface);
-    } else if *wanted != Wanted::Program {
+    if let Some(called) = undeclared {
+        missing::declare_library(found, start, library, &called);
+    } else if declared.is_some() && *wanted != Wanted::Program {
         on_library(found, wanted);
     }
 }

@@ -1,12 +1,13 @@
 //! Names that are not declared yet: taking one declares it.
 
-use val3_analysis::db::Project;
+use val3_analysis::db::{Db, Project};
+use val3_analysis::items::declarations::is_old;
 use val3_analysis::items::project::items;
 use val3_config::Options;
 use val3_lang::keywords;
 use val3_lang::types::{Arm, BaseType};
 
-use super::strings::{disk_path, other_projects};
+use super::reach::{Reachable, reachable};
 use super::{CompletionKind as Kind, Found};
 use crate::declare::{self, Variable};
 use crate::line::Expected;
@@ -54,12 +55,11 @@ pub(super) fn libraries(found: &mut Found<'_>) {
         declared.libraries.values().any(|library| library.interface == Some(other))
             || declared.types.values().any(|ty| *ty == Some(other))
     };
-    for other in other_projects(found) {
-        let alias = other.manifest(db).path(db).file_stem().unwrap_or("");
-        if is_used(other) || !keywords::is_identifier(alias) || found.names().is_declared(alias) {
+    for other in reachable(db, project) {
+        let (alias, path) = (other.name(db), entry(db, project, &other));
+        if is_used(other.project) || !keywords::is_identifier(alias) || found.names().is_declared(alias) {
             continue;
         }
-        let Some(path) = disk_path(found, other).map(|folder| format!("{folder}/{alias}.pjx")) else { continue };
         let added = found.add(alias, Kind::Library).scored(MISSING).detail(|| format!("new library, {path}"));
         added.adding(|| declare::library(db, project, alias, &path).into_iter().collect()).with(|item| {
             item.insert = format!("{alias}:");
@@ -68,17 +68,20 @@ pub(super) fn libraries(found: &mut Found<'_>) {
     }
 }
 
-/// The project of the cell that has the name of an identifier that is not declared.
-pub(super) fn library_called(found: &Found<'_>, alias: &str) -> Option<Project> {
-    let db = found.db;
-    other_projects(found).into_iter().find(|project| project.manifest(db).path(db).file_stem() == Some(alias))
+/// The path of a project as the project file writes it.
+pub(super) fn entry(db: &dyn Db, project: Project, other: &Reachable) -> String {
+    if is_old(db, project) { other.old().to_owned() } else { other.long.clone() }
+}
+
+/// The project in reach that has the name of an identifier that is not declared.
+pub(super) fn library_called(found: &Found<'_>, alias: &str) -> Option<Reachable> {
+    reachable(found.db, found.project).into_iter().find(|other| other.name(found.db) == alias)
 }
 
 /// The completions from `start` on need a library identifier that is not declared.
-pub(super) fn declare_library(found: &mut Found<'_>, start: usize, alias: &str, interface: Option<Project>) {
-    let folder = interface.and_then(|interface| disk_path(found, interface));
-    let path = folder.map(|folder| format!("{folder}/{alias}.pjx"));
-    let edit = path.and_then(|path| declare::library(found.db, found.project, alias, &path));
+pub(super) fn declare_library(found: &mut Found<'_>, start: usize, alias: &str, interface: &Reachable) {
+    let path = entry(found.db, found.project, interface);
+    let edit = declare::library(found.db, found.project, alias, &path);
     for item in found.items.iter_mut().skip(start) {
         item.additional.extend(edit.clone());
     }

@@ -2,14 +2,15 @@
 
 use smol_str::SmolStr;
 use val3_analysis::application::application;
-use val3_analysis::db::{Project, Sources};
+use val3_analysis::interfaces::{self, Fit};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::arguments::{BINARY_FORMATS, DATE_KEYS, SERIAL_PARAMETERS, SerialParameter, SerialValue, TextForm};
 use val3_syntax::{TextRange, TextSize};
 
-use super::names::data_detail;
+use super::names::{FITS, data_detail};
+use super::reach::reachable;
 use super::text_place::TextPlace;
 use super::{CompletionKind, Found};
 use crate::hover::keys_of;
@@ -17,7 +18,7 @@ use crate::hover::keys_of;
 /// What can stand in a string.
 pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
     match place {
-        TextPlace::LibraryPath => paths(found),
+        TextPlace::LibraryPath(alias) => paths(found, alias.as_deref()),
         TextPlace::LibraryItem(library) => library_items(found, library),
         TextPlace::Task => tasks(found),
         TextPlace::DataName(base) => data_names(found, *base),
@@ -38,28 +39,17 @@ fn words<'w>(found: &mut Found<'_>, words: impl Iterator<Item = &'w str>, detail
     }
 }
 
-/// The path of a project's folder from the disk's root on.
-pub(super) fn disk_path(found: &Found<'_>, project: Project) -> Option<String> {
-    let folder = project.manifest(found.db).path(found.db).parent()?;
-    let relative = folder.strip_prefix(project.disk(found.db)?).ok()?;
-    Some(format!("Disk://{relative}"))
-}
-
-/// Every other project that was found, by path.
-pub(super) fn other_projects(found: &Found<'_>) -> Vec<Project> {
-    let db = found.db;
-    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
-    projects.retain(|project| *project != found.project);
-    projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
-    projects
-}
-
-/// The libraries of the cell.
-fn paths(found: &mut Found<'_>) {
-    for project in other_projects(found) {
-        if let Some(path) = disk_path(found, project) {
-            found.add(&path, CompletionKind::Path).detail(|| "library".to_owned());
-        }
+/// The libraries that the application can load. Under an identifier those come first that fit its interface.
+fn paths(found: &mut Found<'_>, alias: Option<&str>) {
+    let (db, project) = (found.db, found.project);
+    for library in reachable(db, project) {
+        let fit = alias.map(|alias| interfaces::fit(db, project, alias, library.project));
+        let (detail, score) = match fit {
+            Some(Fit::Whole) => ("library, fits the interface", 2 * FITS),
+            Some(Fit::Used) => ("library, has what is used of the interface", FITS),
+            Some(Fit::Lacks) | None => ("library", 0),
+        };
+        found.add(&library.short, CompletionKind::Path).detail(|| detail.to_owned()).scored(score);
     }
 }
 

@@ -13,8 +13,8 @@ use crate::line::{CallSite, Line, Names, string_text};
 /// What can stand in a string.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum TextPlace {
-    /// The path of a library.
-    LibraryPath,
+    /// The path of a library; where it is loaded, with the identifier under which it is.
+    LibraryPath(Option<SmolStr>),
     /// A name of a library's interface.
     LibraryItem(SmolStr),
     /// A task of the application.
@@ -55,7 +55,8 @@ pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
             (parameter.kind() == STRING).then(|| TextPlace::SerialValue(string_text(parameter)))
         }
         name if instructions::ON_TASKS.contains(&name) => Some(TextPlace::Task),
-        _ if instruction.family == Family::Libraries && parameter.name == "sPath" => Some(TextPlace::LibraryPath),
+        instructions::LIB_LOAD => Some(TextPlace::LibraryPath(call.callee.library.clone())),
+        _ if instruction.family == Family::Libraries && parameter.name == "sPath" => Some(TextPlace::LibraryPath(None)),
         _ => None,
     }
 }

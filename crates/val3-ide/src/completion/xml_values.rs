@@ -6,8 +6,9 @@ use val3_analysis::ty::Base;
 use val3_lang::types::{AttributeValue, BaseType, attribute};
 use val3_lang::{builtins, enumerations};
 
+use super::missing::entry;
 use super::names::data_detail;
-use super::strings::{disk_path, other_projects};
+use super::reach::reachable;
 use super::xml_place::AttributePlace;
 use super::{CompletionKind as Kind, Found};
 
@@ -77,11 +78,13 @@ fn files(found: &mut Found<'_>, extension: &str) {
     }
 }
 
+/// The projects that can be named here, those first that the project file does not name yet.
 fn projects(found: &mut Found<'_>) {
-    for project in other_projects(found) {
-        let Some(folder) = disk_path(found, project) else { continue };
-        let name = project.manifest(found.db).path(found.db).file_name().unwrap_or("");
-        found.add(&format!("{folder}/{name}"), Kind::Path);
+    let (db, project) = (found.db, found.project);
+    let named: Vec<_> = items(db, project).libraries.values().filter_map(|library| library.interface).collect();
+    for other in reachable(db, project) {
+        let score = if named.contains(&other.project) { 0 } else { super::names::FITS };
+        found.add(&entry(db, project, &other), Kind::Path).scored(score);
     }
 }
 

@@ -10,7 +10,7 @@ fn texts() {
     check(
         &part("nA=part:libLoad(\"$0\")"),
         expect![[r#"
-        Disk://part Path library
+        Disk://part Path library, fits the interface
     "#]],
     );
     check(
@@ -72,6 +72,40 @@ fn texts() {
     "#]],
     );
     check_nothing("putln(\"mov$0\")");
+}
+
+/// A cell with two libraries for one interface, something else, and another cell with a library of the same name.
+fn libraries(code: &str) -> String {
+    let other =
+        "<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\"><Parameters version=\"s7.11\" /></Project>";
+    format!(
+        "library part \"Disk://part/part.pjx\" autoload=false\nnum nA\ncall part:pick(1)\n{code}{LIBRARY}\n\
+         --- whole\npublic num nWeight\npublic program pick(num x_n)\nbegin\nend\n\
+         --- apart\npublic num nOther\n--- zused\npublic program pick(num x_n)\nbegin\nend\n\
+         === /other/usr/usrapp/part/part.pjx\n{other}\n=== /other/usr/usrapp/afar/afar.pjx\n{other}\n\
+         === _odd/odd.pjx\n{other}\n"
+    )
+}
+
+#[test]
+fn libraries_that_fit_come_first_and_other_cells_are_out_of_reach() {
+    check(
+        &libraries("nA=part:libLoad(\"$0\")"),
+        expect![[r#"
+            Disk://part Path library, fits the interface
+            Disk://whole Path library, fits the interface
+            Disk://zused Path library, has what is used of the interface
+            Disk://_odd/odd.pjx Path library
+            Disk://apart Path library
+        "#]],
+    );
+    check_nothing(&libraries("af$0"));
+    check(
+        &libraries("").replace("call part:pick(1)", "nA=whole:$0"),
+        expect![[r#"
+            nWeight Data num
+        "#]],
+    );
 }
 
 #[test]

@@ -1,0 +1,61 @@
+//! The projects that an application can name, and the paths by which it does.
+
+use camino::Utf8Path;
+use val3_analysis::db::{Db, Project, Sources};
+use val3_analysis::items::project::{find_project, folder};
+
+/// Another project, and a path that names it.
+pub(super) struct Reachable {
+    pub(super) project: Project,
+    /// As programs write it: the folder, where that is enough.
+    pub(super) short: String,
+    /// With the project file.
+    pub(super) long: String,
+}
+
+impl Reachable {
+    /// The name of the project file, without its extension.
+    pub(super) fn name<'db>(&self, db: &'db dyn Db) -> &'db str {
+        self.project.manifest(db).path(db).file_stem().unwrap_or("")
+    }
+
+    /// The long path as s5 and s6 write it: the folder, without the root.
+    pub(super) fn old(&self) -> &str {
+        self.short.strip_prefix(DISK).unwrap_or(&self.short)
+    }
+}
+
+const DISK: &str = "Disk://";
+
+/// Every other project that `project` can name, by path. Those of other cells are out of reach.
+pub(super) fn reachable(db: &dyn Db, project: Project) -> Vec<Reachable> {
+    let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
+    projects.retain(|other| *other != project);
+    projects.sort_unstable_by_key(|other| other.manifest(db).path(db));
+    projects.into_iter().filter_map(|other| named(db, project, other)).collect()
+}
+
+fn named(db: &dyn Db, project: Project, other: Project) -> Option<Reachable> {
+    let long = path(db, project, other.manifest(db).path(db))?;
+    let is_other = |reference: &str| find_project(db, project, reference) == Some(other);
+    let folder = long.rsplit_once('/').map(|(folder, _)| folder).filter(|folder| is_other(folder));
+    let short = folder.unwrap_or(&long).to_owned();
+    is_other(&long).then_some(Reachable { project: other, short, long })
+}
+
+/// The path of a project file, from a root on; relative to the project where it has no root.
+fn path(db: &dyn Db, project: Project, manifest: &Utf8Path) -> Option<String> {
+    if let Some(disk) = project.disk(db) {
+        if let Ok(relative) = manifest.strip_prefix(disk) {
+            return Some(format!("{DISK}{relative}"));
+        }
+        let others = &project.roots(db).others;
+        return others.iter().find_map(|(root, folder)| {
+            manifest.strip_prefix(folder).ok().map(|relative| format!("{root}://{relative}"))
+        });
+    }
+    let own = folder(db, project);
+    let below = manifest.strip_prefix(own).map(|relative| format!("./{relative}"));
+    let beside = || manifest.strip_prefix(own.parent()?).ok().map(|relative| format!("../{relative}"));
+    below.ok().or_else(beside)
+}
