@@ -13,6 +13,8 @@ pub mod call;
 pub mod components;
 pub mod enumerations;
 pub mod fault;
+pub mod file_pages;
+pub mod files;
 mod gripper;
 pub mod instruction;
 pub mod instructions;

@@ -86,6 +86,10 @@ impl Version {
     }
 }
 
+/// Versions that applications are known to name, the newest first.
+pub const KNOWN: [&str; 12] =
+    ["s8.20", "s8.13", "s8.10", "s8.3", "s7.11.3", "s7.11", "s7.10", "s7.8", "s7.7", "s7.3", "s6.8", "s5.4"];
+
 impl fmt::Display for Version {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "s{}.{}", self.major, self.minor)?;
