@@ -8,8 +8,7 @@ mod names;
 mod reach;
 mod strings;
 mod text_place;
-mod xml_place;
-mod xml_values;
+mod xml;
 
 use rowan::NodeOrToken;
 use rustc_hash::FxHashSet;
@@ -26,6 +25,8 @@ use crate::fuzzy::score;
 use crate::hover;
 use crate::line::Names;
 use crate::owner::owner;
+use crate::xml_context::XmlContext;
+use crate::xml_cursor::XmlPlace;
 use context::{Context, context};
 
 /// Something that can be written.
@@ -49,6 +50,8 @@ pub struct Completion {
     pub score: i32,
     /// What it stands for, for its documentation.
     pub symbol: Option<Symbol>,
+    /// Its documentation in Markdown where it stands for no symbol.
+    pub documentation: Option<String>,
     /// What else has to change: an entry in the project file or the data file.
     pub additional: Vec<FileEdit>,
 }
@@ -82,6 +85,10 @@ pub enum CompletionKind {
     Text,
     /// A path.
     Path,
+    /// An element of XML.
+    Element,
+    /// An attribute in XML.
+    Attribute,
 }
 
 /// What can be written at a position, the likeliest first.
@@ -96,12 +103,24 @@ pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
         Context::Operator(operators) => code::operators(&mut found, operators),
         Context::Members(base) => code::members(&mut found, base),
         Context::LibraryItem { library, wanted } => code::library_items(&mut found, &library, &wanted),
+        Context::Key(collection, expected) => {
+            strings::quoted_keys(&mut found, &collection);
+            code::expression(&mut found, &expected);
+        }
         Context::Program => code::programs(&mut found),
+        Context::TaskProgram => code::task_programs(&mut found),
         Context::Text(place) => strings::texts(&mut found, &place),
-        Context::Attribute(place) => xml_values::values(&mut found, &place),
+        Context::Xml(context) => xml::complete(&mut found, &context),
     }
     found.prefer_used();
     found.ranked()
+}
+
+/// A blank that is typed at a position begins something that can be proposed: the next attribute of a tag. Elsewhere
+/// it most often ends a word.
+pub fn completes_after_blank(db: &dyn Db, at: FilePosition) -> bool {
+    let found = XmlContext::at(db, at.file, at.offset);
+    found.is_some_and(|(context, _)| matches!(context.cursor.place, XmlPlace::AttributeName(_)))
 }
 
 /// The documentation of a symbol in Markdown.
@@ -111,6 +130,9 @@ pub fn documentation(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<S
 
 /// The documentation of a completion in Markdown: that of its symbol, or the page of its keyword.
 pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Completion) -> Option<String> {
+    if let Some(page) = &completion.documentation {
+        return Some(page.clone());
+    }
     match (&completion.symbol, completion.kind) {
         (Some(symbol), _) => documentation(db, project, symbol),
         (None, CompletionKind::Keyword) => statements::find(&completion.label).map(|found| page::text(found.page)),
@@ -132,6 +154,8 @@ struct Found<'db> {
     query: &'db str,
     /// A `(` follows: names of what is called are written without their arguments.
     is_called: bool,
+    /// What precedes the range, and what follows it.
+    around: (&'db str, &'db str),
     items: Vec<Completion>,
 }
 
@@ -139,9 +163,20 @@ impl<'db> Found<'db> {
     fn new(db: &'db dyn Db, project: Project, at: FilePosition, range: TextRange) -> Self {
         let text: &str = at.file.text(db);
         let part = |from: TextSize, to: TextSize| text.get(usize::from(from)..usize::from(to)).unwrap_or("");
-        let is_called = part(range.end(), TextSize::of(text)).starts_with('(');
+        let around = (part(TextSize::new(0), range.start()), part(range.end(), TextSize::of(text)));
+        let is_called = around.1.starts_with('(');
         let query = part(range.start(), at.offset.max(range.start()));
-        Self { db, project, file: at.file, range, query, is_called, items: Vec::new() }
+        Self { db, project, file: at.file, range, query, is_called, around, items: Vec::new() }
+    }
+
+    /// The range is before this text.
+    fn is_before(&self, text: &str) -> bool {
+        self.around.1.starts_with(text)
+    }
+
+    /// The range is behind one of these characters.
+    fn is_behind(&self, letters: [char; 2]) -> bool {
+        self.around.0.ends_with(letters)
     }
 
     /// The names of the program that is edited.
@@ -162,6 +197,7 @@ impl<'db> Found<'db> {
             is_snippet: false,
             score: fit,
             symbol: None,
+            documentation: None,
             additional: Vec::new(),
         };
         self.items.push(item);

@@ -1,7 +1,7 @@
 //! Declarations that come into a file: locals, parameters, global data, programs.
 
 mod new_program;
-mod old_data;
+pub(crate) mod old_data;
 mod project_entries;
 
 pub(crate) use new_program::{NewProgram, free_program_name, programs};
@@ -181,7 +181,7 @@ fn keys(sizes: &[u32]) -> Vec<String> {
 }
 
 /// What a new point, frame or tool hangs on.
-fn built_in_father(type_name: &str) -> Option<&'static str> {
+pub(crate) fn built_in_father(type_name: &str) -> Option<&'static str> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     let father = ty.father()?;
     builtins::BUILTINS.iter().find(|builtin| builtin.ty == father).map(|builtin| builtin.name)

@@ -5,9 +5,11 @@ mod data;
 mod numbers;
 mod program;
 mod units;
+mod xml;
 
 pub(crate) use data::keys_of;
 pub(crate) use program::{comment as program_comment, line as program_line};
+pub(crate) use xml::value_attribute;
 
 use val3_analysis::body::{Constant, Expr, body};
 use val3_analysis::db::{Db, File, Project};
@@ -41,8 +43,11 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
         return Some(Hover { range: found.range, markdown });
     }
     let project = owner(db, at.file)?;
-    let in_code = || keyword(db, at).or_else(|| numbers::hover(db, project, at)).or_else(|| constant(db, at));
-    attributes::hover(db, project, at).or_else(in_code)
+    let in_code = || {
+        let word = keyword(db, at).or_else(|| numbers::hover(db, project, at));
+        word.or_else(|| xml::loaded(db, project, at)).or_else(|| constant(db, at))
+    };
+    attributes::hover(db, project, at).or_else(in_code).or_else(|| xml::hover(db, project, at))
 }
 
 /// What there is to say about a symbol that is named in `project`.
@@ -139,13 +144,16 @@ fn builtin_field(db: &dyn Db, project: Project, ty: BaseType, name: &str) -> Opt
 /// A built-in type with its fields.
 fn builtin_type(db: &dyn Db, project: Project, name: &str) -> Option<String> {
     let (ty, arm) = BaseType::from_file_name(name)?;
-    let line = |field: &Field| {
-        let unit = units::word(db, project, field.unit).map(|unit| format!(", in {unit}")).unwrap_or_default();
-        format!("- `{}`: {}{unit}. {}", field.name, field.ty.name(), field.doc)
-    };
+    let line = |field: &Field| format!("- `{}`: {}", field.name, field_line(db, project, field));
     let lines: Vec<String> = fields(ty, arm.or(items(db, project).arm)).iter().map(line).collect();
     let about = if lines.is_empty() { String::new() } else { format!("\n{}", lines.join("\n")) };
     Some(fenced(name) + &about)
+}
+
+/// `num, in mm. Translation along x.`
+pub(crate) fn field_line(db: &dyn Db, project: Project, field: &Field) -> String {
+    let unit = units::word(db, project, field.unit).map(|unit| format!(", in {unit}")).unwrap_or_default();
+    format!("{}{unit}. {}", field.ty.name(), field.doc)
 }
 
 /// The page of a keyword.

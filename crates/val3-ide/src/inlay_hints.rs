@@ -10,7 +10,7 @@ use val3_analysis::items::project::items;
 use val3_analysis::ty::Base;
 use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::motion::{MotionRole, descriptor, role, target};
-use val3_lang::types::BaseType;
+use val3_lang::types::{BaseType, fields};
 use val3_lang::{instructions, keywords};
 use val3_syntax::{TextRange, TextSize};
 
@@ -20,7 +20,7 @@ use crate::placement::{Placement, placement};
 /// Which hints are wanted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct InlayHintSettings {
-    /// Names of parameters before literal arguments.
+    /// Names of parameters before literal arguments, and of fields before the values of `{…}`.
     pub parameter_names: bool,
     /// Types before `{…}`.
     pub literal_types: bool,
@@ -78,7 +78,10 @@ pub fn inlay_hints(db: &dyn Db, file: File, within: TextRange, settings: &InlayH
     for (id, expr, range) in body.exprs().filter(|(_, _, range)| within.intersect(*range).is_some()) {
         match expr {
             Expr::Call(callee, arguments) => hints.call(id, *callee, arguments),
-            Expr::Struct(values) if settings.literal_types => hints.literal(id, range, values),
+            Expr::Struct(values) => {
+                hints.fields(id, values);
+                hints.literal(id, range, values);
+            }
             _ => {}
         }
     }
@@ -150,8 +153,22 @@ impl Hints<'_> {
         }
     }
 
+    /// The fields that the values of a literal give.
+    fn fields(&mut self, id: ExprId, values: &[Option<ExprId>]) {
+        let Base::Builtin(ty, arm) = self.inference.ty(id).base else { return };
+        let arm = arm.or(items(self.db, self.project).arm);
+        for (field, value) in fields(ty, arm).iter().zip(values) {
+            if let Some(value) = value {
+                self.parameter(field.name, *value);
+            }
+        }
+    }
+
     /// Of literals in each other the outer one alone: it tells what the inner ones are.
     fn literal(&mut self, id: ExprId, range: TextRange, values: &[Option<ExprId>]) {
+        if !self.settings.literal_types {
+            return;
+        }
         let base = self.inference.ty(id).base;
         let name = base.builtin().map_or_else(|| base.display(self.db), |ty| ty.name().into());
         if base != Base::Unknown {

@@ -30,12 +30,16 @@ mod semantic_tokens;
 mod signature_help;
 mod symbols;
 mod type_hierarchy;
+mod xml_context;
+mod xml_cursor;
 mod xml_list;
 
 pub use assists::{Assist, AssistKind, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
-pub use completion::{Completion, CompletionKind, completion_documentation, completions, documentation};
+pub use completion::{
+    Completion, CompletionKind, completes_after_blank, completion_documentation, completions, documentation,
+};
 pub use diagnostics::{CheckSettings, Step, find_ahead, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};

@@ -4,11 +4,13 @@
 //! is there, so completion and signature help read the tokens of the line and not its tree.
 
 mod blocks;
+mod bracket;
 mod call;
 mod expected;
 mod types;
 
 pub(crate) use blocks::{Block, open_blocks};
+pub(crate) use bracket::Bracket;
 pub(crate) use call::{CallSite, Callee, takes_program};
 pub(crate) use expected::{Expected, ends_value, expected};
 pub(crate) use types::Names;

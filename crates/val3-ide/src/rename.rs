@@ -3,6 +3,8 @@
 mod conflicts;
 mod keys;
 
+pub(crate) use keys::spelt_keys;
+
 use camino::Utf8Path;
 use smol_str::SmolStr;
 use val3_analysis::application::ENTRY_POINTS;

@@ -1,4 +1,7 @@
-//! The parameters of the call around the cursor, with the form that fits so far.
+//! The parameters of the call around the cursor, with the form that fits so far; the fields of a literal, and the
+//! indexes of an array.
+
+mod brackets;
 
 use val3_analysis::db::Db;
 use val3_analysis::items::parse;
@@ -37,8 +40,11 @@ pub struct Form {
 pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     let project = owner(db, at.file)?;
     let line = Line::around(&parse(db, at.file).root(), at.offset)?;
-    let call = CallSite::around(&line)?;
     let names = Names::new(db, project, at.file);
+    if let Some(help) = brackets::help(&names, &line) {
+        return Some(help);
+    }
+    let call = CallSite::around(&line)?;
     let active_parameter = call.active;
     if let Some(found) = instructions::find(&call.callee.name).filter(|_| !call.callee.is_program) {
         let types: Vec<Ty> = call.arguments.iter().map(|argument| names.ty(argument)).collect();
@@ -239,5 +245,85 @@ mod tests {
         );
         check("num nA\nnA=power(1,\n$0cls()", expect![[""]]);
         check("cls()\n// power($0\ncls()", expect![[""]]);
+    }
+
+    #[test]
+    fn fields_of_literals() {
+        check(
+            "trsf trA\ntrA={1,$0",
+            expect![[r#"
+            > trsf {num x, num y, num z, num rx, num ry, num rz} | num y
+        "#]],
+        );
+        check(
+            "tool tA\npoint pA\nmovej(pA,tA,{10,20,30,$0})",
+            expect![[r#"
+            > mdesc {num accel, num vel, num decel, num tvel, num rvel, blend blend, num leave, num reach} | num tvel
+        "#]],
+        );
+        check(
+            "point pA\npA={{1,2,3,$0",
+            expect![[r#"
+            > trsf {num x, num y, num z, num rx, num ry, num rz} | num rx
+        "#]],
+        );
+        check(
+            "tool tA\nmdesc mA\nmovej({0,0,$0},tA,mA)",
+            expect![[r#"
+            > joint {num j1, num j2, num j3, num j4, num j5, num j6} | num j3
+              point {trsf trsf, config config} |
+        "#]],
+        );
+        check("num nA\nnA={1,$0", expect![[""]]);
+    }
+
+    #[test]
+    fn indexes_and_keys() {
+        check(
+            "num nGrid[3,4]\nnGrid[1,$0",
+            expect![[r#"
+            > num nGrid[0..2, 0..3] | 0..3
+        "#]],
+        );
+        check(
+            "num nA\nnA[$0]=1",
+            expect![[r#"
+            > num nA[0] | 0
+        "#]],
+        );
+        check(
+            "dio dIn[\"door\",\"lamp\"]\nwait(dIn[$0",
+            expect![[r#"
+            > dio dIn[key] | key
+        "#]],
+        );
+        check(
+            "program start(num& x_n[], num& x_g[,])\nbegin\n  x_g[$0]=x_n[1]\nend",
+            expect![[r#"
+            > num x_g[index 1, index 2] | index 1
+        "#]],
+        );
+        check(
+            "type Slot \"Disk://Slot/Slot.pjx\"\nprivate Slot sA[2]\nsA[1].nHeight[$0\n--- Slot\npublic num nHeight[5]",
+            expect![[r#"
+            > num nHeight[0..4] | 0..4
+        "#]],
+        );
+        check(
+            "library part \"Disk://part/part.pjx\"\nput(part:nAll[$0\n--- part\npublic num nAll[7]",
+            expect![[r#"
+            > num nAll[0..6] | 0..6
+        "#]],
+        );
+        // What is not known is left to the call around it.
+        check(
+            "put(nUnknown[$0",
+            expect![[r#"
+            > void put(string sText) | string sText
+              void put(screen scPage, string sText) | screen scPage
+              void put(num nValue) | num nValue
+              void put(screen scPage, num nValue) | screen scPage
+        "#]],
+        );
     }
 }

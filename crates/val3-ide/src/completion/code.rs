@@ -1,6 +1,7 @@
 //! Completions in code: the places, and what each takes.
 
 use smol_str::SmolStr;
+use val3_analysis::application::{ENTRY_POINTS, application};
 use val3_analysis::db::{File, Project};
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{fields, items};
@@ -53,6 +54,7 @@ pub(super) fn statement(found: &mut Found<'_>, blocks: &[Block]) {
     instructions_of(found, &[], |form| form.class == Class::Modifier && !form.on_library);
     missing::global(found, &Expected::anything());
     missing::libraries(found);
+    missing::library_data(found, &Expected::anything());
 }
 
 /// The creation of a task with its values to fill in; they stand without parentheses.
@@ -97,6 +99,7 @@ pub(super) fn expression(found: &mut Found<'_>, expected: &Expected) {
     }
     missing::global(found, expected);
     missing::libraries(found);
+    missing::library_data(found, expected);
 }
 
 /// The words that follow a value.
@@ -236,6 +239,28 @@ pub(super) fn programs(found: &mut Found<'_>) {
     for (name, file) in &items(db, project).programs {
         let again = if *file == own { -OWN } else { 0 };
         add_program(found, project, name, *file).scored(again);
+    }
+    libraries(found);
+    missing::libraries(found);
+    missing::library_programs(found);
+}
+
+/// As the program of a task: those first that run for good, or that nothing calls.
+pub(super) fn task_programs(found: &mut Found<'_>) {
+    let (db, project, own) = (found.db, found.project, found.file);
+    let application = application(db, project);
+    for (name, file) in &items(db, project).programs {
+        let is_called = application.callers.get(name).is_some_and(|callers| !callers.is_empty());
+        let score = if *file == own || ENTRY_POINTS.contains(&name.as_str()) {
+            -FITS
+        } else if application.endless.contains(name) {
+            FITS
+        } else if is_called {
+            0
+        } else {
+            OWN
+        };
+        add_program(found, project, name, *file).scored(score);
     }
     libraries(found);
     missing::libraries(found);

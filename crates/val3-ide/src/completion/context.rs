@@ -5,21 +5,23 @@ use val3_analysis::db::{Db, Project};
 use val3_analysis::items::parse;
 use val3_analysis::ty::Base;
 use val3_syntax::SyntaxKind::*;
-use val3_syntax::{SyntaxToken, TextRange};
+use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 
-use super::text_place::{TextPlace, text_place};
-use super::xml_place::{AttributePlace, attribute_place};
+use super::text_place::{Collection, TextPlace, collection, text_place};
 use crate::FilePosition;
 use crate::line::{Block, Expected, Line, Names, ends_value, expected, inside, open_blocks, takes_program};
+use crate::xml_context::XmlContext;
 
 /// What a place takes.
-pub(super) enum Context {
+pub(super) enum Context<'db> {
     /// Nothing that could be proposed.
     Nothing,
     /// A line of code, in these blocks.
     Statement(Vec<Block>),
     /// A value.
     Expression(Expected),
+    /// A key of a collection, before its quotes are there.
+    Key(Collection, Expected),
     /// What follows a value: an operator that is a word.
     Operator(Operators),
     /// A field of a value.
@@ -31,12 +33,14 @@ pub(super) enum Context {
         /// What is wanted of it.
         wanted: Wanted,
     },
-    /// A program.
+    /// A program that is called.
     Program,
+    /// The program of a task.
+    TaskProgram,
     /// The text of a string.
     Text(TextPlace),
-    /// The value of an attribute.
-    Attribute(AttributePlace),
+    /// Something in the XML.
+    Xml(XmlContext<'db>),
 }
 
 /// The words that can follow a value.
@@ -62,12 +66,13 @@ pub(super) enum Wanted {
 }
 
 /// What the place of a position takes, and the letters that stand there already.
-pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Context, TextRange) {
+pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Context<'_>, TextRange) {
     let parse = parse(db, at.file);
     let root = parse.root();
     let empty = TextRange::empty(at.offset);
-    if let Some((place, typed)) = attribute_place(&root, at.offset) {
-        return (Context::Attribute(place), typed);
+    if !is_in_code(&root, at.offset) {
+        let context = XmlContext::at(db, at.file, at.offset);
+        return context.map_or((Context::Nothing, empty), |(context, typed)| (Context::Xml(context), typed));
     }
     let Some(line) = Line::around(&root, at.offset) else { return (Context::Nothing, empty) };
     let names = Names::new(db, project, at.file);
@@ -82,7 +87,14 @@ pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Conte
     }
 }
 
-fn string(names: &Names<'_>, line: &Line, token: &SyntaxToken, at: FilePosition) -> (Context, TextRange) {
+/// The position is in the code of a program, its ends included.
+fn is_in_code(root: &SyntaxNode, offset: TextSize) -> bool {
+    let is_there = root.text_range().contains_inclusive(offset);
+    let tokens = is_there.then(|| root.token_at_offset(offset));
+    tokens.into_iter().flatten().any(|token| token.parent_ancestors().any(|node| node.kind() == CODE))
+}
+
+fn string<'db>(names: &Names<'_>, line: &Line, token: &SyntaxToken, at: FilePosition) -> (Context<'db>, TextRange) {
     let inside = inside(token);
     if !inside.contains_inclusive(at.offset) {
         return (Context::Nothing, TextRange::empty(at.offset));
@@ -90,7 +102,7 @@ fn string(names: &Names<'_>, line: &Line, token: &SyntaxToken, at: FilePosition)
     (text_place(names, line).map_or(Context::Nothing, Context::Text), inside)
 }
 
-fn code(names: &Names<'_>, line: &Line, blocks: impl FnOnce() -> Vec<Block>) -> Context {
+fn code<'db>(names: &Names<'_>, line: &Line, blocks: impl FnOnce() -> Vec<Block>) -> Context<'db> {
     let before = line.before();
     let Some((last, head)) = before.split_last() else { return Context::Statement(blocks()) };
     match last.kind() {
@@ -101,11 +113,17 @@ fn code(names: &Names<'_>, line: &Line, blocks: impl FnOnce() -> Vec<Block>) -> 
             }
             None => Context::Nothing,
         },
-        _ if takes_program(before) => Context::Program,
+        _ if takes_program(before) => {
+            let is_call = before.first().is_some_and(|first| first.kind() == CALL_KW);
+            if is_call { Context::Program } else { Context::TaskProgram }
+        }
         _ if ends_value(before) => operators(names, before).map_or(Context::Nothing, Context::Operator),
         RETURN_KW | ELSE_KW | DO_KW | BREAK_KW | DEFAULT_KW | ERROR_TOKEN => Context::Nothing,
         END_KW | END_IF_KW | END_WHILE_KW | END_FOR_KW | END_SWITCH_KW => Context::Nothing,
-        _ => Context::Expression(expected(names, before)),
+        _ => match collection(names, line) {
+            Some(collection) => Context::Key(collection, expected(names, before)),
+            None => Context::Expression(expected(names, before)),
+        },
     }
 }
 

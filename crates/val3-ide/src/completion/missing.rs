@@ -1,15 +1,20 @@
 //! Names that are not declared yet: taking one declares it.
 
+use smol_str::SmolStr;
 use val3_analysis::db::{Db, Project};
 use val3_analysis::items::declarations::is_old;
+use val3_analysis::items::program::header;
 use val3_analysis::items::project::items;
+use val3_analysis::occurrences::Symbol;
 use val3_config::Options;
 use val3_lang::keywords;
 use val3_lang::types::{Arm, BaseType};
 
+use super::names::{data_detail, fit};
 use super::reach::{Reachable, reachable};
 use super::{CompletionKind as Kind, Found};
 use crate::declare::{self, Variable};
+use crate::hover::program_line;
 use crate::line::Expected;
 
 /// What is not there yet comes last.
@@ -44,27 +49,97 @@ fn type_by_prefix(options: &Options, name: &str) -> Option<BaseType> {
     BaseType::from_name(ty)
 }
 
-/// Projects of the cell that are not among the libraries yet.
+/// A project in reach that can get an identifier of its name.
+struct NewLibrary {
+    project: Project,
+    alias: String,
+    path: String,
+}
+
+/// The projects in reach that are not among the libraries and types yet.
+fn new_libraries(found: &Found<'_>) -> Vec<NewLibrary> {
+    let (db, project) = (found.db, found.project);
+    let (names, declared) = (found.names(), items(db, project));
+    let is_used = |other: Project| {
+        declared.libraries.values().any(|library| library.interface == Some(other))
+            || declared.types.values().any(|ty| *ty == Some(other))
+    };
+    let new = reachable(db, project).into_iter().filter(|other| !is_used(other.project)).map(|other| NewLibrary {
+        project: other.project,
+        alias: other.name(db).to_owned(),
+        path: entry(db, project, &other),
+    });
+    new.filter(|new| keywords::is_identifier(&new.alias) && !names.is_declared(&new.alias)).collect()
+}
+
+/// Projects in reach that are not among the libraries yet.
 pub(super) fn libraries(found: &mut Found<'_>) {
     if found.query.is_empty() {
         return;
     }
     let (db, project) = (found.db, found.project);
-    let declared = items(db, project);
-    let is_used = |other: Project| {
-        declared.libraries.values().any(|library| library.interface == Some(other))
-            || declared.types.values().any(|ty| *ty == Some(other))
-    };
-    for other in reachable(db, project) {
-        let (alias, path) = (other.name(db), entry(db, project, &other));
-        if is_used(other.project) || !keywords::is_identifier(alias) || found.names().is_declared(alias) {
-            continue;
-        }
-        let added = found.add(alias, Kind::Library).scored(MISSING).detail(|| format!("new library, {path}"));
-        added.adding(|| declare::library(db, project, alias, &path).into_iter().collect()).with(|item| {
+    for NewLibrary { alias, path, .. } in new_libraries(found) {
+        let added = found.add(&alias, Kind::Library).scored(MISSING).detail(|| format!("new library, {path}"));
+        added.adding(|| declare::library(db, project, &alias, &path).into_iter().collect()).with(|item| {
             item.insert = format!("{alias}:");
             item.plain = format!("{alias}:");
         });
+    }
+}
+
+/// Letters that are typed before items of libraries are offered without their identifier.
+const LEAST_LETTERS: usize = 2;
+
+/// Public data of libraries, with the identifier that was not typed. One that is not there yet is declared.
+pub(super) fn library_data(found: &mut Found<'_>, expected: &Expected) {
+    let db = found.db;
+    library_items(found, &|found, alias, interface| {
+        let data = items(db, interface).data.iter().filter(|(_, item)| item.decl.public);
+        for (name, item) in data {
+            let score = fit(&expected.bases, item.base);
+            let added = found.add(&format!("{alias}:{name}"), Kind::Data).detail(|| data_detail(item));
+            added.scored(score).of(|| Symbol::Data(interface, name.clone()));
+        }
+    });
+}
+
+/// Public programs of libraries, with the identifier that was not typed.
+pub(super) fn library_programs(found: &mut Found<'_>) {
+    let db = found.db;
+    library_items(found, &|found, alias, interface| {
+        let programs = items(db, interface).programs.iter().filter(|(_, file)| header(db, **file).public);
+        for (name, file) in programs {
+            let arguments = || header(db, *file).params.iter().map(|param| param.name.as_str()).collect();
+            let added = found.add_call(&format!("{alias}:{name}"), Kind::Program, arguments);
+            added.detail(|| program_line(db, interface, *file)).of(|| Symbol::Program(interface, name.clone()));
+        }
+    });
+}
+
+/// Offers items of every library in reach; `offer` gets the identifier and the interface.
+fn library_items<'db>(found: &mut Found<'db>, offer: &dyn Fn(&mut Found<'db>, &str, Project)) {
+    if found.query.len() < LEAST_LETTERS {
+        return;
+    }
+    let (db, project) = (found.db, found.project);
+    let declared = items(db, project).libraries.iter();
+    let declared: Vec<(SmolStr, Project)> =
+        declared.filter_map(|(alias, library)| Some((alias.clone(), library.interface?))).collect();
+    for (alias, interface) in declared {
+        offer(found, &alias, interface);
+    }
+    for NewLibrary { alias, path, project: interface } in new_libraries(found) {
+        let start = found.items.len();
+        offer(found, &alias, interface);
+        if found.items.len() == start {
+            continue;
+        }
+        let edit = declare::library(db, project, &alias, &path);
+        for item in found.items.iter_mut().skip(start) {
+            item.score += MISSING;
+            item.detail = format!("{}, new library {path}", item.detail);
+            item.additional.extend(edit.clone());
+        }
     }
 }
 

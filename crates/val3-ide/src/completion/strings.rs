@@ -1,19 +1,21 @@
 //! Texts that instructions know: paths of libraries, names, formats, keys.
 
-use smol_str::SmolStr;
 use val3_analysis::application::application;
 use val3_analysis::interfaces::{self, Fit};
 use val3_analysis::items::project::items;
+use val3_analysis::items::{parse, program};
 use val3_analysis::occurrences::Symbol;
 use val3_analysis::ty::Base;
 use val3_lang::arguments::{BINARY_FORMATS, DATE_KEYS, SERIAL_PARAMETERS, SerialParameter, SerialValue, TextForm};
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::xml::escaped;
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
 
 use super::names::{FITS, data_detail};
 use super::reach::reachable;
-use super::text_place::TextPlace;
+use super::text_place::{Collection, TextPlace};
 use super::{CompletionKind, Found};
 use crate::hover::keys_of;
+use crate::rename::spelt_keys;
 
 /// What can stand in a string.
 pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
@@ -29,7 +31,11 @@ pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
                 words(found, values.iter().copied(), "value");
             }
         }
-        TextPlace::Key(name) => keys(found, name),
+        TextPlace::Key(collection) => {
+            for key in keys(found, collection) {
+                found.add(&key, CompletionKind::Text).detail(|| "key".to_owned());
+            }
+        }
     }
 }
 
@@ -105,9 +111,28 @@ fn last_key_alone(found: &mut Found<'_>) {
     found.range = TextRange::new(cursor - TextSize::of(found.query), cursor);
 }
 
-/// The keys that the data file gives a collection.
-fn keys(found: &mut Found<'_>, name: &SmolStr) {
-    for key in keys_of(found.db, found.project, name) {
-        found.add(&key, CompletionKind::Text).detail(|| "key".to_owned());
+/// The keys that the data file gives a collection, then others that programs ask it for.
+fn keys(found: &Found<'_>, Collection { project, name }: &Collection) -> Vec<String> {
+    let mut keys = keys_of(found.db, *project, name);
+    // The key that is being written is among those that are spelt.
+    let is_new = |key: &String| !key.is_empty() && key != found.query && !keys.contains(key);
+    let spelt = spelt_keys(found.db, *project, name).into_iter().filter(is_new);
+    let spelt: Vec<String> = spelt.collect();
+    keys.extend(spelt);
+    keys
+}
+
+/// The keys of a collection with the quotes that are not there yet.
+pub(super) fn quoted_keys(found: &mut Found<'_>, collection: &Collection) {
+    let parse = parse(found.db, found.file);
+    let is_plain = program::code(parse.view()).is_some_and(|code| code.token(SyntaxKind::CDATA_OPEN).is_some());
+    for (place, key) in (0..).zip(keys(found, collection)) {
+        let label = format!("\"{key}\"");
+        let written = if is_plain { label.clone() } else { escaped(&label) };
+        let added = found.add(&label, CompletionKind::Text).detail(|| "key".to_owned()).scored(2 * FITS - place);
+        added.with(|item| {
+            item.insert.clone_from(&written);
+            item.plain = written;
+        });
     }
 }

@@ -1,6 +1,7 @@
 //! What reads the string that the cursor is in.
 
 use smol_str::SmolStr;
+use val3_analysis::db::Project;
 use val3_analysis::ty::Base;
 use val3_lang::arguments::TextForm;
 use val3_lang::instruction::Family;
@@ -27,14 +28,23 @@ pub(super) enum TextPlace {
     SerialParameter,
     /// A value of this parameter of a serial line.
     SerialValue(String),
-    /// A key of the collection that has this name.
-    Key(SmolStr),
+    /// A key of a collection.
+    Key(Collection),
+}
+
+/// A collection among global data.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Collection {
+    /// The project that declares it.
+    pub(super) project: Project,
+    /// Its name.
+    pub(super) name: SmolStr,
 }
 
 /// What the string around the cursor is for, if anything is known of it.
 pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
-    if let Some(key) = key(names, line) {
-        return Some(key);
+    if let Some(collection) = collection(names, line) {
+        return Some(TextPlace::Key(collection));
     }
     let call = CallSite::around(line).filter(|call| !call.callee.is_program)?;
     let instruction = instructions::find(&call.callee.name)?;
@@ -61,11 +71,17 @@ pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
     }
 }
 
-/// `dIn["…"]`
-fn key(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
+/// The collection whose key follows: `dIn[`, `library:dIn[`.
+pub(super) fn collection(names: &Names<'_>, line: &Line) -> Option<Collection> {
     let (_, head) = line.before().split_last().filter(|(bracket, _)| bracket.kind() == L_BRACK)?;
     let (name, before) = head.split_last().filter(|(name, _)| name.kind() == IDENT)?;
-    let alone = before.last().is_none_or(|before| !matches!(before.kind(), DOT | COLON));
-    let is_collection = names.ty(head).container == Container::Collection;
-    (alone && is_collection).then(|| TextPlace::Key(name.text().into()))
+    if names.ty(head).container != Container::Collection {
+        return None;
+    }
+    let project = match before.split_last() {
+        Some((colon, library)) if colon.kind() == COLON => names.interface(library.last()?.text())?,
+        Some((dot, _)) if dot.kind() == DOT => return None,
+        _ => names.project,
+    };
+    Some(Collection { project, name: name.text().into() })
 }

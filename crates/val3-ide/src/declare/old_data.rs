@@ -1,12 +1,13 @@
 //! Data in the form of s5 and s6, where every value is written, in elements that go by the type.
 
-use val3_lang::types::{Arm, Attribute, BaseType, Container, DefaultValue, attributes};
+use val3_analysis::xml::{self, Element};
+use val3_lang::types::{self, Arm, Attribute, BaseType, Container, DefaultValue};
 
 use super::{Variable, built_in_father};
 use crate::xml_list::escaped;
 
 /// The sections of a data file, in their order.
-pub(super) const SECTIONS: [&str; 19] = [
+pub(crate) const SECTIONS: [&str; 19] = [
     "aioSection",
     "boolSection",
     "configRsSection",
@@ -68,6 +69,39 @@ pub(super) fn lines(variable: &Variable, value: Option<&str>, public: bool) -> O
     Some(lines)
 }
 
+/// Hands a variable of a type to `read` as these files declare it: as a tree, and as text.
+pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(Element<'_>, &str) -> T) -> Option<T> {
+    let text = lines(&Variable::single("name", ty), None, false)?.join("\n");
+    let parse = val3_syntax::parse(&text);
+    let root = xml::root(parse.view())?;
+    Some(read(root, &text))
+}
+
+/// The elements in the part called `name` of such a declaration, each as it is written.
+pub(crate) fn parts<'g, 't>(root: Element<'g>, name: &str, text: &'t str) -> Vec<(&'g str, &'t str)> {
+    let written = |part: Element<'g>| {
+        let range = std::ops::Range::<usize>::from(part.view().range());
+        Some((part.name(), text.get(range)?))
+    };
+    part(root, name).into_iter().flat_map(Element::elements).filter_map(written).collect()
+}
+
+/// The attributes of the part called `name` of a variable of a type, with their defaults.
+pub(crate) fn attributes(ty: &str, name: &str) -> Vec<(String, String)> {
+    let read = |root: Element<'_>, _: &str| {
+        let attributes = part(root, name).into_iter().flat_map(Element::attributes);
+        attributes.map(|found| (found.name.to_owned(), found.text().into_owned())).collect()
+    };
+    with_model(ty, read).unwrap_or_default()
+}
+
+fn part<'g>(element: Element<'g>, name: &str) -> Option<Element<'g>> {
+    if element.name() == name {
+        return Some(element);
+    }
+    element.elements().find_map(|inner| part(inner, name))
+}
+
 fn simple(ty: &str, size: u32, value: Option<&str>) -> Option<Vec<String>> {
     let (element, default) = match ty {
         "num" => ("valueNum", "0"),
@@ -100,7 +134,7 @@ fn structured(type_name: &str, size: u32) -> Option<Vec<String>> {
 }
 
 fn defaults(ty: BaseType, arm: Option<Arm>) -> String {
-    let written: Vec<String> = attributes(ty, arm).iter().filter_map(default).collect();
+    let written: Vec<String> = types::attributes(ty, arm).iter().filter_map(default).collect();
     written.join(" ")
 }
 

@@ -34,14 +34,19 @@ fn type_of(element: Element<'_>) -> Option<(BaseType, Option<Arm>)> {
 
 fn about(db: &dyn Db, project: Project, ty: BaseType, arm: Option<Arm>, found: Attribute<'_>) -> Option<String> {
     let known = attribute(ty, arm, found.name).filter(|known| !known.field.is_empty())?;
-    let (doc, unit) = field_at(ty, arm, known.field)?;
-    let unit = units::word(db, project, unit).map(|unit| format!(" ({unit})")).unwrap_or_default();
     let choice = match known.value {
         AttributeValue::Choice(choice) => find_in_file(choice, &found.text()),
         _ => None,
     };
     let choice = choice.map(|choice| format!("\n\n`{}`: {}", choice.name, choice.doc)).unwrap_or_default();
-    Some(fenced(&format!("{}.{}", ty.name(), known.field)) + &format!("\n{doc}{unit}{choice}"))
+    Some(field_page(db, project, ty, arm, known.field)? + &choice)
+}
+
+/// The page of the field `trsf.x` of a type, with its unit.
+pub(super) fn field_page(db: &dyn Db, project: Project, ty: BaseType, arm: Option<Arm>, path: &str) -> Option<String> {
+    let (doc, unit) = field_at(ty, arm, path)?;
+    let unit = units::word(db, project, unit).map(|unit| format!(" ({unit})")).unwrap_or_default();
+    Some(fenced(&format!("{}.{path}", ty.name())) + &format!("\n{doc}{unit}"))
 }
 
 /// What the field `trsf.x` of a type means, and its unit.

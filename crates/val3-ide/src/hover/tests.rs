@@ -1,3 +1,5 @@
+mod xml;
+
 use expect_test::{Expect, expect};
 
 use super::*;

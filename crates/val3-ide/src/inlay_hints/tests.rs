@@ -51,9 +51,9 @@ fn types_of_literals() {
     check(
         "point pA\npA=appro(pA,{0,0,-100,0,0,0})$0\npA={{0,0,0,0,0,0},{sfree,efree,wfree}}",
         expect![[r#"
-        pA=appro(pA,‹trTransformation:›‹trsf›{0,0,-100,0,0,0})
-        pA=‹point›{{0,0,0,0,0,0},{sfree,efree,wfree}}
-    "#]],
+            pA=appro(pA,‹trTransformation:›‹trsf›{‹x:›0,‹y:›0,‹z:›-100,‹rx:›0,‹ry:›0,‹rz:›0})
+            pA=‹point›{‹trsf:›{‹x:›0,‹y:›0,‹z:›0,‹rx:›0,‹ry:›0,‹rz:›0},‹config:›{sfree,efree,wfree}}
+        "#]],
     );
 }
 
@@ -64,13 +64,13 @@ fn frames_and_blends_of_moves() {
     check(
         MOVES,
         expect![[r#"
-        cls()
-        movej(pA ‹in fTable[0]›,tGrip,mFast ‹Cartesian, leave 12.5, reach 50›)
-        movel(pA ‹in fTable[0]›,tGrip,mSlow ‹off›)
-        movel(pB,tGrip,part:mCarry ‹joint, leave 50, reach 50›)
-        movej(‹jPosition:›‹joint›{0,0,0,0,0,0},tGrip,mMine)
-        mMine.vel=3
-    "#]],
+            cls()
+            movej(pA ‹in fTable[0]›,tGrip,mFast ‹Cartesian, leave 12.5, reach 50›)
+            movel(pA ‹in fTable[0]›,tGrip,mSlow ‹off›)
+            movel(pB,tGrip,part:mCarry ‹joint, leave 50, reach 50›)
+            movej(‹jPosition:›‹joint›{‹j1:›0,‹j2:›0,‹j3:›0,‹j4:›0,‹j5:›0,‹j6:›0},tGrip,mMine)
+            mMine.vel=3
+        "#]],
     );
 }
 

@@ -118,6 +118,28 @@ impl<'db> Names<'db> {
         if suiting.is_empty() { forms().take(1).collect() } else { suiting }
     }
 
+    /// The sizes that an array is declared with: a variable, an item of a library, or a field of a user type.
+    pub(crate) fn sizes(&self, tokens: &[SyntaxToken]) -> Option<Vec<u32>> {
+        let (name, before) = tokens.split_last().filter(|(name, _)| name.kind() == IDENT)?;
+        let name = name.text();
+        match before.split_last() {
+            Some((dot, base)) if dot.kind() == DOT => {
+                let Base::User(project) = self.ty(base).base else { return None };
+                fields(self.db, project).get(name).map(|item| item.decl.sizes.clone())
+            }
+            Some((colon, library)) if colon.kind() == COLON => {
+                let interface = self.interface(library.last()?.text())?;
+                items(self.db, interface).data.get(name).map(|item| item.decl.sizes.clone())
+            }
+            _ if self.header.params.iter().any(|param| param.name == name) => None,
+            _ => {
+                let local = self.header.locals.iter().find(|local| local.name == name);
+                let data = || self.items.data.get(name).map(|item| item.decl.sizes.clone());
+                local.map(|local| local.sizes.clone()).or_else(data)
+            }
+        }
+    }
+
     /// Something is called `name`: a variable, a program, a library identifier or a user type.
     pub(crate) fn is_declared(&self, name: &str) -> bool {
         self.header.locals.iter().any(|local| local.name == name)

@@ -1,5 +1,7 @@
 //! Keys of collections, where the code spells them out: `dIn["door"]`.
 
+use std::collections::BTreeSet;
+
 use smol_str::SmolStr;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project::items;
@@ -87,6 +89,17 @@ fn index(text: &str, end: TextSize) -> Index {
     let start = end + TextSize::of(rest) - TextSize::of(inside) + TextSize::of(quote);
     let shown = if quote == "\"" { key.to_owned() } else { decode_entities(key).into_owned() };
     Index::Literal(shown, TextRange::at(start, TextSize::of(key)))
+}
+
+/// The keys by which programs name the values of a collection, in the order of the alphabet.
+pub(crate) fn spelt_keys(db: &dyn Db, project: Project, name: &str) -> Vec<String> {
+    let symbol = Symbol::Data(project, name.into());
+    let literal = |(file, _, range): (File, Project, TextRange)| match index(file.text(db), range.end()) {
+        Index::Literal(key, _) => Some(key),
+        Index::Computed | Index::None => None,
+    };
+    let keys: BTreeSet<String> = uses(db, &symbol).filter_map(literal).collect();
+    keys.into_iter().collect()
 }
 
 /// Calls a key `new_key` wherever it is spelt out.

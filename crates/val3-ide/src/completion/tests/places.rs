@@ -61,9 +61,9 @@ fn texts() {
     check(
         "dio diIn[\"door\",\"lamp\"]\nwait(diIn[\"$0\"])",
         expect![[r#"
-        door Text key
-        lamp Text key
-    "#]],
+            door Text key
+            lamp Text key
+        "#]],
     );
     check(
         "num nA\npoint pA\nnum nB\nnB=getData(\"$0\",pA)",
@@ -115,12 +115,6 @@ fn nothing_where_nothing_fits() {
     check_nothing("return $0");
     check_nothing(
         "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code><![CDATA[begin\nend\n$0]]></Code></Program></Programs>",
-    );
-    check_nothing(
-        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"start\">$0<Code><![CDATA[begin\nend]]></Code></Program></Programs>",
-    );
-    check_nothing(
-        "num nOther\n=== main/start.pgx\n<Programs><Program name=\"$0start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>",
     );
     check_nothing("num nOther\n=== main/start.pgx\n<Programs><!-- w$0 --></Programs>");
 }

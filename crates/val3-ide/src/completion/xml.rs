@@ -1,0 +1,40 @@
+//! Completions in the XML of a file: elements, attributes, values.
+
+mod attributes;
+mod elements;
+mod fathers;
+mod keys;
+mod names;
+mod snippet;
+mod values;
+
+use super::{Completion, CompletionKind, Found};
+use crate::xml_context::XmlContext;
+use crate::xml_cursor::XmlPlace;
+
+/// What can be written at a position in XML.
+pub(super) fn complete(found: &mut Found<'_>, context: &XmlContext<'_>) {
+    match context.cursor.place {
+        XmlPlace::Content(_) => elements::elements(found, context, "<"),
+        XmlPlace::ElementName(_) => elements::elements(found, context, ""),
+        XmlPlace::EndTag(_) => {
+            let name = context.parent();
+            if !name.is_empty() {
+                found.add(name, CompletionKind::Element).detail(|| "ends the element".to_owned());
+            }
+        }
+        XmlPlace::AttributeName(_) => attributes::attributes(found, context),
+        XmlPlace::Value(name, _) => {
+            values::values(found, context, name);
+            if !found.is_behind(['"', '\'']) {
+                found.items.iter_mut().for_each(quote);
+            }
+        }
+    }
+}
+
+/// A value whose quotes are not there yet.
+fn quote(item: &mut Completion) {
+    item.insert = format!("\"{}\"", item.insert);
+    item.plain = format!("\"{}\"", item.plain);
+}

@@ -1,0 +1,74 @@
+//! Keys and indexes of values, and what a value starts with.
+
+use val3_analysis::items::sizes;
+use val3_lang::enumerations;
+use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue};
+
+use crate::completion::Found;
+use crate::declare::built_in_father;
+use crate::rename::spelt_keys;
+use crate::xml_context::XmlContext;
+
+/// Keys of an array that are offered at most.
+const SHOWN: usize = 50;
+
+/// The likeliest key or index of a new value.
+pub(super) fn next(found: &Found<'_>, context: &XmlContext<'_>) -> String {
+    let key = free(found, context).into_iter().next();
+    key.unwrap_or_else(|| if is_collection(context) { "key" } else { "0" }.to_owned())
+}
+
+/// The keys that have no value yet: the indexes of an array, or the keys that the code asks a collection for.
+pub(super) fn free(found: &Found<'_>, context: &XmlContext<'_>) -> Vec<String> {
+    let Some((data, parent)) = context.declarations().next() else { return Vec::new() };
+    let is_old = parent.ends_with("Section");
+    let attribute = if is_old { "index" } else { "key" };
+    let is_free = |key: &String| {
+        let mut others = context.cursor.siblings.iter();
+        !others.any(|other| other.value(attribute) == Some(key.as_str()))
+    };
+    let is_direct = matches!(parent, "Datas");
+    let keys = match is_collection(context) {
+        true if is_direct => spelt_keys(found.db, found.project, data.value("name").unwrap_or("")),
+        true => Vec::new(),
+        // The old dialect counts the values it has.
+        false if is_old => (0..=context.cursor.siblings.len()).map(|index| index.to_string()).collect(),
+        false => indexes(&data.value("size").and_then(sizes).unwrap_or_else(|| vec![1]), context.cursor.siblings.len()),
+    };
+    keys.into_iter().filter(is_free).take(SHOWN).collect()
+}
+
+fn is_collection(context: &XmlContext<'_>) -> bool {
+    context.declarations().next().is_some_and(|(data, _)| data.value("xsi:type") == Some("collection"))
+}
+
+/// The first indexes of an array, more than `taken` ones if there are so many.
+fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
+    let wanted = taken.saturating_add(SHOWN);
+    let mut keys = vec![String::new()];
+    for size in sizes {
+        let longer = keys.iter().flat_map(|key| {
+            (0..*size).map(move |index| if key.is_empty() { index.to_string() } else { format!("{key},{index}") })
+        });
+        keys = longer.take(wanted).collect();
+    }
+    keys
+}
+
+/// What an attribute of a value has by default.
+pub(super) fn initial(attribute: &Attribute) -> String {
+    match (attribute.value, attribute.default) {
+        (AttributeValue::Father(ty), _) => father(ty),
+        (_, DefaultValue::Number(number)) => number.to_string(),
+        (_, DefaultValue::False) => "false".to_owned(),
+        (_, DefaultValue::Enumerator(name)) => {
+            enumerations::find(name).map_or(name, |found| found.file_name).to_owned()
+        }
+        _ => String::new(),
+    }
+}
+
+/// What a position is relative to unless something else is said.
+fn father(ty: BaseType) -> String {
+    built_in_father(ty.name()).map(|name| format!("{name}[0]")).unwrap_or_default()
+}

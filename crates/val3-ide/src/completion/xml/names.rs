@@ -1,0 +1,133 @@
+//! Names, files and versions that fit an attribute.
+
+use std::collections::BTreeSet;
+
+use camino::Utf8Path;
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+use val3_analysis::body::{Expr, ExprId, body};
+use val3_analysis::db::{Db, File, Project};
+use val3_analysis::items::manifest::manifest;
+use val3_analysis::items::project::{items, program_files};
+use val3_lang::files::FileKind;
+use val3_lang::versions::Version;
+use val3_lang::{builtins, enumerations, instructions, keywords, versions};
+
+use crate::completion::Found;
+use crate::completion::missing::entry;
+use crate::completion::reach::{Reachable, reachable};
+use crate::line::Names;
+use crate::xml_context::XmlContext;
+
+/// A value that is likelier than the default in a new element.
+pub(super) fn likely(found: &Found<'_>, context: &XmlContext<'_>, element: &str, attribute: &str) -> Option<String> {
+    let (db, project) = (found.db, found.project);
+    match (context.file, element, attribute) {
+        (FileKind::Program, "Program" | "program", "name") => stem(db, found.file),
+        (FileKind::Program, "Programs" | "programList", "name") => stem(db, found.file),
+        (FileKind::Project, _, "version") => versions(db, project).into_iter().next(),
+        (FileKind::Project, "Program" | "program", "file") => unlisted(found, ".pgx"),
+        (FileKind::Project, "Data" | "data", "file") => unlisted(found, ".dtx"),
+        (FileKind::Project, "Library" | "alias" | "Type", _) => {
+            let other = unnamed(db, project).into_iter().next()?;
+            match attribute {
+                "path" | "interface" => Some(entry(db, project, &other)),
+                "alias" | "name" => Some(other.name(db).to_owned()),
+                _ => None,
+            }
+        }
+        (FileKind::Program, "Parameter" | "Local" | "param" | "local", "name") => {
+            undeclared(found, &[found.file]).first().map(SmolStr::to_string)
+        }
+        (FileKind::Data, "Data", "name") => {
+            undeclared(found, program_files(db, project)).first().map(SmolStr::to_string)
+        }
+        (_, _, "type") => Some("num".to_owned()),
+        _ => None,
+    }
+}
+
+/// The name of a file without its extension.
+pub(super) fn stem(db: &dyn Db, file: File) -> Option<String> {
+    file.path(db).file_stem().map(str::to_owned)
+}
+
+/// The files of the project's folder with an extension, and whether the project lists them.
+pub(super) fn files(found: &Found<'_>, extension: &str) -> Vec<(SmolStr, bool)> {
+    let (db, project) = (found.db, found.project);
+    let manifest = manifest(db, project.manifest(db));
+    let is_listed =
+        |name: &str| manifest.programs.iter().chain(&manifest.data).any(|listed| listed.eq_ignore_ascii_case(name));
+    let files = project.beside(db).iter().filter(|name| name.to_ascii_lowercase().ends_with(extension));
+    files.map(|name| (name.clone(), is_listed(name))).collect()
+}
+
+fn unlisted(found: &Found<'_>, extension: &str) -> Option<String> {
+    files(found, extension).into_iter().find(|(_, is_listed)| !is_listed).map(|(name, _)| name.to_string())
+}
+
+/// The projects that can be named and that the project file does not name yet.
+fn unnamed(db: &dyn Db, project: Project) -> Vec<Reachable> {
+    let named = named(db, project);
+    reachable(db, project).into_iter().filter(|other| !named.contains(&other.project)).collect()
+}
+
+/// The projects that the project file names.
+pub(super) fn named(db: &dyn Db, project: Project) -> FxHashSet<Project> {
+    let items = items(db, project);
+    let libraries = items.libraries.values().filter_map(|library| library.interface);
+    libraries.chain(items.types.values().copied().flatten()).collect()
+}
+
+/// Versions, those of other projects in reach first.
+pub(super) fn versions(db: &dyn Db, project: Project) -> Vec<String> {
+    let others = reachable(db, project).into_iter().map(|other| other.project);
+    let written = others.map(|other| manifest(db, other.manifest(db)).version.to_string());
+    let mut versions: Vec<String> = written.filter(|version| Version::parse(version).is_some()).collect();
+    versions.extend(versions::KNOWN.iter().map(|version| (*version).to_owned()));
+    let mut seen = FxHashSet::default();
+    versions.retain(|version| seen.insert(version.clone()));
+    versions
+}
+
+/// Names for what a path leads to: the name of its project, and identifiers that the code uses and nothing declares.
+pub(super) fn aliases(found: &Found<'_>, path: Option<&str>) -> Vec<String> {
+    let (db, project) = (found.db, found.project);
+    let of_path = path.map(Utf8Path::new).and_then(Utf8Path::file_stem).filter(|stem| !stem.is_empty());
+    let mut names: Vec<String> = of_path.map(str::to_owned).into_iter().collect();
+    let libraries = &items(db, project).libraries;
+    let used: BTreeSet<SmolStr> = program_files(db, project)
+        .iter()
+        .flat_map(|file| body(db, *file).exprs())
+        .filter_map(|(_, expr, _)| if let Expr::Path { library, .. } = expr { Some(library.clone()) } else { None })
+        .filter(|library| !libraries.contains_key(library))
+        .collect();
+    names.extend(used.iter().map(SmolStr::to_string));
+    names.extend(unnamed(db, project).iter().map(|other| other.name(db).to_owned()));
+    names.retain(|name| keywords::is_identifier(name));
+    names
+}
+
+/// Names that stand for a variable in these programs and that nothing declares.
+pub(super) fn undeclared(found: &Found<'_>, files: &[File]) -> BTreeSet<SmolStr> {
+    files.iter().flat_map(|file| undeclared_in(found.db, found.project, *file)).collect()
+}
+
+fn undeclared_in(db: &dyn Db, project: Project, file: File) -> Vec<SmolStr> {
+    let (body, names) = (body(db, file), Names::new(db, project, file));
+    let callees: FxHashSet<ExprId> = body
+        .exprs()
+        .filter_map(|(_, expr, _)| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None })
+        .collect();
+    let is_known = |name: &str| {
+        names.is_declared(name)
+            || builtins::find(name).is_some()
+            || enumerations::find(name).is_some()
+            || instructions::find(name).is_some()
+    };
+    let unknown = body.exprs().filter(|(id, ..)| !callees.contains(id)).filter_map(|(_, expr, _)| match expr {
+        Expr::Name(name) if !is_known(name) => Some(name.clone()),
+        _ => None,
+    });
+    unknown.collect()
+}

@@ -1,0 +1,264 @@
+//! The values of attributes.
+
+use smol_str::SmolStr;
+use val3_analysis::db::Project;
+use val3_analysis::items::project::{DataItem, fields, items, program_files, resolve_type};
+use val3_analysis::occurrences::Symbol;
+use val3_analysis::ty::Base;
+use val3_lang::enumerations;
+use val3_lang::files::{self, FileKind, Presence};
+use val3_lang::types::{AttributeValue, BaseType, attribute};
+
+use super::fathers::fathers;
+use super::keys::{self, initial};
+use super::names::{self, files as folder_files};
+use val3_syntax::xml::escaped;
+
+use crate::completion::missing::entry;
+use crate::completion::names::{FITS, data_detail};
+use crate::completion::reach::reachable;
+use crate::completion::{CompletionKind as Kind, Found};
+use crate::declare::old_data;
+use crate::xml_context::XmlContext;
+
+/// What can be written as the value of an attribute.
+pub(super) fn values(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) {
+    let element = context.cursor.tag.as_ref().map_or("", |tag| tag.name);
+    match context.file {
+        FileKind::Project => of_project(found, context, element, name),
+        FileKind::Program => of_program(found, element, name),
+        FileKind::Data => of_data(found, context, element, name),
+    }
+    known_values(found, context, element, name);
+}
+
+fn add(found: &mut Found<'_>, text: &str, kind: Kind, detail: &str, score: i32) {
+    if !found.items.iter().any(|item| item.label == text) {
+        found.add(text, kind).detail(|| detail.to_owned()).scored(score);
+    }
+}
+
+/// Texts in the order of how likely they are.
+fn add_all(found: &mut Found<'_>, texts: impl IntoIterator<Item = impl AsRef<str>>, kind: Kind, detail: &str) {
+    for (place, text) in (0..).zip(texts) {
+        add(found, text.as_ref(), kind, detail, -place);
+    }
+}
+
+/// The words that the format knows for an attribute, its default, its namespace.
+fn known_values(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+    let Some(known) = files::find(context.file, element) else { return };
+    if let Some(namespace) = known.namespace.filter(|_| name == "xmlns") {
+        add(found, namespace, Kind::Keyword, "namespace", 0);
+    }
+    let Some(attribute) = known.attribute(name) else { return };
+    add_all(found, attribute.values, Kind::Keyword, "");
+    match attribute.presence {
+        Presence::Expected(default) | Presence::Optional(default) if !default.is_empty() => {
+            add(found, default, Kind::Keyword, "default", -10);
+        }
+        _ => {}
+    }
+}
+
+fn of_project(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+    match (element, name) {
+        (_, "version") => {
+            let versions = names::versions(found.db, found.project);
+            add_all(found, versions, Kind::Constant, "version");
+        }
+        (_, "stackSize") => add_all(found, ["5000", "10000", "20000", "50000"], Kind::Constant, "bytes"),
+        ("Program" | "program", "file") => files_of(found, ".pgx"),
+        ("Data" | "data", "file") => files_of(found, ".dtx"),
+        ("Library", "alias") | ("Type" | "alias", "name") => {
+            let path = context.cursor.tag.as_ref().and_then(|tag| tag.value("path").or(tag.value("interface")));
+            let aliases = names::aliases(found, path);
+            let taken = |name: &String| {
+                context
+                    .cursor
+                    .siblings
+                    .iter()
+                    .any(|other| other.value(if element == "Library" { "alias" } else { "name" }) == Some(name))
+            };
+            add_all(found, aliases.into_iter().filter(|name| !taken(name)), Kind::Library, "");
+        }
+        ("Library" | "Type", "path") | ("alias", "interface") => projects(found, element == "Type"),
+        _ => {}
+    }
+}
+
+/// The files of the project's folder that its list does not name yet come first.
+fn files_of(found: &mut Found<'_>, extension: &str) {
+    for (name, is_listed) in folder_files(found, extension) {
+        add(found, &name, Kind::Path, "", if is_listed { 0 } else { FITS });
+    }
+}
+
+/// The projects that can be named here, those first that the project file does not name yet. A user type has data and
+/// seldom programs.
+fn projects(found: &mut Found<'_>, is_type: bool) {
+    let (db, project) = (found.db, found.project);
+    let named = names::named(db, project);
+    for other in reachable(db, project) {
+        let is_new = if named.contains(&other.project) { 0 } else { FITS };
+        let offered = items(db, other.project);
+        let suits = offered.programs.is_empty() == is_type && !offered.data.is_empty();
+        let score = is_new + if suits { FITS / 2 } else { 0 };
+        add(found, &entry(db, project, &other), Kind::Path, "", score);
+    }
+}
+
+fn of_program(found: &mut Found<'_>, element: &str, name: &str) {
+    match (element, name) {
+        ("Program" | "program", "name") => {
+            let stem = names::stem(found.db, found.file);
+            add_all(found, stem, Kind::Program, "as the file");
+        }
+        ("Parameter" | "Local" | "param" | "local", "name") => {
+            let unknown = names::undeclared(found, &[found.file]);
+            add_all(found, unknown, Kind::Local, "used and not declared");
+        }
+        (_, "type") => types(found, false),
+        _ => {}
+    }
+}
+
+fn of_data(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+    let is_old = context.cursor.open.first().is_some_and(|root| root.name == "dataList");
+    match (element, name) {
+        ("Data", "name") => unknown_data(found),
+        ("Field", "name") => user_fields(found, context),
+        ("Field", "type") => field_type(found, context),
+        ("Field", "size") => field_size(found, context),
+        (_, "type") => types(found, true),
+        (_, "key" | "index") => {
+            let keys = keys::free(found, context);
+            add_all(found, keys, Kind::Text, "");
+        }
+        (_, "fatherId") => fathers(found, context, false),
+        (_, "name") if element.ends_with("Father") => fathers(found, context, true),
+        (_, "name") if is_old && context.parent().ends_with("Section") => unknown_data(found),
+        ("io", "name") => outputs(found),
+        (_, "alias") if is_old => {
+            let mut aliases: Vec<SmolStr> = items(found.db, found.project).libraries.keys().cloned().collect();
+            aliases.sort_unstable();
+            add_all(found, aliases, Kind::Library, "");
+        }
+        _ => {}
+    }
+    value_attribute(found, context, name);
+    if is_old {
+        old_default(found, context, element, name);
+    }
+}
+
+/// Names of variables that programs use and nothing declares.
+fn unknown_data(found: &mut Found<'_>) {
+    let unknown = names::undeclared(found, program_files(found.db, found.project));
+    add_all(found, unknown, Kind::Data, "used and not declared");
+}
+
+/// Data files name the arm of positions, headers of programs do not.
+fn types(found: &mut Found<'_>, is_data: bool) {
+    let (db, project) = (found.db, found.project);
+    let items = items(db, project);
+    let arm = items.arm.filter(|_| is_data);
+    // The type that most variables have comes first.
+    let common = [BaseType::Num, BaseType::Bool, BaseType::String, BaseType::Point, BaseType::Dio];
+    let rest = BaseType::DECLARABLE.into_iter().filter(|ty| !common.contains(ty));
+    for (place, ty) in (0..).zip(common.into_iter().chain(rest)) {
+        let name = arm.map_or_else(|| ty.name().to_owned(), |arm| ty.file_name(arm));
+        found.add(&name, Kind::Type).scored(-place).of(|| Symbol::BuiltinType(name.as_str().into()));
+    }
+    for name in items.types.keys() {
+        let added = found.add(name, Kind::Type).detail(|| "user type".to_owned());
+        added.of(|| Symbol::Type(project, name.clone()));
+    }
+}
+
+/// The user type whose fields are written here: that of the next declaration further out.
+fn owner_of_field(found: &Found<'_>, context: &XmlContext<'_>) -> Option<Project> {
+    let types = &items(found.db, found.project).types;
+    let mut outer = context.declarations().filter(|(tag, _)| Some(*tag) != context.cursor.tag.as_ref());
+    match resolve_type(types, outer.next()?.0.value("type")?)? {
+        Base::User(project) => Some(project),
+        _ => None,
+    }
+}
+
+fn user_fields(found: &mut Found<'_>, context: &XmlContext<'_>) {
+    let Some(owner) = owner_of_field(found, context) else { return };
+    let taken = |name: &str| context.cursor.siblings.iter().any(|other| other.value("name") == Some(name));
+    for (name, item) in fields(found.db, owner) {
+        let score = if taken(name) { -FITS } else { 0 };
+        let added = found.add(name, Kind::Field).detail(|| data_detail(item)).scored(score);
+        added.of(|| Symbol::Data(owner, name.clone()));
+    }
+}
+
+/// The declaration of the field that the tag names.
+fn declared_field(found: &Found<'_>, context: &XmlContext<'_>) -> Option<DataItem> {
+    let name = context.cursor.tag.as_ref()?.value("name")?;
+    fields(found.db, owner_of_field(found, context)?).get(name).cloned()
+}
+
+fn field_type(found: &mut Found<'_>, context: &XmlContext<'_>) {
+    match declared_field(found, context) {
+        Some(field) => add(found, &field.decl.type_name, Kind::Type, "as the type declares it", FITS),
+        None => types(found, true),
+    }
+}
+
+fn field_size(found: &mut Found<'_>, context: &XmlContext<'_>) {
+    if let Some(field) = declared_field(found, context) {
+        let sizes: Vec<String> = field.decl.sizes.iter().map(u32::to_string).collect();
+        add(found, &sizes.join(" "), Kind::Text, "as the type declares it", FITS);
+    }
+}
+
+/// What a value of the type around can have in this attribute.
+fn value_attribute(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) {
+    let Some((ty, arm)) = context.builtin(found.db, found.project) else { return };
+    let Some(known) = attribute(ty, arm, name) else { return };
+    match known.value {
+        AttributeValue::Truth => add_all(found, ["true", "false"], Kind::Keyword, ""),
+        AttributeValue::Choice(choice) => {
+            let names: Vec<&str> = enumerations::values(choice).map(|value| value.file_name).collect();
+            add_all(found, names, Kind::Keyword, "");
+        }
+        AttributeValue::Link => links(found, ty),
+        AttributeValue::Number => add(found, &initial(known), Kind::Constant, "default", 0),
+        AttributeValue::Text | AttributeValue::Father(_) => {}
+    }
+}
+
+/// What an attribute of s5 and s6 has by default.
+fn old_default(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
+    let Some(ty) = context.types().next() else { return };
+    let default = old_data::attributes(ty, element).into_iter().find(|(known, _)| known == name);
+    if let Some((_, value)) = default.filter(|(_, value)| !value.is_empty() && name != "name") {
+        add(found, &value, Kind::Constant, "default", 0);
+    }
+}
+
+/// The inputs and outputs of the cell that have this type.
+fn links(found: &mut Found<'_>, ty: BaseType) {
+    let Some(cell) = found.project.cell(found.db) else { return };
+    // A tool opens with an output.
+    let (wanted, input) = if ty == BaseType::Tool { (BaseType::Dio, "%I") } else { (ty, "") };
+    for (device, channels) in &cell.config(found.db).io {
+        for (name, _) in channels.iter().filter(|(_, kind)| **kind == wanted) {
+            let score = if !input.is_empty() && name.starts_with(input) { -FITS } else { 0 };
+            add(found, &escaped(&format!("{device}\\{name}")), Kind::Path, wanted.name(), score);
+        }
+    }
+}
+
+/// The digital outputs that a tool of s5 and s6 can name.
+fn outputs(found: &mut Found<'_>) {
+    let data = &items(found.db, found.project).data;
+    let outputs = data.iter().filter(|(_, item)| item.base == Base::of(BaseType::Dio));
+    let mut names: Vec<SmolStr> = outputs.map(|(name, _)| name.clone()).collect();
+    names.sort_unstable();
+    add_all(found, names, Kind::Data, "dio");
+}
