@@ -153,6 +153,8 @@ pub(crate) fn completion_kind(kind: ide::CompletionKind) -> CompletionItemKind {
         ide::CompletionKind::Literal => CompletionItemKind::VALUE,
         ide::CompletionKind::Text => CompletionItemKind::TEXT,
         ide::CompletionKind::Path => CompletionItemKind::FILE,
+        ide::CompletionKind::Element => CompletionItemKind::CLASS,
+        ide::CompletionKind::Attribute => CompletionItemKind::PROPERTY,
     }
 }
 

@@ -95,15 +95,15 @@ fn writing(others: ServerCapabilities) -> ServerCapabilities {
 fn completion() -> CompletionOptions {
     CompletionOptions {
         resolve_provider: Some(true),
-        trigger_characters: Some([".", ":", "\"", "/", "{"].map(str::to_owned).to_vec()),
+        trigger_characters: Some([".", ":", "\"", "/", "{", "[", "<", " "].map(str::to_owned).to_vec()),
         ..CompletionOptions::default()
     }
 }
 
 fn signature_help() -> SignatureHelpOptions {
     SignatureHelpOptions {
-        trigger_characters: Some(vec!["(".to_owned(), ",".to_owned()]),
-        retrigger_characters: Some(vec![")".to_owned()]),
+        trigger_characters: Some(["(", ",", "{", "["].map(str::to_owned).to_vec()),
+        retrigger_characters: Some([")", "}", "]"].map(str::to_owned).to_vec()),
         ..SignatureHelpOptions::default()
     }
 }

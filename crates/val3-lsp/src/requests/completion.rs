@@ -22,12 +22,21 @@ pub(crate) fn completion(
 ) -> Result<Option<CompletionResponse>, Refusal> {
     let place = &params.text_document_position;
     let at = snapshot.position(place)?;
+    if is_after_blank(params) && !val3_ide::completes_after_blank(snapshot.db(), at) {
+        return Ok(None);
+    }
     let offered = Offered { uri: place.text_document.uri.clone(), position: place.position };
     let data = serde_json::to_value(offered).ok();
     let found = val3_ide::completions(snapshot.db(), at);
     let items = found.iter().enumerate().filter_map(|(rank, found)| item(snapshot, at.file, rank, found, data.clone()));
     // More letters may fit what few letters left out.
     Ok(Some(CompletionResponse::List(CompletionList { is_incomplete: true, items: items.collect() })))
+}
+
+/// The client asks because a blank was typed.
+fn is_after_blank(params: &CompletionParams) -> bool {
+    let context = params.context.as_ref();
+    context.and_then(|context| context.trigger_character.as_deref()) == Some(" ")
 }
 
 /// `None` for what also changes another file where the client lets nobody do so: half of it would be a mistake.
@@ -57,9 +66,14 @@ fn item(
         text_edit: Some(CompletionTextEdit::Edit(TextEdit { range: snapshot.range(file, found.range), new_text })),
         additional_text_edits: (!additional.is_empty()).then_some(additional),
         command,
-        data: data.filter(|_| found.symbol.is_some() || found.kind == CompletionKind::Keyword),
+        data: data.filter(|_| has_documentation(found)),
         ..CompletionItem::default()
     })
+}
+
+/// Its documentation can be asked for.
+fn has_documentation(found: &Completion) -> bool {
+    found.symbol.is_some() || found.documentation.is_some() || found.kind == CompletionKind::Keyword
 }
 
 /// Editors put first what fits in whole. A name that would be declared always does, and must not come before those that

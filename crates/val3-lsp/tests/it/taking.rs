@@ -2,8 +2,8 @@
 
 use serde_json::{Value, json};
 
-use crate::asking::{Session, each, find};
-use crate::client::uri;
+use crate::asking::{START, Session, each, find};
+use crate::client::{Client, at, uri};
 
 const CELL: &str = "num nA\nnA=power(nA,1)\nnNewOne=1";
 
@@ -69,5 +69,68 @@ fn a_declaration_in_another_file() {
     place["textDocument"] = session.place("nA")["textDocument"].clone();
     let items = session.client.ask("textDocument/completion", place)["items"].clone();
     assert!(!each(&items, "label").contains(&"nNewOne"), "{items}");
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn elements_and_attributes_of_xml() {
+    let mut session = Session::of(CELL, able(json!({ "snippetSupport": true, "documentationFormat": ["markdown"] })));
+    let local = "<Locals>\n      <Local name=\"l_n\" ";
+    let program = session.cell.text(START).replacen("<Code>", &format!("{local}\n    </Locals>\n    <Code>"), 1);
+    session.client.change(&session.cell.path(START), 2, &program);
+    let (line, column) = crate::cell::place(&program, "<Local name=\"l_n\" ");
+    let mut place = at(&session.cell.path(START), line, column + 18);
+    place["context"] = json!({ "triggerKind": 2, "triggerCharacter": " " });
+    let items = session.client.ask("textDocument/completion", place.clone())["items"].clone();
+    let ty = find(&items, "label", "type");
+    assert_eq!((&ty["insertTextFormat"], &ty["textEdit"]["newText"]), (&json!(2), &json!("type=\"${1:type}\"")));
+    let resolved = session.client.ask("completionItem/resolve", ty);
+    assert!(resolved["documentation"]["value"].as_str().unwrap().contains("built-in type"), "{resolved}");
+    // A blank in code ends a word.
+    let (line, column) = crate::cell::place(&program, "nA=power");
+    let mut code = at(&session.cell.path(START), line, column);
+    code["context"] = place["context"].clone();
+    assert_eq!(session.client.ask("textDocument/completion", code.clone()), Value::Null);
+    code["context"] = json!({ "triggerKind": 1 });
+    assert_ne!(session.client.ask("textDocument/completion", code), Value::Null);
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn a_library_that_is_not_there_yet() {
+    let mut session = Session::of("num nA\nnA=nWei\n--- part\npublic num nWeight", able(json!({})));
+    let mut place = session.place("nA=nWei");
+    place["position"]["character"] = json!(place["position"]["character"].as_u64().unwrap() + 7);
+    let items = session.client.ask("textDocument/completion", place)["items"].clone();
+    let item = find(&items, "label", "part:nWeight");
+    assert_eq!(item["textEdit"]["newText"], "part:nWeight");
+    let params = json!({ "command": item["command"]["command"], "arguments": item["command"]["arguments"] });
+    session.client.ask("workspace/executeCommand", params);
+    let asked = session.client.told("workspace/applyEdit");
+    let edits = &asked["params"]["edit"]["changes"][&uri(&session.cell.path("usrapp/main/main.pjx"))];
+    assert!(each(edits, "newText")[0].contains("<Library alias=\"part\" path=\"Disk://part/part.pjx\" />"), "{asked}");
+    assert_eq!(session.client.end(), 0);
+}
+
+#[test]
+fn characters_that_ask_for_completions_and_signatures() {
+    let mut client = Client::fresh();
+    let capabilities = client.ask("initialize", json!({ "capabilities": {} }))["capabilities"].clone();
+    client.notify("initialized", json!({}));
+    assert_eq!(client.end(), 0);
+    let triggers = &capabilities["completionProvider"]["triggerCharacters"];
+    for wanted in ["<", "\"", " ", "[", "{"] {
+        assert!(triggers.as_array().unwrap().contains(&json!(wanted)), "{wanted}: {triggers}");
+    }
+    let triggers = &capabilities["signatureHelpProvider"]["triggerCharacters"];
+    for wanted in ["(", ",", "{", "["] {
+        assert!(triggers.as_array().unwrap().contains(&json!(wanted)), "{wanted}: {triggers}");
+    }
+    let mut session = Session::of("trsf trA\ntrA={1,2}", json!({}));
+    let help = session.ask_at("textDocument/signatureHelp", "2}");
+    assert_eq!(
+        (&help["signatures"][0]["label"], &help["activeParameter"]),
+        (&json!("trsf {num x, num y, num z, num rx, num ry, num rz}"), &json!(1))
+    );
     assert_eq!(session.client.end(), 0);
 }
