@@ -55,7 +55,7 @@ fn editor() -> Value {
             "description": "A definition that is asked for in a code view opens the code view of the program it leads \
                 to, instead of its file.",
         },
-        "val3.inlayHints.parameterNames": switch("The names of parameters before literal arguments."),
+        "val3.inlayHints.parameterNames": switch("The names of parameters before literal arguments, and of fields before the values of braces."),
         "val3.inlayHints.literalTypes": switch("The types of literals in braces, such as `trsf`."),
         "val3.inlayHints.pointFrames": switch("The frame behind the point that a move leads to."),
         "val3.inlayHints.blends": switch("How a move blends into the next, behind its motion descriptor."),
