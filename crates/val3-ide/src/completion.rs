@@ -50,7 +50,7 @@ pub struct Completion {
     pub score: i32,
     /// What it stands for, for its documentation.
     pub symbol: Option<Symbol>,
-    /// Its documentation in Markdown where it stands for no symbol.
+    /// Its documentation in Markdown, for an item without a symbol.
     pub documentation: Option<String>,
     /// What else has to change: an entry in the project file or the data file.
     pub additional: Vec<FileEdit>,
@@ -174,7 +174,7 @@ impl<'db> Found<'db> {
         self.around.1.starts_with(text)
     }
 
-    /// The range is behind one of these characters.
+    /// One of these characters precedes the range.
     fn is_behind(&self, letters: [char; 2]) -> bool {
         self.around.0.ends_with(letters)
     }

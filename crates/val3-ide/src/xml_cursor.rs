@@ -4,17 +4,17 @@
 use memchr::{memchr, memmem};
 use val3_syntax::{TextRange, TextSize};
 
-/// A start tag, as far as it is there.
+/// A start tag, possibly incomplete.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub(crate) struct Tag<'t> {
     /// The name of the element.
     pub(crate) name: &'t str,
-    /// Names and values as they are written.
+    /// Names and raw values.
     pub(crate) attributes: Vec<(&'t str, &'t str)>,
 }
 
 impl<'t> Tag<'t> {
-    /// The value of an attribute as it is written.
+    /// The raw value of an attribute.
     pub(crate) fn value(&self, name: &str) -> Option<&'t str> {
         self.attributes.iter().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
@@ -96,8 +96,6 @@ struct StartTag<'t> {
     /// Names with values, each with its place.
     attributes: Vec<(TextRange, TextRange)>,
     read: Tag<'t>,
-    /// It is closed by `>`.
-    is_whole: bool,
 }
 
 struct Scan<'t> {
@@ -238,7 +236,7 @@ fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
     let name_range = TextRange::at(size(at), TextSize::of(name));
     at += name.len();
     let read = Tag { name, attributes: Vec::new() };
-    let mut tag = StartTag { name: name_range, attributes: Vec::new(), read, is_whole: false };
+    let mut tag = StartTag { name: name_range, attributes: Vec::new(), read };
     loop {
         let rest = text.get(at..).unwrap_or("");
         let blanks = rest.len() - rest.trim_start().len();
@@ -246,7 +244,6 @@ fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
         let rest = rest.trim_start();
         if rest.starts_with("/>") || rest.starts_with('>') {
             let opens = rest.starts_with('>');
-            tag.is_whole = true;
             return (Markup::Start { tag, opens }, at + if opens { 1 } else { 2 });
         }
         let Some(next) = rest.chars().next().filter(|next| *next != '<') else {
@@ -265,7 +262,7 @@ fn start_tag(text: &str, start: usize) -> (Markup<'_>, usize) {
     }
 }
 
-/// The value behind the name of an attribute, without quotes, and where it ends. A value that is not there is empty.
+/// The value after the name of an attribute, without quotes, and where it ends. A value that is not there is empty.
 fn value_at(text: &str, name_end: usize) -> (TextRange, usize) {
     let none = (TextRange::empty(size(name_end)), name_end);
     let rest = text.get(name_end..).unwrap_or("");

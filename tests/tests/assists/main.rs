@@ -14,9 +14,6 @@ use val3_tests::cell;
 /// Of all places, so many; the others are left out at equal distances.
 const PLACES: usize = 80;
 
-/// What takes something away that other projects may use.
-const CHANGES_INTERFACE: &str = "toggle-access";
-
 /// Every statement, every two neighbours, and every token of the code of the cell.
 fn places(editor: &Editor) -> Vec<FileRange> {
     let mut places = Vec::new();
@@ -58,10 +55,11 @@ fn no_assist_adds_an_error() {
     let editor = Editor::open(&cell::files("palletiser"));
     assert_eq!(editor.errors(), [] as [String; 0]);
     let changes = changes(&editor);
-    for id in ["extract-program", "inline-program", "switch-to-if", "surround-for", "extract-constant"] {
+    for id in ["extract-program", "inline-program", "switch-to-if", "surround-for", "extract-constant", "toggle-access"]
+    {
         assert!(changes.contains_key(id), "`{id}` is offered nowhere: {:?}", changes.keys());
     }
-    for (id, changes) in changes.iter().filter(|(id, _)| **id != CHANGES_INTERFACE) {
+    for (id, changes) in &changes {
         for change in sample(changes, PLACES / 10) {
             let after = editor.after(change);
             assert_eq!(Editor::open(&after).errors(), [] as [String; 0], "`{id}` {change:#?}");
@@ -117,6 +115,8 @@ fn what_is_created_is_known() {
                 .filter(|error| error.contains(editor::UNKNOWN) && is_unknown(error))
                 .collect();
             assert!(unknown.is_empty(), "`{id}`: {unknown:?}\n{change:#?}");
+            let (before, after) = (renamed.errors(), after.errors());
+            assert!(after.len() <= before.len(), "`{id}`: {before:#?} becomes {after:#?}\n{change:#?}");
             created += 1;
         }
     }

@@ -14,6 +14,7 @@ use super::names::{data_detail, fit};
 use super::reach::{Reachable, reachable};
 use super::{CompletionKind as Kind, Found};
 use crate::declare::{self, Variable};
+use crate::fuzzy::score;
 use crate::hover::program_line;
 use crate::line::Expected;
 
@@ -87,6 +88,14 @@ pub(super) fn libraries(found: &mut Found<'_>) {
     }
 }
 
+/// What an item of a library loses without its identifier: most names are meant as they are typed.
+const WITHOUT_IDENTIFIER: i32 = -80;
+
+/// The letters fit the name of the item, not only the identifier of its library.
+fn is_meant(query: &str, name: &str) -> bool {
+    score(query, name).is_some()
+}
+
 /// Letters that are typed before items of libraries are offered without their identifier.
 const LEAST_LETTERS: usize = 2;
 
@@ -96,9 +105,11 @@ pub(super) fn library_data(found: &mut Found<'_>, expected: &Expected) {
     library_items(found, &|found, alias, interface| {
         let data = items(db, interface).data.iter().filter(|(_, item)| item.decl.public);
         for (name, item) in data {
-            let score = fit(&expected.bases, item.base);
-            let added = found.add(&format!("{alias}:{name}"), Kind::Data).detail(|| data_detail(item));
-            added.scored(score).of(|| Symbol::Data(interface, name.clone()));
+            if is_meant(found.query, name) {
+                let added = found.add(&format!("{alias}:{name}"), Kind::Data).detail(|| data_detail(item));
+                let added = added.scored(fit(&expected.bases, item.base) + WITHOUT_IDENTIFIER);
+                added.of(|| Symbol::Data(interface, name.clone()));
+            }
         }
     });
 }
@@ -107,11 +118,13 @@ pub(super) fn library_data(found: &mut Found<'_>, expected: &Expected) {
 pub(super) fn library_programs(found: &mut Found<'_>) {
     let db = found.db;
     library_items(found, &|found, alias, interface| {
+        let query = found.query;
         let programs = items(db, interface).programs.iter().filter(|(_, file)| header(db, **file).public);
-        for (name, file) in programs {
+        for (name, file) in programs.filter(|(name, _)| is_meant(query, name)) {
             let arguments = || header(db, *file).params.iter().map(|param| param.name.as_str()).collect();
             let added = found.add_call(&format!("{alias}:{name}"), Kind::Program, arguments);
-            added.detail(|| program_line(db, interface, *file)).of(|| Symbol::Program(interface, name.clone()));
+            let added = added.detail(|| program_line(db, interface, *file)).scored(WITHOUT_IDENTIFIER);
+            added.of(|| Symbol::Program(interface, name.clone()));
         }
     });
 }

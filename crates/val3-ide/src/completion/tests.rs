@@ -539,9 +539,9 @@ fn items_of_libraries_without_their_identifier() {
     check(
         &format!("num nA\nnA=nWei$0{LIBRARY}"),
         expect![[r#"
-        part:nWeight Data num, new library Disk://part/part.pjx
-        nWei Data new global num
-    "#]],
+            nWei Data new global num
+            part:nWeight Data num, new library Disk://part/part.pjx
+        "#]],
     );
     check_insert(
         &format!("num nA\nnA=nWei$0{LIBRARY}"),

@@ -77,7 +77,7 @@ pub(crate) fn with_model<T>(ty: &str, read: impl FnOnce(Element<'_>, &str) -> T)
     Some(read(root, &text))
 }
 
-/// The elements in the part called `name` of such a declaration, each as it is written.
+/// The elements in the part called `name` of such a declaration, each with its text.
 pub(crate) fn parts<'g, 't>(root: Element<'g>, name: &str, text: &'t str) -> Vec<(&'g str, &'t str)> {
     let written = |part: Element<'g>| {
         let range = std::ops::Range::<usize>::from(part.view().range());

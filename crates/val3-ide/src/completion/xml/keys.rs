@@ -42,7 +42,7 @@ fn is_collection(context: &XmlContext<'_>) -> bool {
     context.declarations().next().is_some_and(|(data, _)| data.value("xsi:type") == Some("collection"))
 }
 
-/// The first indexes of an array, more than `taken` ones if there are so many.
+/// The first indexes of an array, up to [`SHOWN`] more than `taken`.
 fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
     let wanted = taken.saturating_add(SHOWN);
     let mut keys = vec![String::new()];

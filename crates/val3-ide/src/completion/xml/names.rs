@@ -108,7 +108,7 @@ pub(super) fn aliases(found: &Found<'_>, path: Option<&str>) -> Vec<String> {
     names
 }
 
-/// Names that stand for a variable in these programs and that nothing declares.
+/// Names of variables that these programs use and nothing declares.
 pub(super) fn undeclared(found: &Found<'_>, files: &[File]) -> BTreeSet<SmolStr> {
     files.iter().flat_map(|file| undeclared_in(found.db, found.project, *file)).collect()
 }

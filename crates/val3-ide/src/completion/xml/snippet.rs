@@ -31,7 +31,7 @@ pub(super) struct Snippet {
 }
 
 impl Snippet {
-    /// Text as it is.
+    /// Plain text.
     pub(super) fn push(&mut self, text: &str) {
         self.text += &text.replace('\\', "\\\\").replace('$', "\\$").replace('}', "\\}");
         self.plain += text;
