@@ -112,7 +112,7 @@ fn assist(snapshot: &Snapshot, at: FileRange, found: Assist, place: &Offered, is
     let action = CodeAction { title: found.title, kind: Some(kind(found.kind)), ..CodeAction::default() };
     if let Some(reason) = found.disabled {
         let shown = snapshot.session.client.shows_disabled;
-        return shown.then(|| CodeAction { disabled: Some(CodeActionDisabled { reason }), ..action });
+        return shown.then_some(CodeAction { disabled: Some(CodeActionDisabled { reason }), ..action });
     }
     offer(snapshot, found.id, at, action, place, is_lazy)
 }
