@@ -20,7 +20,12 @@ pub(super) fn complete(found: &mut Found<'_>, context: &XmlContext<'_>) {
         XmlPlace::EndTag(_) => {
             let name = context.parent();
             if !name.is_empty() {
-                found.add(name, CompletionKind::Element).detail(|| "ends the element".to_owned());
+                let end = if found.is_before(">") { "" } else { ">" };
+                let added = found.add(name, CompletionKind::Element).detail(|| "ends the element".to_owned());
+                added.with(|item| {
+                    item.insert += end;
+                    item.plain += end;
+                });
             }
         }
         XmlPlace::AttributeName(_) => attributes::attributes(found, context),

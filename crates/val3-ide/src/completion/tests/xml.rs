@@ -420,6 +420,42 @@ fn new_elements_are_whole() {
 }
 
 #[test]
+fn tags_that_are_there_get_another_name() {
+    check_insert(
+        &program("    <Locals>\n      <Lo$0>\n    </Locals>"),
+        "Local",
+        expect![[r#"
+        Local
+        Local
+    "#]],
+    );
+    check_insert(
+        &program("    <Locals>\n      <Lo$0 name=\"l_n\" />\n    </Locals>"),
+        "Local",
+        expect![[r#"
+        Local
+        Local
+    "#]],
+    );
+    check_insert(
+        &program("    <Locals>\n    </L$0>"),
+        "Locals",
+        expect![[r#"
+        Locals
+        Locals
+    "#]],
+    );
+    check_insert(
+        &program("    <Locals>\n    </$0"),
+        "Locals",
+        expect![[r#"
+        Locals>
+        Locals>
+    "#]],
+    );
+}
+
+#[test]
 fn attributes_with_their_values() {
     check(
         &program("    <Locals>\n      <Local $0 />\n    </Locals>"),

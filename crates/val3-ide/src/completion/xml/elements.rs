@@ -32,7 +32,7 @@ pub(super) fn elements(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &
                 let mut snippet = Snippet::default();
                 snippet.push(angle);
                 snippet.element(context.file, child, "", &known);
-                add(found, context.file, child.name, child.name, snippet, -place);
+                add(found, context, child.name, child.name, snippet, -place);
             }
         }
     }
@@ -65,13 +65,22 @@ fn root(file: FileKind, old: bool) -> &'static str {
     }
 }
 
-fn add(found: &mut Found<'_>, file: FileKind, label: &str, name: &str, snippet: Snippet, score: i32) {
+fn add(found: &mut Found<'_>, context: &XmlContext<'_>, label: &str, name: &str, snippet: Snippet, score: i32) {
+    let file = context.file;
+    // A tag that has its end or attributes already gets another name.
+    let has_attributes = context.cursor.tag.as_ref().is_some_and(|tag| !tag.attributes.is_empty());
+    let is_whole = context.cursor.tag.is_some() && (has_attributes || found.is_before(">") || found.is_before("/>"));
     let added = found.add(label, Kind::Element).scored(score);
     added.with(|item| {
         item.documentation = file_pages::element(file, name).map(str::to_owned);
         item.insert = snippet.text;
         item.plain = snippet.plain;
         item.is_snippet = true;
+        if is_whole {
+            name.clone_into(&mut item.insert);
+            name.clone_into(&mut item.plain);
+            item.is_snippet = false;
+        }
     });
 }
 
@@ -100,7 +109,7 @@ fn value(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str, base: Opt
             snippet.push(" />");
         }
     }
-    add(found, context.file, "Value", "Value", snippet, 0);
+    add(found, context, "Value", "Value", snippet, 0);
 }
 
 /// A `<Field>` for each field of the user type that has none yet.
@@ -113,7 +122,7 @@ fn user_fields(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str, pro
         let mut snippet = Snippet::default();
         snippet.push(angle);
         field(&mut snippet, &name, &item);
-        add(found, context.file, &format!("Field {name}"), "Field", snippet, -place);
+        add(found, context, &format!("Field {name}"), "Field", snippet, -place);
     }
 }
 
@@ -146,7 +155,7 @@ fn old_elements(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str) {
             if !is_there(section) {
                 let mut snippet = Snippet::default();
                 snippet.list(angle, section);
-                add(found, context.file, section, section, snippet, -place);
+                add(found, context, section, section, snippet, -place);
             }
         }
         return;
@@ -163,7 +172,7 @@ fn old_elements(found: &mut Found<'_>, context: &XmlContext<'_>, angle: &str) {
             let mut snippet = Snippet::default();
             snippet.push(angle);
             snippet.filled(whole.strip_prefix('<').unwrap_or(whole), &next);
-            add(found, context.file, name, name, snippet, -place);
+            add(found, context, name, name, snippet, -place);
         }
     });
 }
