@@ -317,7 +317,6 @@ fn new_elements_are_whole() {
               $0
             </Locals>
             <Locals>
-  
             </Locals>
         "#]],
     );
@@ -383,7 +382,6 @@ fn new_elements_are_whole() {
             Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
               <Program name="start">
                 <Code><![CDATA[begin
-  
             end]]></Code>
               </Program>
             </Programs>

@@ -58,6 +58,10 @@ impl Snippet {
             self.text += "$0";
             self.has_last = true;
         }
+        // Without places to fill in, the line would be blank.
+        if let Some(before) = self.plain.trim_end_matches(' ').strip_suffix('\n') {
+            self.plain.truncate(before.len());
+        }
     }
 
     /// ` name="value"` with a place for the value, which has this text if it is known.
