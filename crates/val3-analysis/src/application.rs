@@ -6,10 +6,12 @@ mod locks;
 mod program;
 mod same_name;
 mod task_starts;
+mod unlisted;
 
 pub use locks::{Lock, locks};
 pub use program::{Summary, Use, summary};
 pub use task_starts::TaskStart;
+pub use unlisted::unlisted_may_use;
 
 use memchr::memchr_iter;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -122,7 +124,8 @@ fn is_mentioned(db: &dyn Db, sources: Sources, name: SmolStr) -> bool {
 
 #[salsa::tracked]
 fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
-    sources.files(db).values().flat_map(|file| mentions(db, *file)).cloned().collect()
+    let files = sources.files(db).values().chain(sources.unlisted(db).values());
+    files.flat_map(|file| mentions(db, *file)).cloned().collect()
 }
 
 /// The names that stand behind a colon in the text of a file: every `library:item`, and some that are none. The text

@@ -14,6 +14,7 @@ pub mod manifest;
 pub mod program;
 pub mod project;
 pub mod suppressions;
+pub mod unlisted;
 
 use val3_syntax::Parse;
 

@@ -9,6 +9,7 @@ mod files;
 mod known;
 mod references;
 mod refresh;
+mod unlisted;
 
 use std::sync::Arc;
 
@@ -76,6 +77,8 @@ struct Loader<'s> {
     /// Whether a file that is known has to be read again.
     is_stale: &'s dyn Fn(&Utf8Path) -> bool,
     files: FxHashMap<String, File>,
+    /// Programs and data beside a project that no project lists.
+    unlisted: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
     /// Projects in the order they were found.
     order: Vec<(String, Project)>,
@@ -96,6 +99,7 @@ impl<'s> Loader<'s> {
             known,
             is_stale,
             files: FxHashMap::default(),
+            unlisted: FxHashMap::default(),
             projects: FxHashMap::default(),
             order: Vec::new(),
             cells: FxHashMap::default(),
@@ -123,6 +127,7 @@ impl<'s> Loader<'s> {
         let mut projects: Vec<(String, Project)> =
             std::mem::take(&mut self.order).into_iter().filter(|(key, _)| asked.contains(key)).collect();
         projects.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+        self.read_unlisted();
         self.store_sources();
         let projects = projects.into_iter().map(|(_, project)| project).collect();
         Workspace { db: self.db, projects, unreadable: self.unreadable }

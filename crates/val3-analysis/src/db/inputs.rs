@@ -83,6 +83,9 @@ pub struct Sources {
     /// Files by their path key.
     #[returns(ref)]
     pub files: FxHashMap<String, File>,
+    /// Programs and data in the folder of a project that no project lists, by their path key.
+    #[returns(ref)]
+    pub unlisted: FxHashMap<String, File>,
     /// Projects by the path key of their `.pjx`.
     #[returns(ref)]
     pub projects: FxHashMap<String, Project>,

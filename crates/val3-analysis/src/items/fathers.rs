@@ -17,8 +17,9 @@ pub fn fathers(db: &dyn Db, project: Project) -> FxHashSet<SmolStr> {
     data_files(db, project).iter().flat_map(|file| fathers_in(db, *file)).cloned().collect()
 }
 
+/// Those that data in a `.dtx` hang on.
 #[salsa::tracked]
-fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
+pub(crate) fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let parse = parse(db, file);
     let mut names = FxHashSet::default();
     for element in elements(parse.view()) {

@@ -44,7 +44,9 @@ impl Known {
     pub(super) fn of(db: &Database) -> Self {
         let Some(sources) = Sources::try_get(db) else { return Self::default() };
         let projects = sources.projects(db).clone();
-        let mut known = Self { sources: Some(sources), files: sources.files(db).clone(), ..Self::default() };
+        let mut files = sources.unlisted(db).clone();
+        files.extend(sources.files(db).iter().map(|(key, file)| (key.clone(), *file)));
+        let mut known = Self { sources: Some(sources), files, ..Self::default() };
         for project in projects.values() {
             let configuration = project.configuration(db);
             if let Some(configuration) = configuration {
@@ -139,13 +141,17 @@ impl Loader<'_> {
 
     pub(super) fn store_sources(&mut self) {
         let (files, projects) = (std::mem::take(&mut self.files), std::mem::take(&mut self.projects));
+        let unlisted = std::mem::take(&mut self.unlisted);
         let Some(sources) = self.known.sources else {
-            let _ = Sources::builder(files, projects).durability(STORED).new(&self.db);
+            let _ = Sources::builder(files, unlisted, projects).durability(STORED).new(&self.db);
             return;
         };
+        self.forget_missing(&files, &unlisted);
         if *sources.files(&self.db) != files {
-            self.forget_missing(&files);
             sources.set_files(&mut self.db).with_durability(STORED).to(files);
+        }
+        if *sources.unlisted(&self.db) != unlisted {
+            sources.set_unlisted(&mut self.db).with_durability(STORED).to(unlisted);
         }
         if *sources.projects(&self.db) != projects {
             sources.set_projects(&mut self.db).with_durability(STORED).to(projects);
@@ -153,9 +159,9 @@ impl Loader<'_> {
     }
 
     /// Inputs cannot be freed, but their texts can.
-    fn forget_missing(&mut self, files: &FxHashMap<String, File>) {
+    fn forget_missing(&mut self, files: &FxHashMap<String, File>, unlisted: &FxHashMap<String, File>) {
         for (key, file) in &self.known.files {
-            if !files.contains_key(key) {
+            if !files.contains_key(key) && !unlisted.contains_key(key) {
                 file.set_text(&mut self.db).to("".into());
             }
         }

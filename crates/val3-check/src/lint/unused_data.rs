@@ -1,7 +1,7 @@
 //! What the rules on unused data share.
 
 use rustc_hash::FxHashSet;
-use val3_analysis::application::Use;
+use val3_analysis::application::{Use, unlisted_may_use};
 use val3_analysis::items::data;
 use val3_analysis::items::declarations::{Declared, all_data};
 use val3_analysis::items::fathers::fathers;
@@ -14,13 +14,14 @@ pub(crate) fn is_judged(view: &ProjectView<'_>) -> bool {
     view.application().closed && !view.items.programs.is_empty()
 }
 
-/// What the programs do to private data; `None` where others may use it too: public data, fathers of other data, and
-/// data whose name a text may hold.
+/// What the programs do to private data; `None` where others may use it too: public data, fathers of other data, data
+/// whose name a text may hold, and data that a program uses which the project does not list.
 pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     let item = view.items.data.get(name).filter(|item| !item.decl.public)?;
     let is_built_in = val3_lang::builtins::find(name).is_some();
     let is_father = is_built_in || fathers(view.db, view.project).contains(&item.decl.name);
-    (!is_father && !view.application().is_named_in_text(name)).then(|| view.application().uses_of(name))
+    let may_be_used = || view.application().is_named_in_text(name) || unlisted_may_use(view.db, view.project, name);
+    (!is_father && !may_be_used()).then(|| view.application().uses_of(name))
 }
 
 /// The declarations in a file whose names are `guilty`.

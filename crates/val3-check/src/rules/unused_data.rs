@@ -118,6 +118,19 @@ mod tests {
     }
 
     #[test]
+    fn programs_that_are_not_listed_use_data() {
+        let beside = |code: &str| {
+            let program = format!("<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
+            check(&RULE, &format!("num nA\nnum nB1\nprogram start()\nbegin\nend\n=== main/q.pgx\n{program}\n"))
+        };
+        let names = |code: &str| ["nA", "nB1"].map(|name| beside(code).contains(&format!("`{name}` no program uses")));
+        assert_eq!(names("  cls()"), [true, true]);
+        assert_eq!(names("  nA=1"), [false, true]);
+        assert_eq!(names("  if (nB1"), [true, false]);
+        assert!(!names("  getData(\"nB\"+toString(\"\",nX),nX)")[1]);
+    }
+
+    #[test]
     fn user_pages_name_data() {
         let listing = "num nA\nprogram start()\nbegin\nend\n=== main/interface/main.bindings.json\n{}";
         assert_eq!(check(&RULE, listing), "");

@@ -1,5 +1,6 @@
 //! V0118: a library identifier that nothing uses.
 
+use val3_analysis::application::unlisted_may_use;
 use val3_analysis::items::declarations;
 use val3_analysis::items::fathers::fathers;
 use val3_analysis::items::manifest::manifest;
@@ -41,7 +42,8 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         let name = &entry.alias;
         let is_used = view.application().libraries.contains(name)
             || view.application().is_named_in_text(name)
-            || fathers(view.db, view.project).contains(name);
+            || fathers(view.db, view.project).contains(name)
+            || unlisted_may_use(view.db, view.project, name);
         if is_used {
             continue;
         }
@@ -84,6 +86,14 @@ mod tests {
               ! remove `part` (unsafe)
         "#]]
         .assert_eq(&library("cls()"));
+    }
+
+    #[test]
+    fn a_program_that_is_not_listed_uses_it() {
+        let program = "<Programs><Program name=\"q\"><Code><![CDATA[begin\n  ?part:nW\nend]]></Code></Program></Programs>";
+        let listing = "library part \"Disk://part/part.pjx\"\nprogram start()\nbegin\nend\n";
+        assert!(check(&RULE, &format!("{listing}--- part\npublic num nW\n")).contains("`part`"));
+        assert_eq!(check(&RULE, &format!("{listing}=== main/q.pgx\n{program}\n--- part\npublic num nW\n")), "");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! V0117: a private program that nothing calls.
 
-use val3_analysis::application::{ENTRY_POINTS, is_library_item};
+use val3_analysis::application::{ENTRY_POINTS, is_library_item, unlisted_may_use};
 use val3_analysis::items::declarations;
 
 use crate::diagnostic::Wording;
@@ -53,6 +53,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if !is_entry_point(program)
         && !callers.into_iter().any(|caller| caller != name)
         && !is_library_item(program.db, name)
+        && !unlisted_may_use(program.db, program.project, name)
         && let Some(place) = declarations::program(program.db, program.file)
     {
         found.report(&RULE, place.range, word(name));

@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
+use val3_analysis::application::unlisted_may_use;
 use val3_analysis::items::data::data;
 use val3_analysis::items::declarations;
 use val3_analysis::items::manifest::manifest;
@@ -47,7 +48,9 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         return;
     }
     for entry in &manifest(view.db, view.project.manifest(view.db)).types {
-        let is_used = named.contains(&entry.name) || is_used_by_library(view, &entry.name);
+        let is_used = named.contains(&entry.name)
+            || is_used_by_library(view, &entry.name)
+            || unlisted_may_use(view.db, view.project, &entry.name);
         let place = declarations::user_type(view.db, view.project, entry.name.clone());
         if let Some(place) = place.filter(|_| !is_used) {
             found.report(&RULE, place.range, word(&entry.name)).fix(

@@ -1,0 +1,53 @@
+//! What files name that lie in the folder of a project and are not listed.
+
+use rustc_hash::FxHashSet;
+use smol_str::SmolStr;
+
+use super::summary;
+use crate::db::{Db, File, Project, Sources, path_key};
+use crate::items::data::data;
+use crate::items::fathers::fathers_in;
+use crate::items::project::folder;
+use crate::items::unlisted::{is_program, unlisted_names};
+
+/// An unlisted program what is called `name`: it holds the word, or reads data by
+/// a name that may be this one.
+pub fn unlisted_may_use(db: &dyn Db, project: Project, name: &str) -> bool {
+    let uses = unlisted_uses(db, project);
+    uses.words.contains(name) || uses.beginnings.iter().any(|beginning| name.starts_with(beginning.as_str()))
+}
+
+/// What the unlisted files of a project name.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+struct Uses {
+    /// Every word of the programs; fathers and user types of the data.
+    words: FxHashSet<SmolStr>,
+    /// How the names begin of data that the programs read by name, as a text.
+    beginnings: FxHashSet<SmolStr>,
+}
+
+#[salsa::tracked]
+fn unlisted_uses(db: &dyn Db, project: Project) -> Uses {
+    let sources = Sources::get(db);
+    let mut uses = Uses::default();
+    for name in unlisted_names(db, project) {
+        let key = path_key(folder(db, project).join(name.as_str()).as_str());
+        let Some(file) = sources.unlisted(db).get(&key).or_else(|| sources.files(db).get(&key)) else { continue };
+        if is_program(name) {
+            uses.words.extend(words(db, *file).iter().cloned());
+            uses.beginnings.extend(summary(db, project, *file).named_in_texts.iter().cloned());
+        } else {
+            uses.words.extend(fathers_in(db, *file).iter().cloned());
+            uses.words.extend(data(db, *file).iter().map(|decl| decl.type_name.clone()));
+        }
+    }
+    uses
+}
+
+/// Every word in the text of a file: nobody knows how well a file can be read that belongs to no project.
+#[salsa::tracked]
+fn words(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
+    let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';
+    let words = file.text(db).split(|letter| !is_part(letter));
+    words.filter(|word| !word.is_empty()).map(SmolStr::from).collect()
+}

@@ -1,0 +1,37 @@
+//! Programs and data in the folder of a project that no project lists.
+//!
+//! They are part of nothing, but a name that one of them uses is not left over.
+
+use camino::Utf8PathBuf;
+
+use super::Loader;
+use crate::db::path_key;
+use crate::items::unlisted::{is_data, is_program};
+
+impl Loader<'_> {
+    /// Reads them, once everything is known that is listed.
+    pub(super) fn read_unlisted(&mut self) {
+        let paths = self.unlisted_paths();
+        // Their inputs go into a map of their own.
+        let listed = std::mem::take(&mut self.files);
+        self.read_ahead(&paths);
+        for path in &paths {
+            self.found_file(path);
+        }
+        self.unlisted = std::mem::replace(&mut self.files, listed);
+    }
+
+    fn unlisted_paths(&mut self) -> Vec<Utf8PathBuf> {
+        let manifests = self.projects.values().map(|project| project.manifest(&self.db).path(&self.db));
+        let mut folders: Vec<Utf8PathBuf> = manifests.filter_map(|path| Some(path.parent()?.to_owned())).collect();
+        folders.sort_unstable();
+        folders.dedup();
+        let mut paths = Vec::new();
+        for folder in folders {
+            paths.extend(self.names_in(&folder).iter().map(|name| folder.join(name.as_str())));
+        }
+        paths.retain(|path| is_program(path.as_str()) || is_data(path.as_str()));
+        paths.retain(|path| !self.files.contains_key(&path_key(path.as_str())));
+        paths
+    }
+}
