@@ -120,7 +120,7 @@ fn runtime_error(row: &RuntimeError) -> Topic {
 fn raised_by(number: u16) -> String {
     let raising = instructions::all().iter().filter(|row| row.errors.contains(&number));
     let names: Vec<_> = raising.map(|row| format!("`{}`", row.name)).collect();
-    if names.is_empty() { String::new() } else { format!("\nRaised by {}.\n", names.join(", ")) }
+    if names.is_empty() { String::new() } else { format!("\nInstructions that raise it: {}.\n", names.join(", ")) }
 }
 
 fn library_error(row: &LibraryError) -> Topic {

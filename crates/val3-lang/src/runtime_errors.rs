@@ -138,10 +138,12 @@ pub static RUNTIME_ERRORS: [RuntimeError; 46] = [
     row(10, "division by zero", "The right side of / or % is 0. Test it before, or keep it away from 0."),
     row(11, "invalid numeric value", "The instruction is not defined for this number: the root or logarithm of a \
         negative number, asin or acos beyond 1, or a result too large. Limit the argument before."),
-    row(20, "index too large", "The index is not below the size of the array, or the key is not in the collection. \
-        Compare it with size, or ask isDefined."),
-    row(21, "index negative", "The index of an array starts at 0. Look for a counter that runs below it, or a find \
-        that found nothing and gave -1."),
+    row(20, "index too large", "A line uses an element of an array whose index is not below the size of the array, or \
+        of a collection that does not have the key. Compare the index with size, or ask isDefined for the key."),
+    row(21, "index negative", "A line uses an element of an array with an index below 0. The first element has the \
+        index 0, and an index that is no whole number is rounded to the nearest one. Look for a counter that runs \
+        below 0, for a difference such as nIndex-1 where nIndex is 0, and for the result of find, which is -1 where \
+        nothing was found. Test the index before the line that uses it."),
     row(29, "bad task name", "The name of a task has 1 to 15 letters, digits and underscores."),
     row(30, "no such task", "This application or library has created no task of this name, or it has ended. Ask \
         taskStatus before; a task of another library cannot be reached."),

@@ -8,11 +8,15 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program stops the arm and then moves it, or waits for it, without letting it go on.
+    /// A program stops the arm with `stopMove`, and then moves it or waits for it while it is still stopped.
     ///
     /// ## Why
-    /// Behind `stopMove` the arm stands still until `restartMove` or `resetMotion` (10.6). Moves are recorded and not
-    /// made, and what waits for the arm waits for ever, unless another task happens to set it free.
+    /// After `stopMove`, the arm continues only after `restartMove` or `resetMotion` (10.6). Until then a move
+    /// instruction records its move, and the arm does not make it. `waitEndMove`, `open` and `close` wait for the arm
+    /// to arrive, so they wait until another task lets it continue, or for ever.
+    ///
+    /// `restartMove` lets the arm finish the moves that were recorded, before and after the stop. `resetMotion` cancels
+    /// them, so the next move starts from where the arm is.
     ///
     /// ## Bad
     /// ```val3

@@ -7,29 +7,39 @@ use crate::values::{Text, strings};
 instruction! {
     /// Adds a value to an array or a collection, or a text to a string.
     ///
-    /// Of a container it makes room for one value, which gets the default of its type:
+    /// With one argument it adds a value to a container. The value has the default of its type:
     ///
-    /// - `variable`: the index before which an array grows, up to its size (then it grows at the end), or the new
-    ///   key of a collection. Arrays of one dimension only, and no local variables.
-    /// - Result: `true`; `false` if the key exists already, and nothing changes.
-    /// - Errors: 20 and 21 for an index beyond the size or below 0, 40 without memory or above 9999 values (up to
-    ///   s7), 70 for the key `""` and for what is not supported.
+    /// - `variable`: an array of one dimension with an index, or a collection with a key. It must be data of the
+    ///   application: local variables are not supported, and arrays of two or three dimensions need `resize`.
+    /// - Array: the new value gets this index, and the values from there on move up by one. An index equal to the size
+    ///   adds at the end, like `append`.
+    /// - Collection: the new value gets this key.
+    /// - Result: `true`. If the collection has the key already, nothing changes and the result is `false`.
+    /// - Error 20 or 21: the index is above the size of the array, or below 0.
+    /// - Error 40: there is not enough memory, or there would be more than 9999 values (up to s7).
+    /// - Error 70: the key is `""`, or the variable is not supported.
     ///
-    /// Of a string it yields a new string; alone on a line it has no effect:
+    /// With three arguments it returns a new string, and changes none of its arguments:
     ///
-    /// - `sText`, `sInsertion`, `nPosition`: the text, what is put into it, and before which character, counted
-    ///   from 0; beyond the end it is appended. What exceeds 128 bytes is cut off.
+    /// - `sText`: the text.
+    /// - `sInsertion`: the text that is put into it, without a blank before or after it.
+    /// - `nPosition`: the character before which it is put, counted from 0. Beyond the end of `sText` it is appended.
+    /// - Result: the string. What exceeds 128 bytes is cut off.
     /// - Error 70: `nPosition` is negative.
     ///
-    /// Making room takes time that is not bounded: not for a loop that must be fast.
+    /// The time that allocating memory takes is not bounded, so do not add values in a loop that must be fast.
     ///
     /// ## Example
     /// ```val3
     /// num nCount[""]
+    /// num nList[3]
     /// string sPart = "bolt"
     ///   if !isDefined(nCount[sPart])
     ///     insert(nCount[sPart])
     ///   endIf
+    ///   // The new value is nList[1]; the former nList[1] is nList[2] now
+    ///   insert(nList[1])
+    ///   // sPart is "bolts"
     ///   sPart=insert(sPart,"s",4)
     /// ```
     "insert": Variables "2.5.4, 3.4.3", errors [20, 21, 40, 70];

@@ -6,18 +6,25 @@ use crate::memory::View;
 instruction! {
     /// Gives one dimension of an array another size.
     ///
-    /// - `variable`: the array, without index. No local variable.
-    /// - `nDimension`: 1, 2 or 3, the dimension that changes.
-    /// - `nSize`: its new size. Values are added or dropped at the end; new ones have the default of their type.
-    /// - Errors: 40 without memory or above 9999 values (up to s7), 70 for a dimension that the array does not have, a
-    ///   size below 1 and what is not supported.
+    /// The other dimensions keep their sizes, and each value that remains keeps its index. New values are added at the
+    /// end of the dimension, with the default of their type. Values beyond the new size are lost.
     ///
-    /// Making room takes time that is not bounded: not for a loop that must be fast.
+    /// - `variable`: an array of one, two or three dimensions, written without an index. It must be data of the
+    ///   application: local variables and collections cannot be resized.
+    /// - `nDimension`: the dimension that changes, counted from 1.
+    /// - `nSize`: the new size of this dimension, at least 1. An array always has at least one value.
+    /// - Error 40: there is not enough memory, or the array would have more than 9999 values (up to s7).
+    /// - Error 70: the array has no such dimension, `nSize` is below 1, or the variable cannot be resized.
+    ///
+    /// For arrays of one dimension, `append`, `insert` and `delete` change the size by one value. `size` returns the size.
+    /// The time that allocating memory takes is not bounded, so do not resize in a loop that must be fast.
     ///
     /// ## Example
     /// ```val3
     /// num nGrid[4,6]
+    ///   // 4 x 8 values: those with a second index of 6 and 7 are new, and 0
     ///   resize(nGrid,2,8)
+    ///   putln(size(nGrid,2))
     /// ```
     "resize": Variables "2.5.5", errors [40, 70];
     modifier (Whole variable, num nDimension, num nSize) = resize;
