@@ -4,6 +4,7 @@
 
 pub mod cell;
 mod finding;
+pub mod fixing;
 pub mod running;
 
 pub use finding::Finding;

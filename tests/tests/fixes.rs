@@ -5,7 +5,8 @@ use val3_check::rules;
 use val3_check::testing::{CheckedFinding, OfferedFix, check_files, fixed_files, offered_fixes};
 use val3_lang::page;
 use val3_test::{Fixture, ROOT};
-use val3_tests::OF_WHOLE_PROJECTS;
+use val3_tests::fixing::errors_of_fixes;
+use val3_tests::{OF_WHOLE_PROJECTS, cell};
 
 type Files = Vec<(String, Vec<u8>)>;
 
@@ -74,6 +75,38 @@ fn a_fix_adds_no_fault_of_the_text() {
         let (before, after) = (syntax_faults(files), syntax_faults(&fixed));
         if after <= before { Ok(()) } else { Err(format!("{before} faults, then {after}\n{}", shown(&fixed))) }
     });
+}
+
+#[test]
+fn fixes_add_no_error() {
+    let mut faults = Vec::new();
+    for rule in rules::all() {
+        for files in bad_examples(rule) {
+            let with_carriage_returns: Files = files
+                .iter()
+                .map(|(path, bytes)| (path.clone(), String::from_utf8_lossy(bytes).replace('\n', "\r\n").into_bytes()))
+                .collect();
+            for files in [files, with_carriage_returns] {
+                faults.extend(errors_of_fixes(&files).into_iter().map(|error| format!("{}: {error}", rule.code)));
+                let mixed = fixed_files(&files).into_iter().filter(|(_, bytes)| has_mixed_line_ends(bytes));
+                faults.extend(mixed.map(|(path, _)| format!("{}: line ends of {path}", rule.code)));
+            }
+        }
+    }
+    assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.join("\n"));
+}
+
+fn has_mixed_line_ends(bytes: &[u8]) -> bool {
+    let text = String::from_utf8_lossy(bytes);
+    let of_windows = text.matches("\r\n").count();
+    of_windows > 0 && of_windows < text.matches('\n').count()
+}
+
+#[test]
+fn fixes_of_the_example_cells_add_no_error() {
+    for cell in ["faulty", "palletiser"] {
+        assert_eq!(errors_of_fixes(&cell::files(cell)), Vec::<String>::new(), "{cell}");
+    }
 }
 
 #[test]

@@ -4,11 +4,13 @@
 //! does the same afterwards or what was plainly meant; otherwise it is a guess that a person looks at.
 
 mod apply;
+mod rounds;
 mod site;
 mod table;
 #[cfg(test)]
 mod tests;
 
-pub use apply::{Mended, mend};
+pub use apply::FixedFile;
+pub use rounds::{AppliedFixes, FixTarget, add_suppressions, apply_fixes};
 pub(crate) use site::{Site, rename};
 pub(crate) use table::{of_problem, of_syntax};

@@ -1,11 +1,13 @@
 //! Findings that a comment in the code silences, and comments that silence nothing.
 
+mod comments;
 mod faults;
 
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::suppressions::{Named, suppressions};
 
+pub(crate) use comments::silencing;
 pub(crate) use faults::{unknown, unused};
 
 use crate::check::Checked;

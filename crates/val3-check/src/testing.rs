@@ -1,14 +1,17 @@
 //! For tests: the check of files in memory.
 
+use std::convert::Infallible;
 use std::ops::Range;
+use std::sync::Arc;
 
-use camino::Utf8PathBuf;
-use val3_analysis::db::FileStatus;
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::db::Db;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
+use val3_syntax::encoding::decode;
 
 use crate::diagnostic::Diagnostic;
-use crate::fix::mend;
+use crate::fix::{AppliedFixes, FixTarget, add_suppressions, apply_fixes};
 use crate::rule::Severity;
 use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
@@ -92,26 +95,61 @@ pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
     found.iter().filter_map(offered).collect()
 }
 
-/// The files after one round of all fixes, safe or not.
+/// The files after all fixes, safe or not.
 ///
 /// # Panics
 /// If there is no project among the files.
 pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
-    let (workspace, found) = checked(files, &Selection::default());
-    let db = &workspace.db;
-    let mut fixed = files.to_vec();
-    for (file, text) in mend(db, found.iter().filter_map(|diagnostic| diagnostic.fix.as_ref())).texts {
-        let path = shown(file.path(db).as_str(), files);
-        if let FileStatus::Read { encoding, .. } = file.status(db) {
-            let change = |(known, bytes): &mut (String, Vec<u8>)| {
-                if *known == path {
-                    *bytes = encoding.encode(&text);
-                }
-            };
-            fixed.iter_mut().for_each(change);
-        }
+    let mut target = MemoryTarget { files: files.to_vec(), checked: checked(files, &Selection::default()) };
+    let Ok(AppliedFixes { settled, .. }) = apply_fixes(&mut target, true);
+    assert!(settled, "the fixes do not settle");
+    target.files
+}
+
+/// The files with comments that silence what is found in programs.
+///
+/// # Panics
+/// If there is no project among the files.
+pub fn silenced_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
+    let mut target = MemoryTarget { files: files.to_vec(), checked: checked(files, &Selection::default()) };
+    let Ok(_) = add_suppressions(&mut target);
+    target.files
+}
+
+/// Files in memory that fixes are applied to. They are read anew after each change.
+struct MemoryTarget {
+    files: Vec<(String, Vec<u8>)>,
+    checked: (Workspace, Vec<Diagnostic>),
+}
+
+impl FixTarget for MemoryTarget {
+    type Error = Infallible;
+
+    fn db(&self) -> &dyn Db {
+        &self.checked.0.db
     }
-    fixed
+
+    fn findings(&mut self) -> Result<Vec<Diagnostic>, Infallible> {
+        Ok(self.checked.1.clone())
+    }
+
+    fn occurrences(&mut self) -> Result<Vec<Diagnostic>, Infallible> {
+        self.findings()
+    }
+
+    fn all_findings(&mut self) -> Vec<Diagnostic> {
+        self.checked.1.clone()
+    }
+
+    fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
+        for (path, text) in texts {
+            let path = shown(path.as_str(), &self.files);
+            if let Some((_, bytes)) = self.files.iter_mut().find(|(known, _)| *known == path) {
+                *bytes = decode(bytes.clone()).encoding.encode(text);
+            }
+        }
+        self.checked = checked(&self.files, &Selection::default());
+    }
 }
 
 fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Vec<Diagnostic>) {

@@ -90,9 +90,13 @@ pub(crate) enum Command {
 /// Arguments of `val3 check`.
 #[derive(Debug, clap::Args)]
 pub(crate) struct CheckArgs {
-    /// Application folders, .pjx files, cells, or folders that hold any of them
+    /// Application folders, .pjx files, cells, or folders that hold any of them. Of a program (.pgx) or data file (.dtx)
+    /// only its own findings are reported; `-` stands for one that is read from the standard input
     #[arg(value_name = "PATH", default_value = ".")]
     pub(crate) paths: Vec<Utf8PathBuf>,
+    /// With `-`: the path of the file whose text the standard input is
+    #[arg(long, value_name = "PATH")]
+    pub(crate) stdin_path: Option<Utf8PathBuf>,
     /// How findings are written to the standard output
     #[arg(long, default_value = "human")]
     pub(crate) format: Format,
@@ -108,7 +112,10 @@ pub(crate) struct CheckArgs {
     /// Only these findings: codes (V0203), beginnings of codes (V02) or names, separated by commas
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) select: Vec<String>,
-    /// All but these findings; wins over --select
+    /// These findings as well, even those that are off: codes, beginnings of codes or names
+    #[arg(long, value_name = "CODES", value_delimiter = ',')]
+    pub(crate) extend_select: Vec<String>,
+    /// All but these findings; wins over --select and --extend-select
     #[arg(long, value_name = "CODES", value_delimiter = ',')]
     pub(crate) ignore: Vec<String>,
     /// Mend what can be mended without changing what the programs do, and report the rest
@@ -120,10 +127,16 @@ pub(crate) struct CheckArgs {
     /// Show what --fix would change, and write nothing; exits with 1 if there is something to change
     #[arg(long, group = "mending")]
     pub(crate) diff: bool,
+    /// Write comments into the programs that silence all their findings, and report the rest
+    #[arg(long, conflicts_with_all = ["mending", "watch", "write_baseline", "prune_baseline", "explain_config"])]
+    pub(crate) add_suppressions: bool,
     /// Count the findings of each rule instead of listing them
     #[arg(long, conflicts_with = "diff")]
     pub(crate) statistics: bool,
-    /// Check again whenever a file is changed, until Ctrl-C
+    /// Print the findings and errors only: no summary, no hints, no progress
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+    /// Check again whenever a file is changed, until Ctrl-C, and mark what is new
     #[arg(long, conflicts_with_all = ["diff", "write_baseline", "prune_baseline", "explain_config"])]
     pub(crate) watch: bool,
     /// A file with known findings, which are not reported; wins over `baseline` in a val3.toml

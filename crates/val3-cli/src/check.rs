@@ -2,18 +2,25 @@
 
 use std::process::ExitCode;
 
+use val3_check::fix::{AppliedFixes, add_suppressions, apply_fixes};
+
 use crate::args::{CheckArgs, Color};
 use crate::engine::Session;
-use crate::fixing::{self, Fixed};
+use crate::history::History;
 use crate::opening::{Request, open};
-use crate::output::{to_file, to_stderr, to_stdout};
+use crate::output::{clear_screen, to_file, to_stderr, to_stdout};
+use crate::overlay::StandardInput;
 use crate::report::Report;
 use crate::user_error::{EXIT_USAGE, UserError};
 use crate::watch::Watch;
-use crate::{explain_config, format, patch, rule_counts, selection, summary};
+use crate::{explain_config, fixing, format, patch, rule_counts, selection, summary};
 
 /// Runs the command; the exit code says whether findings reach the fail level.
 pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError> {
+    if args.watch && args.fix {
+        let message = "--watch cannot be used with --fix: each time a file is saved, programs would be rewritten";
+        return Err(UserError::new(message).with_help("run `val3 check --fix` on its own"));
+    }
     let request = request(args)?;
     if args.statistics {
         rule_counts::supports(args.format)?;
@@ -27,47 +34,100 @@ pub(crate) fn run(args: &CheckArgs, color: Color) -> Result<ExitCode, UserError>
         return watch(args, color, &request);
     }
     let mut session = Session::open(&request)?;
-    let code = if args.diff { diff(args, color, &mut session) } else { check(args, color, &mut session) };
+    let code = if args.diff {
+        diff(args, color, &mut session)
+    } else if args.fix || args.add_suppressions {
+        rewrite(args, color, &request, &mut session)
+    } else {
+        check(args, color, &mut session)
+    };
     session.abandon();
     code
 }
 
 fn request(args: &CheckArgs) -> Result<Request, UserError> {
+    let input = standard_input(args)?;
     Ok(Request {
-        asked: args.paths.clone(),
-        selection: selection::read(&args.select, &args.ignore)?,
+        asked: input.as_ref().map_or_else(|| args.paths.clone(), |input| vec![input.path.clone()]),
+        selection: selection::read(&args.select, &args.extend_select, &args.ignore)?,
         baseline: args.baseline.clone(),
         mode: args.baseline_mode(),
         jobs: args.jobs,
+        files_alone: true,
+        input,
+        quiet: args.quiet,
     })
 }
 
+/// The file that `-` stands for.
+fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> {
+    let help = "write `val3 check - --stdin-path FILE`";
+    let error = |message: &str| Err(UserError::new(message).with_help(help));
+    match (args.paths.iter().any(|path| path == "-"), &args.stdin_path) {
+        (false, None) => Ok(None),
+        (false, Some(_)) => error("--stdin-path says where the file `-` lies, and there is no `-`"),
+        (true, None) => error("`-` needs --stdin-path: the path of the file whose text the standard input is"),
+        (true, Some(_)) if args.paths.len() > 1 => {
+            error("`-` stands for the standard input; it cannot be asked for with other paths")
+        }
+        (true, Some(_)) if args.fix || args.add_suppressions || args.watch => {
+            error("`-` cannot be used with --fix, --add-suppressions or --watch: its text is not stored in a file")
+        }
+        (true, Some(path)) => Ok(Some(StandardInput::read(path)?)),
+    }
+}
+
 fn check(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
-    let report = if args.fix {
-        let fixed = fixed(args, session)?;
-        fixing::write(session, &fixed.files)?;
-        Report { mended: Some(fixed.mended), ..session.report(fixed.left) }
-    } else {
-        let found = session.check()?;
-        session.report(found)
-    };
-    write_files(args, &report)?;
-    write_findings(args, color, &report)?;
-    Ok(exit_code(args, &report, report.reaches(args.fail_level)))
+    let found = session.check()?;
+    write_report(args, color, &session.report(found))
+}
+
+/// Writes fixes, or comments that silence findings, and reports what a check of the new files finds.
+fn rewrite(
+    args: &CheckArgs,
+    color: Color,
+    request: &Request,
+    session: &mut Session<'_>,
+) -> Result<ExitCode, UserError> {
+    let applied = if args.fix { fixes(args, session)? } else { add_suppressions(session)? };
+    fixing::write(session, &applied.files)?;
+    let mut written = Session::open(request)?;
+    let left = written.check()?;
+    let mut report = written.report(left);
+    match args.fix {
+        true => (report.mended, report.refused) = (Some(applied.count), applied.refused),
+        false => report.newly_silenced = Some(applied.count),
+    }
+    written.abandon();
+    write_report(args, color, &report)
+}
+
+fn write_report(args: &CheckArgs, color: Color, report: &Report) -> Result<ExitCode, UserError> {
+    write_files(args, report)?;
+    write_findings(args, color, report)?;
+    Ok(exit_code(args, report, report.reaches(args.fail_level)))
 }
 
 /// Checks again and again; every round reads all files anew. It ends when it cannot go on, or with the process.
 fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, UserError> {
     let mut watch = Watch::start(&request.asked)?;
     let mut session = Some(Session::open(request)?);
+    let mut history = History::default();
+    let hint = |text: &str| to_stderr(|out| if args.quiet { Ok(()) } else { writeln!(out, "{text}") });
     loop {
         if let Some(mut session) = session.take() {
-            check(args, color, &mut session)?;
+            let found = session.check()?;
+            let mut report = session.report(found);
+            history.mark(&mut report);
+            if args.format.is_for_people() {
+                clear_screen();
+            }
+            write_report(args, color, &report)?;
             session.folders().iter().try_for_each(|folder| watch.include(folder, false))?;
         }
-        to_stderr(|out| writeln!(out, "Waiting for changes; Ctrl-C ends"));
+        hint("Waiting for changes; Ctrl-C ends");
         let changed = watch.changed()?;
-        to_stderr(|out| writeln!(out, "\n{} was changed", changed.display()));
+        hint(&format!("\n{} was changed", changed.display()));
         match Session::open(request) {
             Ok(opened) => session = Some(opened),
             Err(error) => to_stderr(|out| writeln!(out, "{error}")),
@@ -77,19 +137,20 @@ fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, 
 
 /// Shows what the fixes would change.
 fn diff(args: &CheckArgs, color: Color, session: &mut Session<'_>) -> Result<ExitCode, UserError> {
-    let fixed = fixed(args, session)?;
-    to_stdout(color, |out| patch::write(&fixed.files, out))?;
-    let report = session.report(fixed.left);
+    let applied = fixes(args, session)?;
+    to_stdout(color, |out| patch::write(&applied.files, session.paths(), out))?;
+    let left = session.check()?;
+    let report = session.report(left);
     write_unreadable(&report);
-    Ok(exit_code(args, &report, !fixed.files.is_empty()))
+    Ok(exit_code(args, &report, !applied.files.is_empty()))
 }
 
-fn fixed(args: &CheckArgs, session: &mut Session<'_>) -> Result<Fixed, UserError> {
-    let fixed = fixing::fix(session, args.unsafe_fixes)?;
-    if !fixed.settled {
+fn fixes(args: &CheckArgs, session: &mut Session<'_>) -> Result<AppliedFixes, UserError> {
+    let applied = apply_fixes(session, args.unsafe_fixes)?;
+    if !applied.settled {
         to_stderr(|out| writeln!(out, "warning: the fixes do not settle, each round changes something again"));
     }
-    Ok(fixed)
+    Ok(applied)
 }
 
 /// The rule on files that cannot be read: without them the check is not complete.
@@ -109,7 +170,7 @@ fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(),
         false => format::write(args.format, report, &args.val3check_template, out),
     })?;
     write_unreadable(report);
-    if args.format.is_for_people() {
+    if args.format.is_for_people() && !args.quiet {
         to_stderr(|out| summary::write(report, out));
     }
     Ok(())

@@ -1,23 +1,27 @@
 //! From a request to findings: the one file that knows how the analysis is asked.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::time::Instant;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::ThreadPool;
 use rayon::prelude::*;
-use salsa::Database as _;
-use val3_analysis::db::{Database, Db as _, File, Project, Sources};
-use val3_analysis::load::Workspace;
+use salsa::{Database as _, Setter as _};
+use val3_analysis::db::{Database, Db, Project, Sources, path_key};
+use val3_analysis::items::unlisted::{is_data, is_program};
+use val3_analysis::load::{Workspace, loads_alike};
 use val3_check::diagnostic::Diagnostic;
-use val3_check::settings::WorkspaceSettings;
+use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_check::{Checked, Unit, check_unit, finish};
 
 use crate::baseline::{KnownFindings, Outcome};
 use crate::opening::{Opened, Request, open};
+use crate::overlay::{EditedTexts, OverlayFs};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Report, Statistics};
+use crate::scope::Scope;
 use crate::translation::Translator;
 use crate::user_error::UserError;
 
@@ -33,7 +37,12 @@ pub(crate) struct Session<'r> {
     request: &'r Request,
     opened: Opened,
     started: Instant,
+    /// What was changed since everything was read.
+    edited: EditedTexts,
 }
+
+/// What is done with the findings of all units.
+type Finish = fn(&dyn Db, &[Unit], &WorkspaceSettings, Checked) -> Checked;
 
 /// What one check of a session gives.
 pub(crate) struct Outcomes {
@@ -47,18 +56,74 @@ impl<'r> Session<'r> {
     /// Reads everything that is asked for.
     pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
         let started = Instant::now();
-        Ok(Self { request, opened: open(request)?, started })
+        Ok(Self { request, opened: open(request)?, started, edited: EditedTexts::default() })
     }
 
     /// Checks everything.
     pub(crate) fn check(&mut self) -> Result<Outcomes, UserError> {
-        let Self { request, opened: Opened { threads, current, paths, workspace, settings }, .. } = self;
-        let units = units(workspace, threads);
-        let mut checked = check_units(workspace, &units, settings, threads);
+        self.check_with(finish)
+    }
+
+    /// As [`check`](Self::check), with each place of what is said once for an application; without what only the whole
+    /// shows.
+    pub(crate) fn occurrences(&mut self) -> Result<Outcomes, UserError> {
+        self.check_with(|_, _, _, found| found)
+    }
+
+    fn check_with(&mut self, finish: Finish) -> Result<Outcomes, UserError> {
+        let Self { request, opened: Opened { threads, current, paths, workspace, settings, scope, .. }, .. } = self;
+        let projects = workspace.projects.clone();
+        let mut units = units(workspace, &projects, threads);
+        units.extend(scope.unlisted(&workspace.db, &projects));
+        let progress = Progress::new(units.len(), !request.quiet);
+        let found = check_units(workspace, &units, settings, threads, scope, &progress);
+        units.retain(|unit| scope.covers(&workspace.db, unit.project(), unit.file(&workspace.db)));
+        let mut checked = finish(&workspace.db, &units, settings, found);
         let named = request.baseline.as_ref().map(|path| current.join(path));
         let known = KnownFindings { workspace, units: &units, selection: &request.selection, paths };
         let baseline = known.apply(named.as_deref(), request.mode, &mut checked.findings)?;
         Ok(Outcomes { diagnostics: checked.findings, silenced: checked.silenced, baseline })
+    }
+
+    /// All findings in all that was read, whatever was asked for.
+    pub(crate) fn check_everything(&mut self) -> Vec<Diagnostic> {
+        let Opened { threads, workspace, .. } = &mut self.opened;
+        let mut projects: Vec<Project> =
+            Sources::get(&workspace.db).projects(&workspace.db).values().copied().collect();
+        projects.sort_unstable_by_key(|project| project.manifest(&workspace.db).path(&workspace.db));
+        // What is wrong with configurations was said before, or they do not count for what was asked for.
+        let settings = WorkspaceSettings::new(&workspace.db, &projects, &Selection::default()).unwrap_or_default();
+        let units = units(workspace, &projects, threads);
+        let progress = Progress::new(units.len(), !self.request.quiet);
+        let found = check_units(workspace, &units, &settings, threads, &Scope::default(), &progress);
+        finish(&workspace.db, &units, &settings, found).findings
+    }
+
+    /// Replaces texts, and reads what becomes part of the workspace by it.
+    pub(crate) fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
+        let mut is_shaped = false;
+        for (path, text) in texts {
+            self.edited.insert(path.to_owned(), Arc::clone(text));
+            is_shaped |= self.set_text(path, text);
+        }
+        if is_shaped {
+            let Opened { threads, workspace, asked, .. } = &mut self.opened;
+            let system = OverlayFs::new(threads, self.request.input.as_ref(), &self.edited);
+            // A configuration that became faulty meanwhile counts as it was.
+            let _ = workspace.refresh(&system, asked, &|_| false);
+        }
+    }
+
+    /// Whether the change may make other files or projects part of the workspace.
+    fn set_text(&mut self, path: &Utf8Path, text: &Arc<str>) -> bool {
+        let db = &mut self.opened.workspace.db;
+        let Some(file) = Sources::get(db).files(db).get(&path_key(path.as_str())).copied() else { return true };
+        let before = Arc::clone(file.text(db));
+        if *before == **text {
+            return false;
+        }
+        file.set_text(db).to(Arc::clone(text));
+        !is_program(path.as_str()) && !is_data(path.as_str()) || !loads_alike(&before, text)
     }
 
     /// The report on what was found.
@@ -72,6 +137,7 @@ impl<'r> Session<'r> {
         Report {
             silenced: outcomes.silenced,
             baseline: outcomes.baseline,
+            source_root: paths.source_root(),
             ..Report::new(statistics(workspace, threads, self.started), applications, findings, unreadable)
         }
     }
@@ -86,14 +152,14 @@ impl<'r> Session<'r> {
         &self.opened.workspace.projects
     }
 
+    /// How paths are written.
+    pub(crate) fn paths(&self) -> &Paths {
+        &self.opened.paths
+    }
+
     /// As [`db`](Self::db), to be changed.
     pub(crate) fn db_mut(&mut self) -> &mut Database {
         &mut self.opened.workspace.db
-    }
-
-    /// The path of a file as people open it.
-    pub(crate) fn shown(&self, file: File) -> String {
-        self.opened.paths.shown(file.path(self.db()))
     }
 
     /// The folders of all files that were read, also of libraries elsewhere.
@@ -114,9 +180,9 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
 }
 
 /// The pieces of work, in the order of the projects.
-fn units(workspace: &Workspace, threads: &ThreadPool) -> Vec<Unit> {
+fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> Vec<Unit> {
     let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
-    let found = workspace.projects.par_iter().map_with(workspace.db.clone(), units);
+    let found = projects.par_iter().map_with(workspace.db.clone(), units);
     threads.install(|| found.flatten_iter().collect())
 }
 
@@ -127,12 +193,17 @@ fn check_units(
     units: &[Unit],
     settings: &WorkspaceSettings,
     threads: &ThreadPool,
+    scope: &Scope,
+    progress: &Progress,
 ) -> Checked {
-    let progress = Progress::new(units.len());
     let is_large = units.len() > BATCH;
     let check = |db: &mut Database, unit: &Unit| {
-        let found = check_unit(db, *unit, settings);
+        let mut found = check_unit(db, *unit, settings);
         progress.advance();
+        found.findings.retain(|finding| scope.covers(db, unit.project(), finding.place.file));
+        if !scope.covers(db, unit.project(), unit.file(db)) {
+            found.silenced = 0;
+        }
         found
     };
     let check_project = |db: &mut Database, units: &[Unit]| -> Vec<Checked> {
@@ -152,7 +223,7 @@ fn check_units(
             workspace.db.trigger_lru_eviction();
         }
     }
-    finish(&workspace.db, units, settings, checked.into_iter().flatten().sum())
+    checked.into_iter().flatten().sum()
 }
 
 /// The units of each project, in lots of about [`BATCH`] units.

@@ -1,82 +1,48 @@
-//! `val3 check --fix` and `--diff`: applies fixes round after round, until nothing changes.
+//! `val3 check --fix` and `--diff`: applies fixes to what a session has read.
 
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
-use salsa::Setter as _;
-use val3_analysis::db::{File, FileStatus};
-use val3_check::fix::mend;
+use camino::Utf8Path;
+use val3_analysis::db::Db;
+use val3_check::diagnostic::Diagnostic;
+use val3_check::fix::{FixTarget, FixedFile};
 use val3_syntax::encoding::{Encoding, decode};
 
-use crate::engine::{Outcomes, Session};
+use crate::engine::Session;
 use crate::output::replace_file;
 use crate::user_error::UserError;
 
-/// Fixes that undo each other would go on for ever.
-const ROUNDS: usize = 50;
+impl FixTarget for Session<'_> {
+    type Error = UserError;
 
-/// What the fixes did, in memory.
-pub(crate) struct Fixed {
-    /// What is left.
-    pub(crate) left: Outcomes,
-    /// The files that changed, by path.
-    pub(crate) files: Vec<FixedFile>,
-    /// How many fixes were applied.
-    pub(crate) mended: usize,
-    /// Another round would change nothing.
-    pub(crate) settled: bool,
-}
-
-/// A file before and after.
-pub(crate) struct FixedFile {
-    file: File,
-    /// The path as people open it.
-    pub(crate) path: String,
-    /// The text as it was read.
-    pub(crate) before: Arc<str>,
-    /// The text with the fixes.
-    pub(crate) after: Arc<str>,
-}
-
-/// Applies the safe fixes of what is found, and the guesses if `guesses` says so.
-pub(crate) fn fix(session: &mut Session<'_>, guesses: bool) -> Result<Fixed, UserError> {
-    let mut originals: FxHashMap<File, Arc<str>> = FxHashMap::default();
-    let mut mended = 0;
-    for _ in 0..ROUNDS {
-        let left = session.check()?;
-        let fixes = left.diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref());
-        let round = mend(session.db(), fixes.filter(|fix| fix.safe || guesses));
-        if round.texts.is_empty() {
-            return Ok(Fixed { left, files: files(session, originals), mended, settled: true });
-        }
-        mended += round.fixes;
-        let db = session.db_mut();
-        for (file, text) in round.texts {
-            originals.entry(file).or_insert_with(|| Arc::clone(file.text(db)));
-            file.set_text(db).to(text.into());
-        }
+    fn db(&self) -> &dyn Db {
+        Session::db(self)
     }
-    Ok(Fixed { left: session.check()?, files: files(session, originals), mended, settled: false })
-}
 
-fn files(session: &Session<'_>, originals: FxHashMap<File, Arc<str>>) -> Vec<FixedFile> {
-    let fixed = |(file, before): (File, Arc<str>)| {
-        let after = Arc::clone(file.text(session.db()));
-        FixedFile { file, path: session.shown(file), before, after }
-    };
-    let mut files: Vec<_> = originals.into_iter().map(fixed).filter(|file| file.before != file.after).collect();
-    files.sort_by(|a, b| a.path.cmp(&b.path));
-    files
+    fn findings(&mut self) -> Result<Vec<Diagnostic>, UserError> {
+        Ok(self.check()?.diagnostics)
+    }
+
+    fn occurrences(&mut self) -> Result<Vec<Diagnostic>, UserError> {
+        Ok(Session::occurrences(self)?.diagnostics)
+    }
+
+    fn all_findings(&mut self) -> Vec<Diagnostic> {
+        self.check_everything()
+    }
+
+    fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
+        Session::set_texts(self, texts);
+    }
 }
 
 /// Writes the files. Each is replaced as a whole or stays as it is.
 pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), UserError> {
-    let db = session.db();
-    for FixedFile { file, path, before, after } in files {
-        let FileStatus::Read { encoding, .. } = file.status(db) else { continue };
-        let bytes = encoded(*encoding, after).ok_or_else(|| unencodable(path))?;
-        replace_file(file.path(db), &encoding.encode(before), &bytes).map_err(|reason| {
-            UserError::new(format!("cannot write `{path}`: {reason}"))
+    for FixedFile { path, encoding, before, after } in files {
+        let shown = session.paths().shown(path);
+        let bytes = encoded(*encoding, after).ok_or_else(|| unencodable(&shown))?;
+        replace_file(path, &encoding.encode(before), &bytes).map_err(|reason| {
+            UserError::new(format!("cannot write `{shown}`: {reason}"))
                 .with_help("files named before it have their fixes, this one and those behind it have not")
         })?;
     }

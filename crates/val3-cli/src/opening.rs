@@ -2,13 +2,15 @@
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{self, LoadError, Workspace};
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_config::ConfigError;
 
 use crate::baseline::Mode;
-use crate::parallel_disk::ParallelDisk;
+use crate::overlay::{EditedTexts, OverlayFs, StandardInput};
 use crate::paths::Paths;
+use crate::scope::Scope;
 use crate::user_error::UserError;
 
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
@@ -27,6 +29,12 @@ pub(crate) struct Request {
     pub(crate) mode: Mode,
     /// Threads; one a core where nothing is said.
     pub(crate) jobs: Option<u16>,
+    /// Of single programs and data files that are asked for, only their own findings are reported.
+    pub(crate) files_alone: bool,
+    /// A file whose text is not the stored one.
+    pub(crate) input: Option<StandardInput>,
+    /// No progress is shown.
+    pub(crate) quiet: bool,
 }
 
 /// What [`open`] gives.
@@ -41,6 +49,10 @@ pub(crate) struct Opened {
     pub(crate) workspace: Workspace,
     /// What each application is checked for.
     pub(crate) settings: WorkspaceSettings,
+    /// What was asked for, as absolute paths.
+    pub(crate) asked: Vec<Utf8PathBuf>,
+    /// Which findings are reported.
+    pub(crate) scope: Scope,
 }
 
 /// Reads everything that is asked for.
@@ -49,11 +61,14 @@ pub(crate) fn open(request: &Request) -> Result<Opened, UserError> {
     let current = current_folder()?;
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
-    let absolute: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
-    let workspace = load::load(&ParallelDisk::new(&threads), &absolute).map_err(|error| refused(error, &paths))?;
+    let asked: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
+    let edited = EditedTexts::default();
+    let system = OverlayFs::new(&threads, request.input.as_ref(), &edited);
+    let workspace = load::load(&system, &asked).map_err(|error| refused(error, &paths))?;
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
-    Ok(Opened { threads, current, paths, workspace, settings })
+    let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
+    Ok(Opened { threads, current, paths, workspace, settings, asked, scope })
 }
 
 fn refused(error: LoadError, paths: &Paths) -> UserError {
@@ -90,8 +105,10 @@ fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
 
 /// The folders that were asked for; of a file, the one around it.
 fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
+    // A file that is read from the standard input need not be there.
+    let is_part = |path: &Utf8Path| (is_program(path.as_str()) || is_data(path.as_str())) && !path.exists();
     let folder = |path: &Utf8PathBuf| match path.parent() {
-        Some(parent) if path.is_file() => parent.to_owned(),
+        Some(parent) if path.is_file() || is_part(path) => parent.to_owned(),
         _ => path.clone(),
     };
     asked.iter().map(folder).collect()

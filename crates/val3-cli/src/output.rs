@@ -31,6 +31,14 @@ pub(crate) fn to_reader(
     }
 }
 
+/// Clears the screen, if the standard output is one.
+pub(crate) fn clear_screen() {
+    if io::stdout().is_terminal() {
+        // Everything on it, everything above it, and back to its first line.
+        let _ = write!(io::stdout().lock(), "\u{1b}[2J\u{1b}[3J\u{1b}[H");
+    }
+}
+
 /// Writes to the standard error output; if that is not possible, there is nobody to tell.
 pub(crate) fn to_stderr(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
     let _ = write(&mut io::stderr().lock());

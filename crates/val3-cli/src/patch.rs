@@ -4,12 +4,13 @@ use std::io;
 
 use codespan_reporting::term::termcolor::{Color, ColorSpec, WriteColor};
 use similar::TextDiff;
+use val3_check::fix::FixedFile;
 
-use crate::fixing::FixedFile;
+use crate::paths::Paths;
 
 /// Writes the diff of each file.
-pub(crate) fn write(files: &[FixedFile], out: &mut dyn WriteColor) -> io::Result<()> {
-    files.iter().try_for_each(|file| write_diff(&file.path, &file.before, &file.after, out))
+pub(crate) fn write(files: &[FixedFile], paths: &Paths, out: &mut dyn WriteColor) -> io::Result<()> {
+    files.iter().try_for_each(|file| write_diff(&paths.shown(&file.path), &file.before, &file.after, out))
 }
 
 /// Writes the diff of one file.

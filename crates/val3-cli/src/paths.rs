@@ -33,6 +33,11 @@ impl Paths {
         relative(&self.repository, &self.absolute(path))
     }
 
+    /// The folder under version control, with `/`.
+    pub(crate) fn source_root(&self) -> String {
+        slashes(&self.repository)
+    }
+
     /// The path relative to the folder asked for.
     pub(crate) fn relative(&self, path: &Utf8Path) -> String {
         relative(&self.asked, &self.absolute(path))

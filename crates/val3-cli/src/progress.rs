@@ -12,21 +12,22 @@ const PATIENCE: Duration = Duration::from_secs(1);
 pub(crate) struct Progress {
     bar: ProgressBar,
     started: Instant,
+    is_wanted: bool,
 }
 
 impl Progress {
-    /// A bar for `total` pieces, invisible for now.
-    pub(crate) fn new(total: usize) -> Self {
+    /// A bar for `total` pieces, invisible for now, and for good unless it is wanted.
+    pub(crate) fn new(total: usize, is_wanted: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("checking {bar:30} {pos}/{len}") {
             bar.set_style(style);
         }
-        Self { bar, started: Instant::now() }
+        Self { bar, started: Instant::now(), is_wanted }
     }
 
     /// One more piece is done; any thread may say so.
     pub(crate) fn advance(&self) {
-        if self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
+        if self.is_wanted && self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
             // Where the standard error output is no terminal, this target draws nothing either.
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
         }

@@ -63,6 +63,15 @@ pub(crate) struct Statistics {
     pub(crate) seconds: f64,
 }
 
+/// How a check differs from the one before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Changes {
+    /// Findings that the last check did not have.
+    pub(crate) new: usize,
+    /// Findings that only the last check had.
+    pub(crate) gone: usize,
+}
+
 /// Everything a check says.
 #[derive(Debug)]
 pub(crate) struct Report {
@@ -74,6 +83,14 @@ pub(crate) struct Report {
     pub(crate) findings: Vec<Finding>,
     /// How many findings were mended before the report, where that was asked for.
     pub(crate) mended: Option<usize>,
+    /// How many fixes were left out because they would have added errors.
+    pub(crate) refused: usize,
+    /// How many findings comments silence that were written before the report, where that was asked for.
+    pub(crate) newly_silenced: Option<usize>,
+    /// What is different from the last check, where it is repeated.
+    pub(crate) changes: Option<Changes>,
+    /// The folder under version control as an absolute path with `/`; empty where it is not known.
+    pub(crate) source_root: String,
     /// How many findings comments in the code silence.
     pub(crate) silenced: usize,
     /// What the baselines left out.
@@ -93,8 +110,19 @@ impl Report {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
         // A file that two applications use may be judged twice.
         findings.dedup_by(|a, b| order(a) == order(b));
-        let (silenced, baseline) = (0, Outcome::default());
-        Self { statistics, applications, findings, mended: None, silenced, baseline, unreadable }
+        Self {
+            statistics,
+            applications,
+            findings,
+            mended: None,
+            refused: 0,
+            newly_silenced: None,
+            changes: None,
+            source_root: String::new(),
+            silenced: 0,
+            baseline: Outcome::default(),
+            unreadable,
+        }
     }
 
     /// How many findings have a level.

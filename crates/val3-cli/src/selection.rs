@@ -1,4 +1,4 @@
-//! Which findings are wanted: `--select` and `--ignore`.
+//! Which findings are wanted: `--select`, `--extend-select` and `--ignore`.
 
 use val3_check::rule::Rule;
 use val3_check::rules;
@@ -7,9 +7,10 @@ use val3_check::settings::{Exactness, Selection, meant_by};
 use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
-/// The findings that an entry of `select` means (all if it is empty) without those that an entry of `ignore` means. An
-/// entry is a code, the beginning of one, a name or `all`, in any letter case; one that means no rule is an error.
-pub(crate) fn read(select: &[String], ignore: &[String]) -> Result<Selection, UserError> {
+/// The findings that an entry of `select` means (all if it is empty), and those that an entry of `extend` means, on or
+/// off, without those that an entry of `ignore` means. An entry is a code, the beginning of one, a name or `all`, in any
+/// letter case; one that means no rule is an error.
+pub(crate) fn read(select: &[String], extend: &[String], ignore: &[String]) -> Result<Selection, UserError> {
     let mut selection = Selection::default();
     for (rule, exactness) in meant(select, "--select")? {
         selection.only.get_or_insert_default().insert(rule.code);
@@ -17,6 +18,9 @@ pub(crate) fn read(select: &[String], ignore: &[String]) -> Result<Selection, Us
             selection.named.insert(rule.code);
         }
     }
+    let more: Vec<&str> = meant(extend, "--extend-select")?.into_iter().map(|(rule, _)| rule.code).collect();
+    selection.only.iter_mut().for_each(|only| only.extend(&more));
+    selection.named.extend(more);
     selection.never = meant(ignore, "--ignore")?.into_iter().map(|(rule, _)| rule.code).collect();
     Ok(selection)
 }
@@ -46,7 +50,19 @@ mod tests {
 
     fn selected(select: &[&str], ignore: &[&str]) -> Result<Selection, UserError> {
         let owned = |words: &[&str]| words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>();
-        read(&owned(select), &owned(ignore))
+        read(&owned(select), &[], &owned(ignore))
+    }
+
+    #[test]
+    fn more_findings_than_usual_or_than_those_selected() {
+        let owned = |word: &str| vec![word.to_owned()];
+        let more = read(&[], &owned("V0101"), &[]).unwrap();
+        assert_eq!((more.only, more.named), (None, ["V0101"].into()));
+        let both = read(&owned("V0203"), &owned("unknown-name"), &owned("V0203")).unwrap();
+        assert_eq!((both.only, both.named), (Some(["V0101", "V0203"].into()), ["V0101", "V0203"].into()));
+        let family = read(&[], &owned("V07"), &[]).unwrap();
+        assert!(family.named.len() > 5, "{family:?}");
+        assert!(read(&[], &owned("sql"), &[]).unwrap_err().to_string().contains("--extend-select"));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 
 use crate::baseline::Outcome;
-use crate::report::{Report, Severity};
+use crate::report::{Changes, Report, Severity};
 
 /// Writes the hint at the pages, where there are findings, and the counts.
 pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
@@ -11,6 +11,9 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
     }
     writeln!(out, "{}", counts(report))?;
+    if let Some(Changes { new, gone }) = report.changes {
+        writeln!(out, "since the last check: {} new, {} gone", grouped(new), grouped(gone))?;
+    }
     left_out(report, out)?;
     fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
 }
@@ -34,7 +37,11 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
 /// What was mended, or can be.
 fn fixes(report: &Report) -> Option<String> {
     if let Some(mended) = report.mended {
-        return Some(format!("{} of {} mended", grouped(mended), number(mended + report.findings.len(), "finding")));
+        let all = number(mended + report.findings.len(), "finding");
+        return Some(format!("{} of {all} mended{}", grouped(mended), refused(report.refused)));
+    }
+    if let Some(silenced) = report.newly_silenced {
+        return Some(format!("{} silenced by new comments", number(silenced, "finding")));
     }
     match (report.fixable(true), report.fixable(false)) {
         (0, 0) => None,
@@ -44,6 +51,15 @@ fn fixes(report: &Report) -> Option<String> {
             let (safe, guesses) = (grouped(safe), grouped(guesses));
             Some(format!("{safe} can be mended by --fix, {guesses} more may be by --unsafe-fixes"))
         }
+    }
+}
+
+/// Fixes that would have made something worse.
+fn refused(count: usize) -> String {
+    match count {
+        0 => String::new(),
+        1 => ", 1 fix left out because it would add an error".to_owned(),
+        _ => format!(", {} fixes left out because they would add errors", grouped(count)),
     }
 }
 
@@ -130,6 +146,20 @@ mod tests {
         assert!(summary(&report).ends_with("\n2 of 5 findings mended\n"));
         let report = Report { mended: Some(0), ..sample::clean() };
         assert!(summary(&report).ends_with("\n0 of 0 findings mended\n"));
+    }
+
+    #[test]
+    fn fixes_that_are_left_out_are_counted() {
+        let report = Report { mended: Some(2), refused: 1, ..sample::clean() };
+        assert!(summary(&report).ends_with("\n2 of 2 findings mended, 1 fix left out because it would add an error\n"));
+        let report = Report { mended: Some(0), refused: 2, ..sample::clean() };
+        assert!(summary(&report).ends_with(", 2 fixes left out because they would add errors\n"));
+    }
+
+    #[test]
+    fn a_repeated_check_says_what_is_different() {
+        let report = Report { changes: Some(Changes { new: 2, gone: 0 }), ..sample::report() };
+        assert!(summary(&report).contains("\nsince the last check: 2 new, 0 gone\n"));
     }
 
     #[test]

@@ -49,6 +49,7 @@ impl<'a> Translator<'a> {
             program: diagnostic.program.clone(),
             code_line: codes.line(place.range.start, &place.file.lines),
             application: diagnostic.application.map(|file| self.paths.relative(file.path(&self.db))),
+            is_new: false,
             related: diagnostic.related.iter().map(|note| self.related(note, diagnostic.application)).collect(),
             fix: diagnostic.fix.as_ref().map(|fix| self.fix(fix, diagnostic.application)),
             place,

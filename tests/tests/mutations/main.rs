@@ -23,6 +23,7 @@ use std::collections::BTreeSet;
 use mutation::{CELL, Mutation};
 use val3_tests::Finding;
 use val3_tests::cell::{self, Cell};
+use val3_tests::fixing::errors_of_fixes;
 use verdict::{Verdict, judge, report};
 
 /// Every slip, by family.
@@ -113,4 +114,15 @@ fn every_slip_is_found_alone_and_in_its_place() {
     let verdicts = judge_all(val3_tests::check);
     println!("{}", report(&verdicts));
     assert!(verdicts.iter().all(Verdict::is_good), "{}", report(&verdicts));
+}
+
+#[test]
+fn fixes_of_slips_add_no_error() {
+    let cell = cell::files(CELL);
+    let mut added = Vec::new();
+    for mutation in all() {
+        let errors = errors_of_fixes(&edit::apply(mutation, &cell).unwrap().cell);
+        added.extend(errors.into_iter().map(|error| format!("{}: {error}", mutation.name)));
+    }
+    assert!(added.is_empty(), "{}", added.join("\n"));
 }

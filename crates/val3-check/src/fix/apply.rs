@@ -1,50 +1,45 @@
 //! From fixes to new texts.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::Arc;
 
+use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Db, File};
-use val3_analysis::items::faults::text_faults;
-use val3_syntax::parse;
+use val3_analysis::db::{Db, File, FileStatus};
+use val3_syntax::encoding::Encoding;
 
 use crate::diagnostic::{Edit, Fix};
 
-/// What some fixes make of the files.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Mended {
-    /// The files that change, with their new text, in the order of their paths.
-    pub texts: Vec<(File, String)>,
-    /// How many fixes were applied.
-    pub fixes: usize,
+/// A file before and after fixes.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FixedFile {
+    /// Where it lies.
+    pub path: Utf8PathBuf,
+    /// How its bytes stand for its text.
+    pub encoding: Encoding,
+    /// The text as it was read.
+    pub before: Arc<str>,
+    /// The text with the fixes.
+    pub after: Arc<str>,
 }
 
-/// Applies fixes to the texts of the database, which stays as it is. Of fixes that touch each other the first is
-/// applied; the others come in the next round, when their ranges are known again. A fix that would give a file more
-/// faults of its text than it has is left out.
-pub fn mend<'f>(db: &dyn Db, fixes: impl IntoIterator<Item = &'f Fix>) -> Mended {
-    let mut chosen = apart(fixes);
-    if !is_sound(db, &chosen) {
-        chosen.retain(|fix| is_sound(db, &[fix]));
-    }
-    if !is_sound(db, &chosen) {
-        chosen.truncate(1);
-    }
-    Mended { texts: texts(db, &chosen), fixes: chosen.len() }
-}
-
-/// The fixes that change something and do not touch an earlier one.
-fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix> {
-    let mut taken: FxHashMap<File, Vec<Range<u32>>> = FxHashMap::default();
+/// The fixes that change something and do not touch an earlier one: all of them can be applied at once.
+pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix> {
+    let mut taken: FxHashMap<File, BTreeMap<u32, u32>> = FxHashMap::default();
     let mut chosen = Vec::new();
     for fix in fixes {
         let is_free = |edit: &Edit| {
             let range = range(edit);
-            let others = taken.get(&edit.place.file);
-            others.is_none_or(|others| others.iter().all(|other| other.end < range.start || range.end < other.start))
+            let before = taken.get(&edit.place.file).and_then(|others| others.range(..=range.end).next_back());
+            before.is_none_or(|(_, end)| *end < range.start)
         };
         if !fix.edits.is_empty() && fix.edits.iter().all(is_free) {
             chosen.push(fix);
-            fix.edits.iter().for_each(|edit| taken.entry(edit.place.file).or_default().push(range(edit)));
+            for edit in &fix.edits {
+                let range = range(edit);
+                taken.entry(edit.place.file).or_default().insert(range.start, range.end);
+            }
         }
     }
     chosen
@@ -54,21 +49,31 @@ fn range(edit: &Edit) -> Range<u32> {
     edit.place.range.start().into()..edit.place.range.end().into()
 }
 
-/// No file has more faults of its text than before.
-fn is_sound(db: &dyn Db, fixes: &[&Fix]) -> bool {
-    let is_sound = |(file, text): &(File, String)| parse(text).errors().len() <= text_faults(db, *file).errors.len();
-    texts(db, fixes).iter().all(is_sound)
+/// The files that `fixes` edit, as they are.
+pub(super) fn edited_files(db: &dyn Db, fixes: &[&Fix]) -> FxHashMap<File, FixedFile> {
+    let files = fixes.iter().flat_map(|fix| &fix.edits).map(|edit| edit.place.file);
+    files.filter_map(|file| Some((file, unchanged(db, file)?))).collect()
 }
 
-/// The new texts of the files that `fixes` change.
-fn texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<(File, String)> {
+fn unchanged(db: &dyn Db, file: File) -> Option<FixedFile> {
+    let FileStatus::Read { encoding, .. } = file.status(db) else { return None };
+    let text = file.text(db);
+    let (before, after) = (Arc::clone(text), Arc::clone(text));
+    Some(FixedFile { path: file.path(db).clone(), encoding: *encoding, before, after })
+}
+
+/// Gives `files` the texts that these fixes, and no others, make of them.
+pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
     let mut edits: FxHashMap<File, Vec<&Edit>> = FxHashMap::default();
     for edit in fixes.iter().flat_map(|fix| &fix.edits) {
         edits.entry(edit.place.file).or_default().push(edit);
     }
-    let mut texts: Vec<_> = edits.into_iter().map(|(file, edits)| (file, edited(file.text(db), edits))).collect();
-    texts.sort_by(|(a, _), (b, _)| a.path(db).cmp(b.path(db)));
-    texts
+    for (file, fixed) in files {
+        fixed.after = match edits.remove(file) {
+            Some(edits) => edited(&fixed.before, edits).into(),
+            None => Arc::clone(&fixed.before),
+        };
+    }
 }
 
 /// `text` with edits that do not overlap.
@@ -119,37 +124,31 @@ mod tests {
     }
 
     /// The statements after fixes, and how many were applied.
-    fn mended(changes: &[&[(&str, &str)]]) -> (Vec<String>, usize) {
+    fn applied(changes: &[&[(&str, &str)]]) -> (Vec<String>, usize) {
         let workspace = workspace();
         let fixes: Vec<_> = changes.iter().map(|changes| fix(&workspace, changes)).collect();
-        let mended = mend(&workspace.db, &fixes);
-        let text = mended.texts.first().map_or("", |(_, text)| text);
-        let code = text.split("begin\n").nth(1).unwrap_or("").split("\nend").next().unwrap_or("");
-        (code.lines().map(str::to_owned).collect(), mended.fixes)
+        let chosen = apart(&fixes);
+        let mut files = edited_files(&workspace.db, &chosen);
+        apply(&mut files, &chosen);
+        let code = files.values().next().unwrap().after.split("begin\n").nth(1).unwrap().split("\nend").next().unwrap();
+        (code.lines().map(str::to_owned).collect(), chosen.len())
     }
 
     #[test]
     fn fixes_apart_from_each_other_are_applied_at_once() {
-        let (code, fixes) = mended(&[&[("nA=2", "nA=20")], &[("nA=1", "nA=10")]]);
+        let (code, fixes) = applied(&[&[("nA=2", "nA=20")], &[("nA=1", "nA=10")]]);
         assert_eq!((code, fixes), (vec!["nA=10".to_owned(), "nA=20".to_owned()], 2));
     }
 
     #[test]
     fn of_fixes_that_touch_the_first_is_applied() {
-        let (code, fixes) = mended(&[&[("A=1", "B=1")], &[("=1", "=3")], &[("nA", "m"), ("=2", "=4")]]);
+        let (code, fixes) = applied(&[&[("A=1", "B=1")], &[("=1", "=3")], &[("nA", "m"), ("=2", "=4")]]);
         assert_eq!((code, fixes), (vec!["nB=1".to_owned(), "nA=2".to_owned()], 1));
     }
 
     #[test]
     fn a_fix_is_applied_as_a_whole_or_not_at_all() {
-        let (code, fixes) = mended(&[&[("=1", "=3")], &[("=1", "=5"), ("=2", "=4")]]);
+        let (code, fixes) = applied(&[&[("=1", "=3")], &[("=1", "=5"), ("=2", "=4")]]);
         assert_eq!((code, fixes), (vec!["nA=3".to_owned(), "nA=2".to_owned()], 1));
-    }
-
-    #[test]
-    fn what_would_break_the_text_is_left_out() {
-        let (code, fixes) = mended(&[&[("nA=1", "nA=(1")], &[("nA=2", "nA=3")]]);
-        assert_eq!((code, fixes), (vec!["nA=1".to_owned(), "nA=3".to_owned()], 1));
-        assert_eq!(mended(&[&[("nA=1", "nA=(1")]]), (Vec::new(), 0));
     }
 }

@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::parse;
+use val3_syntax::xml::line_end;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
 
 use crate::diagnostic::{Edit, Fix, Span};
@@ -100,6 +101,16 @@ impl<'a> Site<'a> {
         self.write(TextRange::empty(self.range.end()), &format!("{line_end}{}{code}", self.indentation(self.range)))
     }
 
+    /// Puts another element after the marked one: on a line of its own, indented alike, if the marked one has one.
+    pub(crate) fn element_after(&self, element: &str) -> Edit {
+        let behind = TextRange::empty(self.range.end());
+        if !self.before().trim().is_empty() {
+            return self.write(behind, element);
+        }
+        let line_end = self.line_end_before(self.line_start(self.range.start()));
+        self.write(behind, &format!("{line_end}{}{element}", self.indentation(self.range)))
+    }
+
     /// Removes the line of the marked text with its line end.
     pub(crate) fn remove_line(&self) -> Edit {
         let end = self.range.end() + TextSize::of(self.behind());
@@ -132,11 +143,11 @@ impl<'a> Site<'a> {
         at - (TextSize::of(before) - TextSize::of(before.get(..start).unwrap_or("")))
     }
 
-    /// How the line that ends at `start` ends; a line feed where there is none.
+    /// How the line that ends at `start` ends; at the start of the file, how its lines end.
     fn line_end_before(&self, start: TextSize) -> &'a str {
         let before = self.slice(TextSize::new(0), start);
         let ends = ["&#13;\r\n", "&#13;\n", "\r\n", "\r", "\n"];
-        ends.into_iter().find(|end| before.ends_with(end)).unwrap_or("\n")
+        ends.into_iter().find(|end| before.ends_with(end)).unwrap_or_else(|| line_end(self.whole()))
     }
 
     fn slice(&self, start: TextSize, end: TextSize) -> &'a str {

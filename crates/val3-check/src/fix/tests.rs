@@ -189,41 +189,41 @@ fn begin_and_end() {
 
 #[test]
 fn words_of_other_languages() {
-    let listing = "num n\n\nIF n<>1 && n!=2\n  n=1\nelse if not n==1 then\n  n=2\nend if";
+    let listing = "num n\n\nIF n<>1 && n!=2\n  n=1\nelse if n==3 then\n  n=2\nend if";
     check(
         listing,
         expect![[r#"
-        V0701 write `if`
-        V0026 write `!=`
-        V0026 write `elseIf`
-        V0026 write `endIf`
-        begin
+            V0701 write `if`
+            V0026 write `!=`
+            V0026 write `elseIf`
+            V0026 write `endIf`
+            begin
 
-        if n!=1 && n!=2
-          n=1
-        elseIf not n==1 then
-          n=2
-        endIf
-        end
-    "#]],
+            if n!=1 and n!=2
+              n=1
+            elseIf n==3
+              n=2
+            endIf
+            end
+        "#]],
     );
     check_as(
         escaped,
         listing,
         expect![[r#"
-        V0701 write `if`
-        V0026 write `!=`
-        V0026 write `elseIf`
-        V0026 write `endIf`
-        begin
+            V0701 write `if`
+            V0026 write `!=`
+            V0026 write `elseIf`
+            V0026 write `endIf`
+            begin
 
-        if n!=1 &amp;&amp; n!=2
-          n=1
-        elseIf not n==1 then
-          n=2
-        endIf
-        end
-    "#]],
+            if n!=1 and n!=2
+              n=1
+            elseIf n==3
+              n=2
+            endIf
+            end
+        "#]],
     );
 }
 

@@ -2,13 +2,26 @@
 
 use val3_analysis::db::{Db, File};
 use val3_analysis::items::declarations::element_around;
+use val3_analysis::items::parse;
+use val3_analysis::items::unlisted::is_program;
+use val3_syntax::xml::{self, Element};
 use val3_syntax::{TextRange, TextSize};
 
 use crate::diagnostic::{Edit, Span};
 
-/// The edit that removes an element of a file, with its lines where nothing else stands there.
+/// The edit that removes an element of a file, with the line end before it if it has a line of its own. A list that it
+/// was the last element of becomes an empty tag, or goes as well where such lists are left out: in programs.
 pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
-    Edit { place: Span { file, range: with_lines(file.text(db), element) }, text: String::new() }
+    let text = file.text(db);
+    let parse = parse(db, file);
+    let list =
+        xml::root(parse.view()).and_then(|root| list_of(root, element)).filter(|list| holds_only(*list, element, text));
+    let (range, text) = match list {
+        None => (with_blanks(text, element), ""),
+        Some(list) if is_program(file.path(db).as_str()) => (with_blanks(text, list.view().range()), ""),
+        Some(list) => (behind_attributes(list, text), " />"),
+    };
+    Edit { place: Span { file, range }, text: text.to_owned() }
 }
 
 /// The edit that removes the element around a name.
@@ -16,40 +29,68 @@ pub(crate) fn of_entry(db: &dyn Db, file: File, name: TextRange) -> Option<Edit>
     Some(of_element(db, file, element_around(db, file, name)?))
 }
 
-fn with_lines(text: &str, range: TextRange) -> TextRange {
+/// The element that directly holds the one at `inner`.
+fn list_of(root: Element<'_>, inner: TextRange) -> Option<Element<'_>> {
+    let mut list = root;
+    loop {
+        let next = list.elements().find(|element| element.view().range().contains_range(inner))?;
+        if next.view().range() == inner {
+            return Some(list);
+        }
+        list = next;
+    }
+}
+
+/// Between the tags of `list` is nothing but blanks and `element`.
+fn holds_only(list: Element<'_>, element: TextRange, text: &str) -> bool {
+    let is_blank = |from: TextSize, to: TextSize| {
+        text.get(from.into()..to.into()).is_some_and(|between| between.trim().is_empty())
+    };
+    let behind = text.get(element.end().into()..list.view().range().end().into()).unwrap_or("");
+    is_blank(list.tag_range().end(), element.start()) && behind.trim_start().starts_with("</")
+}
+
+/// From the last attribute in the start tag of a list to the end of the list.
+fn behind_attributes(list: Element<'_>, text: &str) -> TextRange {
+    let tag = list.tag_range();
+    let start = text.get(tag.start().into()..tag.end().into()).unwrap_or("");
+    let attributes = start.trim_end_matches('>').trim_end();
+    TextRange::new(tag.start() + TextSize::of(attributes), list.view().range().end())
+}
+
+/// The range with the blanks before it, and with the line end before them if the range has its lines for itself.
+/// Ranges of neighbours touch, so that they are removed one after the other and the last one takes the list with it.
+fn with_blanks(text: &str, range: TextRange) -> TextRange {
     let (before, behind) = (text.get(..range.start().into()), text.get(range.end().into()..));
     let (Some(before), Some(behind)) = (before, behind) else { return range };
     let is_blank = |c: char| matches!(c, ' ' | '\t');
     let start = before.trim_end_matches(is_blank);
-    let rest = behind.trim_start_matches(is_blank);
-    let rest = rest.strip_prefix('\r').unwrap_or(rest);
-    match rest.strip_prefix('\n') {
-        Some(rest) if start.ends_with('\n') => {
-            let end = range.end() + TextSize::of(behind) - TextSize::of(rest);
-            TextRange::new(TextSize::of(start), end)
-        }
-        _ => range,
+    let line = start.strip_suffix("\r\n").or_else(|| start.strip_suffix(['\n', '\r']));
+    let ends_line = behind.trim_start_matches(is_blank).starts_with(['\r', '\n']);
+    match line {
+        Some(_) if !ends_line => range,
+        line => TextRange::new(TextSize::of(line.unwrap_or(start)), range.end()),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::with_lines;
+    use super::with_blanks;
     use val3_syntax::TextRange;
 
     fn removed(text: &str) -> String {
         let range = |from: usize, to: usize| {
             TextRange::new(u32::try_from(from).unwrap().into(), u32::try_from(to).unwrap().into())
         };
-        let found = with_lines(text, range(text.find("<x").unwrap(), text.find("/>").unwrap() + 2));
+        let found = with_blanks(text, range(text.find("<x").unwrap(), text.find("/>").unwrap() + 2));
         text[..found.start().into()].to_owned() + &text[found.end().into()..]
     }
 
     #[test]
-    fn lines_go_where_nothing_else_stands_on_them() {
+    fn lines_go_where_nothing_else_is_on_them() {
         assert_eq!(removed("<a>\n  <x />\n  <y/>"), "<a>\n  <y/>");
-        assert_eq!(removed("<a>\r\n\t<x\r\nn='1'/> \r\n<y></y>"), "<a>\r\n<y></y>");
-        assert_eq!(removed("<a> <x /> <y>\n"), "<a>  <y>\n");
+        assert_eq!(removed("<a>\r\n\t<x\r\nn='1'/>\r\n<y></y>"), "<a>\r\n<y></y>");
+        assert_eq!(removed("<a> <x /> <y>\n"), "<a> <y>\n");
         assert_eq!(removed("<a>\n<x /><y>\n"), "<a>\n<y>\n");
     }
 }

@@ -1,12 +1,10 @@
 //! V0531: a program or data file in the application's folder that the project does not list.
 
-use rustc_hash::FxHashSet;
-use smol_str::SmolStr;
 use val3_analysis::items::declarations::{FileList, file_list};
-use val3_analysis::items::manifest::manifest;
-use val3_syntax::TextRange;
+use val3_analysis::items::unlisted::{is_program, unlisted_names};
 
-use crate::diagnostic::{Edit, Span, Wording};
+use crate::diagnostic::{Edit, Wording};
+use crate::fix::Site;
 use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
 
@@ -72,18 +70,15 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     if several || view.items.incomplete {
         return;
     }
-    let manifest = manifest(view.db, view.project.manifest(view.db));
-    report(view, found, true, beside, &manifest.programs);
-    report(view, found, false, beside, &manifest.data);
+    let unlisted = unlisted_names(view.db, view.project);
+    for of_programs in [true, false] {
+        unlisted.iter().filter(|name| is_program(name) == of_programs).for_each(|name| report(view, found, of_programs, name));
+    }
 }
 
-fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, beside: &[SmolStr], listed: &[SmolStr]) {
-    let (extension, what) = if of_programs { ("pgx", "program") } else { ("dtx", "data") };
-    let listed: FxHashSet<String> = listed.iter().map(|entry| file_name(entry).to_ascii_lowercase()).collect();
-    let is_listed = |name: &str| listed.contains(&name.to_ascii_lowercase());
-    let unlisted = beside.iter().filter(|name| has_extension(name, extension) && !is_listed(name));
-    for name in unlisted {
-        let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
+fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, name: &str) {
+    let what = if of_programs { "program" } else { "data" };
+    if let Some(list) = file_list(view.db, view.project, of_programs) {
         found.report(&RULE, list.place, word(name, what)).fix(format!("list `{name}`"), false, entry(view, list, name));
     }
 }
@@ -91,14 +86,8 @@ fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, besid
 /// The entry behind the last one, in the form and on a line of its own.
 fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
-    let behind = TextRange::empty(list.last.filter(|_| is_plain)?.end());
-    let place = Span { file: view.project.manifest(view.db), range: behind };
-    Some(Edit { place, text: format!("\n    <{} file=\"{name}\" />", list.item) })
-}
-
-/// The name of a listed file, without the folder that s8 allows before it.
-fn file_name(entry: &str) -> &str {
-    entry.trim().rsplit(['/', '\\']).next().unwrap_or(entry)
+    let last = Site::new(view.db, view.project.manifest(view.db), list.last.filter(|_| is_plain)?, None);
+    Some(last.element_after(&format!("<{} file=\"{name}\" />", list.item)))
 }
 
 fn has_extension(name: &str, wanted: &str) -> bool {

@@ -13,7 +13,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
 }
 
 fn write_finding(finding: &Finding, out: &mut Printable<'_>) -> io::Result<()> {
-    let Finding { code, message, .. } = finding;
+    let (code, message) = (finding.code, finding.marked_message());
     let start = finding.place.start();
     let path = &finding.place.file.shown;
     let level = finding.severity.word();

@@ -1,5 +1,8 @@
-//! For people: the source line with the place marked, the other sides, and what to write instead.
+//! For people: the source line with the place marked, the other sides, and what to write instead. What is most serious
+//! comes first, and what is said several times about a file is shown once.
 
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::sync::Arc;
 
@@ -17,7 +20,38 @@ use crate::report::{Finding, Place, Related, Report, Severity, SourceFile};
 /// Writes every finding with its source lines.
 pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()> {
     let config = Config::default();
-    Printable::before(out, |out| report.findings.iter().try_for_each(|finding| write_finding(finding, &config, out)))
+    Printable::before(out, |out| groups(&report.findings).iter().try_for_each(|group| write_group(group, &config, out)))
+}
+
+/// Equal findings of a file; never empty.
+type Group<'a> = Vec<&'a Finding>;
+
+/// The findings in groups: errors first, then by file and place.
+fn groups(findings: &[Finding]) -> Vec<Group<'_>> {
+    let mut sorted: Vec<&Finding> = findings.iter().collect();
+    sorted.sort_by_key(|finding| Reverse(finding.severity));
+    let mut groups: Vec<Group<'_>> = Vec::new();
+    let mut known: BTreeMap<_, usize> = BTreeMap::new();
+    for finding in sorted {
+        let Finding { severity, code, message, is_new, place, .. } = finding;
+        let place = *known.entry((&place.file.path, *severity, *code, message, *is_new)).or_insert(groups.len());
+        match groups.get_mut(place) {
+            Some(group) => group.push(finding),
+            None => groups.push(vec![finding]),
+        }
+    }
+    groups
+}
+
+/// The lines of the findings after the first.
+fn elsewhere_in_file(others: &[&Finding]) -> Option<String> {
+    let lines: BTreeSet<usize> = others.iter().map(|finding| finding.place.start().line).collect();
+    let words: Vec<String> = lines.iter().map(usize::to_string).collect();
+    let (last, before) = words.split_last()?;
+    Some(match before {
+        [] => format!("the same in line {last}"),
+        before => format!("the same in lines {} and {last}", before.join(", ")),
+    })
 }
 
 /// A run-time error or what keeps a program from running, for [`write_fault`].
@@ -61,9 +95,11 @@ pub(crate) fn write_fault(fault: &Fault<'_>, out: &mut dyn WriteColor) -> io::Re
     })
 }
 
-fn write_finding(finding: &Finding, config: &Config, out: &mut Printable<'_>) -> io::Result<()> {
+fn write_group(group: &[&Finding], config: &Config, out: &mut Printable<'_>) -> io::Result<()> {
+    let Some((finding, others)) = group.split_first() else { return Ok(()) };
     let mut excerpt = Excerpt::default();
-    let diagnostic = diagnostic(finding, &mut excerpt);
+    let mut diagnostic = diagnostic(finding, &mut excerpt);
+    diagnostic.notes.extend(elsewhere_in_file(others));
     match emit_to_write_style(out, config, &excerpt, &diagnostic) {
         Ok(()) => Ok(()),
         Err(Error::Io(error)) => Err(error),
@@ -73,7 +109,7 @@ fn write_finding(finding: &Finding, config: &Config, out: &mut Printable<'_>) ->
 
 fn diagnostic<'a>(finding: &'a Finding, excerpt: &mut Excerpt<'a>) -> Diagnostic<FileId<'a>> {
     let mut diagnostic =
-        Diagnostic::new(level(finding.severity)).with_code(finding.code).with_message(&finding.message);
+        Diagnostic::new(level(finding.severity)).with_code(finding.code).with_message(finding.marked_message());
     if let Some(label) = label(excerpt, LabelStyle::Primary, &finding.place, &finding.label) {
         diagnostic = diagnostic.with_label(label);
     }
@@ -118,11 +154,35 @@ mod tests {
     use codespan_reporting::term::termcolor::Ansi;
 
     use crate::format::{Format, rendered};
-    use crate::report::sample;
+    use crate::report::{Report, sample};
 
     #[test]
     fn findings_show_their_lines() {
         insta::assert_snapshot!(rendered(Format::Human, &sample::report()));
+    }
+
+    #[test]
+    fn what_is_most_serious_comes_first() {
+        let shown = rendered(Format::Human, &sample::report());
+        let levels: Vec<&str> = shown.lines().filter_map(|line| line.split_once('[')).map(|(level, _)| level).collect();
+        assert_eq!(levels, ["error", "warning", "info"]);
+    }
+
+    #[test]
+    fn equal_findings_of_a_file_are_shown_once() {
+        let mut report = sample::report();
+        let again = |report: &mut Report, line: &str| {
+            let mut finding = report.findings.iter().find(|finding| finding.code == "V0101").unwrap().clone();
+            finding.place = sample::place(&finding.place.file, line);
+            report.findings.push(finding);
+        };
+        again(&mut report, "end]]>");
+        assert!(rendered(Format::Human, &report).contains("the same in line 8\n"));
+        again(&mut report, "</Programs>");
+        let shown = rendered(Format::Human, &report);
+        assert!(shown.contains("the same in lines 8 and 10\n") && shown.matches("V0101").count() == 1, "{shown}");
+        report.findings.iter_mut().for_each(|finding| finding.is_new = finding.code == "V0203");
+        assert!(rendered(Format::Human, &report).contains("got a string (new)\n"));
     }
 
     #[test]

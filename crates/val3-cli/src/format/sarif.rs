@@ -5,6 +5,7 @@
 mod log;
 mod rules;
 
+use std::collections::BTreeMap;
 use std::io;
 
 use codespan_reporting::term::termcolor::WriteColor;
@@ -13,8 +14,8 @@ use percent_encoding::{AsciiSet, NON_ALPHANUMERIC, utf8_percent_encode};
 use crate::fingerprint::fingerprints;
 use crate::report::{Edit, Finding, Fix, Place, Related, Report, Severity};
 use log::{
-    ArtifactChange, ArtifactLocation, Driver, Invocation, Level, Location, Log, LogicalLocation, Message, Notification,
-    PartialFingerprints, PhysicalLocation, Region, Replacement, Result as SarifResult, Run, Tool,
+    ArtifactChange, ArtifactLocation, BaseUri, Driver, Invocation, Level, Location, Log, LogicalLocation, Message,
+    Notification, PartialFingerprints, PhysicalLocation, Region, Replacement, Result as SarifResult, Run, Tool,
 };
 use rules::Rules;
 
@@ -34,9 +35,21 @@ fn log(report: &Report) -> Log<'_> {
         information_uri: env!("CARGO_PKG_REPOSITORY"),
         rules: rules.descriptors(),
     };
-    let run =
-        Run { tool: Tool { driver }, invocations: [invocation(report)], column_kind: "unicodeCodePoints", results };
+    let run = Run {
+        tool: Tool { driver },
+        invocations: [invocation(report)],
+        original_uri_base_ids: base_uris(&report.source_root),
+        column_kind: "unicodeCodePoints",
+        results,
+    };
     Log { schema: log::SCHEMA, version: "2.1.0", runs: [run] }
+}
+
+/// What the name of the folder under version control stands for on this machine.
+fn base_uris(root: &str) -> BTreeMap<&'static str, BaseUri> {
+    let absolute = Some(root).filter(|root| !root.is_empty()).map(|root| root.trim_matches('/'));
+    let uri = |path: &str| format!("file:///{}/", utf8_percent_encode(path, ESCAPED)).replace("////", "///");
+    absolute.map(|path| (SOURCE_ROOT, BaseUri { uri: uri(path) })).into_iter().collect()
 }
 
 fn invocation(report: &Report) -> Invocation {
@@ -99,11 +112,14 @@ fn region(place: &Place) -> Region {
     Region { start_line: start.line, start_column: start.column, end_line: end.line, end_column: end.column }
 }
 
+/// The name of the folder under version control, which paths are relative to.
+const SOURCE_ROOT: &str = "%SRCROOT%";
+
 /// What a path may hold as it is; everything else is written as a percent sign and two digits.
 const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~').remove(b'/');
 
 fn artifact_location(path: &str) -> ArtifactLocation {
-    ArtifactLocation { uri: utf8_percent_encode(path, ESCAPED).to_string(), uri_base_id: "%SRCROOT%" }
+    ArtifactLocation { uri: utf8_percent_encode(path, ESCAPED).to_string(), uri_base_id: SOURCE_ROOT }
 }
 
 fn fix(fix: &Fix) -> log::Fix {
@@ -178,6 +194,14 @@ mod tests {
         let error = crate::user_error::UserError::new("cannot read the folder `x`");
         let log = valid(&Report { unreadable: vec![error], ..sample::clean() });
         assert_eq!(log["runs"][0]["invocations"][0]["executionSuccessful"], false);
+    }
+
+    #[test]
+    fn the_base_of_paths_is_a_folder() {
+        let uri = |root: &str| base_uris(root).remove(SOURCE_ROOT).map(|base| base.uri);
+        assert_eq!(uri("/home/me/Zelle 1").unwrap(), "file:///home/me/Zelle%201/");
+        assert_eq!(uri("/").unwrap(), "file:///");
+        assert_eq!(uri(""), None);
     }
 
     #[test]

@@ -86,6 +86,8 @@ pub(crate) struct Finding {
     pub(crate) code_line: Option<usize>,
     /// The path of the application's `.pjx`, like [`SourceFile::path`].
     pub(crate) application: Option<String>,
+    /// The last check did not have it.
+    pub(crate) is_new: bool,
     /// The other sides of the fault.
     pub(crate) related: Vec<Related>,
     /// How to mend it.
@@ -93,6 +95,11 @@ pub(crate) struct Finding {
 }
 
 impl Finding {
+    /// What is wrong, with a mark on what is new: for people who have seen the rest before.
+    pub(crate) fn marked_message(&self) -> String {
+        if self.is_new { format!("{} (new)", self.message) } else { self.message.clone() }
+    }
+
     /// What is wrong and what to write instead, for readers that show one text.
     pub(crate) fn message_with_help(&self) -> String {
         if self.help.is_empty() { self.message.clone() } else { format!("{}; {}", self.message, self.help) }

@@ -30,7 +30,8 @@ pub(crate) fn report() -> Report {
     let program = file("cell/usr/usrapp/pal/pick.pgx", PROGRAM, Encoding::Latin1);
     let data = file("cell/usr/usrapp/pal/pal.dtx", DATA, Encoding::Utf8);
     let findings = vec![unknown_name(&program, &data), argument_type(&program, &data), unused_data(&data)];
-    Report::new(statistics, vec![APPLICATION.to_owned()], findings, Vec::new())
+    let report = Report::new(statistics, vec![APPLICATION.to_owned()], findings, Vec::new());
+    Report { source_root: "/home/me/Zelle 1".to_owned(), ..report }
 }
 
 /// A report of a check that found nothing.
@@ -86,6 +87,7 @@ fn argument_type(program: &Arc<SourceFile>, data: &Arc<SourceFile>) -> Finding {
         program: Some("pick".to_owned()),
         code_line: Some(3),
         application: Some(APPLICATION.to_owned()),
+        is_new: false,
         related: vec![Related { place: place(data, "mFast"), message: "an mdesc is declared here".to_owned() }],
         fix: None,
     }
@@ -121,6 +123,7 @@ fn unused_data(data: &Arc<SourceFile>) -> Finding {
         program: None,
         code_line: None,
         application: Some(APPLICATION.to_owned()),
+        is_new: false,
         related: Vec::new(),
         fix: None,
     }

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL};
+use crate::support::{CLEAN, FAULTY, Folder, Run, UNUSUAL};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
 /// Two keywords in an unusual spelling, and a name that is nearly one.
@@ -87,6 +87,81 @@ fn nothing_to_change_is_an_empty_diff() {
     }
     let run = Folder::with(FAULTY).val3(&["check", "--diff", "--unsafe-fixes"]);
     assert_eq!(run.code, 1, "{run:?}");
+}
+
+/// A project whose folder holds one program more than it lists, which uses data and a library that nothing else uses.
+const STRAY: &str = "library part \"Disk://part/part.pjx\"\nnum nUsed\nnum nLeft\nprogram start()\nbegin\nend\n\
+    === usrapp/main/stray.pgx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
+    <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"stray\">\n    \
+    <Code><![CDATA[begin\n  nUsed=part:nA\nend]]></Code>\n  </Program>\n</Programs>\n--- part\npublic num nA\n";
+
+/// The findings in the JSON of a check, without what fixes could be offered.
+fn findings(run: &Run) -> serde_json::Value {
+    let mut json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+    json["diagnostics"].take()
+}
+
+#[test]
+fn what_is_reported_after_fixes_is_what_the_next_check_finds() {
+    let with_an_error = STRAY.replace("nUsed=part:nA", "nUsed=nOther");
+    for listing in [STRAY, &with_an_error, MIXED, FAULTY, UNUSUAL] {
+        let folder = Folder::with(listing);
+        let fixed = folder.val3(&["check", "--fix", "--unsafe-fixes", "--format", "json"]);
+        assert_eq!(findings(&fixed), findings(&folder.val3(&["check", "--format", "json"])));
+    }
+}
+
+#[test]
+fn what_an_unlisted_program_uses_stays() {
+    let folder = Folder::with(STRAY);
+    let run = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let (project, data) = (folder.read("usrapp/main/main.pjx"), folder.read("usrapp/main/main.dtx"));
+    assert!(project.contains("stray.pgx") && project.contains("alias=\"part\""), "{project}");
+    assert!(data.contains("nUsed") && !data.contains("nLeft"), "{data}");
+}
+
+#[test]
+fn no_fix_adds_an_error() {
+    // The program would be part of the application, with its fault.
+    let folder = Folder::with(&STRAY.replace("nUsed=part:nA", "nUsed=nOther"));
+    for select in [&[][..], &["--select", "unlisted-file"]] {
+        let run = folder.val3(&[&["check", "--fix", "--unsafe-fixes"], select].concat());
+        assert_eq!(run.code, 0, "{run:?}");
+        assert!(run.stderr.contains("1 fix left out because it would add an error"), "{run:?}");
+        assert!(!folder.read("usrapp/main/main.pjx").contains("stray.pgx"));
+    }
+}
+
+#[test]
+fn line_ends_stay() {
+    let folder = Folder::with(STRAY);
+    for file in ["usrapp/main/main.pjx", "usrapp/main/main.dtx"] {
+        folder.write(file, &folder.read(file).replace('\n', "\r\n"));
+    }
+    folder.val3(&["check", "--fix", "--unsafe-fixes"]);
+    let project = folder.read("usrapp/main/main.pjx");
+    assert!(
+        project.contains("    <Program file=\"start.pgx\" />\r\n    <Program file=\"stray.pgx\" />\r\n"),
+        "{project}"
+    );
+    for file in ["usrapp/main/main.pjx", "usrapp/main/main.dtx"] {
+        let text = folder.read(file);
+        assert_eq!(text.matches('\n').count(), text.matches("\r\n").count(), "{text}");
+    }
+}
+
+#[test]
+fn an_emptied_list_goes() {
+    let folder = Folder::with(
+        "num nA\nnum nB\nlibrary part \"Disk://part/part.pjx\"\nprogram start()\n  num l_nA\n  num l_nB\n  num l_nC\nbegin\nend\n\
+         --- part\npublic num nA\n",
+    );
+    folder.val3(&["check", "--fix", "--unsafe-fixes"]);
+    let program = folder.read(PROGRAM);
+    assert!(program.contains("<Program name=\"start\">\n    <Code>"), "{program}");
+    assert!(folder.read("usrapp/main/main.dtx").contains("<Datas />"));
+    assert!(folder.read("usrapp/main/main.pjx").contains("<Libraries />"));
 }
 
 /// A program of s5: ISO-8859-1, escaped, with line ends of Windows.

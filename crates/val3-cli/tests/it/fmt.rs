@@ -1,10 +1,8 @@
 //! `val3 fmt`.
 
 use std::fs;
-use std::io::Write as _;
-use std::process::Stdio;
 
-use crate::support::{Folder, Run};
+use crate::support::{Folder, piped};
 
 const PROGRAM: &str = "usrapp/main/start.pgx";
 const UNTIDY: &str = "num nCount\nIF nCount == 1\nnCount = 2\nendif\n";
@@ -48,19 +46,6 @@ fn diff_shows_and_writes_nothing() {
     assert!(run.stdout.starts_with("--- a/usrapp/main/start.pgx\n+++ b/usrapp/main/start.pgx\n@@ "), "{run:?}");
     assert!(run.stdout.contains("\n-IF nCount == 1\n"), "{run:?}");
     assert_eq!(folder.read(PROGRAM), before);
-}
-
-fn piped(folder: &Folder, args: &[&str], input: &[u8]) -> Run {
-    let mut command = folder.command(args);
-    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
-    let mut child = command.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(input).unwrap();
-    let output = child.wait_with_output().unwrap();
-    Run {
-        code: output.status.code().unwrap(),
-        stdout: output.stdout.iter().map(|byte| char::from(*byte)).collect(),
-        stderr: String::from_utf8(output.stderr).unwrap(),
-    }
 }
 
 /// A program of s5: ISO-8859-1, escaped, with line ends of Windows.

@@ -10,6 +10,7 @@ mod encrypted;
 mod eval;
 mod explain;
 mod faulty_cell;
+mod files;
 mod fixes;
 mod fmt;
 mod formats;
@@ -25,6 +26,7 @@ mod ros;
 mod run;
 #[cfg(target_os = "linux")]
 mod serial;
+mod silencing;
 mod statistics;
 mod support;
 #[cfg(unix)]

@@ -1,6 +1,7 @@
 //! A folder with an application, and runs of the command in it.
 
 use std::fs;
+use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
@@ -76,6 +77,20 @@ pub(crate) fn run(mut command: Command) -> Run {
     Run {
         code: output.status.code().unwrap(),
         stdout: String::from_utf8(output.stdout).unwrap(),
+        stderr: String::from_utf8(output.stderr).unwrap(),
+    }
+}
+
+/// Runs `val3` in a folder with this standard input; each byte of its output is one character.
+pub(crate) fn piped(folder: &Folder, args: &[&str], input: &[u8]) -> Run {
+    let mut command = folder.command(args);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input).unwrap();
+    let output = child.wait_with_output().unwrap();
+    Run {
+        code: output.status.code().unwrap(),
+        stdout: output.stdout.iter().map(|byte| char::from(*byte)).collect(),
         stderr: String::from_utf8(output.stderr).unwrap(),
     }
 }

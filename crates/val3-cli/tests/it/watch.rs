@@ -6,6 +6,8 @@ use std::sync::mpsc::{Receiver, channel};
 use std::time::Duration;
 
 use crate::support::{CLEAN, FAULTY, Folder};
+#[cfg(unix)]
+use crate::terminal::Terminal;
 
 /// Far more than any machine needs.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -103,10 +105,23 @@ fn a_folder_that_vanishes_for_a_while_is_no_end() {
 }
 
 #[test]
-fn what_is_mended_is_no_endless_change() {
+fn saving_a_file_rewrites_none() {
     let folder = Folder::with("num nCount\nIF nCount==1\ncls()\nendIf\n");
-    let watching = Watching::start(&folder, &["--fix"]);
-    watching.round("1 of 1 finding mended");
-    watching.round("0 of 0 findings mended");
-    assert!(folder.read(PROGRAM).contains("if nCount==1"));
+    let before = folder.read(PROGRAM);
+    let run = folder.val3(&["check", "--watch", "--fix"]);
+    assert_eq!((run.code, folder.read(PROGRAM)), (2, before), "{run:?}");
+    assert!(run.stderr.contains("--watch cannot be used with --fix"), "{run:?}");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_screen_is_cleared_and_what_is_new_is_marked() {
+    let folder = Folder::with(FAULTY);
+    let mut terminal = Terminal::with(folder.command(&["check", "--watch"]));
+    terminal.wait_for("\u{1b}[2J");
+    terminal.wait_for("V0101");
+    folder.write(PROGRAM, &Folder::with("num nCount\nnCuont=1\nnOther=1\n").read(PROGRAM));
+    terminal.wait_for("\u{1b}[2J");
+    terminal.wait_for("nOther");
+    terminal.wait_for("(new)");
 }

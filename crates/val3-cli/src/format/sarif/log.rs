@@ -1,5 +1,7 @@
 //! The parts of a SARIF log that are written, under the names of the standard.
 
+use std::collections::BTreeMap;
+
 use serde::Serialize;
 
 /// Where the schema is published.
@@ -19,6 +21,8 @@ pub(super) struct Log<'a> {
 pub(super) struct Run<'a> {
     pub(super) tool: Tool,
     pub(super) invocations: [Invocation; 1],
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) original_uri_base_ids: BTreeMap<&'static str, BaseUri>,
     pub(super) column_kind: &'static str,
     pub(super) results: Vec<Result<'a>>,
 }
@@ -139,6 +143,12 @@ pub(super) struct PhysicalLocation {
 pub(super) struct ArtifactLocation {
     pub(super) uri: String,
     pub(super) uri_base_id: &'static str,
+}
+
+/// What a name of a folder stands for; the URI ends with a slash.
+#[derive(Serialize)]
+pub(super) struct BaseUri {
+    pub(super) uri: String,
 }
 
 #[derive(Serialize)]

@@ -1,0 +1,284 @@
+//! Fixes, round after round, until nothing changes. No fix is applied that would add an error anywhere.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::{FxHashMap, FxHashSet};
+use val3_analysis::db::{Db, File};
+
+use super::apply::{FixedFile, apart, apply, edited_files};
+use crate::diagnostic::{Diagnostic, Fix};
+use crate::rule::Severity;
+use crate::suppression::silencing;
+
+/// Fixes that undo each other would never end.
+const ROUNDS: usize = 100;
+
+/// How many mistakes may hide each other in one line.
+const FOLLOW_UPS: usize = 10;
+
+/// A workspace that fixes are tried on.
+pub trait FixTarget {
+    /// What can keep it from being checked.
+    type Error;
+
+    /// The files as they are at the moment.
+    fn db(&self) -> &dyn Db;
+
+    /// The findings whose fixes are wanted.
+    ///
+    /// # Errors
+    /// If the workspace cannot be checked.
+    fn findings(&mut self) -> Result<Vec<Diagnostic>, Self::Error>;
+
+    /// As [`findings`](Self::findings), with each place of what is reported once for an application.
+    ///
+    /// # Errors
+    /// If the workspace cannot be checked.
+    fn occurrences(&mut self) -> Result<Vec<Diagnostic>, Self::Error>;
+
+    /// The findings of the whole workspace, whichever are wanted.
+    fn all_findings(&mut self) -> Vec<Diagnostic>;
+
+    /// Replaces the texts of files. Files and projects that become part of the workspace by it are read.
+    fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>);
+}
+
+/// What fixes did.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct AppliedFixes {
+    /// The files that differ, by path.
+    pub files: Vec<FixedFile>,
+    /// How many fixes were applied.
+    pub count: usize,
+    /// How many fixes are left out because each would add an error.
+    pub refused: usize,
+    /// Another round would change nothing.
+    pub settled: bool,
+}
+
+/// Applies the safe fixes of what is found, and the guesses if `guesses` says so. The target is left with them.
+///
+/// # Errors
+/// Those of the target.
+pub fn apply_fixes<T: FixTarget>(target: &mut T, guesses: bool) -> Result<AppliedFixes, T::Error> {
+    let mut applied = AppliedFixes::default();
+    let mut files = BTreeMap::new();
+    let mut errors = Errors::of(target);
+    for _ in 0..ROUNDS {
+        let found = target.findings()?;
+        let fixes = apart(wanted(&found, guesses));
+        let mut round = Round { files: edited_files(target.db(), &fixes), target, errors: &errors, guesses };
+        let (kept, refused) = round.keep_harmless(fixes)?;
+        applied.refused = refused;
+        let Some(kept) = kept else {
+            applied.settled = true;
+            break;
+        };
+        applied.count += kept.count;
+        kept.changes.into_iter().for_each(|change| add(&mut files, change));
+        errors = kept.errors;
+    }
+    applied.files = files.into_values().filter(|file| file.before != file.after).collect();
+    Ok(applied)
+}
+
+/// Writes comments into the programs that silence what is found. The target is left with them.
+///
+/// # Errors
+/// Those of the target.
+pub fn add_suppressions<T: FixTarget>(target: &mut T) -> Result<AppliedFixes, T::Error> {
+    let mut applied = AppliedFixes::default();
+    let mut files = BTreeMap::new();
+    let mut found = target.occurrences()?;
+    loop {
+        let fixes = silencing(target.db(), &found);
+        let fixes = apart(&fixes);
+        let mut edited = edited_files(target.db(), &fixes);
+        apply(&mut edited, &fixes);
+        let changes: Vec<FixedFile> = edited.into_values().collect();
+        set_texts(target, &changes);
+        let left = target.occurrences()?;
+        if left.len() >= found.len() {
+            target.set_texts(changes.iter().map(|change| (change.path.as_path(), &change.before)));
+            applied.settled = true;
+            break;
+        }
+        applied.count += found.len() - left.len();
+        changes.into_iter().for_each(|change| add(&mut files, change));
+        found = left;
+    }
+    applied.files = files.into_values().collect();
+    Ok(applied)
+}
+
+fn wanted<'d>(found: impl IntoIterator<Item = &'d Diagnostic>, guesses: bool) -> impl Iterator<Item = &'d Fix> {
+    let fixes = found.into_iter().filter_map(|diagnostic| diagnostic.fix.as_ref());
+    fixes.filter(move |fix| fix.safe || guesses)
+}
+
+/// A file that was changed before keeps its first text.
+fn add(files: &mut BTreeMap<Utf8PathBuf, FixedFile>, change: FixedFile) {
+    match files.get_mut(&change.path) {
+        Some(known) => known.after = change.after,
+        None => drop(files.insert(change.path.clone(), change)),
+    }
+}
+
+/// One round: fixes that can be applied at once.
+struct Round<'t, T> {
+    target: &'t mut T,
+    /// The files that the fixes edit.
+    files: FxHashMap<File, FixedFile>,
+    /// The errors before the round.
+    errors: &'t Errors,
+    guesses: bool,
+}
+
+/// What comes of some fixes.
+struct Attempt {
+    /// How many fixes were applied.
+    count: usize,
+    /// What they changed, in this order.
+    changes: Vec<FixedFile>,
+    /// The errors afterwards.
+    errors: Errors,
+    /// The files with errors that were not there before.
+    faulty: FxHashSet<Utf8PathBuf>,
+    /// The first fixes brought errors to light, whose fixes were applied as well.
+    followed_up: bool,
+}
+
+impl<T: FixTarget> Round<'_, T> {
+    /// Applies as many of the fixes as possible without an error that was not there before; gives them, and how many
+    /// are refused. Where a group of fixes adds an error, its parts are tried one after the other.
+    fn keep_harmless(&mut self, fixes: Vec<&Fix>) -> Result<(Option<Attempt>, usize), T::Error> {
+        let mut kept: Vec<&Fix> = Vec::new();
+        let mut best = None;
+        let mut refused = 0;
+        let mut open = vec![fixes];
+        while let Some(group) = open.pop() {
+            if group.is_empty() {
+                continue;
+            }
+            let trial = [kept.as_slice(), &group].concat();
+            let attempt = self.attempt(&trial)?;
+            if attempt.faulty.is_empty() {
+                kept = trial;
+                // Other fixes do not fit a text that was changed again; they are found anew in the next round.
+                let ends_round = attempt.followed_up;
+                best = Some(attempt);
+                if ends_round {
+                    break;
+                }
+                continue;
+            }
+            self.undo(&attempt);
+            if group.len() == 1 {
+                refused += 1;
+            } else {
+                let (suspects, others) = self.divide(group, &attempt.faulty);
+                open.extend([suspects, others]);
+            }
+        }
+        if let Some(best) = &best {
+            set_texts(self.target, &best.changes);
+        }
+        Ok((best, refused))
+    }
+
+    /// Applies these fixes, and then those of errors that come to light.
+    fn attempt(&mut self, fixes: &[&Fix]) -> Result<Attempt, T::Error> {
+        apply(&mut self.files, fixes);
+        let mut changes: Vec<FixedFile> = self.files.values().cloned().collect();
+        set_texts(self.target, &changes);
+        let mut count = fixes.len();
+        let mut follow_ups = 0;
+        loop {
+            let errors = Errors::of(self.target);
+            let faulty = errors.files_with_more_than(self.errors);
+            if !faulty.is_empty() && follow_ups < FOLLOW_UPS {
+                let (more, fixes) = self.follow_up(&errors)?;
+                if fixes > 0 {
+                    follow_ups += 1;
+                    count += fixes;
+                    changes.extend(more);
+                    continue;
+                }
+            }
+            return Ok(Attempt { count, changes, errors, faulty, followed_up: follow_ups > 0 });
+        }
+    }
+
+    /// Applies the fixes of errors that were not there before: one mistake often hides the next one of its line.
+    fn follow_up(&mut self, errors: &Errors) -> Result<(Vec<FixedFile>, usize), T::Error> {
+        let found = self.target.findings()?;
+        let db = self.target.db();
+        let new = found.iter().filter(|found| errors.count(&key(db, found)) > self.errors.count(&key(db, found)));
+        let fixes = apart(wanted(new, self.guesses));
+        let mut files = edited_files(db, &fixes);
+        apply(&mut files, &fixes);
+        let changes: Vec<FixedFile> = files.into_values().collect();
+        set_texts(self.target, &changes);
+        Ok((changes, fixes.len()))
+    }
+
+    fn undo(&mut self, attempt: &Attempt) {
+        let back = attempt.changes.iter().rev();
+        self.target.set_texts(back.map(|change| (change.path.as_path(), &change.before)));
+    }
+
+    /// Those that edit a file with new errors, and the others; two halves where that makes no difference.
+    fn divide<'f>(&self, fixes: Vec<&'f Fix>, faulty: &FxHashSet<Utf8PathBuf>) -> (Vec<&'f Fix>, Vec<&'f Fix>) {
+        let is_faulty = |file: &File| self.files.get(file).is_some_and(|fixed| faulty.contains(&fixed.path));
+        let is_suspect = |fix: &&Fix| fix.edits.iter().any(|edit| is_faulty(&edit.place.file));
+        let (suspects, others): (Vec<_>, Vec<_>) = fixes.into_iter().partition(is_suspect);
+        match (suspects.is_empty(), others.is_empty()) {
+            (false, false) => (suspects, others),
+            (true, _) => halves(others),
+            (_, true) => halves(suspects),
+        }
+    }
+}
+
+/// The second half and the first, which is tried before it.
+fn halves<T>(mut all: Vec<T>) -> (Vec<T>, Vec<T>) {
+    (all.split_off(all.len() / 2), all)
+}
+
+fn set_texts<T: FixTarget>(target: &mut T, changes: &[FixedFile]) {
+    target.set_texts(changes.iter().map(|change| (change.path.as_path(), &change.after)));
+}
+
+/// What an error is known by: its rule, file and message. Its place may move.
+type ErrorKey = (&'static str, Utf8PathBuf, String);
+
+fn key(db: &dyn Db, found: &Diagnostic) -> ErrorKey {
+    (found.rule.code, found.place.file.path(db).clone(), found.message.clone())
+}
+
+/// The errors of a workspace, each with how often it is there.
+#[derive(Debug, Default)]
+struct Errors(FxHashMap<ErrorKey, usize>);
+
+impl Errors {
+    fn of<T: FixTarget>(target: &mut T) -> Self {
+        let found = target.all_findings();
+        let mut errors = Self::default();
+        for error in found.iter().filter(|found| found.severity == Severity::Error) {
+            *errors.0.entry(key(target.db(), error)).or_default() += 1;
+        }
+        errors
+    }
+
+    fn count(&self, error: &ErrorKey) -> usize {
+        self.0.get(error).copied().unwrap_or(0)
+    }
+
+    /// The files with errors that `before` lacks.
+    fn files_with_more_than(&self, before: &Self) -> FxHashSet<Utf8PathBuf> {
+        let new = self.0.iter().filter(|(error, count)| **count > before.count(error));
+        new.map(|((_, path, _), _)| path.clone()).collect()
+    }
+}

@@ -1,0 +1,156 @@
+//! Comments that silence what is found: `val3 check --add-suppressions` writes them.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+use rowan::NodeOrToken;
+use val3_analysis::db::{Db, File};
+use val3_analysis::items::suppressions::{Scope, Suppression, suppressions};
+use val3_analysis::items::unlisted::is_program;
+use val3_analysis::items::{parse, program};
+use val3_syntax::view::View;
+use val3_syntax::{SyntaxKind, TextRange, TextSize};
+
+use super::can_be_silenced;
+use crate::diagnostic::{Diagnostic, Edit, Fix};
+use crate::fix::Site;
+
+/// Changes that silence findings, one for each line of code with findings, and one for a program where they lie outside
+/// of its lines of code. Findings that no comment can silence are left out.
+pub(crate) fn silencing(db: &dyn Db, found: &[Diagnostic]) -> Vec<Fix> {
+    let mut places: BTreeMap<(&str, TextSize, bool), (Place, BTreeSet<&str>)> = BTreeMap::new();
+    for diagnostic in found.iter().filter(|diagnostic| can_be_silenced(diagnostic.rule)) {
+        let file = diagnostic.place.file;
+        if let Some(place) = place(db, file, diagnostic.place.range.start()) {
+            let order = (file.path(db).as_str(), place.range.start(), place.is_line);
+            places.entry(order).or_insert((place, BTreeSet::new())).1.insert(diagnostic.rule.code);
+        }
+    }
+    let fixes = places.into_values().filter_map(|(place, codes)| {
+        let codes: Vec<&str> = codes.into_iter().collect();
+        Some(Fix::safe(format!("silence {}", codes.join(", ")), vec![place.comment(db, &codes.join(", "))?]))
+    });
+    fixes.collect()
+}
+
+/// What a comment silences.
+struct Place {
+    file: File,
+    /// The line of code; for a whole program, the start of the line below `begin`.
+    range: TextRange,
+    is_line: bool,
+}
+
+/// How what starts at `at` can be silenced. A comment for one line is written above a line of code.
+fn place(db: &dyn Db, file: File, at: TextSize) -> Option<Place> {
+    if !is_program(file.path(db).as_str()) {
+        return None;
+    }
+    let text = file.text(db);
+    let parse = parse(db, file);
+    let code = program::code(parse.view())?;
+    let begin = begin(code)?;
+    let line = content(text, at)?;
+    let is_line = line.start() > begin.start()
+        && code.range().contains(line.start())
+        && !text.get(Range::from(line))?.starts_with("//");
+    let below = || {
+        let rest = text.get(begin.end().into()..)?;
+        let next = begin.end() + TextSize::of(rest.split_inclusive('\n').next()?);
+        Some(TextRange::at(next, TextSize::from(1)))
+    };
+    Some(Place { file, range: if is_line { line } else { below()? }, is_line })
+}
+
+/// The line around `at` without the blanks at its ends; empty where it is blank.
+fn content(text: &str, at: TextSize) -> Option<TextRange> {
+    let start = text.get(..at.into())?.rfind(['\n', '\r']).map_or(0, |end| end + 1);
+    let line = text.get(start..)?.split(['\n', '\r']).next()?;
+    let blanks = line.len() - line.trim_start().len();
+    Some(TextRange::at(TextSize::try_from(start + blanks).ok()?, TextSize::of(line.trim())))
+}
+
+/// The word that opens the code.
+fn begin(code: View<'_>) -> Option<TextRange> {
+    code.children_with_tokens().find_map(|child| match child {
+        NodeOrToken::Node(node) => begin(node),
+        NodeOrToken::Token(token) => (token.kind() == SyntaxKind::BEGIN_KW).then(|| token.range()),
+    })
+}
+
+impl Place {
+    /// The edit that silences these rules: they are added to a comment that counts here, or get a new one.
+    fn comment(&self, db: &dyn Db, codes: &str) -> Option<Edit> {
+        let site = Site::new(db, self.file, self.range, None);
+        if let Some(last) =
+            suppressions(db, self.file).iter().find(|it| self.is_under(it)).and_then(|it| it.rules.last())
+        {
+            return Some(site.write(TextRange::empty(last.range.end()), &format!(", {codes}")));
+        }
+        match self.is_line {
+            true => Some(site.line_before(&format!("//val3: allow({codes})"))),
+            false => site.insert_line(&format!("  //val3: allow-program({codes})")),
+        }
+    }
+
+    fn is_under(&self, suppression: &Suppression) -> bool {
+        match suppression.scope {
+            Scope::Line(_) => self.is_line && suppression.covers(self.range.start()),
+            Scope::Program => !self.is_line,
+            Scope::Misplaced | Scope::Unreadable => false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::{Expect, expect};
+    use val3_test::{Fixture, ROOT};
+
+    use crate::testing::{check_files, silenced_files};
+
+    /// The code of `start` with comments for all that is found; nothing is found any more in programs.
+    #[track_caller]
+    fn check(change: fn(&str) -> String, listing: &str, expected: Expect) {
+        let files = Fixture::parse(listing).files.into_iter();
+        let files: Vec<_> = files.map(|(path, text)| (format!("{ROOT}/{path}"), change(&text).into_bytes())).collect();
+        let silenced = silenced_files(&files);
+        let left = check_files(&silenced).into_iter().filter(|found| found.file.ends_with(".pgx"));
+        assert_eq!(left.collect::<Vec<_>>(), []);
+        let (_, program) = silenced.iter().find(|(path, _)| path.ends_with("start.pgx")).unwrap();
+        let text = str::from_utf8(program).unwrap();
+        let code = text.split_once("<Code>").unwrap().1.split_once("</Code>").unwrap().0;
+        expected.assert_eq(&code.replace('\r', "␍"));
+    }
+
+    const LISTING: &str = "num nA\n\nprogram start()\n  num l_nB\nbegin\n  // TODO\n  if nA==nX\n    nB=nA*true\n  endIf\n\
+                           //val3: allow(V0101)\n  nC=nD==2\n  nC=1\nend\n";
+
+    #[test]
+    fn lines_and_programs() {
+        check(str::to_owned, LISTING, expect![[r#"
+            <![CDATA[begin
+              // TODO
+              //val3: allow(V0101)
+              if nA==nX
+                //val3: allow(V0101, V0201)
+                nB=nA*true
+              endIf
+            //val3: allow(V0101)
+              nC=nD==2
+              nC=1
+            end]]>"#]]);
+        check(|text| text.replace('\n', "\r\n"), LISTING, expect![[r#"
+            <![CDATA[begin␍
+              // TODO␍
+              //val3: allow(V0101)␍
+              if nA==nX␍
+                //val3: allow(V0101, V0201)␍
+                nB=nA*true␍
+              endIf␍
+            //val3: allow(V0101)␍
+              nC=nD==2␍
+              nC=1␍
+            end]]>"#]]);
+    }
+}

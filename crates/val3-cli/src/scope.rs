@@ -1,0 +1,54 @@
+//! Which findings are reported: those of everything that is asked for, or of single files.
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
+use val3_analysis::db::{Database, File, Project, Sources, path_key};
+use val3_analysis::items::project::folder;
+use val3_analysis::items::unlisted::{is_data, is_program};
+use val3_analysis::paths::normalise;
+use val3_check::Unit;
+
+/// What is reported on.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Scope {
+    /// The keys of the programs and data files that were asked for. Their applications are read, to be seen alone.
+    files: FxHashSet<String>,
+    /// Folders and project files that were asked for: what belongs to them is reported whole.
+    whole: Vec<Utf8PathBuf>,
+}
+
+impl Scope {
+    /// What `asked` means: absolute paths.
+    pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
+        let is_file = |path: &Utf8PathBuf| (is_program(path.as_str()) || is_data(path.as_str())) && !path.is_dir();
+        let (files, whole) = asked.iter().map(|path| normalise(path)).partition::<Vec<_>, _>(is_file);
+        Self { files: files.iter().map(|path| path_key(path.as_str())).collect(), whole }
+    }
+
+    /// Whether a finding in `file` is reported, which was made by looking at `project`.
+    pub(crate) fn covers(&self, db: &Database, project: Project, file: File) -> bool {
+        self.files.is_empty() || self.names(db, file) || self.is_whole(project.manifest(db).path(db))
+    }
+
+    fn names(&self, db: &Database, file: File) -> bool {
+        self.files.contains(&path_key(file.path(db).as_str()))
+    }
+
+    fn is_whole(&self, manifest: &Utf8Path) -> bool {
+        self.whole.iter().any(|asked| manifest.starts_with(asked))
+    }
+
+    /// Files that were asked for and that no project lists: they are checked as parts of the project beside them.
+    pub(crate) fn unlisted(&self, db: &Database, projects: &[Project]) -> Vec<Unit> {
+        let mut units = Vec::new();
+        for file in Sources::get(db).unlisted(db).values().filter(|file| self.names(db, **file)) {
+            let path = file.path(db);
+            let Some(project) = projects.iter().find(|project| path.parent() == Some(folder(db, **project))) else {
+                continue;
+            };
+            let unit = if is_program(path.as_str()) { Unit::Program } else { Unit::Data };
+            units.push(unit(*project, *file));
+        }
+        units
+    }
+}

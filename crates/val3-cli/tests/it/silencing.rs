@@ -1,0 +1,64 @@
+//! `--add-suppressions`, `--extend-select` and `--quiet`.
+
+use crate::support::{CLEAN, FAULTY, Folder};
+
+const PROGRAM: &str = "usrapp/main/start.pgx";
+
+#[test]
+fn comments_for_all_findings_are_written() {
+    let folder = Folder::with("num nLeft\n\nprogram start(num x_nA)\n  num l_nB\nbegin\n  nCuont=1\n  nCuont=2\nend\n");
+    let run = folder.val3(&["check", "--add-suppressions"]);
+    let program = folder.read(PROGRAM);
+    assert!(
+        program.contains("\n  //val3: allow(V0101)\n  nCuont=1\n  //val3: allow(V0101)\n  nCuont=2\n"),
+        "{program}"
+    );
+    assert!(!run.stdout.contains("V0101") && run.stderr.contains("silenced by new comments"), "{run:?}");
+    let again = folder.val3(&["check", "--add-suppressions"]);
+    assert!(again.stderr.contains("0 findings silenced by new comments"), "{again:?}");
+    assert_eq!((folder.read(PROGRAM), again.stdout), (program, run.stdout));
+}
+
+#[test]
+fn only_what_is_selected_is_silenced() {
+    let folder = Folder::with(FAULTY);
+    let before = folder.read(PROGRAM);
+    folder.val3(&["check", "--add-suppressions", "--ignore", "V0101"]);
+    assert_eq!(folder.read(PROGRAM), before);
+    assert_eq!(folder.val3(&["check", "--add-suppressions", "--select", "V0101"]).code, 0);
+    for other in ["--fix", "--diff", "--watch", "--write-baseline"] {
+        assert_eq!(folder.val3(&["check", "--add-suppressions", other]).code, 2, "{other}");
+    }
+}
+
+#[test]
+fn what_no_comment_can_silence_is_reported() {
+    let folder = Folder::with("num nCount\n\nif nCount=1\nendIf\n");
+    let before = folder.read(PROGRAM);
+    let run = folder.val3(&["check", "--add-suppressions"]);
+    assert!(run.code == 1 && run.stdout.contains("V0023"), "{run:?}");
+    assert_eq!(folder.read(PROGRAM), before);
+}
+
+#[test]
+fn findings_that_are_off_can_be_added() {
+    let folder = Folder::with("num nCount\n// TODO\nnCount=nCount+1\n");
+    let found = |options: &[&str]| folder.val3(&[&["check"], options].concat()).stdout;
+    assert_eq!(found(&[]), "");
+    for word in ["unfinished-mark", "V0714", "V071"] {
+        assert!(found(&["--extend-select", word]).contains("V0714"), "{word}");
+    }
+    assert!(found(&["--select", "V0101", "--extend-select", "V0714"]).contains("V0714"));
+    assert_eq!(found(&["--extend-select", "V0714", "--ignore", "V0714"]), "");
+    assert_eq!(folder.val3(&["check", "--extend-select", "sql"]).code, 2);
+}
+
+#[test]
+fn quiet_prints_findings_alone() {
+    let run = Folder::with(FAULTY).val3(&["check", "--quiet"]);
+    assert!(run.code == 1 && run.stdout.contains("V0101") && run.stderr.is_empty(), "{run:?}");
+    let run = Folder::with(CLEAN).val3(&["check", "-q"]);
+    assert_eq!((run.code, run.stdout.as_str(), run.stderr.as_str()), (0, "", ""), "{run:?}");
+    let run = Folder::with("num nCount\nIF nCount==1\nendIf\n").val3(&["check", "--quiet", "--fix"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+}
