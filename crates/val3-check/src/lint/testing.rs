@@ -4,17 +4,21 @@ use std::collections::BTreeSet;
 
 use camino::Utf8PathBuf;
 use val3_analysis::db::{Db, Project};
-use val3_analysis::load::load;
+use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
 use val3_test::{Fixture, ROOT};
 
-use crate::rule::Rule;
+use crate::diagnostic::Diagnostic;
+use crate::rule::{Rule, Severity};
 use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, units};
 
-/// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
-/// related places.
-pub(crate) fn check(rule: &Rule, listing: &str) -> String {
+/// The levels of the findings of `rule` in a listing of `val3-test`.
+pub(crate) fn levels(rule: &Rule, listing: &str) -> Vec<Severity> {
+    findings(rule, listing).1.into_iter().map(|diagnostic| diagnostic.severity).collect()
+}
+
+fn findings(rule: &Rule, listing: &str) -> (Workspace, Vec<Diagnostic>) {
     let fixture = Fixture::parse(listing);
     let files = fixture
         .files
@@ -24,8 +28,17 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     let db = &workspace.db;
     let settings = settings_for(db, &workspace.projects, rule);
     let found = units(db, &workspace.projects).into_iter().flat_map(|unit| check_unit(db, unit, &settings).findings);
+    let found = found.filter(|diagnostic| diagnostic.rule == rule).collect();
+    (workspace, found)
+}
+
+/// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
+/// related places.
+pub(crate) fn check(rule: &Rule, listing: &str) -> String {
+    let (workspace, found) = findings(rule, listing);
+    let db = &workspace.db;
     let mut shown = String::new();
-    for diagnostic in found.filter(|diagnostic| diagnostic.rule == rule) {
+    for diagnostic in found {
         let at = |place: crate::diagnostic::Span| {
             let text = place.file.text(db);
             let (start, end) = (usize::from(place.range.start()), usize::from(place.range.end()));

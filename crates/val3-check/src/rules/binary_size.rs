@@ -33,7 +33,7 @@ rule! {
     ///
     /// toBinary(nPose,6,"8.0b",nBytes)
     /// ```
-    V0241 "binary-size" Warning, Program: check
+    V0241 "binary-size" Error, Program: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -74,7 +74,8 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check;
+    use crate::lint::testing::{check, levels};
+    use crate::rule::Severity;
 
     #[test]
     fn too_small() {
@@ -104,6 +105,12 @@ mod tests {
             "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\ntoBinary(nB[7],2,\"2l\",nB)\ntoBinary(nA,7,\"1\",nB)\n\
              fromBinary(nB[2],7,\"1\",nA)\nfromBinary(nB,8,\"4l\",nA[5])",
         ));
+    }
+
+    #[test]
+    fn both_sizes_are_certain() {
+        let listing = "num nA[6]\nnum nB[8]\ntoBinary(nA,2,\"8.0b\",nB)\nfromBinary(nB,9,\"1\",nA)";
+        assert_eq!(levels(&RULE, listing), [Severity::Error; 3]);
     }
 
     #[test]

@@ -11,7 +11,8 @@ rule! {
     /// The program `start` or `stop` of an application has parameters.
     ///
     /// ## Why
-    /// The controller calls them itself, when the application begins and ends, and hands nothing over (5.2).
+    /// The controller calls them itself, when the application begins and ends, and hands nothing over: they cannot have
+    /// parameters (5.2).
     ///
     /// ## Bad
     /// ```val3
@@ -30,7 +31,7 @@ rule! {
     ///   put(nSpeed)
     /// end
     /// ```
-    V0329 "entry-parameters" Warning, Program: check
+    V0329 "entry-parameters" Error, Program: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -53,7 +54,8 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check;
+    use crate::lint::testing::{check, levels};
+    use crate::rule::Severity;
 
     #[test]
     fn entries_with_parameters() {
@@ -63,6 +65,12 @@ mod tests {
               ? use global variables
         "#]]
         .assert_eq(&check(&RULE, "program stop(num x_n, bool& x_b)\nbegin\nx_b=x_n==1\nend"));
+    }
+
+    #[test]
+    fn the_controller_hands_nothing_over() {
+        let listing = "program start(num x_n)\nbegin\nput(x_n)\nend\nprogram stop(num x_n)\nbegin\nput(x_n)\nend";
+        assert_eq!(levels(&RULE, listing), [Severity::Error; 2]);
     }
 
     #[test]

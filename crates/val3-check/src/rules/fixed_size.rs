@@ -33,7 +33,7 @@ rule! {
     /// append(nTimes)
     /// nTimes[4]=1
     /// ```
-    V0235 "fixed-size" Warning, Program: check
+    V0235 "fixed-size" Error, Program: check
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -52,17 +52,13 @@ fn fault(program: &Program<'_>, instruction: &str, call: Call<'_>) -> Option<Wor
         Expr::Index(base, _) => *base,
         _ => argument,
     };
+    let Container::Array { dims } = program.inference.ty(array).container else { return None };
     let is_whole = matches!(program.body.expr(array), Expr::Name(_));
     let text = program.text(array);
     if is_whole && matches!(program.effects.root(array), Some(Root::Local(_))) {
         return Some(local(instruction, text));
     }
-    match program.inference.ty(array).container {
-        Container::Array { dims: dims @ 2.. } if !resizes_every_array(instruction) => {
-            Some(several_dimensions(instruction, text, dims))
-        }
-        _ => None,
-    }
+    (dims > 1 && !resizes_every_array(instruction)).then(|| several_dimensions(instruction, text, dims))
 }
 
 fn local(instruction: &str, array: &str) -> Wording {
@@ -86,7 +82,8 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check;
+    use crate::lint::testing::{check, levels};
+    use crate::rule::Severity;
 
     #[test]
     fn arrays_of_a_fixed_size() {
@@ -112,6 +109,12 @@ mod tests {
             "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nresize(l_n,1,4)\ninsert(l_n[0])\n\
              delete(l_n[0])\nappend(nGrid)\nend",
         ));
+    }
+
+    #[test]
+    fn the_manual_excludes_them() {
+        let listing = "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nappend(nGrid)\nend";
+        assert_eq!(levels(&RULE, listing), [Severity::Error; 2]);
     }
 
     #[test]
