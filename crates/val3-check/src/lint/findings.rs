@@ -4,7 +4,7 @@ use val3_analysis::db::File;
 use val3_syntax::TextRange;
 
 use crate::diagnostic::{Diagnostic, Edit, Fix, RelatedNote, Span, Wording};
-use crate::rule::Rule;
+use crate::rule::{Rule, Severity};
 
 /// The findings in one file.
 pub(crate) struct Findings {
@@ -71,6 +71,14 @@ impl Reported<'_> {
             Some(place) => self.related_in(place, message),
             None => self,
         }
+    }
+
+    /// Gives the finding another level than that of its rule.
+    pub(crate) fn level(mut self, severity: Severity) -> Self {
+        if let Some(diagnostic) = &mut self.diagnostic {
+            diagnostic.severity = severity;
+        }
+        self
     }
 
     /// Offers a change, if there are edits for it.

@@ -1,13 +1,14 @@
-//! V0227: a format text that the instruction refuses.
+//! V0227: a format text that the instruction refuses, or does not read to its end.
 
 use val3_lang::arguments::{BINARY_FORMATS, TextForm, text_form};
 use val3_lang::runtime_errors::INVALID_PARAMETER;
+use val3_lang::values::number_text::ignored;
 
 use crate::diagnostic::Wording;
 use crate::english::one_of;
 use crate::lint::{Findings, Program};
 use crate::phrase::runtime_error;
-use crate::rule::rule;
+use crate::rule::{Severity, rule};
 
 rule! {
     /// The format of a number is written in a way that the instruction does not know.
@@ -15,7 +16,8 @@ rule! {
     /// ## Why
     /// `toBinary` and `fromBinary` know fourteen encodings, in which every one of more than one byte says the order of
     /// its bytes (3.3.3); `toString` takes `size.precision`, two whole numbers that may be left out (3.4.3). Anything
-    /// else is run-time error 70.
+    /// else is run-time error 70. What follows `size.precision` is ignored: a warning where it holds digits, as in
+    /// `"8,2"`, else an info.
     ///
     /// ## Bad
     /// ```val3
@@ -43,15 +45,32 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let Some(text) = program.body.string(argument) else { continue };
             if form.fault(&text).is_some() {
                 found.report(&RULE, program.range(argument), word(callee, form, &text));
+            } else if let Some(rest) = rest(form, &text) {
+                let is_meant = rest.contains(|letter: char| letter.is_ascii_digit());
+                let level = if is_meant { Severity::Warning } else { Severity::Info };
+                found.report(&RULE, program.range(argument), word_rest(callee, &text, rest)).level(level);
             }
         }
     }
 }
 
+/// The end of the text that the instruction ignores.
+fn rest(form: TextForm, text: &str) -> Option<&str> {
+    let is_number = form == TextForm::Number;
+    ignored(text).filter(|rest| is_number && !rest.is_empty())
+}
+
+fn word_rest(callee: &str, text: &str, rest: &str) -> Wording {
+    let read = text.strip_suffix(rest).unwrap_or(text);
+    Wording::new(format!("`{callee}` reads `{read}` and ignores `{rest}`"), "not part of the format", NUMBER_HELP)
+}
+
+const NUMBER_HELP: &str = "write `size.precision` such as `8.2`, `.3` or an empty text";
+
 fn word(callee: &str, form: TextForm, text: &str) -> Wording {
     let help = match form {
         TextForm::Binary => format!("write {}", one_of(&BINARY_FORMATS)),
-        _ => "write `size.precision` such as `8.2`, `.3` or an empty text".to_owned(),
+        _ => NUMBER_HELP.to_owned(),
     };
     Wording::new(format!("`{callee}` knows no format `{text}`"), runtime_error(INVALID_PARAMETER), help)
 }
@@ -61,12 +80,12 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::testing::check;
+    use crate::lint::testing::{check, levels};
 
     #[test]
     fn formats_that_are_refused() {
         expect![[r#"
-            start.pgx:5 `"8,2"` `toString` knows no format `8,2`
+            start.pgx:5 `"%8.2f"` `toString` knows no format `%8.2f`
               | run-time error 70: invalid parameter
               ? write `size.precision` such as `8.2`, `.3` or an empty text
             start.pgx:6 `"4"` `toBinary` knows no format `4`
@@ -78,8 +97,24 @@ mod tests {
         "#]]
         .assert_eq(&check(
             &RULE,
-            "string s\nnum n\ns=toString(\"8,2\",n)\ntoBinary(n,1,\"4\",n)\nfromBinary(n,1,\"4l \",n)",
+            "string s\nnum n\ns=toString(\"%8.2f\",n)\ntoBinary(n,1,\"4\",n)\nfromBinary(n,1,\"4l \",n)",
         ));
+    }
+
+    #[test]
+    fn the_end_of_a_format_that_is_ignored() {
+        let listing = |format: &str| format!("string s\nnum n\ns=toString(\"{format}\",n)");
+        expect![[r#"
+            start.pgx:5 `".2,"` `toString` reads `.2` and ignores `,`
+              | not part of the format
+              ? write `size.precision` such as `8.2`, `.3` or an empty text
+        "#]]
+        .assert_eq(&check(&RULE, &listing(".2,")));
+        for (format, level) in
+            [("%8.2f", Severity::Error), ("8,2", Severity::Warning), (".2,", Severity::Info), ("8.2f", Severity::Info)]
+        {
+            assert_eq!(levels(&RULE, &listing(format)), [level], "{format}");
+        }
     }
 
     #[test]

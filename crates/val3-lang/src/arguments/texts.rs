@@ -1,12 +1,14 @@
 //! Forms of texts that an instruction reads as a format.
 
+use crate::values::number_text;
+
 /// What a text is read as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextForm {
     /// A binary encoding, one of [`BINARY_FORMATS`]; any other is run-time error 70 (3.3.3).
     Binary,
-    /// `size.precision` of a number as text, each a whole number or left out; anything else is run-time error 70
-    /// (3.4.3).
+    /// `size.precision` of a number as text, each a whole number or left out (3.4.3). What follows them is ignored; a
+    /// text that starts otherwise is run-time error 70.
     Number,
     /// A text in which each of [`DATE_KEYS`] is replaced by a part of the date; what is no key stays (4.3).
     Date,
@@ -43,11 +45,7 @@ impl TextForm {
     pub fn fault(self, text: &str) -> Option<&str> {
         match self {
             Self::Binary => (!BINARY_FORMATS.contains(&text)).then_some(text),
-            Self::Number => {
-                let (size, precision) = text.split_once('.').unwrap_or((text, ""));
-                let whole = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-                (!(whole(size) && whole(precision))).then_some(text)
-            }
+            Self::Number => number_text::ignored(text).is_none().then_some(text),
             Self::Date => date_fault(text),
         }
     }
@@ -84,10 +82,10 @@ mod tests {
 
     #[test]
     fn numbers_have_a_size_and_a_precision() {
-        for good in ["", "8", ".4", "8.4", "0.2", "8."] {
+        for good in ["", "8", ".4", "8.4", "0.2", "8.", ".2,", "8,4"] {
             assert_eq!(TextForm::Number.fault(good), None, "{good}");
         }
-        for bad in ["8,4", "%d", "-3", "3.2.1", " 8"] {
+        for bad in ["%d", "-3", "x", " 8"] {
             assert_eq!(TextForm::Number.fault(bad), Some(bad));
         }
     }

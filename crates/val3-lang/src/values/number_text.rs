@@ -25,7 +25,7 @@ const EXACT: f64 = 9_007_199_254_740_992.0;
 /// 70: the format starts with neither a digit nor a point, or a size or precision exceeds the 128 characters of a
 /// string.
 pub fn to_string(format: &str, value: f64) -> Result<Text> {
-    let Format { size, precision } = Format::parse(format).ok_or(Fault::INVALID_PARAMETER)?;
+    let Format { size, precision, .. } = Format::parse(format).ok_or(Fault::INVALID_PARAMETER)?;
     let number = fixed(value, precision);
     let kept = without_final_zeros(&number);
     let dropped = number.len() - kept.len();
@@ -36,19 +36,26 @@ pub fn to_string(format: &str, value: f64) -> Result<Text> {
     Ok(Text::from(format_args!("{kept:>front$}{:dropped$}", "")))
 }
 
-struct Format {
-    size: usize,
-    precision: usize,
+/// The end of a format of `toString` that the instruction ignores: `,` in `".2,"`. `None` for a format that it refuses.
+#[must_use]
+pub fn ignored(format: &str) -> Option<&str> {
+    Format::parse(format).map(|format| format.ignored)
 }
 
-impl Format {
-    fn parse(text: &str) -> Option<Self> {
+struct Format<'t> {
+    size: usize,
+    precision: usize,
+    ignored: &'t str,
+}
+
+impl<'t> Format<'t> {
+    fn parse(text: &'t str) -> Option<Self> {
         if !text.is_empty() && !text.starts_with(|first: char| first.is_ascii_digit() || first == '.') {
             return None;
         }
         let (size, rest) = leading_count(text)?;
-        let (precision, _) = rest.strip_prefix('.').map_or(Some((0, rest)), leading_count)?;
-        Some(Self { size, precision })
+        let (precision, ignored) = rest.strip_prefix('.').map_or(Some((0, rest)), leading_count)?;
+        Some(Self { size, precision, ignored })
     }
 }
 
@@ -126,7 +133,7 @@ fn without_final_zeros(number: &str) -> &str {
 #[cfg(test)]
 #[expect(clippy::approx_constant, reason = "the manual writes pi and e out")]
 mod tests {
-    use super::{significant, to_string};
+    use super::{ignored, significant, to_string};
     use crate::fault::Fault;
 
     fn formatted(format: &str, value: f64) -> String {
@@ -182,6 +189,13 @@ mod tests {
         for format in ["x", "-5", "+5", " 5", "%5.2", "129", ".129", "99999999999999999999999"] {
             assert_eq!(to_string(format, 1.0), Err(Fault::INVALID_PARAMETER), "{format}");
         }
+    }
+
+    #[test]
+    fn the_end_of_a_format_is_ignored() {
+        assert_eq!([ignored(".2,"), ignored("8,2"), ignored("3.2.1")], [Some(","), Some(",2"), Some(".1")]);
+        assert_eq!([ignored(""), ignored("8.2"), ignored("8.")], [Some(""); 3]);
+        assert_eq!([ignored("%8.2f"), ignored(" 8"), ignored("129")], [None; 3]);
     }
 
     #[test]
