@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
+use val3_lang::builtins;
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
@@ -54,7 +55,8 @@ pub fn without_father(db: &dyn Db, file: File) -> Vec<(SmolStr, String, TextRang
 fn unlinked(element: Element<'_>) -> Option<(SmolStr, String, TextRange)> {
     let name = element.attribute("name")?;
     let ty = element.value("type")?;
-    BaseType::from_file_name(&ty).filter(|(base, _)| base.has_father())?;
+    let is_built_in = |base: BaseType| builtins::find(&name.text()).is_some_and(|builtin| builtin.ty == base);
+    BaseType::from_file_name(&ty).filter(|(base, _)| base.has_father() && !is_built_in(*base))?;
     let is_linked = |value: Element<'_>| value.value(FATHER).is_some_and(|father| !father.trim().is_empty());
     let mut values = element.elements().peekable();
     if values.peek().is_none() && element.value("size").is_some() {

@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashSet;
 use val3_analysis::items::declarations;
+use val3_lang::builtins;
 use val3_lang::motion::missing_reference;
 use val3_lang::types::BaseType;
 
@@ -55,19 +56,24 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     for call in program.calls() {
         for (arg, ty) in needed(call) {
+            let name = program.text(arg);
+            let data = name.split('[').next().unwrap_or(name);
             let lacks = program.initial(arg).is_some_and(|initial| !initial.has_father);
-            if !lacks || !told.insert(program.text(arg)) {
+            if !lacks || is_built_in(data, ty) || !told.insert(name) {
                 continue;
             }
-            let name = program.text(arg);
             let reported = found.report(&RULE, program.range(arg), word(name, ty, call.instruction.name));
-            let data = name.split('[').next().unwrap_or(name);
             let item = program.items.data.get(data);
             if let Some(place) = item.and_then(|item| declarations::data(program.db, item.file, data.into())) {
                 reported.related_in(Span { file: place.file, range: place.range }, "its data names no father");
             }
         }
     }
+}
+
+/// `world` and `flange`, which files of s5 and s6 declare: everything else hangs on them.
+fn is_built_in(data: &str, ty: BaseType) -> bool {
+    builtins::find(data).is_some_and(|builtin| builtin.is_variable && builtin.ty == ty)
 }
 
 fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {
@@ -143,5 +149,22 @@ mod tests {
         "#]]
         .assert_eq(&check(&RULE, &data("")));
         assert_eq!(check(&RULE, &data("world")), "");
+    }
+
+    #[test]
+    fn world_and_flange_that_a_file_declares() {
+        let declared = "=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
+             xmlns=\"ProjectSchema\">\n  <frameSection>\n    <frame name=\"world\" public=\"false\">\n      \
+             <fFather alias=\"\" name=\"\" fatherIndex=\"0\" />\n      <valueFrame index=\"0\">\n        \
+             <tfValue x=\"0\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      </valueFrame>\n    </frame>\n  \
+             </frameSection>\n  <toolSection>\n    <tool name=\"flange\" public=\"false\">\n      \
+             <tFather alias=\"\" name=\"\" fatherIndex=\"0\" />\n      <valueTool index=\"0\">\n        \
+             <ttValue x=\"0\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      </valueTool>\n    </tool>\n    \
+             <tool name=\"tFree\" public=\"false\">\n      <tFather alias=\"\" name=\"\" fatherIndex=\"0\" />\n      \
+             <valueTool index=\"0\">\n        <ttValue x=\"0\" y=\"0\" z=\"9\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      \
+             </valueTool>\n    </tool>\n  </toolSection>\n</dataList>\n";
+        let listing = |line: &str| format!("program start()\n  point l_p\nbegin\n{line}\nend\n\n{declared}");
+        assert_eq!(check(&RULE, &listing("l_p=here(flange,world)\nl_p=here(flange,world[0])")), "");
+        assert_ne!(check(&RULE, &listing("l_p=here(tFree,world)")), "");
     }
 }
