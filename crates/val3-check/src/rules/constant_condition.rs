@@ -1,6 +1,7 @@
 //! V0301: a condition that is always true or always false.
 
-use val3_analysis::body::Constant;
+use rustc_hash::FxHashSet;
+use val3_analysis::body::{Constant, Expr, ExprId, StmtKind};
 use val3_analysis::flow::PointKind;
 
 use crate::diagnostic::Wording;
@@ -12,7 +13,8 @@ rule! {
     ///
     /// ## Why
     /// One of its ways is never taken, so it is either left over from a test or compares the wrong things. The
-    /// endless loops `while true` and `until false` are usual and not reported.
+    /// endless loops `while true` and `until false` are usual and not reported; neither is `if false` around comments
+    /// alone, which switches nothing off.
     ///
     /// ## Bad
     /// ```val3
@@ -36,13 +38,24 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
+    let idle = idle_conditions(program);
     for (_, point) in program.flow().points() {
         let PointKind::Test { condition: Some(condition), is_loop } = point.kind else { continue };
         let Some(Constant::Bool(value)) = program.body.constant(condition) else { continue };
-        if !(is_loop && program.is_endless(condition)) {
+        if !(is_loop && program.is_endless(condition) || idle.contains(&condition)) {
             found.report(&RULE, point.range, word(value));
         }
     }
+}
+
+/// The conditions written as `false` whose lines are comments: there is nothing that they keep from running.
+fn idle_conditions(program: &Program<'_>) -> FxHashSet<ExprId> {
+    let is_false = |id: &ExprId| matches!(program.body.expr(program.body.peel(*id)), Expr::Bool(false));
+    let arms = program.stmts().iter().flat_map(|stmt| match &stmt.kind {
+        StmtKind::If { arms, .. } => arms.as_slice(),
+        _ => &[],
+    });
+    arms.filter(|(_, block)| block.is_empty()).filter_map(|(condition, _)| *condition).filter(is_false).collect()
 }
 
 fn word(value: bool) -> Wording {
@@ -74,6 +87,19 @@ mod tests {
               ? compare a variable, or remove the test
         "#]]
         .assert_eq(&check(&RULE, "if 1==2\nelseIf !(2>3)\nendIf\nwhile 1<2\nendWhile"));
+    }
+
+    #[test]
+    fn comments_that_are_switched_off() {
+        let listing =
+            |line: &str| format!("num n\nif n==1\nput(n)\nelseIf (false)\n// put(1)\nendIf\nif false\n{line}\nendIf");
+        assert_eq!(check(&RULE, &listing("// put(2)\n\n  // put(3)")), "");
+        expect![[r#"
+            start.pgx:10 `false` this condition is always false
+              | always false
+              ? compare a variable, or remove the test
+        "#]]
+        .assert_eq(&check(&RULE, &listing("// put(2)\nput(3)")));
     }
 
     #[test]
