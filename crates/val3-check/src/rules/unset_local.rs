@@ -14,7 +14,8 @@ rule! {
     /// ## Why
     /// A local joint starts with every axis at 0, which few cells survive; a transformation changes nothing; a
     /// motion descriptor asks for full speed and rounded corners (10.5.1). Numbers, strings and truth values start
-    /// with 0, "" and false, which many programs rely on: they are not reported.
+    /// with 0, "" and false, which many programs rely on: they are not reported. Neither is a local that no line sets
+    /// and whose name says that it stays empty, such as `l_trEmpty` or `l_jZero`.
     ///
     /// ## Bad
     /// ```val3
@@ -47,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if !program.header.locals.iter().any(|local| followed(&local.type_name).is_some()) {
         return;
     }
-    let local_use = program.local_use();
+    let (local_use, variable_use) = (program.local_use(), program.variable_use());
     let facts = local_use.written(program.flow());
     let mut told = 0;
     for (id, _) in program.flow().points() {
@@ -56,6 +57,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let is_unset = access.kind == AccessKind::Read && (written | told) & bit == 0;
             let Root::Local(name) = &access.root else { continue };
             let local = program.header.locals.iter().find(|local| is_unset && local.name == *name);
+            let is_set = || variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
+            let local = local.filter(|_| is_set() || !is_meant_to_be_empty(name));
             if let Some(ty) = local.and_then(|local| followed(&local.type_name)) {
                 told |= bit;
                 let reported = found.report(&RULE, program.range(access.id), word(name, ty));
@@ -72,6 +75,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 fn followed(type_name: &str) -> Option<BaseType> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     matches!(ty, BaseType::Joint | BaseType::Trsf | BaseType::Config | BaseType::Mdesc).then_some(ty)
+}
+
+/// The name says that the variable has its first value on purpose.
+fn is_meant_to_be_empty(name: &str) -> bool {
+    const WORDS: [&str; 7] = ["empty", "zero", "null", "none", "neutral", "identity", "default"];
+    let name = name.to_ascii_lowercase();
+    WORDS.iter().any(|word| name.contains(word))
 }
 
 fn word(name: &str, ty: BaseType) -> Wording {
@@ -135,6 +145,19 @@ mod tests {
             assert_eq!(check(&RULE, &program(&format!("{line}\ntrA=l_tr"))), "", "{line}");
         }
         assert_eq!(check(&RULE, &program("while bA\nif bA\ntrA=l_tr\nendIf\nl_tr=trA\nendWhile")), "");
+    }
+
+    #[test]
+    fn meant_to_stay_empty() {
+        let program = |code: &str| {
+            format!(
+                "joint jA\ntrsf trA\n\nprogram start()\n  trsf l_trEmpty\n  joint l_jZERO\n  trsf l_trShift\nbegin\n{code}\nend"
+            )
+        };
+        assert_eq!(check(&RULE, &program("trA=trA*l_trEmpty\nif jA==l_jZERO\ncls()\nendIf")), "");
+        // An unset variable without such a name, and one that is set after its use, are reported.
+        assert_ne!(check(&RULE, &program("trA=trA*l_trShift")), "");
+        assert_ne!(check(&RULE, &program("trA=trA*l_trEmpty\nl_trEmpty.x=1")), "");
     }
 
     #[test]
