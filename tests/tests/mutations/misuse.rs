@@ -88,10 +88,10 @@ pub(crate) const VALUES: &[Mutation] = &[
         "V0238",
     ),
     slip(
-        "result of libSave dropped",
+        "result of libDelete dropped",
         "palletiser/stop.pgx",
         "  resetMotion()\n",
-        "  resetMotion()\n  libSave()$0\n",
+        "  resetMotion()\n  libDelete(\"old\")$0\n",
         "V0236",
     ),
     slip(

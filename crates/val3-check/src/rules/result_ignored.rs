@@ -68,20 +68,20 @@ mod tests {
     #[test]
     fn results_that_are_dropped() {
         expect![[r#"
-            start.pgx:5 `libSave` nobody looks at the result of `libSave`, the only sign that it failed
-              | yields 0, or why nothing is saved
-              ? test the result, or keep it in a variable
-            start.pgx:6 `setFrame` nobody looks at the result of `setFrame`, the only sign that it failed
+            start.pgx:5 `setFrame` nobody looks at the result of `setFrame`, the only sign that it failed
               | yields 0, or which point makes no frame
               ? test the result, or keep it in a variable
-            start.pgx:7 `pointToJoint` nobody looks at the result of `pointToJoint`, the only sign that it failed
+            start.pgx:6 `pointToJoint` nobody looks at the result of `pointToJoint`, the only sign that it failed
               | yields `false` if the arm cannot reach the point
               ? test the result, or keep it in a variable
         "#]]
-        .assert_eq(&check(
-            &RULE,
-            "frame f\npoint p\njoint j\ntool t\nlibSave()\nsetFrame(p,p,p,f)\npointToJoint(t,j,p,j)",
-        ));
+        .assert_eq(&check(&RULE, "frame f\npoint p\njoint j\ntool t\nsetFrame(p,p,p,f)\npointToJoint(t,j,p,j)"));
+    }
+
+    #[test]
+    fn saving_as_a_statement() {
+        let listing = "library part \"Disk://part/part.pjx\"\nlibSave()\npart:libSave()\n--- part\npublic num nW";
+        assert_eq!(check(&RULE, listing), "");
     }
 
     #[test]
