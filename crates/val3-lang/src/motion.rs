@@ -4,7 +4,7 @@
 
 use crate::enumerations::Enumerator;
 use crate::instruction::{Family, Instruction, Overload, Param, Shape};
-use crate::types::BaseType;
+use crate::types::{Attribute, BaseType};
 
 /// What an instruction does to the recorded moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -101,6 +101,12 @@ pub fn is_blend(choice: &Enumerator) -> bool {
     choice.ty == BaseType::Blend && choice.name != "off"
 }
 
+/// The attribute of a motion descriptor says whether and how the corner at the target is rounded (10.1.2).
+#[must_use]
+pub fn shapes_corner(attribute: &Attribute) -> bool {
+    matches!(attribute.field, "blend" | "leave" | "reach")
+}
+
 /// The configuration is asked for outright, instead of being kept or left to the arm (9.7.2).
 #[must_use]
 pub fn is_definite(choice: &Enumerator) -> bool {
@@ -134,10 +140,11 @@ pub fn needs_reference(instruction: &Instruction, param: &Param) -> bool {
 mod tests {
     use super::{
         Enumerator, MotionRole, Path, ROLES, descriptor, is_blend, is_definite, missing_reference, needs_reference,
-        role, target,
+        role, shapes_corner, target,
     };
     use crate::enumerations::ENUMERATORS;
-    use crate::{instructions, runtime_errors, types::BaseType};
+    use crate::types::{BaseType, attributes};
+    use crate::{instructions, runtime_errors};
 
     #[test]
     fn every_role_is_that_of_an_instruction() {
@@ -180,6 +187,12 @@ mod tests {
         };
         assert_eq!(names(is_blend), ["joint", "Cartesian"]);
         assert_eq!(names(is_definite), ["lefty", "righty", "epositive", "enegative", "wpositive", "wnegative"]);
+    }
+
+    #[test]
+    fn attributes_of_corners() {
+        let shaping = attributes(BaseType::Mdesc, None).iter().filter(|attribute| shapes_corner(attribute));
+        assert_eq!(shaping.map(|attribute| attribute.name).collect::<Vec<_>>(), ["blend", "leave", "reach"]);
     }
 
     #[test]

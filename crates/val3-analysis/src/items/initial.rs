@@ -2,8 +2,9 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_lang::enumerations::{Enumerator, find_in_file};
-use val3_lang::types::{Arm, AttributeValue, BaseType, attributes};
+use val3_lang::enumerations::{self, Enumerator, find_in_file};
+use val3_lang::motion::shapes_corner;
+use val3_lang::types::{Arm, Attribute, AttributeValue, BaseType, DefaultValue, attributes};
 
 use super::{data, parse};
 use crate::db::{Db, File};
@@ -19,6 +20,8 @@ pub struct Initial {
     pub has_father: bool,
     /// Its enumerated fields, as code writes them behind the variable (`config.shoulder`, `blend`).
     pub choices: Vec<(&'static str, &'static Enumerator)>,
+    /// The blend, or a distance of it, is another than the default (10.5.1).
+    pub asks_for_corner: bool,
 }
 
 /// The values that a file writes. An array of which no value is written has an entry without keys.
@@ -51,13 +54,14 @@ fn has_values(ty: BaseType) -> bool {
 /// `<Value key x … shoulder … fatherId>`
 fn new_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>) -> Initial {
     let has_father = value.value("fatherId").is_some_and(|father| !father.trim().is_empty());
-    Initial { has_father, choices: choices(|name| value.value(name).map(SmolStr::from), ty, arm) }
+    let written = |name: &str| value.value(name).map(SmolStr::from);
+    Initial { has_father, choices: choices(written, ty, arm), asks_for_corner: asks_for_corner(written, ty, arm) }
 }
 
 /// `<valuePoint index>` with `<cpValue shoulder …>` and others in it.
 fn old_value(value: Element<'_>, ty: BaseType, arm: Option<Arm>, has_father: bool) -> Initial {
     let written = |name: &str| value.elements().find_map(|part| part.value(name)).map(SmolStr::from);
-    Initial { has_father, choices: choices(written, ty, arm) }
+    Initial { has_father, choices: choices(written, ty, arm), asks_for_corner: asks_for_corner(written, ty, arm) }
 }
 
 /// `<pFather alias name fatherIndex>`, which has no name where there is none.
@@ -65,17 +69,29 @@ fn is_father(element: Element<'_>) -> bool {
     element.name().ends_with("Father") && element.value("name").is_some_and(|name| !name.is_empty())
 }
 
+fn asks_for_corner(written: impl Fn(&str) -> Option<SmolStr>, ty: BaseType, arm: Option<Arm>) -> bool {
+    let is_other = |attribute: &Attribute, text: &str| match (attribute.value, attribute.default) {
+        (AttributeValue::Choice(choice), _) => find_in_file(choice, text) != enumerations::values(choice).next(),
+        (_, DefaultValue::Number(usual)) => text.parse() != Ok(usual),
+        _ => false,
+    };
+    attributes(ty, arm)
+        .iter()
+        .filter(|attribute| shapes_corner(attribute))
+        .any(|attribute| written(attribute.name).is_some_and(|text| is_other(attribute, text.trim())))
+}
+
 fn choices(
     written: impl Fn(&str) -> Option<SmolStr>,
     ty: BaseType,
     arm: Option<Arm>,
 ) -> Vec<(&'static str, &'static Enumerator)> {
-    let choice = |attribute: &'static val3_lang::types::Attribute| {
+    let choice = |attribute: &'static Attribute| {
         let AttributeValue::Choice(choice) = attribute.value else { return None };
         let text = written(attribute.name);
         let found = match &text {
             Some(text) => find_in_file(choice, text.trim())?,
-            None => val3_lang::enumerations::values(choice).next()?,
+            None => enumerations::values(choice).next()?,
         };
         Some((attribute.field, found))
     };

@@ -17,7 +17,8 @@ fn shown(data: &str) -> String {
         for (key, value) in values {
             let choices: String = value.choices.iter().map(|(field, is)| format!(" {field}={}", is.name)).collect();
             let father = if value.has_father { "father" } else { "no father" };
-            lines.push(format!("{name}[{key}]: {father}{choices}\n"));
+            let corner = if value.asks_for_corner { " (corner)" } else { "" };
+            lines.push(format!("{name}[{key}]: {father}{choices}{corner}\n"));
         }
     }
     lines.sort();
@@ -29,9 +30,12 @@ fn the_new_dialect() {
     let data = r#"<Database xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Data/2">
   <Datas>
     <Data name="nA" access="private" xsi:type="array" type="num" size="1" />
-    <Data name="mA" access="private" xsi:type="array" type="mdesc" size="2">
+    <Data name="mA" access="private" xsi:type="array" type="mdesc" size="5">
       <Value key="0" blend="cartesian" />
       <Value key="1" vel="3" />
+      <Value key="2" leave="120" />
+      <Value key="3" blend="joint" leave="50" reach="50.0" />
+      <Value key="4" reach="5" />
     </Data>
     <Data name="pA" access="private" xsi:type="collection" type="pointRx">
       <Value key="home" elbow="enegative" fatherId="world[0]" />
@@ -41,9 +45,12 @@ fn the_new_dialect() {
   </Datas>
 </Database>"#;
     expect![[r#"
-        mA: 2
-        mA[0]: no father blend=Cartesian
+        mA: 5
+        mA[0]: no father blend=Cartesian (corner)
         mA[1]: no father blend=joint
+        mA[2]: no father blend=joint (corner)
+        mA[3]: no father blend=joint
+        mA[4]: no father blend=joint (corner)
         pA: 2
         pA[away]: no father config.shoulder=ssame config.elbow=esame config.wrist=wsame
         pA[home]: father config.shoulder=ssame config.elbow=enegative config.wrist=wsame
@@ -73,7 +80,7 @@ fn the_old_dialect() {
 </dataList>"#;
     expect![[r#"
         mA: 1
-        mA[0]: no father blend=off
+        mA[0]: no father blend=off (corner)
         pA: 1
         pA[0]: father config.shoulder=lefty config.elbow=esame config.wrist=wsame
         pB: 1

@@ -15,7 +15,15 @@ use val3_lang::types::{AttributeValue, BaseType, attributes};
 use super::Program;
 
 /// Fields whose value is certain, written as in code and without indexes: `l_mFast.blend`.
-pub(crate) type Choices = FxHashMap<SmolStr, &'static Enumerator>;
+pub(crate) type Choices = FxHashMap<SmolStr, Choice>;
+
+/// The certain value of an enumerated field.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Choice {
+    pub(crate) value: &'static Enumerator,
+    /// A person chose it: it is no default.
+    pub(crate) is_chosen: bool,
+}
 
 impl Program<'_> {
     /// What is certain before each point about fields that the program itself sets.
@@ -23,11 +31,12 @@ impl Program<'_> {
         let start = self.header.locals.iter().flat_map(|local| {
             let ty = BaseType::from_file_name(&local.type_name).filter(|_| local.sizes == [1]);
             let fields = ty.into_iter().flat_map(|(ty, _)| enumerated(ty));
-            fields.filter_map(|(field, ty)| Some((join(&local.name, field), enumerations::values(ty).next()?)))
+            let default = |ty| Some(Choice { value: enumerations::values(ty).next()?, is_chosen: false });
+            fields.filter_map(move |(field, ty)| Some((join(&local.name, field), default(ty)?)))
         });
         let step = |id: PointId, point: &Point, before: &Rc<Choices>| self.choices_after(id, point, before);
         forward(self.flow(), Rc::new(start.collect()), step, |known, other| {
-            let differs = |(field, value): (&SmolStr, &&'static Enumerator)| other.get(field) != Some(value);
+            let differs = |(field, value): (&SmolStr, &Choice)| other.get(field) != Some(value);
             let news = !Rc::ptr_eq(known, other) && known.iter().any(differs);
             if news {
                 Rc::make_mut(known).retain(|field, value| other.get(field) == Some(value));
@@ -38,12 +47,13 @@ impl Program<'_> {
 
     /// The value of `field` of the variable `id`, if it is certain: set by this program, or as the data file has it
     /// where no program ever changes the variable.
-    pub(crate) fn choice(&self, known: &Choices, id: ExprId, field: &str) -> Option<&'static Enumerator> {
+    pub(crate) fn choice(&self, known: &Choices, id: ExprId, field: &str) -> Option<Choice> {
         let id = self.moved_from(id);
         let set = self.path(id).and_then(|path| known.get(&join(&path, field)).copied());
         set.or_else(|| {
             let initial = self.initial(id)?;
-            initial.choices.iter().find(|(name, _)| *name == field).map(|(_, value)| *value)
+            let (_, value) = initial.choices.iter().find(|(name, _)| *name == field)?;
+            Some(Choice { value, is_chosen: initial.asks_for_corner })
         })
     }
 
@@ -111,11 +121,13 @@ impl Program<'_> {
     }
 
     /// What `target=value` makes certain.
-    fn assigned(&self, before: &Choices, target: &SmolStr, value: ExprId) -> Vec<(SmolStr, &'static Enumerator)> {
+    fn assigned(&self, before: &Choices, target: &SmolStr, value: ExprId) -> Vec<(SmolStr, Choice)> {
         let Some(ty) = self.inference.ty(value).base.builtin() else { return Vec::new() };
         if ty.is_enumeration() {
             let value = match self.body.expr(self.body.peel(value)) {
-                Expr::Name(name) => enumerations::find(name).filter(|found| found.ty == ty),
+                Expr::Name(name) => enumerations::find(name)
+                    .filter(|found| found.ty == ty)
+                    .map(|value| Choice { value, is_chosen: true }),
                 Expr::Field { base, field, .. } => self.choice(before, *base, field),
                 _ => None,
             };

@@ -6,11 +6,10 @@ use std::rc::Rc;
 use rustc_hash::FxHashMap;
 use val3_analysis::body::ExprId;
 use val3_analysis::flow::{Facts, Point, PointId, PointKind, forward};
-use val3_lang::enumerations::Enumerator;
 use val3_lang::instruction::Overload;
 use val3_lang::motion::{self, MotionRole};
 
-use super::choices::enumerated;
+use super::choices::{Choice, enumerated};
 use super::{Call, Choices, Program};
 
 /// What is certain about the arm and its moves before each point of a program.
@@ -39,8 +38,31 @@ pub(crate) enum Phase {
     Unknown,
     /// A move was recorded, and since then the program has waited for nothing.
     Moving,
-    /// It was stopped by this call, and nothing has let it go on.
-    Stopped(ExprId),
+    /// It is stopped, and nothing has let it go on.
+    Stopped {
+        /// The call that stopped it.
+        by: ExprId,
+        /// A recorded move is certainly not done yet.
+        pending: bool,
+    },
+}
+
+impl Phase {
+    /// What holds in both cases.
+    fn join(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Stopped { by, pending }, Self::Stopped { by: other, pending: also }) if by == other => {
+                Self::Stopped { by, pending: pending && also }
+            }
+            _ if self == other => self,
+            _ => Self::Unknown,
+        }
+    }
+
+    /// A recorded move is certainly not done yet.
+    fn has_pending_move(self) -> bool {
+        matches!(self, Self::Moving | Self::Stopped { pending: true, .. })
+    }
 }
 
 /// A call that has to do with the arm, and what is certain before it.
@@ -62,6 +84,11 @@ impl Motion {
         Self { arm, choices: OnceCell::new(), moves }
     }
 
+    /// Where the call that records a move stands.
+    pub(crate) fn point_of(&self, call: ExprId) -> Option<PointId> {
+        self.moves.get(&call).copied()
+    }
+
     /// What is certain about the arm before a point.
     pub(crate) fn arm(&self, point: PointId) -> ArmState {
         self.arm.before(point).copied().unwrap_or_default()
@@ -75,9 +102,7 @@ impl ArmState {
         if self.last != other.last {
             self.last = None;
         }
-        if self.phase != other.phase {
-            self.phase = Phase::Unknown;
-        }
+        self.phase = self.phase.join(other.phase);
         *self != before
     }
 
@@ -85,17 +110,18 @@ impl ArmState {
         let Some(role) = call.role else {
             return if call.instruction.blocking { Self { phase: Phase::Unknown, ..self } } else { self };
         };
-        let is_stopped = matches!(self.phase, Phase::Stopped(_));
-        match role {
-            MotionRole::Move(_) if is_stopped => Self { last: Some(call.id), ..self },
-            MotionRole::Move(_) => Self { last: Some(call.id), phase: Phase::Moving },
-            MotionRole::Stop => Self { phase: Phase::Stopped(call.id), ..self },
-            MotionRole::Reset => Self::default(),
-            MotionRole::Arrive | MotionRole::Restart => Self { phase: Phase::Unknown, ..self },
-            MotionRole::Progress | MotionRole::Position if is_stopped => self,
-            MotionRole::Progress => Self { phase: Phase::Unknown, ..self },
-            MotionRole::Position => self,
-        }
+        let stopped_by = if let Phase::Stopped { by, .. } = self.phase { Some(by) } else { None };
+        let phase = match (role, stopped_by) {
+            (MotionRole::Reset, _) => return Self::default(),
+            (MotionRole::Move(_), Some(by)) => Phase::Stopped { by, pending: true },
+            (MotionRole::Move(_), None) => Phase::Moving,
+            (MotionRole::Stop, _) => Phase::Stopped { by: call.id, pending: self.phase.has_pending_move() },
+            // A program that asks may have found that every move is done.
+            (MotionRole::Progress, Some(by)) => Phase::Stopped { by, pending: false },
+            (MotionRole::Position, _) => self.phase,
+            (MotionRole::Arrive | MotionRole::Restart | MotionRole::Progress, _) => Phase::Unknown,
+        };
+        Self { last: if is_move(call) { Some(call.id) } else { self.last }, phase }
     }
 }
 
@@ -119,18 +145,18 @@ impl<'db> Program<'db> {
         call.args.get(position(call.form?)?).copied()
     }
 
-    /// The move that `call` records certainly rounds its target.
+    /// The move that `call` records is to round its target: its descriptor certainly says so, and not by default.
     pub(crate) fn is_blended(&self, call: ExprId) -> bool {
         let descriptor = self.descriptor(call);
         let choices = descriptor.map(|id| self.choices_of(call, id)).unwrap_or_default();
-        choices.iter().any(|choice| motion::is_blend(choice))
+        choices.iter().any(|choice| choice.is_chosen && motion::is_blend(choice.value))
     }
 
     /// The certain values of the enumerated fields of `argument`, a variable, at the move that `call` records.
-    pub(crate) fn choices_of(&self, call: ExprId, argument: ExprId) -> Vec<&'static Enumerator> {
+    pub(crate) fn choices_of(&self, call: ExprId, argument: ExprId) -> Vec<Choice> {
         let known = self.motion().and_then(|motion| {
             let choices = motion.choices.get_or_init(|| self.choices());
-            choices.before(*motion.moves.get(&call)?)
+            choices.before(motion.point_of(call)?)
         });
         let ty = self.inference.ty(argument).base.builtin();
         let (Some(known), Some(ty)) = (known, ty) else { return Vec::new() };

@@ -13,7 +13,8 @@ rule! {
     /// ## Why
     /// `open` and `close` wait until the arm has arrived, so the arm stops at the target and the corner is not
     /// rounded (9.5.4, 10.1.2.2). A descriptor with `blend=off` says what really happens, and keeps it so when the
-    /// tool is one day switched elsewhere.
+    /// tool is one day switched elsewhere. The default, `joint` with the default distances, asks for nothing and is not
+    /// reported.
     ///
     /// ## Bad
     /// ```val3
@@ -98,6 +99,30 @@ mod tests {
               > start.pgx:10 `l_m` this descriptor asks for a rounded corner
         "#]]
         .assert_eq(&check(&RULE, &program("l_m=mA\nl_m.blend=joint\nmovel(pA,tA,l_m)\nclose(tA)")));
+    }
+
+    #[test]
+    fn the_default_is_no_wish() {
+        let data = |attributes: &str| {
+            format!(
+                "movel(pA,flange,mX)\nopen(tA)\n\n=== main/main.dtx\n<?xml version=\"1.0\" \
+                 encoding=\"utf-8\"?>\n<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
+                 xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n    \
+                 <Data name=\"mX\" access=\"private\" xsi:type=\"array\" type=\"mdesc\" size=\"1\">\n      \
+                 <Value key=\"0\" {attributes} />\n    </Data>\n    \
+                 <Data name=\"pA\" access=\"private\" xsi:type=\"array\" type=\"pointRx\" size=\"1\" />\n    \
+                 <Data name=\"tA\" access=\"private\" xsi:type=\"array\" type=\"tool\" size=\"1\" />\n  \
+                 </Datas>\n</Database>\n"
+            )
+        };
+        for chosen in ["leave=\"120\"", "blend=\"cartesian\"", "reach=\"5\""] {
+            assert_ne!(check(&RULE, &data(chosen)), "", "{chosen}");
+        }
+        for default in ["vel=\"50\"", "blend=\"joint\" leave=\"50\" reach=\"50\"", "blend=\"off\" leave=\"9\""] {
+            assert_eq!(check(&RULE, &data(default)), "", "{default}");
+        }
+        assert_eq!(check(&RULE, &program("l_m=mA\nl_m.vel=50\nmovel(pA,tA,l_m)\nclose(tA)")), "");
+        assert_eq!(check(&RULE, &program("movel(pA,tA,l_m)\nclose(tA)")), "");
     }
 
     #[test]

@@ -65,7 +65,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 fn definite(program: &Program<'_>, call: ExprId) -> Vec<&'static Enumerator> {
     let target = program.target(call);
     let choices = target.map(|target| program.choices_of(call, target)).unwrap_or_default();
-    choices.into_iter().filter(|choice| is_definite(choice)).collect()
+    choices.into_iter().map(|choice| choice.value).filter(|value| is_definite(value)).collect()
 }
 
 fn other(wanted: &[&'static Enumerator], from: &Enumerator) -> Option<&'static Enumerator> {
