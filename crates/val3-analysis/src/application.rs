@@ -72,6 +72,8 @@ pub struct Application {
     pub libraries: FxHashSet<SmolStr>,
     /// Programs that take a flag with `setMutex`.
     pub takers_of_mutexes: FxHashSet<SmolStr>,
+    /// Programs that let a stopped arm go on.
+    pub restarting: FxHashSet<SmolStr>,
     /// Flags that are tested on one line and set on the next, and the programs that do so.
     pub locks: FxHashMap<SmolStr, Vec<SmolStr>>,
 }
@@ -191,6 +193,9 @@ impl Application {
         }
         if summary.takes_mutex {
             self.takers_of_mutexes.insert(name.clone());
+        }
+        if summary.restarts_arm {
+            self.restarting.insert(name.clone());
         }
         for flag in &summary.locks {
             self.locks.entry(flag.clone()).or_default().push(name.clone());

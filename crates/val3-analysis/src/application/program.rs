@@ -3,6 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 use val3_lang::instructions::{GET_DATA, SET_MUTEX, TASK_KILL, TASK_STATUS, shows_named_page};
+use val3_lang::motion::{MotionRole, role};
 
 use super::task_starts::{TaskStart, never_ends};
 use super::{Callee, locks};
@@ -40,6 +41,8 @@ pub struct Summary {
     pub locks: FxHashSet<SmolStr>,
     /// It takes a flag with `setMutex`.
     pub takes_mutex: bool,
+    /// It lets a stopped arm go on.
+    pub restarts_arm: bool,
     /// It shows a user page (s8) by its name.
     pub shows_page: bool,
     /// One of its own lines may let the other tasks run: it waits, or reads or writes a serial line (5.4), or calls
@@ -94,6 +97,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
             && text_faults(db, file).errors.is_empty()
             && infer::problems(db, project, file).iter().all(|problem| hides_nothing(&problem.kind)),
         libraries: libraries(body),
+        restarts_arm: calls.iter().any(|call| role(call.instruction) == Some(MotionRole::Restart)),
         takes_mutex: calls_of(SET_MUTEX).next().is_some(),
         shows_page: calls.iter().any(|call| call.form.is_some_and(|form| shows_named_page(call.instruction, form))),
         locks: locks(body).into_iter().map(|lock| lock.flag).collect(),

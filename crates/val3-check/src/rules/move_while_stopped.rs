@@ -1,6 +1,8 @@
 //! V0407: the program waits for an arm that it has stopped.
 
 use rustc_hash::FxHashSet;
+use val3_analysis::body::ExprId;
+use val3_analysis::flow::{Facts, Point, PointId, PointKind, backward};
 use val3_lang::motion::MotionRole;
 
 use crate::diagnostic::Wording;
@@ -12,8 +14,9 @@ rule! {
     ///
     /// ## Why
     /// After `stopMove`, the arm continues only after `restartMove` or `resetMotion` (10.6). Until then a move
-    /// instruction records its move, and the arm does not make it. `waitEndMove`, `open` and `close` wait for the arm
-    /// to arrive, so they wait until another task lets it continue, or for ever.
+    /// instruction records its move, and the arm does not make it. `waitEndMove`, `open` and `close` wait for the
+    /// recorded moves, so they wait for ever. The rule is silent where another task may call `restartMove`, and where
+    /// no recorded move is left to wait for.
     ///
     /// `restartMove` lets the arm finish the moves that were recorded, before and after the stop. `resetMotion` cancels
     /// them, so the next move starts from where the arm is.
@@ -41,16 +44,52 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
+    let mut freed = None;
     for step in program.motion_steps() {
-        let Phase::Stopped(stop) = step.arm.phase else { continue };
-        let needs_arm = matches!(step.role, MotionRole::Move(_) | MotionRole::Arrive);
-        if needs_arm && told.insert(stop) {
-            let is_move = step.role != MotionRole::Arrive;
+        let Phase::Stopped { by: stop, pending } = step.arm.phase else { continue };
+        let is_move = step.role != MotionRole::Arrive;
+        let is_stuck = match step.role {
+            MotionRole::Move(_) => !is_freed(program, freed.get_or_insert_with(|| freed_later(program)), step.call.id),
+            MotionRole::Arrive => pending,
+            _ => false,
+        };
+        if is_stuck && !told.contains(&stop) && !others_restart(program) {
+            told.insert(stop);
             found
                 .report(&RULE, program.range(step.call.id), word(step.call.instruction.name, is_move))
                 .related(program.range(stop), "stopped here");
         }
     }
+}
+
+/// Before each point: the program may still let the arm go on, or call a program that may.
+fn freed_later(program: &Program<'_>) -> Facts<bool> {
+    let frees = |id: PointId, point: &Point| {
+        let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
+        matches!(point.kind, PointKind::Call(_))
+            || roles.any(|role| matches!(role, MotionRole::Restart | MotionRole::Reset))
+    };
+    backward(
+        program.flow(),
+        false,
+        |id, point, behind| *behind || frees(id, point),
+        |known, more| {
+            let news = *more && !*known;
+            *known |= news;
+            news
+        },
+    )
+}
+
+fn is_freed(program: &Program<'_>, freed: &Facts<bool>, call: ExprId) -> bool {
+    let point = program.motion().and_then(|motion| motion.point_of(call));
+    point.and_then(|point| freed.before(point)).copied().unwrap_or(true)
+}
+
+/// Another program, which a task may run meanwhile, calls `restartMove`.
+fn others_restart(program: &Program<'_>) -> bool {
+    let application = program.application();
+    application.restarting.iter().any(|name| name != program.name() && application.run_by.contains_key(name))
 }
 
 fn word(instruction: &str, is_move: bool) -> Wording {
@@ -89,7 +128,50 @@ mod tests {
               ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
               > start.pgx:7 `stopMove()` stopped here
         "#]]
-        .assert_eq(&check(&RULE, &program("movej(jA,tA,mA)\nstopMove()\nif isEmpty()\nwaitEndMove()\nendIf")));
+        .assert_eq(&check(&RULE, &program("movej(jA,tA,mA)\nstopMove()\nif bA\nwaitEndMove()\nendIf")));
+    }
+
+    #[test]
+    fn no_move_is_pending() {
+        let lines = [
+            "stopMove()\nwaitEndMove()",
+            "stopMove()\nopen(tA)",
+            "movej(jA,tA,mA)\nwaitEndMove()\nstopMove()\nwaitEndMove()",
+            "movej(jA,tA,mA)\ndelay(1)\nstopMove()\nwaitEndMove()",
+            "if bA\nmovej(jA,tA,mA)\nendIf\nstopMove()\nwaitEndMove()",
+            "movej(jA,tA,mA)\nstopMove()\nif isEmpty()\nwaitEndMove()\nendIf",
+            "movej(jA,tA,mA)\nresetMotion()\nstopMove()\nclose(tA)",
+        ];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(line)), "", "{line}");
+        }
+    }
+
+    #[test]
+    fn moves_that_are_made_later() {
+        let lines = ["restartMove()", "if bA\nrestartMove()\nendIf", "call resume()", "resetMotion()"];
+        for line in lines {
+            assert_eq!(check(&RULE, &program(&format!("stopMove()\nmovej(jA,tA,mA)\n{line}"))), "", "{line}");
+        }
+        // The wait comes first, so that the line after it is never reached.
+        expect![[r#"
+            start.pgx:8 `waitEndMove()` the arm is stopped: `waitEndMove` waits for ever
+              | nothing has let the arm go on
+              ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
+              > start.pgx:6 `stopMove()` stopped here
+        "#]]
+        .assert_eq(&check(&RULE, &program("stopMove()\nmovej(jA,tA,mA)\nwaitEndMove()\nrestartMove()")));
+    }
+
+    #[test]
+    fn another_task_restarts_the_arm() {
+        let other = "\n\nprogram watch()\nbegin\n  call resume()\nend";
+        let task = |program_name: &str| format!("taskCreate \"t\",10,{program_name}()\n");
+        let code = "movej(jA,tA,mA)\nstopMove()\nwaitEndMove()";
+        for name in ["resume", "watch"] {
+            assert_eq!(check(&RULE, &(program(&(task(name) + code)) + other)), "", "{name}");
+        }
+        assert_ne!(check(&RULE, &(program(code) + other)), "");
     }
 
     #[test]
