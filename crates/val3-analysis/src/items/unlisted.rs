@@ -6,6 +6,50 @@ use smol_str::SmolStr;
 use super::manifest::{Manifest, manifest};
 use crate::db::{Db, Project};
 
+/// The names of the files that certainly belong to no project, sorted.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Unlisted {
+    /// Program files.
+    pub programs: Vec<SmolStr>,
+    /// Data files.
+    pub data: Vec<SmolStr>,
+}
+
+/// The program and data files next to the `.pjx` of a project that it does not list. There are none where a second
+/// project shares the folder, and where the `.pjx` cannot be read whole.
+#[salsa::tracked]
+pub fn unlisted(db: &dyn Db, project: Project) -> Unlisted {
+    let several = project.beside(db).iter().filter(|name| has_extension(name, "pjx")).count() > 1;
+    if several || !manifest(db, project.manifest(db)).complete {
+        return Unlisted::default();
+    }
+    let (programs, data) = unlisted_names(db, project).into_iter().cloned().partition(|name| is_program(name));
+    Unlisted { programs, data }
+}
+
+impl Unlisted {
+    /// One of the files has the name of the program `name`.
+    pub fn has_program(&self, name: &str) -> bool {
+        let stem = |file: &SmolStr| file.rsplit_once('.').is_some_and(|(stem, _)| stem.eq_ignore_ascii_case(name));
+        self.programs.iter().any(stem)
+    }
+
+    /// All files.
+    pub fn all(&self) -> Vec<SmolStr> {
+        self.programs.iter().chain(&self.data).cloned().collect()
+    }
+}
+
+/// The names of the programs and data files in the folder of a project that it does not list, sorted. Another project in
+/// the same folder may list them.
+pub fn unlisted_names(db: &dyn Db, project: Project) -> Vec<&SmolStr> {
+    let Manifest { programs, data, .. } = manifest(db, project.manifest(db));
+    let listed = programs.iter().chain(data).map(|entry| file_name(entry).to_lowercase());
+    let listed: FxHashSet<String> = listed.collect();
+    let names = project.beside(db).iter().filter(|name| is_program(name) || is_data(name));
+    names.filter(|name| !listed.contains(&name.to_lowercase())).collect()
+}
+
 /// Whether a file is called like a program.
 pub fn is_program(name: &str) -> bool {
     has_extension(name, "pgx")
@@ -18,15 +62,6 @@ pub fn is_data(name: &str) -> bool {
 
 fn has_extension(name: &str, wanted: &str) -> bool {
     name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(wanted))
-}
-
-/// The names of the programs and data files in the folder of a project that it does not list, sorted.
-pub fn unlisted_names(db: &dyn Db, project: Project) -> Vec<&SmolStr> {
-    let Manifest { programs, data, .. } = manifest(db, project.manifest(db));
-    let listed = programs.iter().chain(data).map(|entry| file_name(entry).to_lowercase());
-    let listed: FxHashSet<String> = listed.collect();
-    let names = project.beside(db).iter().filter(|name| is_program(name) || is_data(name));
-    names.filter(|name| !listed.contains(&name.to_lowercase())).collect()
 }
 
 /// The name of a listed file, without the folder that s8 allows before it.

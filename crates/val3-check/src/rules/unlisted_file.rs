@@ -1,7 +1,8 @@
 //! V0531: a program or data file in the application's folder that the project does not list.
 
+use smol_str::SmolStr;
 use val3_analysis::items::declarations::{FileList, file_list};
-use val3_analysis::items::unlisted::{is_program, unlisted_names};
+use val3_analysis::items::unlisted::unlisted;
 
 use crate::diagnostic::{Edit, Wording};
 use crate::fix::Site;
@@ -65,20 +66,15 @@ rule! {
 }
 
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
-    let beside = view.project.beside(view.db);
-    let several = beside.iter().filter(|name| has_extension(name, "pjx")).count() > 1;
-    if several || view.items.incomplete {
-        return;
-    }
-    let unlisted = unlisted_names(view.db, view.project);
-    for of_programs in [true, false] {
-        unlisted.iter().filter(|name| is_program(name) == of_programs).for_each(|name| report(view, found, of_programs, name));
-    }
+    let unlisted = unlisted(view.db, view.project);
+    report(view, found, true, &unlisted.programs);
+    report(view, found, false, &unlisted.data);
 }
 
-fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, name: &str) {
+fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, unlisted: &[SmolStr]) {
     let what = if of_programs { "program" } else { "data" };
-    if let Some(list) = file_list(view.db, view.project, of_programs) {
+    for name in unlisted {
+        let Some(list) = file_list(view.db, view.project, of_programs) else { continue };
         found.report(&RULE, list.place, word(name, what)).fix(format!("list `{name}`"), false, entry(view, list, name));
     }
 }
@@ -88,10 +84,6 @@ fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
     let last = Site::new(view.db, view.project.manifest(view.db), list.last.filter(|_| is_plain)?, None);
     Some(last.element_after(&format!("<{} file=\"{name}\" />", list.item)))
-}
-
-fn has_extension(name: &str, wanted: &str) -> bool {
-    name.rsplit_once('.').is_some_and(|(_, extension)| extension.eq_ignore_ascii_case(wanted))
 }
 
 fn word(name: &str, what: &str) -> Wording {
