@@ -13,6 +13,7 @@ pub mod limits;
 pub mod manifest;
 pub mod program;
 pub mod project;
+pub mod shared_names;
 pub mod suppressions;
 pub mod unlisted;
 

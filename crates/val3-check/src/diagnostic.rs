@@ -71,6 +71,9 @@ pub struct Span {
     pub range: TextRange,
 }
 
+/// How many uses a finding names at most that stands for many.
+pub(crate) const MOST_RELATED: usize = 10;
+
 /// Another side of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RelatedNote {

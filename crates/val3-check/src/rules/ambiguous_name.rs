@@ -1,8 +1,11 @@
 //! V0123: a variable that is called like a program or a library identifier.
 
+use val3_analysis::db::{Db, File};
 use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
+use val3_analysis::items::shared_names::shared_names;
 
-use crate::diagnostic::Wording;
+use crate::diagnostic::{MOST_RELATED, Span, Wording};
+use crate::english::count;
 use crate::lint::{Findings, Program, span_of};
 use crate::rule::rule;
 
@@ -11,7 +14,7 @@ rule! {
     ///
     /// ## Why
     /// VAL 3 tells them apart by where they stand, people do not: `pick=true` looks like something done to the program
-    /// `pick`.
+    /// `pick`. Each name is reported once, in the first program that has such a variable.
     ///
     /// ## Bad
     /// ```val3
@@ -32,30 +35,46 @@ rule! {
     ///   putln(x_sReport)
     /// end
     /// ```
-    V0123 "ambiguous-name" Info, Program: check
+    V0123 "ambiguous-name" Info, Member: check
 }
 
+/// Each name is reported once, where the first program of the project declares it.
 fn check(program: &Program<'_>, found: &mut Findings) {
-    let header = program.header;
-    if header.locals.iter().any(|local| other_use(program, &local.name).is_some()) {
-        report(program, found, "local variable", all_locals(program.db, program.file));
+    let shared = shared_names(program.db, program.project);
+    if shared.is_empty() {
+        return;
     }
-    if header.params.iter().any(|param| other_use(program, &param.name).is_some()) {
-        report(program, found, "parameter", all_params(program.db, program.file));
-    }
-}
-
-fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<Declared>) {
-    for Declared { name, range, .. } in names {
-        if let Some(other) = other_use(program, &name) {
-            let reported = found.report(&RULE, range, word(what, &name, other));
-            let place = match program.items.programs.get(&name) {
-                Some(file) => declarations::program(program.db, *file),
-                None => declarations::library(program.db, program.project, name),
-            };
-            reported.related_at(place.map(span_of), "declared here");
+    let variables = variables(program.db, program.file);
+    for (what, Declared { name, range, .. }) in variables {
+        let (Some(other), Some([first, rest @ ..])) = (other_use(program, &name), shared.get(&name).map(Vec::as_slice))
+        else {
+            continue;
+        };
+        if *first != program.file {
+            continue;
+        }
+        let place = match program.items.programs.get(&name) {
+            Some(file) => declarations::program(program.db, *file),
+            None => declarations::library(program.db, program.project, name.clone()),
+        };
+        let mut reported = found
+            .report(&RULE, range, word(what, &name, other, rest.len()))
+            .related_at(place.map(span_of), "declared here");
+        for file in rest.iter().take(MOST_RELATED) {
+            reported = reported.related_at(variable(program.db, *file, &name), "a variable here too");
         }
     }
+}
+
+/// Parameters and locals of a program file.
+fn variables(db: &dyn Db, file: File) -> impl Iterator<Item = (&'static str, Declared)> {
+    let params = all_params(db, file).into_iter().map(|declared| ("parameter", declared));
+    params.chain(all_locals(db, file).into_iter().map(|declared| ("local variable", declared)))
+}
+
+fn variable(db: &dyn Db, file: File, name: &str) -> Option<Span> {
+    let (_, found) = variables(db, file).find(|(_, declared)| declared.name == name)?;
+    Some(Span { file, range: found.range })
 }
 
 fn other_use(program: &Program<'_>, name: &str) -> Option<&'static str> {
@@ -66,9 +85,10 @@ fn other_use(program: &Program<'_>, name: &str) -> Option<&'static str> {
     }
 }
 
-fn word(what: &str, name: &str, other: &str) -> Wording {
+fn word(what: &str, name: &str, other: &str, programs: usize) -> Wording {
+    let more = if programs > 0 { format!(" and in {}", count(programs, "other program")) } else { String::new() };
     Wording::new(
-        format!("`{name}` is a {what} here and also {other} of the project"),
+        format!("`{name}` is a {what} here{more}, and also {other} of the project"),
         format!("also {other}"),
         "give it another name",
     )
@@ -86,14 +106,33 @@ mod tests {
         let listing =
             "library part \"Disk://part/part.pjx\"\nprogram p(num p)\n  num part\nbegin\nend\n--- part\npublic num nW";
         expect![[r#"
-            p.pgx:5 `p` `p` is a parameter here and also a program of the project
+            p.pgx:5 `p` `p` is a parameter here, and also a program of the project
               | also a program
               ? give it another name
               > p.pgx:3 `p` declared here
-            p.pgx:8 `part` `part` is a local variable here and also a library identifier of the project
+            p.pgx:8 `part` `part` is a local variable here, and also a library identifier of the project
               | also a library identifier
               ? give it another name
               > main.pjx:11 `part` declared here
+        "#]]
+        .assert_eq(&check(&RULE, listing));
+    }
+
+    #[test]
+    fn each_name_once() {
+        let listing =
+            "program p(num p)\nbegin\nend\nprogram q()\n  num p\nbegin\nend\nprogram r(num q, bool p)\nbegin\nend";
+        expect![[r#"
+            p.pgx:5 `p` `p` is a parameter here and in 2 other programs, and also a program of the project
+              | also a program
+              ? give it another name
+              > p.pgx:3 `p` declared here
+              > q.pgx:5 `p` a variable here too
+              > r.pgx:6 `p` a variable here too
+            r.pgx:5 `q` `q` is a parameter here, and also a program of the project
+              | also a program
+              ? give it another name
+              > q.pgx:3 `q` declared here
         "#]]
         .assert_eq(&check(&RULE, listing));
     }
