@@ -112,28 +112,34 @@ impl ProjectCheck<'_> {
     ) {
         let mut seen = FxHashMap::default();
         for element in entries(root, list) {
-            match element.attribute(name) {
-                None => self.found.missing(element, name),
+            let is_again = match element.attribute(name) {
+                None => {
+                    self.found.missing(element, name);
+                    false
+                }
                 Some(found) => self.project_name(found, what, &mut seen),
-            }
+            };
             match element.attribute(path) {
                 None => self.found.missing(element, path),
-                Some(found) => self.target(found, what),
+                // What the second of two entries names does not count.
+                Some(found) if !is_again => self.target(found, what),
+                Some(_) => {}
             }
             self.found.one_of(element, "autoload", &["true", "false"]);
         }
     }
 
-    fn project_name(&mut self, found: Attribute<'_>, what: FileRole, seen: &mut FxHashMap<String, TextRange>) {
+    /// True for a name that an entry before has.
+    fn project_name(&mut self, found: Attribute<'_>, what: FileRole, seen: &mut FxHashMap<String, TextRange>) -> bool {
         let kind = if what == FileRole::Library { NameKind::Library } else { NameKind::Type };
         self.found.name(found, kind);
         let name = found.text().into_owned();
-        match seen.get(&name) {
-            Some(first) => self.duplicate(found, *first, what),
-            None => {
-                seen.insert(name, found.range);
-            }
+        if let Some(first) = seen.get(&name) {
+            self.duplicate(found, *first, what);
+            return true;
         }
+        seen.insert(name, found.range);
+        false
     }
 
     fn duplicate(&mut self, found: Attribute<'_>, first: TextRange, what: FileRole) {

@@ -97,3 +97,18 @@ fn one_library_under_many_aliases() {
     "#;
     assert_eq!(faults(listing), "");
 }
+
+#[test]
+fn a_type_or_library_listed_twice() {
+    let lists = r#"<Libraries><Library alias="part" path="Disk://part" /><Library alias="part" path="Disk://nowhere" /></Libraries>
+<Types><Type name="Part" path="Disk://gone" /><Type name="Part" path="Disk://gone" /></Types>
+"#;
+    expect![[r#"
+        main/main.pjx:2 `part` DuplicateEntry { what: Library, name: "part" }
+            First main/main.pjx:2 `part`
+        main/main.pjx:3 `Disk://gone` FileMissing { what: Type, path: "Disk://gone" }
+        main/main.pjx:3 `Part` DuplicateEntry { what: Type, name: "Part" }
+            First main/main.pjx:3 `Part`
+    "#]]
+    .assert_eq(&project(lists));
+}
