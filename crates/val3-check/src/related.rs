@@ -28,6 +28,8 @@ pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
         Kind::UnclosedBlock { block, .. } => format!("`{block}` opens here"),
         Kind::MissingBreak => "the branch starts here".to_owned(),
         Kind::CaseAfterDefault | Kind::SecondDefault => "the first `default` stands here".to_owned(),
+        Kind::CrossedBlocks { inner, .. } => format!("the `{inner}` ends here"),
+        Kind::MissingBeginAndEnd => "`end` belongs here".to_owned(),
         Kind::ElseAfterElse => "the first `else` stands here".to_owned(),
         Kind::DuplicateAttribute { name } => format!("the first `{name}` stands here"),
         Kind::TrailingText { .. } => "inside this bracket".to_owned(),

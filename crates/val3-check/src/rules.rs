@@ -242,6 +242,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
         Kind::UnexpectedText => xml_text::stray_text();
         Kind::UnknownEntity { text } => xml_text::unknown_entity(text);
         Kind::Doctype => xml_text::doctype();
+        Kind::EarlySectionEnd => xml_text::early_section_end();
         Kind::MalformedAttribute { name } => xml_attribute::malformed(name);
         Kind::DuplicateAttribute { name } => xml_attribute::duplicate(name);
         Kind::ConflictMarker => conflict_marker::word();
@@ -256,6 +257,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
         Kind::UnmatchedBracket { bracket } => unmatched_bracket::word(*bracket);
         Kind::UnterminatedString => unterminated_string::word();
         Kind::UnclosedBlock { block, missing } => unclosed_block::word(block, missing);
+        Kind::CrossedBlocks { inner, early, late } => unclosed_block::crossed(inner, early, late);
         Kind::UnmatchedBlockEnd { found, opener } => unmatched_block_end::word(found, opener);
         Kind::ElseAfterElse => unmatched_block_end::else_after_else();
         Kind::MissingBreak => missing_break::word();
@@ -272,6 +274,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
         Kind::ReturnValue => return_value::word();
         Kind::MissingBegin => missing_begin_end::no_begin();
         Kind::MissingEnd => missing_begin_end::no_end();
+        Kind::MissingBeginAndEnd => missing_begin_end::neither();
         Kind::NoCode => missing_begin_end::no_code();
         Kind::CodeOutsideBody => code_outside_body::word();
     }

@@ -47,6 +47,8 @@ pub enum SyntaxErrorKind {
     },
     /// A `<` that starts no tag, or text where only elements may stand.
     UnexpectedText,
+    /// `]]>` inside a line of code: it ends the section, and what follows is read as XML.
+    EarlySectionEnd,
     /// No element at all, or more than one at the top.
     RootElement,
     /// A document type declaration; its entities are never expanded.
@@ -84,6 +86,16 @@ pub enum SyntaxErrorKind {
         block: &'static str,
         /// `endIf`, `endWhile`, `endFor`, `until`, `endSwitch`.
         missing: &'static str,
+    },
+    /// A block ends before another one inside it does, as in `while`, `if`, `endWhile`, `endIf` (related: the end that
+    /// comes too late).
+    CrossedBlocks {
+        /// The inner block: `if`.
+        inner: &'static str,
+        /// The end that comes too early: `endWhile`.
+        early: &'static str,
+        /// The end of the inner block: `endIf`.
+        late: &'static str,
     },
     /// The end of a block that was never opened (`endIf`, `else`, `elseIf`, `until` …).
     UnmatchedBlockEnd {
@@ -135,6 +147,8 @@ pub enum SyntaxErrorKind {
     MissingBegin,
     /// The code has no `end`.
     MissingEnd,
+    /// The code has neither `begin` nor `end` (related: where `end` belongs).
+    MissingBeginAndEnd,
     /// Code before `begin` or after `end`.
     CodeOutsideBody,
     /// No code at all.
@@ -193,6 +207,7 @@ impl SyntaxErrorKind {
         matches!(
             self,
             Self::UnclosedBlock { .. }
+                | Self::CrossedBlocks { .. }
                 | Self::UnmatchedBlockEnd { .. }
                 | Self::MissingBreak
                 | Self::BreakOutsideSwitch
@@ -214,6 +229,7 @@ impl SyntaxErrorKind {
                 | Self::DuplicateAttribute { .. }
                 | Self::UnknownEntity { .. }
                 | Self::UnexpectedText
+                | Self::EarlySectionEnd
                 | Self::RootElement
                 | Self::Doctype
                 | Self::ConflictMarker
@@ -228,7 +244,10 @@ impl SyntaxErrorKind {
 
     /// Which element holds which is not certain.
     pub fn breaks_structure(&self) -> bool {
-        matches!(self, Self::UnclosedElement { .. } | Self::UnmatchedEndTag { .. } | Self::Unterminated(_))
+        matches!(
+            self,
+            Self::UnclosedElement { .. } | Self::UnmatchedEndTag { .. } | Self::Unterminated(_) | Self::EarlySectionEnd
+        )
     }
 
     /// The line it stands on cannot be read as it is meant. A block without its end leaves its lines as they are.
@@ -236,9 +255,11 @@ impl SyntaxErrorKind {
         !matches!(
             self,
             Self::UnclosedBlock { .. }
+                | Self::CrossedBlocks { .. }
                 | Self::MissingBreak
                 | Self::MissingEnd
                 | Self::MissingBegin
+                | Self::MissingBeginAndEnd
                 | Self::CommentAfterCode
                 | Self::ElseAfterElse
                 | Self::CaseAfterDefault

@@ -8,6 +8,7 @@ mod edit;
 pub mod encoding;
 pub mod error;
 mod grammar;
+mod joined;
 pub mod kind;
 mod lexer;
 mod parse;
@@ -17,6 +18,7 @@ pub mod view;
 pub mod xml;
 
 pub use edit::Edit;
+pub use joined::joined;
 pub use kind::{SyntaxElement, SyntaxKind, SyntaxNode, SyntaxToken};
 pub use lexer::{decode_entities, resolve_entity};
 pub use parse::{Parse, parse, parse_shared};

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use val3_syntax::error::SyntaxError;
 use val3_syntax::view::View;
-use val3_syntax::{Parse, SyntaxKind, TextRange, TextSize};
+use val3_syntax::{Parse, SyntaxKind, TextRange, TextSize, joined};
 
 use super::parse;
 use crate::db::{Db, File};
@@ -12,7 +12,7 @@ use crate::db::{Db, File};
 /// The faults of a text.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct TextFaults {
-    /// What the parser found, by position.
+    /// What the parser found, by position, each cause once.
     pub errors: Vec<SyntaxError>,
     /// Keywords that are not written in their usual letter case.
     pub odd_keywords: Vec<OddKeyword>,
@@ -42,7 +42,8 @@ pub struct OddKeyword {
 #[salsa::tracked]
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
-    let mut faults = TextFaults { errors: parse.errors().to_vec(), ..TextFaults::default() };
+    let errors = joined(file.text(db), parse.errors());
+    let mut faults = TextFaults { errors, ..TextFaults::default() };
     codes(parse.view(), &mut faults.codes);
     faults.odd_keywords = odd_keywords(&parse, file.text(db));
     faults

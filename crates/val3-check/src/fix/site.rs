@@ -49,6 +49,11 @@ impl<'a> Site<'a> {
         line.get(..line.len() - line.trim_start().len()).unwrap_or("")
     }
 
+    /// The same fault seen from its other side.
+    pub(crate) fn other_side(&self) -> Option<Self> {
+        Some(Self { range: self.related?, related: Some(self.range), ..*self })
+    }
+
     /// The marked text, or the part of it on one side of `:` or before `[`, if it is `name`.
     fn part(&self, name: &str) -> Option<TextRange> {
         let text = self.text();

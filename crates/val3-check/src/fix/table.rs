@@ -21,6 +21,8 @@ pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> 
         Kind::UnclosedBlock { missing, .. } => unclosed_block::fix(site, missing),
         Kind::MissingBegin => missing_begin_end::fix(site, "begin"),
         Kind::MissingEnd => missing_begin_end::fix(site, "end"),
+        Kind::MissingBeginAndEnd => missing_begin_end::fix_both(site),
+        Kind::CrossedBlocks { early, late, .. } => unclosed_block::swap(site, early, late),
         Kind::MissingBreak => missing_break::fix(site),
         Kind::AssignmentInExpression => assignment_in_expression::fix(site),
         Kind::CommentAfterCode => comment_after_code::fix(site),

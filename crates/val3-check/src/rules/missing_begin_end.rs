@@ -49,6 +49,15 @@ pub(crate) fn no_end() -> Wording {
     )
 }
 
+/// The code has neither.
+pub(crate) fn neither() -> Wording {
+    Wording::new(
+        "the code of the program has neither `begin` nor `end`",
+        "`begin` belongs here",
+        "the code of every program stands between a line `begin` and a line `end`",
+    )
+}
+
 /// There is no code at all.
 pub(crate) fn no_code() -> Wording {
     Wording::new(
@@ -62,6 +71,12 @@ pub(crate) fn no_code() -> Wording {
 pub(crate) fn fix(site: &Site<'_>, keyword: &str) -> Option<Fix> {
     let edit = site.insert_line(keyword)?;
     Some(Fix::guess(format!("write `{keyword}`"), vec![edit]))
+}
+
+/// Writes both keywords.
+pub(crate) fn fix_both(site: &Site<'_>) -> Option<Fix> {
+    let edits = vec![site.insert_line("begin")?, site.other_side()?.insert_line("end")?];
+    Some(Fix::guess("write `begin` and `end`", edits))
 }
 
 #[cfg(test)]
@@ -87,6 +102,16 @@ mod tests {
             ? if lines are missing too, the file was cut off: take it from a backup
         "#]]
         .assert_eq(&no_end().to_string());
+    }
+
+    #[test]
+    fn code_without_either() {
+        expect![[r#"
+            the code of the program has neither `begin` nor `end`
+            | `begin` belongs here
+            ? the code of every program stands between a line `begin` and a line `end`
+        "#]]
+        .assert_eq(&neither().to_string());
     }
 
     #[test]

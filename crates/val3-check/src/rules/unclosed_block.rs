@@ -44,6 +44,22 @@ pub(crate) fn word(block: &str, missing: &str) -> Wording {
     Wording::new(format!("`{block}` has no `{missing}`"), label, "")
 }
 
+/// A block ends before the `inner` one does.
+pub(crate) fn crossed(inner: &str, early: &str, late: &str) -> Wording {
+    Wording::new(
+        format!("`{early}` comes before the `{late}` of the `{inner}` inside its block"),
+        format!("the `{inner}` is still open here"),
+        format!("close the inner block first: `{late}`, then `{early}`"),
+    )
+}
+
+/// Swaps the ends of two blocks. The condition of `until` would have to move with it.
+pub(crate) fn swap(site: &Site<'_>, early: &str, late: &str) -> Option<Fix> {
+    let other = site.related.filter(|_| ![early, late].contains(&"until"))?;
+    let edits = vec![site.replace(site.range, late), site.replace(other, early)];
+    Some(Fix::guess(format!("swap `{early}` and `{late}`"), edits))
+}
+
 /// Closes the block where its indentation ends, or writes the end that was mistaken. What `until` waits for nobody
 /// can guess.
 pub(crate) fn fix(site: &Site<'_>, missing: &str) -> Option<Fix> {
@@ -76,6 +92,16 @@ mod tests {
             | `endIf` belongs here
         "#]]
         .assert_eq(&word("if", "endIf").to_string());
+    }
+
+    #[test]
+    fn crossed_blocks() {
+        expect![[r#"
+            `endWhile` comes before the `endIf` of the `if` inside its block
+            | the `if` is still open here
+            ? close the inner block first: `endIf`, then `endWhile`
+        "#]]
+        .assert_eq(&crossed("if", "endWhile", "endIf").to_string());
     }
 
     #[test]

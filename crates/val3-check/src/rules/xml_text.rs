@@ -80,6 +80,15 @@ pub(crate) fn doctype() -> Wording {
     )
 }
 
+/// `]]>` inside a line of code.
+pub(crate) fn early_section_end() -> Wording {
+    Wording::new(
+        "`]]>` ends the code section in the middle of a line",
+        "the code ends here",
+        "write a blank between the brackets, or in a string two parts: `\"]]\"+\">\"`",
+    )
+}
+
 /// Escapes a bare `&`.
 pub(crate) fn fix(site: &Site<'_>, text: &str) -> Option<Fix> {
     let ampersand = TextRange::at(site.range.start(), TextSize::of('&'));
@@ -120,6 +129,16 @@ mod tests {
             ? XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;` and `&apos;`; write other characters themselves
         "#]]
         .assert_eq(&unknown_entity("&nbsp;").to_string());
+    }
+
+    #[test]
+    fn the_end_of_the_section() {
+        expect![[r#"
+            `]]>` ends the code section in the middle of a line
+            | the code ends here
+            ? write a blank between the brackets, or in a string two parts: `"]]"+">"`
+        "#]]
+        .assert_eq(&early_section_end().to_string());
     }
 
     #[test]
