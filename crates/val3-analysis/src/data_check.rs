@@ -60,6 +60,7 @@ impl DataCheck<'_> {
                 continue;
             };
             self.name(name, &mut seen);
+            self.hidden_father(name);
             if element.name() == "Data" {
                 self.declaration(element);
             } else {

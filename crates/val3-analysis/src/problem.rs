@@ -52,6 +52,10 @@ pub enum Role {
     Implementation,
     /// The entry in the project that leads here.
     Entry,
+    /// The list that lacks an entry.
+    List,
+    /// One of the uses of the name.
+    Use,
 }
 
 /// What a name names.

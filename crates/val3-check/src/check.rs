@@ -10,7 +10,7 @@ use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
-use crate::diagnostic::{Diagnostic, RelatedNote, Span};
+use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote, Span};
 use crate::echoes::without_echoes;
 use crate::fix::Site;
 use crate::lint::Program;
@@ -269,7 +269,7 @@ impl<'db> Check<'db> {
     fn problems(&self, file: File, problems: &[Problem], faults: &mut Faults) {
         for problem in without_echoes(self.db, file, problems) {
             let (rule, wording) = word_problem(&problem.kind);
-            let related = problem.related.iter().map(|other| RelatedNote {
+            let related = problem.related.iter().take(MOST_RELATED).map(|other| RelatedNote {
                 place: Span { file: other.place.file, range: other.place.range },
                 message: related::role(other.role),
             });

@@ -14,6 +14,8 @@ pub(crate) fn role(role: Role) -> String {
         Role::Interface => "the interface asks for this",
         Role::Implementation => "the library has this instead",
         Role::Entry => "the project names it here",
+        Role::List => "not in this list",
+        Role::Use => "used here",
     }
     .to_owned()
 }
@@ -26,10 +28,10 @@ pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
         Kind::Unterminated(part) => format!("{} starts here", xml_part(*part)),
         Kind::UnclosedBracket { missing } => format!("`{}` opens here", opening_bracket(*missing)),
         Kind::UnclosedBlock { block, .. } => format!("`{block}` opens here"),
-        Kind::MissingBreak => "the branch starts here".to_owned(),
-        Kind::CaseAfterDefault | Kind::SecondDefault => "the first `default` stands here".to_owned(),
         Kind::CrossedBlocks { inner, .. } => format!("the `{inner}` ends here"),
         Kind::MissingBeginAndEnd => "`end` belongs here".to_owned(),
+        Kind::MissingBreak => "the branch starts here".to_owned(),
+        Kind::CaseAfterDefault | Kind::SecondDefault => "the first `default` stands here".to_owned(),
         Kind::ElseAfterElse => "the first `else` stands here".to_owned(),
         Kind::DuplicateAttribute { name } => format!("the first `{name}` stands here"),
         Kind::TrailingText { .. } => "inside this bracket".to_owned(),

@@ -347,6 +347,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::InvalidSize { size } => invalid_size::word(size);
         Kind::FatherMissing { father, near } => father_missing::word(father, near.as_deref());
         Kind::FatherKind { father, expected, found } => father_kind::word(father, expected, found);
+        Kind::FatherHidden { name, expected, found, uses } => father_kind::hidden(name, expected, found, *uses);
         Kind::FatherCircle { chain } => father_circle::word(chain);
         Kind::FatherInLibrary { father } => father_in_library::word(father);
         Kind::FatherIndex { father, size } => father_index::word(father, size);

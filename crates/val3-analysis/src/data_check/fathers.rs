@@ -9,9 +9,10 @@ use val3_syntax::view::View;
 
 use super::{DataCheck, show_size_of};
 use crate::items::data;
+use crate::items::fathers::{hidden_father, references, root};
 use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
-use crate::problem::ProblemKind;
+use crate::problem::{Place, Problem, ProblemKind, Related, Role};
 use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
@@ -29,7 +30,7 @@ impl DataCheck<'_> {
     pub(super) fn father(&mut self, found: Attribute<'_>, expected: BaseType) {
         let text = found.text().into_owned();
         let shown = SmolStr::from(text.as_str());
-        if text.trim().is_empty() {
+        if text.trim().is_empty() || self.is_hidden(&text) {
             return;
         }
         if text.split_once(':').is_some_and(|(library, _)| !library.contains('"')) {
@@ -41,6 +42,23 @@ impl DataCheck<'_> {
             Resolved::OutOfRange(size) => self.report(found.range, ProblemKind::FatherIndex { father: shown, size }),
             Resolved::Base(base) => self.father_kind(found.range, shown, expected, base),
         }
+    }
+
+    /// Data called `world` or `flange` that is no frame or tool has the message for everything that hangs on it.
+    pub(super) fn hidden_father(&mut self, declared: Attribute<'_>) {
+        let (db, name) = (self.db, SmolStr::from(declared.text()));
+        let Some(builtin) = hidden_father(db, self.project, &name) else { return };
+        let Some(item) = self.item(&name).filter(|item| item.file == self.file) else { return };
+        let (expected, found) = (builtin.ty.name().into(), item.base.display(db));
+        let places = references(db, self.project, &name);
+        let kind = ProblemKind::FatherHidden { name, expected, found, uses: places.len() };
+        let related = places.into_iter().map(|place| Related { place, role: Role::Use }).collect();
+        let place = Place { file: self.file, range: declared.range };
+        self.found.problems.push(Problem { kind, place, related });
+    }
+
+    fn is_hidden(&self, reference: &str) -> bool {
+        hidden_father(self.db, self.project, root(reference)).is_some()
     }
 
     fn father_kind(&mut self, range: TextRange, father: SmolStr, expected: BaseType, found: Base) {
@@ -97,7 +115,7 @@ impl DataCheck<'_> {
         let Some(expected) = base.father() else { return };
         for father in element.elements().filter(|inner| inner.name().ends_with("Father")) {
             let Some(name) = father.attribute("name").filter(|name| !name.raw.is_empty()) else { continue };
-            if father.value("alias").is_some_and(|alias| !alias.is_empty()) {
+            if father.value("alias").is_some_and(|alias| !alias.is_empty()) || self.is_hidden(&name.text()) {
                 continue;
             }
             let shown = SmolStr::from(name.text());

@@ -8,6 +8,7 @@ use super::Infer;
 use super::value::{Form, Origin, Value, Variable};
 use crate::body::ExprId;
 use crate::items::declarations;
+use crate::items::fathers::hidden_father;
 use crate::items::program::Header;
 use crate::items::project::{DataItem, Items, resolve_type};
 use crate::near::nearest;
@@ -61,7 +62,9 @@ impl Infer<'_> {
             return Some(value.clone());
         }
         if let Some(item) = self.items.data.get(name) {
-            return Some(data_value(item));
+            // Its declaration has the message.
+            let is_hidden = hidden_father(self.db, self.project, name).is_some();
+            return Some(if is_hidden { Value::UNKNOWN } else { data_value(item) });
         }
         if let Some(builtin) = builtins::find(name) {
             return Some(builtin_value(builtin));

@@ -2,14 +2,16 @@
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
-use val3_lang::builtins;
+use val3_lang::builtins::{self, Builtin};
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
 use super::data::elements;
 use super::parse;
-use super::project::data_files;
+use super::project::{data_files, items};
 use crate::db::{Db, File, Project};
+use crate::problem::Place;
+use crate::ty::Base;
 use crate::xml::Element;
 
 /// The names of the data and of the library identifiers that some data of the project hang on.
@@ -29,6 +31,33 @@ pub(crate) fn fathers_in(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     names
 }
 
+/// The built-in frame or tool whose name data of another type has taken, while other data hang on it.
+pub fn hidden_father(db: &dyn Db, project: Project, name: &str) -> Option<&'static Builtin> {
+    let builtin = builtins::find(name).filter(|builtin| builtin.is_variable)?;
+    let item = items(db, project).data.get(name)?;
+    let is_hidden = !item.base.same_as(Base::of(builtin.ty)) && fathers(db, project).contains(name);
+    is_hidden.then_some(builtin)
+}
+
+/// Where the data of a project name `name` as a father.
+pub fn references(db: &dyn Db, project: Project, name: &str) -> Vec<Place> {
+    let mut places = Vec::new();
+    for &file in data_files(db, project) {
+        let parse = parse(db, file);
+        let mut ranges = Vec::new();
+        elements(parse.view()).for_each(|element| collect_references(element, name, &mut ranges));
+        places.extend(ranges.into_iter().map(|range| Place { file, range }));
+    }
+    places
+}
+
+fn collect_references(element: Element<'_>, name: &str, ranges: &mut Vec<TextRange>) {
+    let old = element.attribute("name").filter(|_| element.name().ends_with("Father"));
+    let named = [old, element.attribute(FATHER)].into_iter().flatten();
+    ranges.extend(named.filter(|father| root(&father.text()) == name).map(|father| father.range));
+    element.elements().for_each(|inner| collect_references(inner, name, ranges));
+}
+
 /// Looks at the values, and at those of the fields of user types.
 fn collect(element: Element<'_>, names: &mut FxHashSet<SmolStr>) {
     if element.name().ends_with("Father") {
@@ -39,7 +68,7 @@ fn collect(element: Element<'_>, names: &mut FxHashSet<SmolStr>) {
 }
 
 /// The name before the first index, field or colon.
-fn root(reference: &str) -> &str {
+pub(crate) fn root(reference: &str) -> &str {
     reference.split(['[', '.', ':']).next().unwrap_or(reference).trim()
 }
 

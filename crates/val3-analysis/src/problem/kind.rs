@@ -414,6 +414,17 @@ pub enum ProblemKind {
         /// Type found.
         found: SmolStr,
     },
+    /// Data that is called `world` or `flange`, is of another type, and is named as a father (related: where).
+    FatherHidden {
+        /// The name.
+        name: SmolStr,
+        /// `frame` or `tool`.
+        expected: SmolStr,
+        /// Type found.
+        found: SmolStr,
+        /// How many values name it.
+        uses: usize,
+    },
     /// Frames or tools that hang on each other in a circle.
     FatherCircle {
         /// The names in order, the first again at the end.

@@ -3,6 +3,7 @@
 use expect_test::expect;
 
 use crate::data::datas;
+use crate::show::faults;
 
 #[test]
 fn fathers() {
@@ -70,4 +71,48 @@ fn circles_of_fathers() {
         main/main.dtx:2 `fA[2]` FatherCircle { chain: ["fA[1]", "fA[2]", "fA[1]"] }
     "#]]
     .assert_eq(&faulty.map(|faulty| datas(&faulty)).concat());
+}
+
+#[test]
+fn data_called_world() {
+    let listing = |world: &str, code: &str| {
+        let frame = |name: &str| {
+            format!(
+                "<Data name=\"{name}\" access=\"private\" xsi:type=\"array\" type=\"frame\" size=\"1\"><Value key=\"0\" \
+                 fatherId=\"world[0]\" /></Data>\n"
+            )
+        };
+        faults(&format!(
+            "{code}\n\n=== main/main.dtx\n<Database xmlns:xsi=\"x\"><Datas>\n<Data name=\"world\" access=\"private\" \
+             xsi:type=\"array\" type=\"{world}\" size=\"1\" />\n{}{}</Datas></Database>\n",
+            frame("fA"),
+            frame("fB")
+        ))
+    };
+    expect![[r#"
+        main/main.dtx:2 `world` FatherHidden { name: "world", expected: "frame", found: "num", uses: 2 }
+            Use main/main.dtx:3 `world[0]`
+            Use main/main.dtx:4 `world[0]`
+    "#]]
+    .assert_eq(&listing("num", "link(fA,world)\nfB=world"));
+    assert_eq!(listing("frame", "link(fA,world)"), "");
+}
+
+#[test]
+fn data_called_flange_in_the_old_dialect() {
+    let data = r#"=== main/main.dtx
+<dataList xmlns="ProjectSchema">
+  <numSection><num name="flange" public="false"><valueNum index="0" value="3" /></num></numSection>
+  <toolSection>
+    <tool name="tA" public="false"><tFather alias="" name="flange" fatherIndex="0" /></tool>
+    <tool name="tB" public="false"><tFather alias="" name="flange" fatherIndex="0" /></tool>
+  </toolSection>
+</dataList>
+"#;
+    expect![[r#"
+        main/main.dtx:2 `flange` FatherHidden { name: "flange", expected: "tool", found: "num", uses: 2 }
+            Use main/main.dtx:4 `flange`
+            Use main/main.dtx:5 `flange`
+    "#]]
+    .assert_eq(&faults(&format!("link(tA,flange)\n\n{data}")));
 }

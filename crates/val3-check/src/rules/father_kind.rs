@@ -1,6 +1,6 @@
 //! V0521: a father of the wrong kind.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{diagnostic::Wording, english::count, rule::rule};
 
 rule! {
     /// A frame or point hangs on something other than a frame, or a tool on something other than a tool.
@@ -61,11 +61,31 @@ pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
     )
 }
 
+/// Data that has the name of `world` or `flange`.
+pub(crate) fn hidden(name: &str, expected: &str, found: &str, uses: usize) -> Wording {
+    let uses = count(uses, "value");
+    Wording::new(
+        format!("`{name}` of type `{found}` takes the place of the built-in {expected} `{name}`, the father of {uses}"),
+        format!("of type `{found}`"),
+        "give this data another name",
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
 
     use super::*;
+
+    #[test]
+    fn data_called_world() {
+        expect![[r#"
+            `world` of type `num` takes the place of the built-in frame `world`, the father of 3 values
+            | of type `num`
+            ? give this data another name
+        "#]]
+        .assert_eq(&hidden("world", "frame", "num", 3).to_string());
+    }
 
     #[test]
     fn a_tool_for_a_frame() {
