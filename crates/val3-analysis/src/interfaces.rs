@@ -4,6 +4,7 @@
 //! interface is there, public, and of the same kind.
 
 mod compare;
+mod left_out;
 mod usage;
 
 use rustc_hash::FxHashSet;
@@ -17,6 +18,7 @@ use crate::paths::{self, Target};
 use crate::problem::{Place, Problem, ProblemKind};
 
 pub use compare::{implements, is_same_item};
+pub(crate) use left_out::is_left_out;
 pub use usage::{Load, LoadedPath, Uses, uses};
 
 /// What is wrong with the libraries of a project.
@@ -34,6 +36,7 @@ pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
         check.never_loaded(alias);
         check.loads(alias);
     }
+    check.left_out();
     check.problems
 }
 

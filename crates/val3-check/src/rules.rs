@@ -356,6 +356,8 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::LibraryCircle { chain } => library_circle::word(chain);
         Kind::LibraryItemUnknown { alias, item, what, near } =>
             library_item_unknown::word(alias, item, *what, near.as_deref());
+        Kind::LibraryLeftOut { alias, missing, unlisted, uses } =>
+            library_item_unknown::left_out(alias, missing, unlisted, *uses);
         Kind::LibraryItemPrivate { alias, item, what } => library_item_private::word(alias, item, *what);
         Kind::LibraryNeverLoaded { alias } => library_never_loaded::word(alias);
         Kind::LibLoadPath { path } => lib_load_path::word(path);

@@ -9,6 +9,7 @@ use super::value::{Form, Origin, Value, Variable};
 use super::{Infer, Overflow};
 use crate::body::ExprId;
 use crate::db::Project;
+use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{fields, items};
 use crate::near::nearest;
@@ -197,7 +198,7 @@ impl Infer<'_> {
                 self.report(id, ProblemKind::NotAValue { name, is: NameKind::Program });
                 Value::UNKNOWN
             }
-            None if items.lacks_data => Value::UNKNOWN,
+            None if items.lacks_data || is_left_out(self.db, interface, item, NameKind::Data) => Value::UNKNOWN,
             None => {
                 let public = items.data.iter().filter(|(_, item)| item.decl.public).map(|(name, _)| name.as_str());
                 let near = nearest(item, public);

@@ -11,6 +11,7 @@ use super::arguments::Callee;
 use super::fit::Formals;
 use crate::body::{Expr, ExprId};
 use crate::db::{Db, File, Project};
+use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{Signature, items, signature};
 use crate::near::nearest;
@@ -64,6 +65,7 @@ impl Infer<'_> {
         let programs = &items.programs;
         match programs.get(item) {
             None if items.may_have_program(item) => None,
+            None if is_left_out(self.db, interface, item, NameKind::Program) => None,
             Some(file) if signature(self.db, interface, *file).public => Some((interface, *file)),
             Some(file) => {
                 let place = declarations::program(self.db, *file);

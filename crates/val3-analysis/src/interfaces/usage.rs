@@ -65,7 +65,7 @@ pub fn uses(db: &dyn Db, file: File) -> Uses {
 }
 
 /// The item is no item of a library but an instruction that acts on it: `library:libLoad`.
-fn is_instruction(item: &str) -> bool {
+pub(super) fn is_instruction(item: &str) -> bool {
     item.starts_with('$')
         || instructions::find(item).is_some_and(|found| found.overloads.iter().any(|form| form.on_library))
 }

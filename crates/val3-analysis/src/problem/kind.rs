@@ -476,6 +476,17 @@ pub enum ProblemKind {
         /// The most similar public item.
         near: Option<SmolStr>,
     },
+    /// The project of the identifier lists nothing of what is used of it (related: its list, and where it is used).
+    LibraryLeftOut {
+        /// The identifier.
+        alias: SmolStr,
+        /// What is missing, sorted; at least one.
+        missing: Vec<SmolStr>,
+        /// The files in the library's folder that its project does not list.
+        unlisted: Vec<SmolStr>,
+        /// How many times they are used.
+        uses: usize,
+    },
     /// The item exists and is private.
     LibraryItemPrivate {
         /// The identifier.

@@ -227,3 +227,60 @@ fn types_of_libraries_are_one() {
     "#;
     assert_eq!(faults(listing), "");
 }
+
+/// An application that uses `part` in two programs; `pjx` lists what the library has, and `files` lie next to it.
+fn left_out(pjx: &str, files: &[&str]) -> String {
+    let program =
+        "<Programs><Program name=\"one\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
+    let data = "<Database xmlns:xsi=\"x\"><Datas><Data name=\"nA\" access=\"public\" xsi:type=\"array\" type=\"num\" \
+                size=\"1\" /></Datas></Database>";
+    let text = |file: &str| if file.ends_with("dtx") { data } else { program };
+    let files: String = files.iter().map(|file| format!("=== part/{file}\n{}\n", text(file))).collect();
+    faults(&format!(
+        "library part \"Disk://part/part.pjx\"\n\nprogram start()\nbegin\ncall part:one()\npart:nA=1\ncall part:two()\n\
+         part:libLoad(\"part\")\nend\n\nprogram more()\nbegin\npart:nA=part:nA+1\nend\n\n\
+         === part/part.pjx\n<Project>{pjx}</Project>\n{files}"
+    ))
+}
+
+#[test]
+fn a_library_that_lists_nothing() {
+    expect![[r#"
+        main/main.pjx:12 `part` LibraryLeftOut { alias: "part", missing: ["nA", "one", "two"], unlisted: ["one.pgx", "part.dtx"], uses: 5 }
+            List part/part.pjx:1 `Programs`
+            Use main/more.pgx:5 `part:nA`
+            Use main/more.pgx:5 `part:nA`
+            Use main/start.pgx:5 `part:one`
+            Use main/start.pgx:6 `part:nA`
+            Use main/start.pgx:7 `part:two`
+    "#]]
+    .assert_eq(&left_out("<Programs /><Database />", &["one.pgx", "part.dtx"]));
+    expect![[r#"
+        main/main.pjx:12 `part` LibraryLeftOut { alias: "part", missing: ["nA", "one", "two"], unlisted: [], uses: 5 }
+            List part/part.pjx:1 `Project`
+            Use main/more.pgx:5 `part:nA`
+            Use main/more.pgx:5 `part:nA`
+            Use main/start.pgx:5 `part:one`
+            Use main/start.pgx:6 `part:nA`
+            Use main/start.pgx:7 `part:two`
+    "#]]
+    .assert_eq(&left_out("", &[]));
+}
+
+#[test]
+fn a_library_that_lists_a_part() {
+    expect![[r#"
+        main/main.pjx:12 `part` LibraryLeftOut { alias: "part", missing: ["one"], unlisted: ["ONE.PGX"], uses: 1 }
+            List part/part.pjx:1 `Project`
+            Use main/start.pgx:5 `part:one`
+        main/start.pgx:7 `part:two` LibraryItemUnknown { alias: "part", item: "two", what: Program, near: None }
+            Interface main/main.pjx:12 `part`
+    "#]]
+    .assert_eq(&left_out("<Database><Data file=\"part.dtx\" /></Database>", &["ONE.PGX", "part.dtx"]));
+    let listed = "<Programs><Program file=\"one.pgx\" /></Programs><Database><Data file=\"part.dtx\" /></Database>";
+    expect![[r#"
+        main/start.pgx:7 `part:two` LibraryItemUnknown { alias: "part", item: "two", what: Program, near: None }
+            Interface main/main.pjx:12 `part`
+    "#]]
+    .assert_eq(&left_out(listed, &["one.pgx", "part.dtx", "old.dtx"]));
+}

@@ -1,9 +1,11 @@
 //! V0601: an item that the interface of a library lacks.
 
+use smol_str::SmolStr;
 use val3_analysis::problem::NameKind;
 
 use crate::{
     diagnostic::Wording,
+    english::{all_of, count},
     phrase::{did_you_mean_or, name_kind},
     rule::rule,
 };
@@ -15,6 +17,9 @@ rule! {
     /// A library identifier stands for an interface: the public programs and data of the project that declares it
     /// (6.2, 6.3). What is not in the interface cannot be used through the identifier, even if a library that is
     /// loaded under it later has it: the controller reports an unknown name and does not load the application.
+    ///
+    /// Where the project of the library lists nothing of what is used, most often because an empty `.pjx` took the place
+    /// of the true one, there is one finding at the entry of the library, with the files that lie there unlisted.
     ///
     /// ## Bad
     /// ```val3
@@ -54,6 +59,20 @@ pub(crate) fn word(alias: &str, item: &str, what: NameKind, near: Option<&str>) 
     )
 }
 
+/// The project of the library does not list what is used of it.
+pub(crate) fn left_out(alias: &str, missing: &[SmolStr], unlisted: &[SmolStr], uses: usize) -> Wording {
+    let (label, help) = if unlisted.is_empty() {
+        ("its project is empty", format!("list the programs and data of `{alias}` in its project"))
+    } else {
+        ("its project does not list them", format!("list the files next to it: {}", all_of(unlisted)))
+    };
+    Wording::new(
+        format!("the library `{alias}` lacks {}, used in {}", all_of(missing), count(uses, "place")),
+        label,
+        help,
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
@@ -68,6 +87,23 @@ mod tests {
             ? did you mean `init`?
         "#]]
         .assert_eq(&word("part", "inti", NameKind::Program, Some("init")).to_string());
+    }
+
+    #[test]
+    fn an_empty_project() {
+        let (missing, files) = (["init".into(), "nA".into()], ["init.pgx".into(), "part.dtx".into()]);
+        expect![[r#"
+            the library `part` lacks `init` and `nA`, used in 3 places
+            | its project does not list them
+            ? list the files next to it: `init.pgx` and `part.dtx`
+        "#]]
+        .assert_eq(&left_out("part", &missing, &files, 3).to_string());
+        expect![[r#"
+            the library `part` lacks `init` and `nA`, used in 1 place
+            | its project is empty
+            ? list the programs and data of `part` in its project
+        "#]]
+        .assert_eq(&left_out("part", &missing, &[], 1).to_string());
     }
 
     #[test]

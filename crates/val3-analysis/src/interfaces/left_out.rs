@@ -1,0 +1,103 @@
+//! Libraries whose project lists nothing of what is used of them, most often because a fresh `.pjx` took the place of
+//! the true one. Every use has the same cause, so the entry of the library has the one message.
+
+use std::collections::BTreeMap;
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use smol_str::SmolStr;
+
+use super::Interfaces;
+use super::usage::is_instruction;
+use crate::body::{Expr, ExprId, body};
+use crate::db::{Db, File, Project};
+use crate::items::declarations;
+use crate::items::manifest::manifest;
+use crate::items::project::items;
+use crate::items::unlisted::{Unlisted, unlisted};
+use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+
+fn may_leave_out(db: &dyn Db, library: Project) -> bool {
+    is_empty(db, library) || *unlisted(db, library) != Unlisted::default()
+}
+
+fn is_empty(db: &dyn Db, library: Project) -> bool {
+    let items = items(db, library);
+    items.programs.is_empty() && items.data.is_empty()
+}
+
+/// The item is missing because the project of the library lists nothing at all, or not the file that may hold it.
+pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameKind) -> bool {
+    let unlisted = unlisted(db, library);
+    let may_hold_it = match what {
+        NameKind::Program => unlisted.has_program(item),
+        _ => !unlisted.data.is_empty() && manifest(db, library.manifest(db)).data.is_empty(),
+    };
+    may_hold_it || is_empty(db, library)
+}
+
+/// An item that is used, and where.
+type ItemUse = (SmolStr, Place);
+
+impl Interfaces<'_> {
+    /// What the programs use of libraries whose projects leave it out: one problem a library.
+    pub(super) fn left_out(&mut self) {
+        let db = self.db;
+        let libraries = items(db, self.project).libraries.iter();
+        let libraries: FxHashMap<&SmolStr, Project> = libraries
+            .filter_map(|(alias, library)| Some((alias, library.interface?)))
+            .filter(|(_, library)| may_leave_out(db, *library))
+            .collect();
+        let mut found: BTreeMap<SmolStr, Vec<ItemUse>> = BTreeMap::new();
+        for (file, uses) in &self.programs {
+            if uses.items.iter().any(|(alias, _)| libraries.contains_key(alias)) {
+                collect_uses(db, *file, &libraries, &mut found);
+            }
+        }
+        for (alias, uses) in found {
+            let library = libraries.get(&alias).copied();
+            let place = declarations::library(db, self.project, alias.clone());
+            self.problems.extend(library.zip(place).map(|(library, place)| problem(db, alias, library, place, &uses)));
+        }
+    }
+}
+
+fn problem(db: &dyn Db, alias: SmolStr, library: Project, place: Place, uses: &[ItemUse]) -> Problem {
+    let mut missing: Vec<SmolStr> = uses.iter().map(|(item, _)| item.clone()).collect();
+    missing.sort_unstable();
+    missing.dedup();
+    let list = declarations::file_list(db, library, true);
+    let list = list.map(|list| Place { file: library.manifest(db), range: list.place });
+    let list = list.into_iter().map(|place| Related { place, role: Role::List });
+    let uses_of_items = uses.iter().map(|(_, place)| Related { place: *place, role: Role::Use });
+    let related = list.chain(uses_of_items).collect();
+    let unlisted = unlisted(db, library).all();
+    Problem { kind: ProblemKind::LibraryLeftOut { alias, missing, unlisted, uses: uses.len() }, place, related }
+}
+
+/// The items of `libraries` that the program in `file` uses and that are left out.
+fn collect_uses(
+    db: &dyn Db,
+    file: File,
+    libraries: &FxHashMap<&SmolStr, Project>,
+    found: &mut BTreeMap<SmolStr, Vec<ItemUse>>,
+) {
+    let body = body(db, file);
+    let callee = |expr: &Expr| if let Expr::Call(callee, _) = expr { Some(*callee) } else { None };
+    let callees: FxHashSet<ExprId> = body.exprs().filter_map(|(_, expr, _)| callee(expr)).collect();
+    for (id, expr, range) in body.exprs() {
+        let Expr::Path { library: alias, item } = expr else { continue };
+        let Some(library) = libraries.get(alias).filter(|_| !is_instruction(item)) else { continue };
+        let what = if callees.contains(&id) { NameKind::Program } else { NameKind::Data };
+        if is_missing(db, *library, item, what) && is_left_out(db, *library, item, what) {
+            found.entry(alias.clone()).or_default().push((item.clone(), Place { file, range }));
+        }
+    }
+}
+
+fn is_missing(db: &dyn Db, library: Project, item: &str, what: NameKind) -> bool {
+    let items = items(db, library);
+    match what {
+        NameKind::Program => !items.programs.contains_key(item) && !items.may_have_program(item),
+        _ => !items.data.contains_key(item) && !items.programs.contains_key(item) && !items.lacks_data,
+    }
+}
