@@ -14,7 +14,8 @@ pub(super) fn param(element: &BytesStart<'_>, position: usize) -> Result<AddOnPa
 
 fn shape(element: &BytesStart<'_>) -> Result<Shape, TableErrorKind> {
     let says = |name| attribute(element, name).map(|value| value == "true");
-    Ok(if says("array")? {
+    let takes_any_container = says("collectionName")? && attribute(element, "arrayDim")? == "0";
+    Ok(if says("array")? && !takes_any_container {
         Shape::Array { dims: dimensions(attribute(element, "arrayDim")?)? }
     } else if says("dictionary")? {
         Shape::Collection

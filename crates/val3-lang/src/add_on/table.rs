@@ -148,7 +148,7 @@ fn result(name: &str) -> Result<Option<BaseType>, TableErrorKind> {
 #[cfg(test)]
 mod tests {
     use super::{AddOnTable, TableErrorKind, parse_table};
-    use crate::instruction::Class;
+    use crate::instruction::{Class, Shape};
 
     const TABLE: &str = "\u{feff}<?xml version=\"1.0\" encoding=\"utf-8\" ?>
 <Language xmlns=\"http://www.staubli.com/robotics/VAL3/1\" >
@@ -207,6 +207,14 @@ mod tests {
         let error = parse_table(&deep).err();
         assert_eq!(error.as_ref().map(|error| error.offset), deep.find("<Param"));
         assert!(error.is_some_and(|error| error.to_string().contains("not `4`")));
+    }
+
+    #[test]
+    fn an_array_of_no_dimension_is_any_container() {
+        let param = "<Param type=\"num\" dataRef=\"true\" collectionName=\"true\" array=\"true\" arrayDim=\"0\"/>";
+        let table = parse_table(&with_function(&format!("<Name>$x</Name><Return>bool</Return>{param}"))).unwrap();
+        let shapes = table.find("$x").into_iter().flat_map(|found| &found.overloads).flat_map(|form| &form.params);
+        assert_eq!(shapes.map(|param| param.shape).collect::<Vec<_>>(), [Shape::Whole]);
     }
 
     #[test]
