@@ -15,7 +15,8 @@ rule! {
     /// A local joint starts with every axis at 0, which few cells survive; a transformation changes nothing; a
     /// motion descriptor asks for full speed and rounded corners (10.5.1). Numbers, strings and truth values start
     /// with 0, "" and false, which many programs rely on: they are not reported. Neither is a local that no line sets
-    /// and whose name says that it stays empty, such as `l_trEmpty` or `l_jZero`.
+    /// and whose name says that it stays empty, such as `l_trEmpty` or `l_jZero`, nor one that takes the result of the
+    /// same line.
     ///
     /// ## Bad
     /// ```val3
@@ -53,8 +54,11 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = 0;
     for (id, _) in program.flow().points() {
         let Some(mut written) = facts.before(id).copied() else { continue };
+        // A variable that the line also takes the result in: `pointToJoint(tA,l_j,pA,l_j)` starts wherever it is.
+        let references = local_use.at(id).iter().filter(|(_, access)| access.kind == AccessKind::Reference);
+        let returned = references.fold(0, |all, (bit, _)| all | bit);
         for (bit, access) in local_use.at(id) {
-            let is_unset = access.kind == AccessKind::Read && (written | told) & bit == 0;
+            let is_unset = access.kind == AccessKind::Read && (written | told | returned) & bit == 0;
             let Root::Local(name) = &access.root else { continue };
             let local = program.header.locals.iter().find(|local| is_unset && local.name == *name);
             let is_set = || variable_use.locals.get(name).is_some_and(|uses| uses.may_write());
@@ -145,6 +149,13 @@ mod tests {
             assert_eq!(check(&RULE, &program(&format!("{line}\ntrA=l_tr"))), "", "{line}");
         }
         assert_eq!(check(&RULE, &program("while bA\nif bA\ntrA=l_tr\nendIf\nl_tr=trA\nendWhile")), "");
+    }
+
+    #[test]
+    fn set_on_the_same_line() {
+        assert_eq!(check(&RULE, &program("if pointToJoint(flange,l_j,pA,l_j)\nmovej(l_j,flange,mA)\nendIf")), "");
+        assert_ne!(check(&RULE, &program("if pointToJoint(flange,l_j,pA,jA)\nmovej(jA,flange,mA)\nendIf")), "");
+        assert_ne!(check(&RULE, &program("l_tr=l_tr*trA")), "");
     }
 
     #[test]
