@@ -3,11 +3,13 @@
 
 use std::collections::BTreeMap;
 
+use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
 
 use super::Interfaces;
 use super::usage::is_instruction;
+use crate::application::ENTRY_POINTS;
 use crate::body::{Expr, ExprId, body};
 use crate::db::{Db, File, Project};
 use crate::items::declarations;
@@ -25,14 +27,24 @@ fn is_empty(db: &dyn Db, library: Project) -> bool {
     items.programs.is_empty() && items.data.is_empty()
 }
 
-/// The item is missing because the project of the library lists nothing at all, or not the file that may hold it.
+/// More programs lie unlisted than are listed: the `.pjx` is not the one that belongs to the files. A fresh one lists
+/// `start` and `stop`, and data of its own.
+fn lists_few(db: &dyn Db, library: Project) -> bool {
+    let stem = |file: &str| Utf8Path::new(file).file_stem().unwrap_or("").to_ascii_lowercase();
+    let listed = manifest(db, library.manifest(db)).programs.iter();
+    let listed = listed.filter(|file| !ENTRY_POINTS.contains(&stem(file).as_str())).count();
+    unlisted(db, library).programs.len() > listed
+}
+
+/// The item is missing because the project of the library lists nothing or little of what lies in its folder, or not
+/// the file that may hold it.
 pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameKind) -> bool {
     let unlisted = unlisted(db, library);
     let may_hold_it = match what {
         NameKind::Program => unlisted.has_program(item),
         _ => !unlisted.data.is_empty() && manifest(db, library.manifest(db)).data.is_empty(),
     };
-    may_hold_it || is_empty(db, library)
+    may_hold_it || is_empty(db, library) || lists_few(db, library)
 }
 
 /// An item that is used, and where.

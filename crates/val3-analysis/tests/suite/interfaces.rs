@@ -230,11 +230,14 @@ fn types_of_libraries_are_one() {
 
 /// An application that uses `part` in two programs; `pjx` lists what the library has, and `files` lie next to it.
 fn left_out(pjx: &str, files: &[&str]) -> String {
-    let program =
-        "<Programs><Program name=\"one\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
-    let data = "<Database xmlns:xsi=\"x\"><Datas><Data name=\"nA\" access=\"public\" xsi:type=\"array\" type=\"num\" \
-                size=\"1\" /></Datas></Database>";
-    let text = |file: &str| if file.ends_with("dtx") { data } else { program };
+    let text = |file: &str| match file.to_lowercase().strip_suffix(".pgx") {
+        Some(name) => format!(
+            "<Programs><Program name=\"{name}\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>"
+        ),
+        None => "<Database xmlns:xsi=\"x\"><Datas><Data name=\"nA\" access=\"public\" xsi:type=\"array\" type=\"num\" \
+                 size=\"1\" /></Datas></Database>"
+            .to_owned(),
+    };
     let files: String = files.iter().map(|file| format!("=== part/{file}\n{}\n", text(file))).collect();
     faults(&format!(
         "library part \"Disk://part/part.pjx\"\n\nprogram start()\nbegin\ncall part:one()\npart:nA=1\ncall part:two()\n\
@@ -268,15 +271,30 @@ fn a_library_that_lists_nothing() {
 }
 
 #[test]
+fn a_library_with_a_fresh_project_file() {
+    let fresh = "<Programs><Program file=\"start.pgx\" /></Programs><Database><Data file=\"part.dtx\" /></Database>";
+    expect![[r#"
+        main/main.pjx:12 `part` LibraryLeftOut { alias: "part", missing: ["one", "two"], unlisted: ["one.pgx"], uses: 2 }
+            List part/part.pjx:1 `Programs`
+            Use main/start.pgx:5 `part:one`
+            Use main/start.pgx:7 `part:two`
+    "#]]
+    .assert_eq(&left_out(fresh, &["start.pgx", "one.pgx", "part.dtx"]));
+}
+
+#[test]
 fn a_library_that_lists_a_part() {
     expect![[r#"
         main/main.pjx:12 `part` LibraryLeftOut { alias: "part", missing: ["one"], unlisted: ["ONE.PGX"], uses: 1 }
-            List part/part.pjx:1 `Project`
+            List part/part.pjx:1 `Programs`
             Use main/start.pgx:5 `part:one`
         main/start.pgx:7 `part:two` LibraryItemUnknown { alias: "part", item: "two", what: Program, near: None }
             Interface main/main.pjx:12 `part`
     "#]]
-    .assert_eq(&left_out("<Database><Data file=\"part.dtx\" /></Database>", &["ONE.PGX", "part.dtx"]));
+    .assert_eq(&left_out(
+        "<Programs><Program file=\"other.pgx\" /></Programs><Database><Data file=\"part.dtx\" /></Database>",
+        &["ONE.PGX", "other.pgx", "part.dtx"],
+    ));
     let listed = "<Programs><Program file=\"one.pgx\" /></Programs><Database><Data file=\"part.dtx\" /></Database>";
     expect![[r#"
         main/start.pgx:7 `part:two` LibraryItemUnknown { alias: "part", item: "two", what: Program, near: None }
