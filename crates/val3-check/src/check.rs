@@ -14,6 +14,7 @@ use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote, Span};
 use crate::echoes::without_echoes;
 use crate::fix::Site;
 use crate::lint::Program;
+use crate::one_cause::joined;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
@@ -137,8 +138,8 @@ pub fn put_together(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member:
     suppression::apply(db, found)
 }
 
-/// What only the whole shows, after every unit was checked: comments that silenced nothing; and an add-on that is
-/// missing is one finding an application, however often it is used.
+/// What only the whole shows, after every unit was checked: comments that silenced nothing, and causes that several
+/// findings have. An add-on that is missing is one finding an application, however often it is used.
 pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
     for unit in units {
         if let Unit::Program(project, file) = *unit {
@@ -151,6 +152,7 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut che
     checked.findings.retain(|diagnostic| {
         !is_said_once(diagnostic.rule) || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
+    checked.findings = joined(db, checked.findings);
     checked
 }
 

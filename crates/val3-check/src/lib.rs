@@ -11,6 +11,7 @@ pub mod fingerprint;
 pub mod fix;
 mod keywords;
 mod lint;
+mod one_cause;
 mod phrase;
 mod related;
 pub mod rule;

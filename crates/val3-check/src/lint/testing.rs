@@ -11,11 +11,26 @@ use val3_test::{Fixture, ROOT};
 use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
 use crate::settings::{Selection, WorkspaceSettings};
-use crate::{check_unit, units};
+use crate::{check_unit, finish, units};
 
 /// The levels of the findings of `rule` in a listing of `val3-test`.
 pub(crate) fn levels(rule: &Rule, listing: &str) -> Vec<Severity> {
     findings(rule, listing).1.into_iter().map(|diagnostic| diagnostic.severity).collect()
+}
+
+/// The findings with the code `code` after a whole check of a listing: file, message, and how many related places.
+pub(crate) fn finished(listing: &str, code: &str) -> Vec<String> {
+    let fixture = Fixture::parse(listing);
+    let files =
+        fixture.files.into_iter().map(|(path, text)| (Utf8PathBuf::from(format!("{ROOT}/{path}")), text.into_bytes()));
+    let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
+    let db = &workspace.db;
+    let units = units(db, &workspace.projects);
+    let settings = WorkspaceSettings::new(db, &workspace.projects, &Selection::default()).unwrap();
+    let checked = units.iter().map(|unit| check_unit(db, *unit, &settings)).sum();
+    let found = finish(db, &units, &settings, checked).findings.into_iter().filter(|found| found.rule.code == code);
+    let file = |found: &Diagnostic| found.place.file.path(db).file_name().unwrap_or("").to_owned();
+    found.map(|found| format!("{}: {} ({} related)", file(&found), found.message, found.related.len())).collect()
 }
 
 fn findings(rule: &Rule, listing: &str) -> (Workspace, Vec<Diagnostic>) {

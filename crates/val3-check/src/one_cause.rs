@@ -1,0 +1,77 @@
+//! One cause, one message: findings of several applications that have the same cause.
+
+use std::collections::hash_map::Entry;
+
+use rustc_hash::FxHashMap;
+use val3_analysis::db::Db;
+
+use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote, Span};
+use crate::rules::{ambiguous_name, library_item_unknown};
+
+/// What several applications may suffer from.
+#[derive(PartialEq, Eq, Hash)]
+enum Cause<'db> {
+    /// A name that variables share with a program or library. Libraries that are loaded in place of each other have the
+    /// same programs with the same parameters.
+    Name(&'db str),
+    /// A library whose project does not list what is used: its list.
+    Library(Span),
+}
+
+/// Keeps the first finding of each cause. The places of the others become related places of it.
+pub(crate) fn joined(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    let mut kept: Vec<Diagnostic> = Vec::with_capacity(findings.len());
+    let mut firsts: FxHashMap<Cause<'_>, usize> = FxHashMap::default();
+    for finding in findings {
+        let first = cause(db, &finding).map(|cause| firsts.entry(cause));
+        match first {
+            Some(Entry::Occupied(first)) => {
+                let first = kept.get_mut(*first.get()).filter(|first| first.related.len() < MOST_RELATED);
+                if let Some(first) = first {
+                    let message = "the same cause in another application".to_owned();
+                    first.related.push(RelatedNote { place: finding.place, message });
+                }
+                continue;
+            }
+            Some(Entry::Vacant(first)) => drop(first.insert(kept.len())),
+            None => {}
+        }
+        kept.push(finding);
+    }
+    kept
+}
+
+fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
+    let Span { file, range } = finding.place;
+    if finding.rule == &ambiguous_name::RULE {
+        return file.text(db).get(std::ops::Range::<usize>::from(range)).map(Cause::Name);
+    }
+    // Only what a project leaves out is reported outside programs.
+    let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
+    finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::lint::testing::finished;
+
+    #[test]
+    fn a_name_in_several_applications() {
+        let program = "public program message(string message)\nbegin\nputln(message)\nend\n";
+        let found = finished(&format!("{program}--- one\n{program}--- two\n{program}"), "V0123");
+        assert_eq!(
+            found,
+            ["message.pgx: `message` is a parameter here, and also a program of the project (3 related)"]
+        );
+    }
+
+    #[test]
+    fn a_library_that_several_applications_use() {
+        let application = |item: &str| format!("library part \"Disk://part/part.pjx\"\ncall part:{item}()\n");
+        let project = "=== part/part.pjx\n<Project><Programs /></Project>\n=== part/grip.pgx\n<Programs><Program \
+                       name=\"grip\" access=\"public\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n";
+        let listing = format!("{}--- one\n{}{project}", application("grip"), application("open"));
+        let found = finished(&listing, "V0601");
+        assert_eq!(found, ["main.pjx: the library `part` lacks `grip`, used in 1 place (3 related)"]);
+    }
+}
