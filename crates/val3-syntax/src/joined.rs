@@ -13,7 +13,7 @@ use crate::kind::SyntaxKind::{self, *};
 /// The faults of a text, each cause once. `errors` are those that the parser found.
 pub fn joined(text: &str, errors: &[SyntaxError]) -> Vec<SyntaxError> {
     let errors = without_rest_of_section(text, errors);
-    let errors = join_neighbours(errors, is_about_body, |first, second| begin_and_end(first, second));
+    let errors = join_neighbours(errors, is_about_body, begin_and_end);
     join_neighbours(errors, is_about_ends, |first, second| crossed_blocks(text, first, second))
 }
 
@@ -47,7 +47,7 @@ fn is_about_body(kind: &SyntaxErrorKind) -> bool {
 fn begin_and_end(first: &SyntaxError, second: &SyntaxError) -> Option<SyntaxError> {
     let both = (&first.kind, &second.kind) == (&SyntaxErrorKind::MissingBegin, &SyntaxErrorKind::MissingEnd);
     let kind = SyntaxErrorKind::MissingBeginAndEnd;
-    both.then(|| SyntaxError { kind, range: first.range, related: Some(second.range) })
+    both.then_some(SyntaxError { kind, range: first.range, related: Some(second.range) })
 }
 
 fn is_about_ends(kind: &SyntaxErrorKind) -> bool {
@@ -65,7 +65,7 @@ fn crossed_blocks(text: &str, first: &SyntaxError, second: &SyntaxError) -> Opti
     };
     let is_other = early != late && block_end(text, second.range) == Some(late);
     let kind = SyntaxErrorKind::CrossedBlocks { inner, early, late };
-    (is_crossed && is_other).then(|| SyntaxError { kind, range: first.range, related: Some(second.range) })
+    (is_crossed && is_other).then_some(SyntaxError { kind, range: first.range, related: Some(second.range) })
 }
 
 /// The keyword at `range`, if it ends a block.
