@@ -351,3 +351,37 @@ fn entries_of_the_project() {
     "#]],
     );
 }
+
+#[test]
+fn crossed_blocks_are_swapped() {
+    check(
+        "bool b\n\nprogram p()\nbegin\n  while b\n    if b\n      cls()\n  endWhile\n    endIf\nend",
+        expect![[r#"
+        V0014 swap `endWhile` and `endIf` (unsafe)
+        begin
+          while b
+            if b
+              cls()
+          endIf
+            endWhile
+        end
+    "#]],
+    );
+}
+
+#[test]
+fn both_begin_and_end() {
+    check(
+        "=== main/main.pjx\n<Project><Programs><Program file=\"p.pgx\" /></Programs></Project>\n=== main/p.pgx\n\
+         <Programs><Program name=\"p\"><Code><![CDATA[\n  cls()\n  put(1)\n]]></Code></Program></Programs>\n",
+        expect![[r#"
+        V0028 write `begin` and `end` (unsafe)
+
+        begin
+          cls()
+          put(1)
+        end
+
+    "#]],
+    );
+}
