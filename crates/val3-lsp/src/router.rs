@@ -153,7 +153,7 @@ impl<S: LanguageServer> Router<S> {
     /// does in the order of the messages.
     fn turn(&mut self, request: Request) -> Answer {
         let begins = request.method() == "initialize";
-        let readable = request.params().is_none_or(|params| params.is_object() || params.is_null() && !begins);
+        let readable = !begins || request.params().is_none_or(Value::is_object);
         if request.id().is_some() && readable {
             self.life = if begins { Life::Running } else { Life::Down };
         }
@@ -227,10 +227,11 @@ fn complete(response: Response) -> Response {
     Response::from_parts(id, result)
 }
 
-/// tower-lsp refuses `params: null`, which is what many clients send along with `shutdown`. In lsp-types 0.94 the
+/// tower-lsp refuses parameters of `shutdown`, and many clients send `null` or `{}` along. In lsp-types 0.94 the
 /// ability `workspace.diagnostics` has another name than in the protocol.
 fn readable_by_types(request: Request) -> Request {
     match request.into_parts() {
+        (method, Some(id), _) if method == "shutdown" => Request::build(method).id(id).finish(),
         (method, Some(id), None | Some(Value::Null)) => Request::build(method).id(id).finish(),
         (method, Some(id), Some(mut params)) => {
             if let Some(workspace) = params.pointer_mut("/capabilities/workspace").and_then(Value::as_object_mut)

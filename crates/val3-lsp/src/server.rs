@@ -48,7 +48,10 @@ pub(crate) fn serve(
     options: &ServerOptions,
     routes: Routes,
 ) -> io::Result<u8> {
-    let pump = Pump::start(output)?;
+    let (exit, exited) = unbounded_channel();
+    let closed = exit.clone();
+    // The end may have another reason by then.
+    let pump = Pump::start(output, move || _ = closed.send(false))?;
     let (inbox, messages) = Inbox::new();
     let outbox = Outbox::new(pump.clone(), inbox.clone());
     let log = Log::open(options.log.as_deref())?;
@@ -57,7 +60,6 @@ pub(crate) fn serve(
     main_loop.spawn(move || world.run(&messages))?;
     let (requests, intake) = Intake::new();
     start_reading(BufReader::new(input), requests, outbox, pump.clone())?;
-    let (exit, exited) = unbounded_channel();
     let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone() });
     let router = Router::new(lifecycle, routes, inbox, pump.clone(), exit);
     // No limit: what limits the work is the pool.
@@ -69,7 +71,7 @@ pub(crate) fn serve(
     Ok(code)
 }
 
-/// Whatever comes first: the client's `exit`, or the end of its input.
+/// Whatever comes first: the client's `exit`, the end of its input, or an output that it has closed.
 async fn end_of(serving: impl Future<Output = ()>, mut exited: UnboundedReceiver<bool>) -> u8 {
     let was_shut_down = tokio::select! {
         was_shut_down = exited.recv() => was_shut_down,

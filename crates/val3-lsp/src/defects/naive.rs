@@ -70,7 +70,7 @@ pub(super) fn serve(mut input: PipeReader, output: PipeWriter) -> u8 {
             }
         }
     });
-    let pump = Pump::start(output).unwrap();
+    let pump = Pump::start(output, || ()).unwrap();
     let (service, socket) = LspService::build(|client| Naive { client, versions: Mutex::default() })
         .custom_method("test/version", Naive::version)
         .custom_method("test/panic", Naive::panic)

@@ -10,8 +10,10 @@ const BODY_LIMIT: usize = 256 << 20;
 /// What is wrong with a frame.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
-    /// There is no usable length; what follows may be another frame.
+    /// There is no length; what follows may be another frame.
     Head,
+    /// The length is no number: where the next frame begins is not known.
+    Length,
     /// It is too large to go on.
     Size,
 }
@@ -44,8 +46,9 @@ pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result
     }
     match length {
         None => Ok(Some(Err(Fault::Head))),
-        Some(length) if length > BODY_LIMIT => Ok(Some(Err(Fault::Size))),
-        Some(length) => {
+        Some(None) => Ok(Some(Err(Fault::Length))),
+        Some(Some(length)) if length > BODY_LIMIT => Ok(Some(Err(Fault::Size))),
+        Some(Some(length)) => {
             let mut body = vec![0; length];
             match input.read_exact(&mut body) {
                 Ok(()) => Ok(Some(Ok(body))),
@@ -56,10 +59,16 @@ pub(crate) fn read_message(input: &mut impl BufRead) -> io::Result<Option<Result
     }
 }
 
-fn length_in(line: &str) -> Option<usize> {
+/// The length that a line gives, if it gives one; `Some(None)` if that is no number.
+fn length_in(line: &str) -> Option<Option<usize>> {
     const NAME: &str = "content-length:";
     let at = line.to_ascii_lowercase().rfind(NAME)?;
-    line.get(at + NAME.len()..)?.trim().parse().ok()
+    let length = line.get(at + NAME.len()..)?.trim();
+    if !length.is_empty() && length.bytes().all(|byte| byte.is_ascii_digit()) {
+        // A number of more digits than fit is too large as well.
+        return Some(Some(length.parse().unwrap_or(usize::MAX)));
+    }
+    Some(None)
 }
 
 #[cfg(test)]
@@ -77,10 +86,14 @@ mod tests {
         assert_eq!(messages(foreign), [Ok(b"{}".to_vec())]);
         let garbage = b"hello\r\n\r\n\0\xffContent-Length: 2\r\n\r\n{}";
         assert_eq!(messages(garbage), [Err(Fault::Head), Ok(b"{}".to_vec())]);
-        assert_eq!(
-            messages(b"Content-Length: -1\r\n\r\nContent-Length: 1\r\n\r\n1"),
-            [Err(Fault::Head), Ok(b"1".to_vec())]
-        );
+    }
+
+    #[test]
+    fn a_length_that_is_no_number() {
+        for length in ["-1", "x", "", "1.5", "2 bytes"] {
+            let message = format!("Content-Length: {length}\r\n\r\n{{}}");
+            assert_eq!(messages(message.as_bytes()).first(), Some(&Err(Fault::Length)), "{length}");
+        }
     }
 
     #[test]
@@ -93,6 +106,8 @@ mod tests {
     #[test]
     fn what_is_too_large() {
         assert_eq!(messages(b"Content-Length: 99999999999\r\n\r\n").first(), Some(&Err(Fault::Size)));
+        let digits = format!("Content-Length: {}\r\n\r\n", "9".repeat(50));
+        assert_eq!(messages(digits.as_bytes()).first(), Some(&Err(Fault::Size)));
         assert_eq!(messages(&vec![b'x'; HEAD_LIMIT + 10]).first(), Some(&Err(Fault::Size)));
     }
 }

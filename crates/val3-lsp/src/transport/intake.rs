@@ -78,6 +78,10 @@ pub(crate) fn read(mut input: impl BufRead, requests: &UnboundedSender<Vec<u8>>,
                 refuse(pump, -32700, "a message begins with `Content-Length`");
                 continue;
             }
+            Ok(Some(Err(Fault::Length))) => {
+                refuse(pump, -32700, "the value of `Content-Length` is not a number");
+                return;
+            }
             Ok(Some(Err(Fault::Size))) => {
                 refuse(pump, -32700, "the message is too large");
                 return;

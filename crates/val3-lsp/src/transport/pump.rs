@@ -24,16 +24,24 @@ enum Order {
 pub(crate) struct Pump(Sender<Order>);
 
 impl Pump {
-    /// Starts the thread.
-    pub(crate) fn start(output: impl Write + Send + 'static) -> io::Result<Self> {
+    /// Starts the thread; `closed` is called if the client reads no more.
+    pub(crate) fn start(
+        output: impl Write + Send + 'static,
+        closed: impl FnOnce() + Send + 'static,
+    ) -> io::Result<Self> {
         let (sender, receiver) = channel();
-        thread::Builder::new().name("output".to_owned()).spawn(move || pump(output, &receiver))?;
+        let work = move || {
+            if pump(output, &receiver).is_err() {
+                closed();
+            }
+        };
+        thread::Builder::new().name("output".to_owned()).spawn(work)?;
         Ok(Self(sender))
     }
 
     /// Leaves whole frames to be written.
     pub(crate) fn write(&self, frames: Vec<u8>) {
-        // Nobody reads what is written to a client that has closed its side.
+        // A client that has closed its side reads nothing, and the server ends.
         let _ = self.0.send(Order::Write(frames));
     }
 
@@ -46,17 +54,14 @@ impl Pump {
     }
 }
 
-fn pump(mut output: impl Write, orders: &Receiver<Order>) {
+fn pump(mut output: impl Write, orders: &Receiver<Order>) -> io::Result<()> {
     for order in orders {
         match order {
-            Order::Write(frames) => {
-                if output.write_all(&frames).and_then(|()| output.flush()).is_err() {
-                    return;
-                }
-            }
+            Order::Write(frames) => output.write_all(&frames).and_then(|()| output.flush())?,
             Order::Flush(done) => _ = done.send(()),
         }
     }
+    Ok(())
 }
 
 /// The pump as tower-lsp writes to it: it takes all that it is given, which are whole frames.

@@ -84,6 +84,42 @@ fn before_initialize_and_after_shutdown() {
 }
 
 #[test]
+fn parameters_of_shutdown_make_no_difference() {
+    for params in [json!({}), json!([]), json!(null), json!({ "a": 1 })] {
+        let mut client = Client::start(&[]);
+        client.send(&json!({ "jsonrpc": "2.0", "id": "down", "method": "shutdown", "params": params }));
+        let down = client.wait_for("an answer", |message| message["id"] == "down");
+        assert_eq!(down, json!({ "jsonrpc": "2.0", "id": "down", "result": null }));
+        client.notify("exit", Value::Null);
+        assert_eq!(client.exit_code(), 0);
+    }
+}
+
+#[test]
+fn a_length_that_is_no_number_ends_the_session() {
+    let mut client = Client::start(&[]);
+    client.send_bytes(b"Content-Length: abc\r\n\r\n{}");
+    let refused = client.wait_for("a refusal", |message| message.get("error").is_some());
+    assert_eq!(refused["error"]["code"], -32700, "{refused}");
+    assert_eq!(client.exit_code(), 1);
+}
+
+#[test]
+fn a_closed_output_ends_the_server() {
+    let (input, mut to_server) = std::io::pipe().unwrap();
+    let (from_server, output) = std::io::pipe().unwrap();
+    drop(from_server);
+    let server = std::thread::spawn(move || val3_lsp::run(input, output, &val3_lsp::ServerOptions::default()).unwrap());
+    let message = json!({ "jsonrpc": "2.0", "id": 0, "method": "initialize", "params": { "capabilities": {} } });
+    let message = message.to_string();
+    std::io::Write::write_all(&mut to_server, format!("Content-Length: {}\r\n\r\n{message}", message.len()).as_bytes())
+        .unwrap();
+    // The input is still open.
+    assert_eq!(server.join().unwrap(), 1);
+    drop(to_server);
+}
+
+#[test]
 fn garbage_is_refused_and_the_session_goes_on() {
     let mut client = Client::start(&[]);
     client.send_bytes(b"what is this\r\n\r\n");
