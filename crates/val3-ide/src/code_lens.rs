@@ -10,7 +10,7 @@ use val3_syntax::TextRange;
 use crate::FileRange;
 use crate::navigate::declaration;
 use crate::owner::owner;
-use crate::references::uses;
+use crate::references::places;
 
 /// A line above a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,12 +72,7 @@ pub fn lens_references(db: &dyn Db, at: FileRange) -> Vec<FileRange> {
     if declaration(db, &symbol) != Some(at) {
         return Vec::new();
     }
-    // The entry of a program in its `.pjx` is no use of it.
-    let places = uses(db, &symbol).map(|(file, _, range)| FileRange { file, range });
-    let mut found: Vec<FileRange> = places.filter(|place| *place != at && place.file != project.manifest(db)).collect();
-    found.sort_unstable_by_key(|place| (place.file.path(db), place.range.start()));
-    found.dedup();
-    found
+    places(db, &symbol, false)
 }
 
 #[cfg(test)]

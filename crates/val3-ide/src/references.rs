@@ -13,10 +13,19 @@ use crate::{FilePosition, FileRange};
 /// Everywhere the name at a position is used; its declaration too if asked for. By path and place.
 pub fn references(db: &dyn Db, at: FilePosition, with_declaration: bool) -> Vec<FileRange> {
     let Some((_, found)) = name_at(db, at) else { return Vec::new() };
-    let declaration = crate::navigate::declaration(db, &found.symbol);
-    let mut places: Vec<FileRange> = uses(db, &found.symbol)
+    places(db, &found.symbol, with_declaration)
+}
+
+/// As [`references`], of a symbol. The entry of a program in its `.pjx` belongs to the declaration.
+pub(crate) fn places(db: &dyn Db, symbol: &Symbol, with_declaration: bool) -> Vec<FileRange> {
+    let declaration = crate::navigate::declaration(db, symbol);
+    let entries = match symbol {
+        Symbol::Program(project, _) => Some(project.manifest(db)),
+        _ => None,
+    };
+    let mut places: Vec<FileRange> = uses(db, symbol)
         .map(|(file, _, range)| FileRange { file, range })
-        .filter(|place| with_declaration || Some(*place) != declaration)
+        .filter(|place| with_declaration || Some(*place) != declaration && Some(place.file) != entries)
         .collect();
     places.sort_unstable_by_key(|place| (place.file.path(db), place.range.start()));
     places.dedup();
@@ -152,6 +161,22 @@ mod tests {
             main/start.pgx:5 nCount
         "#]]
         .assert_eq(&shown_all(marked.db(), references(marked.db(), marked.at(), false)));
+    }
+
+    #[test]
+    fn the_entry_of_a_program_belongs_to_its_declaration() {
+        let marked = Marked::new("call oth$0er()\nprogram other()\nbegin\n  cls()\nend");
+        let shown = |with_declaration| shown_all(marked.db(), references(marked.db(), marked.at(), with_declaration));
+        expect![[r#"
+            main/start.pgx:5 other
+        "#]]
+        .assert_eq(&shown(false));
+        expect![[r#"
+            main/main.pjx:5 other
+            main/other.pgx:3 other
+            main/start.pgx:5 other
+        "#]]
+        .assert_eq(&shown(true));
     }
 
     #[test]

@@ -26,6 +26,10 @@ fn lines_above_programs() {
     assert_eq!(resolved["command"]["command"], "val3.showReferences");
     let places = &resolved["command"]["arguments"][2];
     assert_eq!(each(places, "uri"), [uri(&session.cell.path(START))]);
+    // As many as the editor finds, which the declaration and its entry in the project file do not belong to.
+    let mut params = session.place("other");
+    params["context"] = json!({ "includeDeclaration": false });
+    assert_eq!(&session.client.ask("textDocument/references", params), places);
     let unused = session.client.ask("codeLens/resolve", lenses[2].clone());
     assert_eq!(unused["command"], json!({ "title": "0 references", "command": "" }));
     session.client.change(&session.cell.path(START), 2, "");
