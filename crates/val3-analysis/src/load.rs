@@ -26,7 +26,8 @@ use crate::cell::CellConfig;
 use crate::db::{Cell, Configuration, Database, File, Project, path_key};
 use crate::items::manifest::{Manifest, manifest};
 use crate::paths::{self, Roots, Target};
-use crate::system::{Kind, System};
+use crate::system::System;
+use files::FolderNames;
 use known::Known;
 use references::Loaded;
 
@@ -74,8 +75,8 @@ struct Loader<'s> {
     db: Database,
     /// What was read before, to be used again.
     known: Known,
-    /// Whether a file that is known has to be read again.
-    is_stale: &'s dyn Fn(&Utf8Path) -> bool,
+    /// Whether a known file has to be read again, by its path key.
+    is_stale: &'s dyn Fn(&str) -> bool,
     files: FxHashMap<String, File>,
     /// Programs and data beside a project that no project lists.
     unlisted: FxHashMap<String, File>,
@@ -83,16 +84,16 @@ struct Loader<'s> {
     /// Projects in the order they were found.
     order: Vec<(String, Project)>,
     cells: FxHashMap<CellKey, Option<Cell>>,
-    /// The `val3.toml` that counts for each folder.
-    configurations: FxHashMap<Utf8PathBuf, Option<Configuration>>,
+    /// The `val3.toml` that counts for each folder, by path key.
+    configurations: FxHashMap<String, Option<Configuration>>,
     config_errors: Vec<ConfigError>,
-    folders: FxHashMap<Utf8PathBuf, FxHashMap<String, String>>,
+    folders: FxHashMap<Utf8PathBuf, FolderNames>,
     queue: Vec<Utf8PathBuf>,
     unreadable: Vec<(Utf8PathBuf, String)>,
 }
 
 impl<'s> Loader<'s> {
-    fn new(db: Database, system: &'s dyn System, known: Known, is_stale: &'s dyn Fn(&Utf8Path) -> bool) -> Self {
+    fn new(db: Database, system: &'s dyn System, known: Known, is_stale: &'s dyn Fn(&str) -> bool) -> Self {
         Self {
             system,
             db,
@@ -194,18 +195,19 @@ impl<'s> Loader<'s> {
     /// Queues every project whose folder begins as the code says: `"Disk://parts/part" + sName`.
     fn enqueue_prefix(&mut self, folder: &Utf8Path, roots: &Roots, prefix: &str) {
         let Some((start, partial)) = paths::projects_from(folder, roots, prefix) else { return };
-        for name in self.system.list(&start).unwrap_or_default() {
-            let manifest = start.join(&name).join(format!("{name}.pjx"));
-            if name.to_lowercase().starts_with(&partial) && self.system.kind(&manifest) == Some(Kind::File) {
+        let Some(start) = self.actual(&start) else { return };
+        for name in self.names_in(&start).iter().filter(|name| path_key(name).starts_with(&partial)) {
+            let manifest = start.join(name.as_str()).join(format!("{name}.pjx"));
+            if self.is_file(&manifest) {
                 self.queue.push(manifest);
             }
         }
     }
 
     /// What the roots of paths stand for, seen from a project with these references.
-    fn roots(&self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
+    fn roots(&mut self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
-        roots.disk = roots.disk.or_else(|| disk::root(self.system, folder, references));
+        roots.disk = roots.disk.or_else(|| disk::root(folder, references, |path| self.is_file(path)));
         roots
     }
 
@@ -223,7 +225,8 @@ impl<'s> Loader<'s> {
 
     fn cell_config(&mut self, usr: Option<&Utf8Path>, configuration: Option<Configuration>) -> Option<CellConfig> {
         let arm = configuration.and_then(|configuration| configuration.file(&self.db).config.arm);
-        let own = usr.and_then(|usr| cells::read(self.system, usr, arm));
+        let system = self.system;
+        let own = usr.and_then(|usr| cells::read(system, usr, arm, |path| self.actual(path)));
         let named = self.named_add_ons(configuration);
         if named.is_empty() {
             return own;

@@ -2,6 +2,8 @@
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 
+use crate::db::path_key;
+
 /// What the roots of paths stand for.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Roots {
@@ -78,6 +80,24 @@ fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
     }
 }
 
+/// Whether two paths lead to the same file: letter case makes no difference.
+pub fn is_same(path: &Utf8Path, other: &Utf8Path) -> bool {
+    path_key(path.as_str()) == path_key(other.as_str())
+}
+
+/// The rest of `path` inside `folder`, empty for the folder itself; `None` if it lies elsewhere. Letter case makes no
+/// difference.
+pub fn inside<'p>(path: &'p Utf8Path, folder: &Utf8Path) -> Option<&'p Utf8Path> {
+    let mut rest = path.components();
+    for part in folder.components() {
+        let own = rest.next()?;
+        if path_key(own.as_str()) != path_key(part.as_str()) {
+            return None;
+        }
+    }
+    Some(rest.as_path())
+}
+
 /// Without `.`, `..` and doubled separators, as far as the path itself tells.
 pub fn normalise(path: &Utf8Path) -> Utf8PathBuf {
     let mut out = Utf8PathBuf::new();
@@ -129,6 +149,16 @@ mod tests {
         assert_eq!(normal("/a/./b//c/../d"), "/a/b/d");
         assert_eq!(normal("../a"), "../a");
         assert_eq!(normal("a/../../b"), "../b");
+    }
+
+    #[test]
+    fn letter_case_makes_no_difference() {
+        let rest = |path: &'static str, folder: &str| inside(Utf8Path::new(path), Utf8Path::new(folder));
+        assert_eq!(rest("/Cell/UsrApp/main", "/cell/usrapp"), Some(Utf8Path::new("main")));
+        assert_eq!(rest("/cell/usrapp", "/CELL/usrapp"), Some(Utf8Path::new("")));
+        assert_eq!(rest("/cell/usrapp2", "/cell/usrapp"), None);
+        assert_eq!(rest("/cell", "/cell/usrapp"), None);
+        assert!(is_same(Utf8Path::new("/a/PROG.pgx"), Utf8Path::new("/A/prog.PGX")));
     }
 
     #[test]

@@ -11,7 +11,7 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{find_file, folder};
 use val3_analysis::occurrences::Symbol;
-use val3_analysis::paths::normalise;
+use val3_analysis::paths::{is_same, normalise};
 use val3_analysis::xml::{self, Attribute, Element};
 use val3_lang::keywords::is_identifier;
 
@@ -37,7 +37,7 @@ pub fn will_rename_files(db: &dyn Db, renames: &[(Utf8PathBuf, Utf8PathBuf)]) ->
 pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
     let mut edits = Vec::new();
     for project in projects(db) {
-        let own = |path: &&Utf8PathBuf| path.parent() == Some(folder(db, project)) && find(db, path).is_none();
+        let own = |path: &&Utf8PathBuf| lies_in(path, folder(db, project)) && find(db, path).is_none();
         let names = |extension: &str| -> Vec<String> {
             let fits = |path: &&Utf8PathBuf| has_extension(path, extension) && !is_listed(db, project, path);
             let new = paths.iter().filter(own).filter(fits);
@@ -83,7 +83,7 @@ fn renamed_file(db: &dyn Db, file: File, from: &Utf8Path, to: &Utf8Path) -> Vec<
 /// The entries of the file in each `.pjx` that has it; where it comes to another project, that one lists it instead.
 fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
     let mut edits = Vec::new();
-    let target = projects(db).into_iter().find(|project| Some(folder(db, *project)) == to.parent());
+    let target = projects(db).into_iter().find(|project| lies_in(to, folder(db, *project)));
     let mut listed = false;
     for project in projects(db) {
         let manifest = project.manifest(db);
@@ -99,7 +99,7 @@ fn entry_edits(db: &dyn Db, file: File, to: &Utf8Path) -> Vec<FileEdit> {
             }
         });
     }
-    let is_new = |project: &Project| Some(folder(db, *project)) != file.path(db).parent();
+    let is_new = |project: &Project| !lies_in(file.path(db), folder(db, *project));
     if let Some(target) = target.filter(is_new).filter(|_| listed) {
         let name = vec![to.file_name().unwrap_or("").to_owned()];
         edits.extend(match has_extension(to, "pgx") {
@@ -143,7 +143,7 @@ fn is_listed(db: &dyn Db, project: Project, path: &Utf8Path) -> bool {
     let mut listed = false;
     each_entry(db, project, |_, entry| {
         let named = val3_analysis::paths::file_in(folder(db, project), &entry.text());
-        listed |= path_key(named.as_str()) == path_key(path.as_str());
+        listed |= is_same(&named, path);
     });
     listed
 }
@@ -152,6 +152,11 @@ fn projects(db: &dyn Db) -> Vec<Project> {
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
     projects.sort_unstable_by_key(|project| project.manifest(db).path(db));
     projects
+}
+
+/// Whether `path` is directly in `folder`.
+fn lies_in(path: &Utf8Path, folder: &Utf8Path) -> bool {
+    path.parent().is_some_and(|parent| is_same(parent, folder))
 }
 
 fn find(db: &dyn Db, path: &Utf8Path) -> Option<File> {

@@ -3,7 +3,7 @@
 use val3_analysis::db::{Db, File, Project, Sources};
 use val3_analysis::interfaces::replacements;
 use val3_analysis::items::manifest::manifest;
-use val3_analysis::items::project::{items, resolve_type};
+use val3_analysis::items::project::{find_file, items, resolve_type};
 use val3_analysis::items::{declarations, program};
 use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
 use val3_analysis::ty::Base;
@@ -50,9 +50,9 @@ pub fn declarations(db: &dyn Db, at: FilePosition) -> Vec<Target> {
 }
 
 fn program_entry(db: &dyn Db, project: Project, name: &str) -> Option<FileRange> {
-    let file = items(db, project).programs.get(name)?.path(db).file_name()?;
+    let file = *items(db, project).programs.get(name)?;
     let references = &manifest(db, project.manifest(db)).programs;
-    let reference = references.iter().find(|reference| reference.eq_ignore_ascii_case(file))?;
+    let reference = references.iter().find(|reference| find_file(db, project, reference) == Some(file))?;
     let range = declarations::program_file(db, project, reference)?;
     Some(FileRange { file: project.manifest(db), range })
 }

@@ -5,6 +5,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{SemanticTokens, TextDocumentContentChangeEvent, Url};
+use val3_analysis::db::path_key;
 
 use crate::line_index::{Encoding, text_range};
 use crate::shown::Shown;
@@ -35,7 +36,9 @@ pub(crate) struct Report {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Documents {
     by_uri: FxHashMap<Url, Document>,
-    by_path: FxHashMap<Utf8PathBuf, Url>,
+    /// The document whose text counts, by the path key of its file: of several that name one file, the one that was
+    /// opened last.
+    by_path: FxHashMap<String, Url>,
     /// What the client has of the colours of each document. It is shared by all moments: clients ask for what
     /// changed since the last answer, whenever that was given.
     tokens: Arc<Mutex<FxHashMap<Url, SemanticTokens>>>,
@@ -48,14 +51,21 @@ pub(crate) struct Documents {
 impl Documents {
     /// Adds a document, or replaces the one of this URI.
     pub(crate) fn open(&mut self, document: Document) {
-        self.by_path.insert(document.path.clone(), document.uri.clone());
+        self.by_path.insert(path_key(document.path.as_str()), document.uri.clone());
         self.by_uri.insert(document.uri.clone(), document);
     }
 
     /// Takes a document out.
     pub(crate) fn close(&mut self, uri: &Url) -> Option<Document> {
         let document = self.by_uri.remove(uri)?;
-        self.by_path.remove(&document.path);
+        let key = path_key(document.path.as_str());
+        if self.by_path.get(&key) == Some(uri) {
+            let other = self.by_uri.values().find(|other| path_key(other.path.as_str()) == key);
+            match other.map(|other| other.uri.clone()) {
+                Some(other) => _ = self.by_path.insert(key, other),
+                None => _ = self.by_path.remove(&key),
+            }
+        }
         self.tokens().remove(uri);
         self.lock_reports().remove(uri);
         self.shown().forget(uri);
@@ -72,9 +82,19 @@ impl Documents {
         self.by_uri.get_mut(uri)
     }
 
-    /// The document that lies at a path.
+    /// The document whose text counts for the file at a path, whatever the letter case.
     pub(crate) fn at(&self, path: &Utf8Path) -> Option<&Document> {
-        self.by_uri.get(self.by_path.get(path)?)
+        self.by_uri.get(self.by_path.get(&path_key(path.as_str()))?)
+    }
+
+    /// Whether the text of a document counts for its file: no other open document names the same file.
+    pub(crate) fn is_effective(&self, document: &Document) -> bool {
+        self.at(&document.path).is_some_and(|effective| effective.uri == document.uri)
+    }
+
+    /// The documents whose text counts.
+    pub(crate) fn effective(&self) -> impl Iterator<Item = &Document> {
+        self.by_path.values().filter_map(|uri| self.by_uri.get(uri))
     }
 
     /// Notes the colours that the client gets.

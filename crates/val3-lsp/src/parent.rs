@@ -1,6 +1,7 @@
 //! The project above a document that lies outside of the workspace.
 
 use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::paths::inside;
 use val3_analysis::system::{Kind, System};
 
 use crate::documents::Document;
@@ -11,7 +12,7 @@ const HEIGHT: usize = 3;
 /// The project file that a document outside of `folders` is a part of: the nearest folder at or above it that holds
 /// one.
 pub(crate) fn project_above(system: &dyn System, document: &Document, folders: &[Utf8PathBuf]) -> Option<Utf8PathBuf> {
-    if document.uri.scheme() != "file" || folders.iter().any(|folder| document.path.starts_with(folder)) {
+    if document.uri.scheme() != "file" || folders.iter().any(|folder| inside(&document.path, folder).is_some()) {
         return None;
     }
     if is_manifest(&document.path) {

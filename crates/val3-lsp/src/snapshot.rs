@@ -55,10 +55,13 @@ impl Snapshot {
         &self.db
     }
 
-    /// The file of a document.
+    /// The file of a document. A document whose text does not count has none: its places mean something else.
     pub(crate) fn file(&self, uri: &Url) -> Result<File, Refusal> {
-        let path = uri::path(uri, None).ok_or(Refusal::Unknown)?;
-        let path = self.documents.get(uri).map_or(path, |document| document.path.clone());
+        let path = match self.documents.get(uri) {
+            Some(document) if !self.documents.is_effective(document) => return Err(Refusal::Unknown),
+            Some(document) => document.path.clone(),
+            None => uri::path(uri, None).ok_or(Refusal::Unknown)?,
+        };
         let sources = Sources::try_get(&self.db).ok_or(Refusal::Unknown)?;
         sources.files(&self.db).get(&path_key(path.as_str())).copied().ok_or(Refusal::Unknown)
     }

@@ -28,7 +28,7 @@ pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
     match file {
         // What an editor shows of a stored file lacks its byte order mark; that alone moves no reference.
         Some(file) if !shapes_workspace(&path) && !world.is_unreadable(file) => world.checks.edited(file),
-        _ => world.is_stale(path),
+        _ => world.is_stale(&path),
     }
 }
 
@@ -47,10 +47,13 @@ pub(crate) fn changed(world: &mut World, params: DidChangeTextDocumentParams) {
     document.change(params.content_changes, encoding);
     document.version = params.text_document.version;
     let (path, text) = (document.path.clone(), Arc::clone(&document.text));
+    if !world.documents.get(&uri).is_some_and(|document| world.documents.is_effective(document)) {
+        return;
+    }
     let file = world.file(&path);
     world.edited(file, &text);
     if file.is_none() || shapes_workspace(&path) || !loads_alike(&before, &text) {
-        world.is_stale(path);
+        world.is_stale(&path);
     }
 }
 
@@ -69,11 +72,11 @@ pub(crate) fn closed(world: &mut World, params: DidCloseTextDocumentParams) {
     if let Some(file) = world.file(&document.path) {
         world.checks.edited(file);
     }
-    world.is_stale(document.path);
+    world.is_stale(&document.path);
 }
 
 /// Files that say which other files there are.
 pub(crate) fn shapes_workspace(path: &Utf8Path) -> bool {
     let is_manifest = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pjx"));
-    is_manifest || path.file_name() == Some(val3_config::FILE_NAME)
+    is_manifest || path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(val3_config::FILE_NAME))
 }

@@ -1,24 +1,35 @@
 //! Files that change on the disk: the client tells, or the server looks itself.
 
-use camino::Utf8PathBuf;
+use camino::{Utf8Path, Utf8PathBuf};
+use notify::event::{EventKind, ModifyKind};
 use notify::{Event, RecursiveMode, Watcher as _};
 use tower_lsp::lsp_types::notification::{DidChangeWatchedFiles, Notification as _};
 use tower_lsp::lsp_types::request::RegisterCapability;
 use tower_lsp::lsp_types::{
-    DidChangeWatchedFilesParams, DidChangeWatchedFilesRegistrationOptions, FileSystemWatcher, GlobPattern,
-    Registration, RegistrationParams,
+    DidChangeWatchedFilesParams, DidChangeWatchedFilesRegistrationOptions, FileChangeType, FileSystemWatcher,
+    GlobPattern, Registration, RegistrationParams,
 };
+use val3_analysis::system::{Disk, Kind, System as _};
 
 use crate::inbox::Inbox;
 use crate::uri;
 use crate::world::World;
 
-/// The files that matter: those of projects, of the cell around them, and configurations.
-const PATTERNS: [&str; 3] =
-    ["**/*.{pgx,dtx,pjx,PGX,DTX,PJX}", "**/val3.toml", "**/usr/{configs,app,applicom}/**/*.{cfx,xml}"];
+/// Everything is watched. A folder that is moved or deleted is one event, whatever its name, and most clients
+/// distinguish letter case in patterns.
+const PATTERN: &str = "**/*";
 
-/// The endings of these files.
+/// The endings of the files that matter: those of projects, of the cell around them, and configurations.
 const ENDINGS: [&str; 6] = ["pgx", "dtx", "pjx", "toml", "cfx", "xml"];
+
+/// What happened to a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Change {
+    /// The file has another text.
+    Content,
+    /// The file or folder was created, deleted or moved.
+    Existence,
+}
 
 /// Begins to watch.
 pub(crate) fn start(world: &mut World) {
@@ -30,10 +41,8 @@ pub(crate) fn start(world: &mut World) {
 }
 
 fn registration() -> RegistrationParams {
-    let watchers = PATTERNS
-        .iter()
-        .map(|pattern| FileSystemWatcher { glob_pattern: GlobPattern::String((*pattern).to_owned()), kind: None });
-    let options = DidChangeWatchedFilesRegistrationOptions { watchers: watchers.collect() };
+    let watcher = FileSystemWatcher { glob_pattern: GlobPattern::String(PATTERN.to_owned()), kind: None };
+    let options = DidChangeWatchedFilesRegistrationOptions { watchers: vec![watcher] };
     let registration = Registration {
         id: "files".to_owned(),
         method: DidChangeWatchedFiles::METHOD.to_owned(),
@@ -42,22 +51,30 @@ fn registration() -> RegistrationParams {
     RegistrationParams { registrations: vec![registration] }
 }
 
-/// The client tells which files changed.
+/// The client reports files and folders that changed.
 pub(crate) fn changed(world: &mut World, params: DidChangeWatchedFilesParams) {
-    let paths = params.changes.iter().filter_map(|change| uri::path(&change.uri, None));
-    files_changed(world, paths.collect());
+    let changes = params.changes.iter().filter_map(|event| {
+        let is_content = event.typ == FileChangeType::CHANGED;
+        Some((uri::path(&event.uri, None)?, if is_content { Change::Content } else { Change::Existence }))
+    });
+    files_changed(world, changes.collect());
 }
 
-/// Files changed on the disk. The text of an open document counts all the same.
-pub(crate) fn files_changed(world: &mut World, paths: Vec<Utf8PathBuf>) {
-    for path in paths {
-        if is_of_cell(&path) { world.all_is_stale() } else { world.is_stale(path) }
+/// Files and folders changed on the disk. The text of an open document counts all the same.
+pub(crate) fn files_changed(world: &mut World, changes: Vec<(Utf8PathBuf, Change)>) {
+    for (path, change) in changes {
+        if matters(&path) || change == Change::Existence && may_be_folder(world, &path) {
+            world.is_stale(&path);
+        }
     }
 }
 
-/// A file of the cell, which no file of a project stands for.
-fn is_of_cell(path: &Utf8PathBuf) -> bool {
-    path.extension().is_some_and(|extension| ["cfx", "xml"].iter().any(|of| extension.eq_ignore_ascii_case(of)))
+/// Whether this is, or was, a folder that may hold files of projects. A deleted folder is recognised by its files.
+fn may_be_folder(world: &World, path: &Utf8Path) -> bool {
+    match Disk.kind(path) {
+        Some(kind) => kind == Kind::Folder,
+        None => path.extension().is_none() || world.has_files_in(path),
+    }
 }
 
 /// Watches the folders of the workspace without the client.
@@ -77,18 +94,31 @@ fn watch_disk(world: &mut World) {
 }
 
 fn tell(inbox: &Inbox, event: notify::Result<Event>) {
-    let Ok(event) = event else { return };
-    if event.kind.is_access() {
-        return;
-    }
-    let paths: Vec<Utf8PathBuf> =
-        event.paths.into_iter().filter_map(|path| Utf8PathBuf::from_path_buf(path).ok()).filter(is_ours).collect();
-    if !paths.is_empty() {
-        inbox.post(|world| files_changed(world, paths));
+    match event {
+        Ok(event) if event.need_rescan() => inbox.post(World::all_is_stale),
+        Ok(event) => {
+            let Some(change) = change(event.kind) else { return };
+            let paths = event.paths.into_iter().filter_map(|path| Utf8PathBuf::from_path_buf(path).ok());
+            let changes: Vec<_> =
+                paths.filter(|path| change == Change::Existence || matters(path)).map(|path| (path, change)).collect();
+            if !changes.is_empty() {
+                inbox.post(move |world| files_changed(world, changes));
+            }
+        }
+        Err(error) => inbox.post(move |world| world.log(&format!("a change on the disk cannot be read: {error}"))),
     }
 }
 
-/// A file that matters, or a folder that may hold some.
-fn is_ours(path: &Utf8PathBuf) -> bool {
-    path.extension().is_none_or(|extension| ENDINGS.iter().any(|of| extension.eq_ignore_ascii_case(of)))
+/// What an event reports; `None` for mere access.
+fn change(kind: EventKind) -> Option<Change> {
+    match kind {
+        EventKind::Access(_) => None,
+        // Some systems report a folder whenever something in it changes.
+        EventKind::Modify(kind) if !matches!(kind, ModifyKind::Name(_)) => Some(Change::Content),
+        _ => Some(Change::Existence),
+    }
+}
+
+fn matters(path: &Utf8PathBuf) -> bool {
+    path.extension().is_some_and(|extension| ENDINGS.iter().any(|of| extension.eq_ignore_ascii_case(of)))
 }

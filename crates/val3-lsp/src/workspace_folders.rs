@@ -7,7 +7,7 @@ use tower_lsp::lsp_types::{
     ConfigurationItem, ConfigurationParams, DidChangeConfigurationParams, DidChangeWorkspaceFoldersParams,
     SetTraceParams, TraceValue,
 };
-use val3_analysis::paths::normalise;
+use val3_analysis::paths::{is_same, normalise};
 
 use crate::options::{Options, SECTION};
 use crate::session::Trace;
@@ -21,10 +21,10 @@ pub(crate) fn folders_changed(world: &mut World, params: DidChangeWorkspaceFolde
     let path = |uri| uri::path(uri, None).map(|path| normalise(&path));
     for folder in &params.event.removed {
         let removed = path(&folder.uri);
-        session.folders.retain(|known| Some(known) != removed.as_ref());
+        session.folders.retain(|known| !removed.as_ref().is_some_and(|removed| is_same(known, removed)));
     }
     for added in params.event.added.iter().filter_map(|folder| path(&folder.uri)) {
-        if !session.folders.contains(&added) {
+        if !session.folders.iter().any(|known| is_same(known, &added)) {
             session.folders.push(added);
         }
     }

@@ -13,6 +13,7 @@ use salsa::{Cancelled, Database as _, Durability, Setter as _};
 use tower_lsp::jsonrpc::{Error, Result};
 use val3_analysis::db::{Database, Db as _, File, FileStatus, Project, Sources, path_key};
 use val3_analysis::load::Workspace;
+use val3_analysis::paths::inside;
 use val3_config::ConfigError;
 use val3_ide::CheckSettings;
 
@@ -230,6 +231,13 @@ impl World {
     pub(crate) fn is_unreadable(&self, file: File) -> bool {
         matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
     }
+    /// Whether files of projects were read in a folder.
+    pub(crate) fn has_files_in(&self, folder: &Utf8Path) -> bool {
+        let Some(sources) = Sources::try_get(&self.workspace.db) else { return false };
+        let mut files = sources.files(&self.workspace.db).values();
+        files.any(|file| inside(file.path(&self.workspace.db), folder).is_some())
+    }
+
 
     /// An edit of a document: whatever is being computed stops.
     pub(crate) fn edited(&mut self, file: Option<File>, text: &Arc<str>) {

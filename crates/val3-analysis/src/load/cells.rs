@@ -4,29 +4,37 @@ mod devices;
 
 use std::sync::Arc;
 
-use camino::Utf8Path;
+use camino::{Utf8Path, Utf8PathBuf};
 use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
 use val3_syntax::encoding::decode;
 
 use crate::cell::CellConfig;
+use crate::db::path_key;
 use crate::system::System;
 use crate::xml::{self, Element};
 
 /// Reads what `usr/configs` and `usr/app` say; `None` where neither is there.
 ///
-/// `known_arm` is the arm that a `val3.toml` names.
-pub(super) fn read(system: &dyn System, usr: &Utf8Path, known_arm: Option<Arm>) -> Option<CellConfig> {
-    let (configs, app) = (usr.join("configs"), usr.join("app"));
-    let tables = system.list(&app).unwrap_or_default();
-    let tables: Vec<&String> = tables.iter().filter(|name| table_name(name).is_some()).collect();
-    let arm_file = text(system, &configs.join("arm.cfx"));
-    let io = devices::read(|name| text(system, &configs.join(name)));
+/// `known_arm` is the arm that a `val3.toml` names; `actual` gives a path as the disk spells it.
+pub(super) fn read(
+    system: &dyn System,
+    usr: &Utf8Path,
+    known_arm: Option<Arm>,
+    mut actual: impl FnMut(&Utf8Path) -> Option<Utf8PathBuf>,
+) -> Option<CellConfig> {
+    let configs = usr.join("configs");
+    let tables = actual(&usr.join("app")).map(|app| tables(system, &app)).unwrap_or_default();
+    let mut config = |name: &str| text(system, &actual(&configs.join(name))?);
+    let arm_file = config("arm.cfx");
+    let io = devices::read(config);
     if tables.is_empty() && arm_file.is_none() && io.is_empty() {
         return None;
     }
     let arm = known_arm.or_else(|| arm_file.as_deref().and_then(arm));
-    let add_ons = tables.iter().filter_map(|name| table(system, &app, name, arm)).collect();
+    // A cell that does not say its arm counts as one with six axes.
+    let fitting = tables.into_iter().filter(|(of, _)| *of == arm.unwrap_or(Arm::SixAxis));
+    let add_ons = fitting.filter_map(|(_, path)| parse_table(&text(system, &path)?).ok()).collect();
     Some(CellConfig { arm, add_ons: Arc::new(add_ons), io })
 }
 
@@ -40,19 +48,17 @@ fn text(system: &dyn System, path: &Utf8Path) -> Option<String> {
     system.read(path).ok().map(|bytes| decode(bytes).text)
 }
 
-/// `val3.Motion.anthro.cfx`: the add-on and the arm it is for.
-fn table_name(name: &str) -> Option<(&str, Arm)> {
-    let (add_on, arm) = name.strip_prefix("val3.")?.strip_suffix(".cfx")?.rsplit_once('.')?;
-    Some((add_on, Arm::from_table_word(arm)?))
+/// The arm that the table of an add-on is for: `val3.Motion.anthro.cfx`.
+fn arm_of_table(name: &str) -> Option<Arm> {
+    let name = path_key(name);
+    let (_, arm) = name.strip_prefix("val3.")?.strip_suffix(".cfx")?.rsplit_once('.')?;
+    Arm::from_table_word(arm)
 }
 
-/// The table of an add-on for this arm. A cell that does not tell its arm counts as one with six axes.
-fn table(system: &dyn System, folder: &Utf8Path, name: &str, arm: Option<Arm>) -> Option<AddOnTable> {
-    let (_, of) = table_name(name)?;
-    if of != arm.unwrap_or(Arm::SixAxis) {
-        return None;
-    }
-    parse_table(&text(system, &folder.join(name))?).ok()
+/// The tables of add-ons in a folder, with the arms that they are for.
+fn tables(system: &dyn System, folder: &Utf8Path) -> Vec<(Arm, Utf8PathBuf)> {
+    let names = system.list(folder).unwrap_or_default();
+    names.iter().filter_map(|name| Some((arm_of_table(name)?, folder.join(name)))).collect()
 }
 
 /// `<String name="arm" value="tx90-S1" />`

@@ -5,7 +5,7 @@ use val3_config::{ConfigError, ConfigFile, FILE_NAME};
 use val3_lang::add_on::AddOnTable;
 
 use super::{LoadError, Loader, cells, discover};
-use crate::db::Configuration;
+use crate::db::{Configuration, path_key};
 use crate::paths::{Roots, normalise};
 use crate::system::{Kind, System};
 
@@ -46,14 +46,15 @@ fn read(system: &dyn System, path: &Utf8Path) -> Option<Result<ConfigFile, Confi
 impl Loader<'_> {
     /// The nearest `val3.toml` from `folder` upwards.
     pub(super) fn configuration(&mut self, folder: &Utf8Path) -> Option<Configuration> {
-        if let Some(known) = self.configurations.get(folder) {
+        let key = path_key(folder.as_str());
+        if let Some(known) = self.configurations.get(&key) {
             return *known;
         }
         let found = match self.read_configuration(&folder.join(FILE_NAME)) {
             Some(file) => Some(self.configuration_input(file)),
             None => folder.parent().and_then(|parent| self.configuration(parent)),
         };
-        self.configurations.insert(folder.to_owned(), found);
+        self.configurations.insert(key, found);
         found
     }
 
@@ -71,7 +72,8 @@ impl Loader<'_> {
 
     fn faulty(&mut self, path: &Utf8Path, error: ConfigError) -> ConfigFile {
         self.config_errors.push(error);
-        let before = self.known.configurations.get(path).map(|configuration| configuration.file(&self.db).clone());
+        let before = self.known.configurations.get(&path_key(path.as_str()));
+        let before = before.map(|configuration| configuration.file(&self.db).clone());
         before.unwrap_or_default()
     }
 

@@ -3,22 +3,25 @@
 use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::paths::{self, Roots, Target};
-use crate::system::{Kind, System};
 
 /// What `Disk://` stands for where no configuration says it: the nearest `usrapp` above, else the nearest folder above from which the
-/// project's own `Disk://` references lead somewhere.
-pub(super) fn root(system: &dyn System, folder: &Utf8Path, references: &[&str]) -> Option<Utf8PathBuf> {
+/// project's own `Disk://` references lead to a file.
+pub(super) fn root(
+    folder: &Utf8Path,
+    references: &[&str],
+    mut is_file: impl FnMut(&Utf8Path) -> bool,
+) -> Option<Utf8PathBuf> {
     let is_usrapp = |path: &&Utf8Path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case("usrapp"));
     if let Some(usrapp) = folder.ancestors().find(is_usrapp) {
         return Some(usrapp.to_owned());
     }
     let references: Vec<&&str> = references.iter().filter(|reference| !reference.starts_with('.')).collect();
-    let resolves = |disk: &Utf8Path| {
+    let mut resolves = |disk: &Utf8Path| {
         let roots = Roots { disk: Some(disk.to_owned()), others: Vec::new() };
         references
             .iter()
             .filter(|reference| match paths::project(folder, &roots, reference) {
-                Target::Path(path) => system.kind(&path) == Some(Kind::File),
+                Target::Path(path) => is_file(&path),
                 Target::Elsewhere => false,
             })
             .count()

@@ -1,12 +1,11 @@
 //! Reading files into the database.
 
 use camino::{Utf8Path, Utf8PathBuf};
-use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 
 use super::Loader;
 use crate::db::{File, path_key};
-use crate::system::Content;
+use crate::system::{Content, Kind};
 
 impl Loader<'_> {
     /// Reads several files at once. What is not there under its exact name is left for `found_file`.
@@ -38,7 +37,7 @@ impl Loader<'_> {
         if let Some(text) = self.system.edited(path) {
             return Some(self.file_input(key, path, Content { text, status: None }));
         }
-        match self.known.files.get(&key).filter(|_| !(self.is_stale)(path)) {
+        match self.known.files.get(&key).filter(|_| !(self.is_stale)(&key)) {
             Some(file) => {
                 self.files.insert(key, *file);
                 Some(*file)
@@ -50,7 +49,7 @@ impl Loader<'_> {
     /// The file need not be read: its text is known, or an editor has it.
     fn is_at_hand(&self, path: &Utf8Path, key: &str) -> bool {
         let known = self.known.files.contains_key(key);
-        known && !(self.is_stale)(path) || self.system.edited(path).is_some()
+        known && !(self.is_stale)(key) || self.system.edited(path).is_some()
     }
 
     /// Makes an input of what was read; `None` where there is no file.
@@ -62,28 +61,56 @@ impl Loader<'_> {
         }
     }
 
+    /// Whether there is a file at `path`, whatever the letter case.
+    pub(super) fn is_file(&mut self, path: &Utf8Path) -> bool {
+        self.actual(path).is_some_and(|path| self.system.kind(&path) == Some(Kind::File))
+    }
+
     /// The path as the disk spells it: references are written without regard to letter case.
-    fn actual(&mut self, path: &Utf8Path) -> Option<Utf8PathBuf> {
+    pub(super) fn actual(&mut self, path: &Utf8Path) -> Option<Utf8PathBuf> {
         if self.system.kind(path).is_some() {
             return Some(path.to_owned());
         }
         let parent = self.actual(path.parent()?)?;
-        let wanted = path.file_name()?.to_lowercase();
-        self.folder(&parent).get(&wanted).map(|name| parent.join(name))
+        self.folder(&parent).spelling(path.file_name()?).map(|name| parent.join(name))
+    }
+
+    /// `path` with the name of the file as the disk spells it. A disk that ignores letter case gives a file under any
+    /// spelling.
+    pub(super) fn spelt(&mut self, path: &Utf8Path) -> Utf8PathBuf {
+        let (Some(parent), Some(name)) = (path.parent(), path.file_name()) else { return path.to_owned() };
+        self.folder(parent).spelling(name).map_or_else(|| path.to_owned(), |name| parent.join(name))
     }
 
     /// The names in a folder, sorted, as the disk spells them.
     pub(super) fn names_in(&mut self, folder: &Utf8Path) -> Vec<SmolStr> {
-        let mut names: Vec<SmolStr> = self.folder(folder).values().map(SmolStr::from).collect();
+        let mut names: Vec<SmolStr> = self.folder(folder).0.iter().map(|(_, name)| SmolStr::from(name)).collect();
         names.sort_unstable();
         names
     }
 
-    /// The names in a folder, by their spelling in lower case.
-    fn folder(&mut self, path: &Utf8Path) -> &FxHashMap<String, String> {
-        self.folders.entry(path.to_owned()).or_insert_with(|| {
-            let names = self.system.list(path).unwrap_or_default();
-            names.into_iter().map(|name| (name.to_lowercase(), name)).collect()
-        })
+    fn folder(&mut self, path: &Utf8Path) -> &FolderNames {
+        let names = || FolderNames::new(self.system.list(path).unwrap_or_default());
+        self.folders.entry(path.to_owned()).or_insert_with(names)
+    }
+}
+
+/// The names in a folder, sorted by their keys.
+pub(super) struct FolderNames(Vec<(String, String)>);
+
+impl FolderNames {
+    fn new(names: Vec<String>) -> Self {
+        let mut names: Vec<(String, String)> = names.into_iter().map(|name| (path_key(&name), name)).collect();
+        names.sort_unstable();
+        Self(names)
+    }
+
+    /// The name that differs from `name` in letter case at most; `name` itself if it is there.
+    fn spelling(&self, name: &str) -> Option<&str> {
+        let key = path_key(name);
+        let start = self.0.partition_point(|(known, _)| *known < key);
+        let mut alike =
+            self.0.get(start..)?.iter().take_while(|(known, _)| *known == key).map(|(_, name)| name.as_str());
+        alike.clone().find(|known| *known == name).or_else(|| alike.next())
     }
 }

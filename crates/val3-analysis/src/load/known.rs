@@ -1,7 +1,7 @@
 //! Inputs that exist already: they are used again and set only where something differs, so that reading a workspace
 //! anew makes nothing run that it does not concern.
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8Path;
 use rustc_hash::FxHashMap;
 use salsa::{Durability, Setter as _};
 use smol_str::SmolStr;
@@ -10,7 +10,7 @@ use val3_syntax::encoding::Encoding;
 
 use super::{CellKey, Loader};
 use crate::cell::CellConfig;
-use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Sources};
+use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Sources, path_key};
 use crate::paths::Roots;
 use crate::system::Content;
 
@@ -25,8 +25,8 @@ pub(super) struct Known {
     /// By path key.
     pub(super) files: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
-    /// By the path of the `val3.toml`.
-    pub(super) configurations: FxHashMap<Utf8PathBuf, Configuration>,
+    /// By the path key of the `val3.toml`.
+    pub(super) configurations: FxHashMap<String, Configuration>,
     cells: FxHashMap<CellKey, Cell>,
 }
 
@@ -50,7 +50,7 @@ impl Known {
         for project in projects.values() {
             let configuration = project.configuration(db);
             if let Some(configuration) = configuration {
-                known.configurations.insert(configuration.file(db).path.clone(), configuration);
+                known.configurations.insert(path_key(configuration.file(db).path.as_str()), configuration);
             }
             if let Some(cell) = project.cell(db) {
                 let usr = project.disk(db).and_then(Utf8Path::parent).map(Utf8Path::to_owned);
@@ -64,12 +64,16 @@ impl Known {
 impl Loader<'_> {
     /// The input for a file with this content.
     pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: Content) -> File {
+        let path = self.spelt(path);
         let known = self.known.files.get(&key).copied();
         // What is being edited changes often.
         let durability = if content.status.is_some() { STORED } else { Durability::LOW };
         let status = content.status.unwrap_or_else(|| self.edited_status(known));
         let file = match known {
             Some(file) => {
+                if *file.path(&self.db) != path {
+                    file.set_path(&mut self.db).with_durability(Durability::HIGH).to(path);
+                }
                 if **file.text(&self.db) != *content.text {
                     file.set_text(&mut self.db).with_durability(durability).to(content.text);
                 }
@@ -78,7 +82,7 @@ impl Loader<'_> {
                 }
                 file
             }
-            None => File::builder(path.to_owned(), content.text, status)
+            None => File::builder(path, content.text, status)
                 .durability(STORED)
                 .text_durability(durability)
                 .path_durability(Durability::HIGH)
@@ -120,7 +124,7 @@ impl Loader<'_> {
     }
 
     pub(super) fn configuration_input(&mut self, file: ConfigFile) -> Configuration {
-        let Some(configuration) = self.known.configurations.get(&file.path).copied() else {
+        let Some(configuration) = self.known.configurations.get(&path_key(file.path.as_str())).copied() else {
             return Configuration::builder(file).durability(STORED).new(&self.db);
         };
         if *configuration.file(&self.db) != file {

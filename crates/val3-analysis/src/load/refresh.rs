@@ -1,6 +1,6 @@
 //! Reading a workspace again after something changed.
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8PathBuf;
 use val3_config::ConfigError;
 
 use super::known::Known;
@@ -15,7 +15,7 @@ impl Workspace {
         Self { db: Database::default(), projects: Vec::new(), unreadable: Vec::new() }
     }
 
-    /// Finds the projects under `paths` as [`load`](super::load) does, and reads those files again of which
+    /// Finds the projects under `paths` as [`load`](super::load) does, and reads those files again of whose path keys
     /// `is_stale` holds. Inputs are kept, and set only where they differ, so that only what a change concerns is
     /// computed anew.
     ///
@@ -25,7 +25,7 @@ impl Workspace {
         &mut self,
         system: &dyn System,
         paths: &[Utf8PathBuf],
-        is_stale: &dyn Fn(&Utf8Path) -> bool,
+        is_stale: &dyn Fn(&str) -> bool,
     ) -> Vec<ConfigError> {
         let known = Known::of(&self.db);
         // A clone beside the loader's database would wait for itself at the first change.

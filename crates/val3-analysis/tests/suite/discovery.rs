@@ -264,3 +264,72 @@ fn fresh_folder(test: &str) -> Utf8PathBuf {
     std::fs::remove_dir_all(&folder).ok();
     folder
 }
+
+/// A disk that ignores letter case, as those of Windows and macOS do.
+#[derive(Debug)]
+struct Insensitive(Memory);
+
+impl Insensitive {
+    /// The path as the disk spells it.
+    fn actual(&self, path: &Utf8Path) -> Utf8PathBuf {
+        path.components().fold(Utf8PathBuf::new(), |folder, part| {
+            let names = self.0.list(&folder).unwrap_or_default();
+            let name = names.into_iter().find(|name| name.eq_ignore_ascii_case(part.as_str()));
+            folder.join(name.as_deref().unwrap_or(part.as_str()))
+        })
+    }
+}
+
+impl System for Insensitive {
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        self.0.read(&self.actual(path))
+    }
+
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        self.0.list(&self.actual(path))
+    }
+
+    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+        self.0.kind(&self.actual(path))
+    }
+
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
+        self.actual(path)
+    }
+}
+
+/// An application that names a program, a library and the beginning of others in letter cases that the disk does not
+/// have.
+fn spelt_otherwise() -> Memory {
+    let code = "<Programs><Program name=\"start\"><Code><![CDATA[begin\n  a0:libLoad(\"Disk://PARTS/p\"+\"1\")\nend]]></Code></Program></Programs>";
+    Memory::new([
+        ("/cell/UsrApp/App/App.pjx".to_owned(), manifest(&["Disk://LIB"]).replace("start.pgx", "START.pgx")),
+        ("/cell/UsrApp/App/Start.PGX".to_owned(), code.to_owned()),
+        ("/cell/UsrApp/Lib/lib.PJX".to_owned(), manifest(&[])),
+        ("/cell/UsrApp/Lib/start.pgx".to_owned(), PROGRAM.to_owned()),
+        ("/cell/UsrApp/Parts/P1/p1.pjx".to_owned(), manifest(&[])),
+        ("/cell/UsrApp/Parts/P1/start.pgx".to_owned(), PROGRAM.to_owned()),
+    ])
+}
+
+#[test]
+fn files_have_the_names_that_the_disk_gives_them() {
+    let disk = spelt_otherwise();
+    let systems: [&dyn System; 2] = [&disk, &Insensitive(disk.clone())];
+    for system in systems {
+        let workspace = load(system, &["/cell/UsrApp/App".into()]).unwrap();
+        let db = &workspace.db;
+        let files = val3_analysis::db::Sources::get(db).files(db);
+        let mut names: Vec<&str> = files.values().filter_map(|file| file.path(db).file_name()).collect();
+        names.sort_unstable();
+        assert_eq!(names, ["App.pjx", "Start.PGX", "lib.PJX", "p1.pjx", "start.pgx", "start.pgx"]);
+    }
+}
+
+#[test]
+fn the_configuration_of_a_cell_in_another_letter_case() {
+    let arm = "<arm><String name=\"arm\" value=\"ts60\" /></arm>";
+    let files = [("/cell/usr/Configs/Arm.CFX", arm.to_owned()), ("/cell/usr/usrapp/app/app.pjx", manifest(&[]))];
+    let workspace = load(&Memory::new(files), &["/cell".into()]).unwrap();
+    assert_eq!(workspace.projects[0].cell_arm(&workspace.db), Some(val3_lang::types::Arm::Scara));
+}

@@ -17,10 +17,7 @@ use crate::xml_list::escaped;
 
 /// The edits when everything below the folder `from` comes to lie below `to`.
 pub(super) fn of_folder(db: &dyn Db, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
-    all(db, |path| match path.strip_prefix(from) {
-        Ok(rest) => to.join(rest),
-        Err(_) => path.to_owned(),
-    })
+    all(db, |path| paths::inside(path, from).map_or_else(|| path.to_owned(), |rest| to.join(rest)))
 }
 
 /// The edits when the project file `manifest` gets the path `to`.
@@ -43,7 +40,8 @@ fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8P
         let to = moved(from);
         let stays = to == *from && new_folder == own;
         let roots = project.roots(db);
-        let still = paths::project(&new_folder, roots, reference) == Target::Path(to.clone());
+        let still =
+            matches!(paths::project(&new_folder, roots, reference), Target::Path(path) if paths::is_same(&path, &to));
         (!stays && !still).then(|| rewritten(&new_folder, roots, reference, &to)).flatten()
     };
     let whole = references(db, project).into_iter().filter_map(|(place, old)| Some((place, written(&old)?)));
@@ -76,8 +74,7 @@ fn written_beginning(
     let from = as_stored(db, probe.parent()?);
     let to = moved(&from).join(ANY_PROJECT);
     let stays = to.parent() == Some(&*from) && new_folder == folder(db, project);
-    let leads_to = |path: &Utf8Path| path_key(path.as_str()) == path_key(to.as_str());
-    if stays || matches!(paths::project(new_folder, roots, &any), Target::Path(path) if leads_to(&path)) {
+    if stays || matches!(paths::project(new_folder, roots, &any), Target::Path(path) if paths::is_same(&path, &to)) {
         return None;
     }
     let new = rewritten(new_folder, roots, &any, &to)?;
@@ -86,10 +83,9 @@ fn written_beginning(
 
 /// A folder as the disk spells it, if there are projects in it.
 fn as_stored(db: &dyn Db, path: &Utf8Path) -> Utf8PathBuf {
-    let key = path_key(path.as_str());
     let projects = projects(db);
     let mut folders = projects.iter().flat_map(|project| folder(db, *project).ancestors());
-    folders.find(|folder| path_key(folder.as_str()) == key).unwrap_or(path).to_owned()
+    folders.find(|folder| paths::is_same(folder, path)).unwrap_or(path).to_owned()
 }
 
 /// Every text in the code that a path of a library begins with.
@@ -158,8 +154,12 @@ fn rewritten(folder: &Utf8Path, roots: &Roots, old: &str, to: &Utf8Path) -> Opti
 /// `to` seen from `folder`, with `/`; `None` where they have nothing in common.
 pub(super) fn relative(folder: &Utf8Path, to: &Utf8Path) -> Option<String> {
     let (from, to): (Vec<Utf8Component<'_>>, Vec<_>) = (folder.components().collect(), to.components().collect());
-    let common = from.iter().zip(&to).take_while(|(a, b)| a == b).count();
+    let common = from.iter().zip(&to).take_while(|(a, b)| is_alike(**a, **b)).count();
     let up = std::iter::repeat_n("..", from.len() - common);
     let down = to.iter().skip(common).map(|component| component.as_str());
     (common > 0).then(|| up.chain(down).collect::<Vec<_>>().join("/"))
+}
+
+fn is_alike(one: Utf8Component<'_>, other: Utf8Component<'_>) -> bool {
+    path_key(one.as_str()) == path_key(other.as_str())
 }

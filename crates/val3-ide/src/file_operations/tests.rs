@@ -72,6 +72,26 @@ fn a_program() {
 }
 
 #[test]
+fn paths_in_another_letter_case() {
+    renamed(
+        "MAIN/PICK.pgx",
+        "Main/grip.pgx",
+        expect![[r#"
+        usrapp/main/main.pjx
+        -    <Program file="pick.pgx" />
+        +    <Program file="grip.pgx" />
+    "#]],
+    );
+    let marked = Marked::new(CELL);
+    let lower = will_rename_files(marked.db(), &[(path("part"), path("piece"))]);
+    let upper = will_rename_files(marked.db(), &[(path("Part"), path("piece"))]);
+    assert!(!lower.is_empty());
+    assert_eq!(shown(marked.db(), &upper), shown(marked.db(), &lower));
+    let created = will_create_files(marked.db(), &[path("Main/new.pgx")]);
+    assert!(shown(marked.db(), &created).contains("new.pgx"));
+}
+
+#[test]
 fn data_and_projects() {
     renamed(
         "part/part.dtx",

@@ -7,7 +7,7 @@ use val3_ide::SourceChange;
 use crate::convert::workspace_edit;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
-use crate::watching::files_changed;
+use crate::watching::{Change, files_changed};
 use crate::world::World;
 
 type Answer = Result<Option<WorkspaceEdit>, Refusal>;
@@ -70,12 +70,8 @@ pub(crate) fn deleted(world: &mut World, params: DeleteFilesParams) {
     changed(world, params.files.iter().filter_map(|file| path(&file.uri)).collect());
 }
 
-/// A folder stands for everything in it.
 fn changed(world: &mut World, paths: Vec<Utf8PathBuf>) {
-    if paths.iter().any(|path| path.extension().is_none()) {
-        world.all_is_stale();
-    }
-    files_changed(world, paths);
+    files_changed(world, paths.into_iter().map(|path| (path, Change::Existence)).collect());
 }
 
 fn path(uri: &str) -> Option<Utf8PathBuf> {

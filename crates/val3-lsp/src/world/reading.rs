@@ -5,9 +5,12 @@ use std::sync::Arc;
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 use salsa::{Durability, Setter as _};
+use tower_lsp::lsp_types::request::WorkspaceDiagnosticRefresh;
+use val3_analysis::db::path_key;
 use val3_analysis::load::Workspace;
 use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
+use val3_analysis::paths::normalise;
 use val3_ide::CheckSettings;
 
 use super::World;
@@ -19,17 +22,19 @@ use crate::parent::project_above;
 
 /// What has to be read again.
 pub(super) enum Stale {
-    Paths(FxHashSet<Utf8PathBuf>),
+    /// Path keys of files, and of folders with everything in them.
+    Paths(FxHashSet<String>),
     Everything,
 }
 
 impl World {
-    /// A file has to be read again.
-    pub(crate) fn is_stale(&mut self, path: Utf8PathBuf) {
+    /// A file, or everything in a folder, has to be read again.
+    pub(crate) fn is_stale(&mut self, path: &Utf8Path) {
+        let key = path_key(normalise(path).as_str());
         match &mut self.stale {
             Some(Stale::Everything) => {}
-            Some(Stale::Paths(paths)) => drop(paths.insert(path)),
-            None => self.stale = Some(Stale::Paths(FxHashSet::from_iter([path]))),
+            Some(Stale::Paths(paths)) => drop(paths.insert(key)),
+            None => self.stale = Some(Stale::Paths(FxHashSet::from_iter([key]))),
         }
     }
 
@@ -46,8 +51,8 @@ impl World {
     /// Reads what has to be read again.
     pub(crate) fn bring_up_to_date(&mut self) {
         let Some(stale) = self.stale.take() else { return };
-        let is_stale = |path: &Utf8Path| match &stale {
-            Stale::Paths(paths) => paths.contains(path),
+        let is_stale = |key: &str| match &stale {
+            Stale::Paths(paths) => Utf8Path::new(key).ancestors().any(|path| paths.contains(path.as_str())),
             Stale::Everything => true,
         };
         match contained(|| self.read_again(&is_stale)) {
@@ -60,7 +65,7 @@ impl World {
         self.checks.all();
     }
 
-    fn read_again(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
+    fn read_again(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
         let mut errors = self.refresh(is_stale);
         let loose = loose::documents(&self.documents, &self.workspace.db, &self.loose);
         if loose != self.loose {
@@ -81,7 +86,7 @@ impl World {
         self.checks.forget();
     }
 
-    fn refresh(&mut self, is_stale: &dyn Fn(&Utf8Path) -> bool) -> Vec<ConfigError> {
+    fn refresh(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
         let overlay = Overlay::new(&self.documents, &self.loose);
         let folders = &self.session.folders;
         let above = self.documents.iter().filter_map(|document| project_above(&overlay, document, folders));

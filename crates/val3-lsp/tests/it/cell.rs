@@ -34,9 +34,23 @@ impl Cell {
     }
 
     pub fn write(&self, file: &str, text: &str) {
+        self.write_bytes(file, text.as_bytes());
+    }
+
+    pub fn write_bytes(&self, file: &str, bytes: &[u8]) {
         let path = self.folder.path().join("usr").join(file);
         std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(path, text).unwrap();
+        std::fs::write(path, bytes).unwrap();
+    }
+
+    /// Moves a file or folder.
+    pub fn rename(&self, from: &str, to: &str) {
+        let folder = self.folder.path().join("usr");
+        std::fs::rename(folder.join(from), folder.join(to)).unwrap();
+    }
+
+    pub fn remove_folder(&self, folder: &str) {
+        std::fs::remove_dir_all(self.folder.path().join("usr").join(folder)).unwrap();
     }
 
     pub fn remove(&self, file: &str) {

@@ -7,7 +7,7 @@ use crate::cell::Device;
 use crate::xml::{self, Element};
 
 /// Reads the files that are there; `file` gives the text of a file in `usr/configs`.
-pub(super) fn read(file: impl Fn(&str) -> Option<String>) -> FxHashMap<String, Device> {
+pub(super) fn read(mut file: impl FnMut(&str) -> Option<String>) -> FxHashMap<String, Device> {
     let mut devices = FxHashMap::default();
     for (name, device) in [("bio.cfx", "BasicIO-1"), ("bio2.cfx", "BasicIO-2")] {
         if let Some(text) = file(name) {

@@ -150,6 +150,30 @@ fn projects_come_and_go() {
 }
 
 #[test]
+fn letter_case_makes_no_difference() {
+    let mut cell = Cell::new();
+    cell.edit("main.pjx", "other.pgx", "OTHER.PGX");
+    cell.refresh("main.pjx");
+    cell.ask();
+    cell.take_ran();
+    cell.edit("other.pgx", "nA=2", "nA=3");
+    cell.refresh("other.pgx");
+    assert_eq!(cell.ran("infer("), 1);
+}
+
+#[test]
+fn a_file_whose_name_changes_in_letter_case_alone() {
+    let mut cell = Cell::new();
+    let before = cell.paths();
+    for (path, _) in &mut cell.files {
+        *path = path.as_str().replace("other.pgx", "Other.PGX").into();
+    }
+    cell.refresh("other.pgx");
+    assert_eq!(cell.paths().len(), before.len());
+    assert!(cell.paths().iter().any(|path| path.ends_with("/Other.PGX")));
+}
+
+#[test]
 fn a_faulty_configuration_counts_as_it_was() {
     let mut cell = Cell::new();
     let path = Utf8Path::new(ROOT).join("val3.toml");
