@@ -28,7 +28,7 @@ pub(crate) fn sections() -> Vec<Section> {
 fn section(kind: Kind, topics: &[Topic]) -> Section {
     let topics: Vec<&Topic> = topics.iter().filter(|topic| topic.kind == kind).collect();
     let mut pages = vec![Page {
-        path: format!("{}/index.md", folder(kind)),
+        path: format!("{}/index.md", kind.folder()),
         title: kind.heading().to_owned(),
         text: list(kind, &topics),
     }];
@@ -37,7 +37,7 @@ fn section(kind: Kind, topics: &[Topic]) -> Section {
 }
 
 fn page(topic: &Topic) -> Page {
-    Page { path: format!("{}/{}", folder(topic.kind), file(topic)), title: title(topic), text: topic.page.clone() }
+    Page { path: format!("{}/{}", topic.kind.folder(), file(topic)), title: title(topic), text: topic.page.clone() }
 }
 
 /// A table of all pages of a kind.
@@ -56,21 +56,8 @@ fn summary(topic: &Topic) -> String {
     words.join(" ").replace('|', "\\|")
 }
 
-/// A file name of the topic: signs are written as words.
 fn file(topic: &Topic) -> String {
-    let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
-    let name = signs.iter().fold(title(topic), |name, (sign, word)| name.replace(sign, word));
-    format!("{name}.md")
-}
-
-fn folder(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Finding => "rules",
-        Kind::Statement => "statements",
-        Kind::Instruction => "instructions",
-        Kind::RuntimeError => "errors",
-        Kind::LibraryError => "library-results",
-    }
+    format!("{}.md", topic.file_stem())
 }
 
 impl Section {
@@ -96,6 +83,17 @@ mod tests {
             sections().into_iter().flat_map(|section| section.pages).map(|page| page.path.to_lowercase()).collect();
         let different: BTreeSet<&String> = paths.iter().collect();
         assert_eq!(different.len(), paths.len());
+    }
+
+    #[test]
+    fn every_rule_has_a_page_at_its_address() {
+        let paths: BTreeSet<String> =
+            sections().into_iter().flat_map(|section| section.pages).map(|page| page.path).collect();
+        for rule in val3_check::rules::all() {
+            let address = topics::address(rule);
+            let page = paths.iter().any(|path| address.ends_with(&format!("/{}", path.replace(".md", ".html"))));
+            assert!(page, "{address}");
+        }
     }
 
     #[test]

@@ -9,6 +9,9 @@ use val3_lang::{instructions, page};
 use crate::rule::Rule;
 use crate::rules;
 
+/// Where the book is published.
+const BOOK: &str = env!("CARGO_PKG_HOMEPAGE");
+
 /// One page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Topic {
@@ -48,6 +51,31 @@ impl Kind {
             Self::LibraryError => "Results of library instructions",
         }
     }
+
+    /// The folder of the book that holds such pages.
+    pub fn folder(self) -> &'static str {
+        match self {
+            Self::Finding => "rules",
+            Self::Statement => "statements",
+            Self::Instruction => "instructions",
+            Self::RuntimeError => "errors",
+            Self::LibraryError => "library-results",
+        }
+    }
+}
+
+impl Topic {
+    /// The name of its page in the book, without an extension: signs are written as words.
+    pub fn file_stem(&self) -> String {
+        let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
+        let title = self.names.first().cloned().unwrap_or_default();
+        signs.iter().fold(title, |name, (sign, word)| name.replace(sign, word))
+    }
+}
+
+/// The address of the page of a rule in the published book.
+pub fn address(rule: &Rule) -> String {
+    format!("{BOOK}/{}/{}.html", Kind::Finding.folder(), rule.code)
 }
 
 /// Every topic, kind by kind.

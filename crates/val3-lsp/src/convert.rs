@@ -6,11 +6,14 @@ mod markup;
 pub(crate) use change::{NotPossible, workspace_edit};
 pub(crate) use markup::{documentation, markup};
 
+use std::ops::RangeInclusive;
+
 use salsa::Database as _;
 use tower_lsp::lsp_types::*;
 use val3_analysis::db::{File, Project};
 use val3_check::diagnostic as check;
-use val3_check::rule::Severity;
+use val3_check::rule::{Rule, Severity};
+use val3_check::topics;
 use val3_config::ConfigError;
 use val3_ide as ide;
 
@@ -48,49 +51,54 @@ pub(crate) fn program_diagnostics(snapshot: &Snapshot, project: Project, file: F
 
 /// One finding.
 pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diagnostic {
-    let related = found.related.iter().map(|note| DiagnosticRelatedInformation {
-        location: snapshot.location(place(note.place)),
-        message: note.message.clone(),
-    });
-    let related: Vec<_> = related.collect();
+    let note = |at: check::Span, message: &str| DiagnosticRelatedInformation {
+        location: snapshot.location(place(at)),
+        message: message.to_owned(),
+    };
+    let label = Some(found.label.as_str()).filter(|label| !label.is_empty()).map(|label| note(found.place, label));
+    let related: Vec<_> =
+        label.into_iter().chain(found.related.iter().map(|other| note(other.place, &other.message))).collect();
     Diagnostic {
         range: snapshot.range(found.place.file, found.place.range),
-        severity: Some(severity(found.severity)),
+        severity: Some(severity(found)),
+        code_description: Url::parse(&topics::address(found.rule)).ok().map(|href| CodeDescription { href }),
         code: Some(NumberOrString::String(found.rule.code.to_owned())),
         source: Some(SOURCE.to_owned()),
-        message: message(&found.message, &found.label, &found.help),
+        message: message(&found.message, &found.help),
         related_information: (!related.is_empty()).then_some(related),
-        tags: tag(found.rule.name).map(|tag| vec![tag]),
+        tags: tag(found.rule).map(|tag| vec![tag]),
         ..Diagnostic::default()
     }
 }
 
-/// The parts of a message in the order of the command line, one a line.
-fn message(message: &str, label: &str, help: &str) -> String {
-    let mut text = message.to_owned();
-    if !label.is_empty() {
-        text.push_str(&format!("\n{label}"));
-    }
-    if !help.is_empty() {
-        text.push_str(&format!("\nhelp: {help}"));
-    }
-    text
+/// What is wrong, and on a line of its own what to write instead.
+fn message(message: &str, help: &str) -> String {
+    if help.is_empty() { message.to_owned() } else { format!("{message}\nhelp: {help}") }
 }
 
-fn severity(severity: Severity) -> DiagnosticSeverity {
-    match severity {
+/// Unused items are hints, which editors fade and do not list, unless a configuration raises their level.
+fn severity(found: &check::Diagnostic) -> DiagnosticSeverity {
+    match found.severity {
+        severity if is_unused(found.rule) && severity <= found.rule.severity => DiagnosticSeverity::HINT,
         Severity::Error => DiagnosticSeverity::ERROR,
         Severity::Warning => DiagnosticSeverity::WARNING,
         Severity::Info => DiagnosticSeverity::INFORMATION,
     }
 }
 
-/// How an editor may show what is not needed, by the name of the rule.
-fn tag(rule: &str) -> Option<DiagnosticTag> {
-    if rule.starts_with("unused-") || rule.starts_with("unreachable-") {
+/// The rules about what is declared and never used, or never read.
+const UNUSED: RangeInclusive<&str> = "V0113"..="V0120";
+
+fn is_unused(rule: &Rule) -> bool {
+    UNUSED.contains(&rule.code)
+}
+
+/// How an editor may show what is not needed.
+fn tag(rule: &Rule) -> Option<DiagnosticTag> {
+    if is_unused(rule) || rule.name.starts_with("unused-") || rule.name.starts_with("unreachable-") {
         return Some(DiagnosticTag::UNNECESSARY);
     }
-    rule.contains("deprecated").then_some(DiagnosticTag::DEPRECATED)
+    rule.name.contains("deprecated").then_some(DiagnosticTag::DEPRECATED)
 }
 
 fn place(span: check::Span) -> ide::FileRange {
@@ -121,7 +129,7 @@ fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
         range,
         severity: Some(DiagnosticSeverity::ERROR),
         source: Some(SOURCE.to_owned()),
-        message: message(&error.message, "", &error.help),
+        message: message(&error.message, &error.help),
         ..Diagnostic::default()
     }
 }

@@ -31,7 +31,7 @@ fn checked(folder: &str) -> Vec<Found> {
     let found = finish(db, &units, &settings, sum).findings.into_iter().map(|found| {
         let text = found.place.file.text(db);
         let line = text[..usize::from(found.place.range.start())].matches('\n').count();
-        let parts = [found.message, found.label, found.help];
+        let parts = [found.message, found.help];
         let parts: Vec<String> = parts.into_iter().filter(|part| !part.is_empty()).collect();
         (uri(found.place.file.path(db).as_str()), line, found.rule.code.to_owned(), parts.join("\n"))
     });
@@ -214,5 +214,41 @@ fn a_client_that_asks_is_told_to_ask_again() {
     client.send(&json!({ "jsonrpc": "2.0", "id": told["id"], "result": null }));
     assert_eq!(codes(ask(&mut client, &start).as_array().unwrap()), ["V0203"]);
     assert_eq!(client.try_told("workspace/diagnostic/refresh"), None);
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_finding_is_one_sentence_with_help_and_its_page() {
+    let cell = Cell::new("tool tA\nmdesc mA\njoint jA\nmovej(jA,mA,tA)\nwaitEndMove()");
+    let start = cell.path("usrapp/main/start.pgx");
+    let mut client = Client::start(&[&cell.folder()]);
+    let found = client.findings(&start, None);
+    let found = found.iter().find(|found| found["code"] == "V0203").unwrap();
+    let message = found["message"].as_str().unwrap();
+    assert_eq!(message.lines().filter(|line| !line.starts_with("help: ")).count(), 1, "{message}");
+    let label = &found["relatedInformation"][0];
+    assert_eq!(label["location"], json!({ "uri": uri(&start), "range": found["range"] }));
+    assert_eq!(label["message"], "this is an `mdesc`");
+    let page = found["codeDescription"]["href"].as_str().unwrap();
+    assert!(page.starts_with("https://") && page.ends_with("/rules/V0203.html"), "{page}");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn unused_items_are_faded() {
+    let cell = Cell::new("num nA\nnum nB\nnA=1");
+    let data = cell.path("usrapp/main/main.dtx");
+    let mut client = Client::start(&[&cell.folder()]);
+    let mut found = client.findings(&data, None);
+    found.sort_by_key(|found| found["code"].to_string());
+    assert_eq!(codes(&found), ["V0113", "V0116"]);
+    for found in found {
+        assert_eq!((&found["severity"], &found["tags"]), (&json!(4), &json!([1])), "{found}");
+    }
+    // A shop that wants to see them says so.
+    client.open(&cell.path("val3.toml"), "[rules]\nV0113 = \"warning\"\n");
+    let found = client.findings(&data, None);
+    let unused = found.iter().find(|found| found["code"] == "V0113").unwrap();
+    assert_eq!((&unused["severity"], &unused["tags"]), (&json!(2), &json!([1])), "{unused}");
     assert_eq!(client.end(), 0);
 }
