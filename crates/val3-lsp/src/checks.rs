@@ -85,10 +85,11 @@ impl World {
         }
         self.checks.started = self.checks.generation;
         self.look_again(self.checks.generation);
+        self.publish_configurations();
         if self.session.is_asked_for_findings() {
             return;
         }
-        self.publish_what_is_known();
+        self.publish_gone_projects();
         let edited = std::mem::take(&mut self.checks.edited);
         let db = self.database();
         let owners: FxHashSet<Project> =

@@ -17,7 +17,6 @@ use val3_check::topics;
 use val3_config::ConfigError;
 use val3_ide as ide;
 
-use crate::published::{Finder, ProjectFindings};
 use crate::snapshot::Snapshot;
 
 /// What findings say they come from.
@@ -61,8 +60,8 @@ pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diag
     Diagnostic {
         range: snapshot.range(found.place.file, found.place.range),
         severity: Some(severity(found)),
-        code_description: Url::parse(&topics::address(found.rule)).ok().map(|href| CodeDescription { href }),
         code: Some(NumberOrString::String(found.rule.code.to_owned())),
+        code_description: Url::parse(&topics::address(found.rule)).ok().map(|href| CodeDescription { href }),
         source: Some(SOURCE.to_owned()),
         message: message(&found.message, &found.help),
         related_information: (!related.is_empty()).then_some(related),
@@ -105,10 +104,10 @@ fn place(span: check::Span) -> ide::FileRange {
     ide::FileRange { file: span.file, range: span.range }
 }
 
-/// The faults of configurations, in their files.
-pub(crate) fn configuration_faults(snapshot: &Snapshot, errors: &[ConfigError]) -> ProjectFindings {
+/// The faults of configurations, by file.
+pub(crate) fn configuration_faults(snapshot: &Snapshot) -> Vec<(Url, Vec<Diagnostic>)> {
     let mut files: Vec<(Url, Vec<Diagnostic>)> = Vec::new();
-    for error in errors {
+    for error in snapshot.faults.iter() {
         let uri = snapshot.uri_of(&error.path);
         let found = configuration_fault(snapshot, error);
         match files.iter_mut().find(|(known, _)| *known == uri) {
@@ -116,10 +115,11 @@ pub(crate) fn configuration_faults(snapshot: &Snapshot, errors: &[ConfigError]) 
             None => files.push((uri, vec![found])),
         }
     }
-    ProjectFindings { finder: Finder::Configuration, files }
+    files
 }
 
-fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
+/// One fault of a configuration.
+pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> Diagnostic {
     let index = line_index::LineIndex::new(&error.text);
     let lines = crate::line_index::Lines::new(&error.text, &index, snapshot.session.encoding, true);
     let offset = |at: usize| u32::try_from(at).unwrap_or(u32::MAX).into();

@@ -19,7 +19,7 @@ pub(crate) struct Lifecycle {
 #[async_trait]
 impl LanguageServer for Lifecycle {
     async fn initialize(&self, params: InitializeParams) -> Result<InitializeResult> {
-        let (session, fault) = Session::new(&params);
+        let (session, faults) = Session::new(&params);
         let capabilities = capabilities(&session);
         if let Some(process) = params.process_id {
             parent_process::die_with(process);
@@ -27,7 +27,7 @@ impl LanguageServer for Lifecycle {
         let client = params.client_info.map_or_else(|| "a client".to_owned(), |info| info.name);
         self.inbox.post(move |world| {
             world.log(&format!("{client} opens {:?}, columns in {:?}", session.folders, session.encoding));
-            fault.into_iter().for_each(|fault| world.log(&fault));
+            faults.iter().for_each(|fault| world.warn(fault));
             world.begin(session);
         });
         let version = Some(env!("CARGO_PKG_VERSION").to_owned());

@@ -1,15 +1,19 @@
 //! What a user can set in the editor. What concerns the programs themselves belongs into a `val3.toml`.
 
-use serde::Deserialize;
-use serde_json::Value;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use val3_analysis::near::nearest;
 use val3_check::settings::{Selection, meant_by};
 use val3_ide::InlayHintSettings;
 
 /// The section of the editor's settings.
 pub(crate) const SECTION: &str = "val3";
 
+/// Settings of this section that editors keep for themselves and send along.
+const OF_EDITORS: [&str; 4] = ["codeView", "commands", "server", "trace"];
+
 /// The settings of the editor.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct Options {
     /// Findings.
@@ -19,7 +23,7 @@ pub(crate) struct Options {
 }
 
 /// Which findings are shown, and how they get to the editor.
-#[derive(Debug, Clone, Default, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct CheckOptions {
     /// The only findings that are wanted, as codes, beginnings of codes or names; empty for all.
@@ -31,7 +35,7 @@ pub(crate) struct CheckOptions {
 }
 
 /// How findings get to the editor.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Delivery {
     /// The client asks if it can, otherwise the server sends.
@@ -44,7 +48,7 @@ pub(crate) enum Delivery {
 }
 
 /// Which remarks are shown; all that are not switched off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, rename_all = "camelCase")]
 pub(crate) struct InlayHintOptions {
     parameter_names: bool,
@@ -71,14 +75,26 @@ impl InlayHintOptions {
 impl Options {
     /// Reads what the client sent: the section itself, or an object that holds it. What cannot be read is as usual,
     /// and the second value says why.
-    pub(crate) fn read(value: &Value) -> (Self, Option<String>) {
+    pub(crate) fn read(value: &Value) -> (Self, Vec<String>) {
         let value = value.get(SECTION).unwrap_or(value);
-        if value.is_null() {
-            return (Self::default(), None);
+        let mut faults = Vec::new();
+        let mut settings = serde_json::to_value(Self::default()).unwrap_or_default();
+        match (&mut settings, value) {
+            (Value::Object(settings), Value::Object(given)) => merge(settings, given, &[], &mut faults),
+            (_, Value::Null) => {}
+            _ => faults.push(format!("the settings of `{SECTION}` must be an object")),
         }
-        match Self::deserialize(value) {
-            Ok(options) => (options, None),
-            Err(error) => (Self::default(), Some(format!("the settings of `{SECTION}` cannot be read: {error}"))),
+        let options = Self::deserialize(settings).unwrap_or_default();
+        faults.extend(options.check.unknown_words());
+        (options, faults)
+    }
+
+    /// As [`read`](Self::read), of what a client sends without being asked: some send the settings of all servers.
+    pub(crate) fn read_sent(value: &Value) -> (Self, Vec<String>) {
+        let is_ours = |key: &String| key == SECTION || OF_EDITORS.contains(&key.as_str()) || is_known(key);
+        match value.as_object().is_some_and(|given| given.keys().any(is_ours)) {
+            true => Self::read(value),
+            false => (Self::default(), Vec::new()),
         }
     }
 
@@ -93,6 +109,53 @@ impl Options {
     }
 }
 
+impl CheckOptions {
+    /// The words of `select` and `ignore` that name no finding.
+    fn unknown_words(&self) -> impl Iterator<Item = String> {
+        let lists = [("select", &self.select), ("ignore", &self.ignore)];
+        let words = lists.into_iter().flat_map(|(key, words)| words.iter().map(move |word| (key, word)));
+        words
+            .filter(|(_, word)| meant_by(word).is_empty())
+            .map(|(key, word)| format!("the setting `{SECTION}.check.{key}`: no finding has the code or name `{word}`"))
+    }
+}
+
+/// A key of the section.
+fn is_known(key: &str) -> bool {
+    serde_json::to_value(Options::default()).is_ok_and(|settings| settings.get(key).is_some())
+}
+
+/// Puts the settings that a client gave in the place of the usual ones.
+fn merge(settings: &mut Map<String, Value>, given: &Map<String, Value>, path: &[&str], faults: &mut Vec<String>) {
+    let keys: Vec<String> = settings.keys().cloned().collect();
+    for (key, value) in given.iter().filter(|(_, value)| !value.is_null()) {
+        let path = [path, &[key.as_str()]].concat();
+        let name = format!("{SECTION}.{}", path.join("."));
+        match (settings.get_mut(key), value) {
+            (None, _) if path.len() == 1 && OF_EDITORS.contains(&key.as_str()) => {}
+            (None, _) => faults.push(unknown(&name, key, &keys)),
+            (Some(Value::Object(settings)), Value::Object(given)) => merge(settings, given, &path, faults),
+            (Some(Value::Object(_)), _) => faults.push(format!("the setting `{name}` must be an object")),
+            (Some(setting), value) => match Options::deserialize(nested(&path, value)) {
+                Ok(_) => *setting = value.clone(),
+                Err(error) => faults.push(format!("the setting `{name}` cannot be read: {error}")),
+            },
+        }
+    }
+}
+
+fn unknown(name: &str, key: &str, keys: &[String]) -> String {
+    match nearest(key, keys.iter().map(String::as_str)) {
+        Some(near) => format!("there is no setting `{name}`; did you mean `{near}`?"),
+        None => format!("there is no setting `{name}`; known here: {}", keys.join(", ")),
+    }
+}
+
+/// The settings in which a single one has a value.
+fn nested(path: &[&str], value: &Value) -> Value {
+    path.iter().rev().fold(value.clone(), |inner, key| Map::from_iter([((*key).to_owned(), inner)]).into())
+}
+
 #[cfg(test)]
 mod tests {
     use serde_json::json;
@@ -102,18 +165,59 @@ mod tests {
     #[test]
     fn with_and_without_the_section() {
         let inner = json!({ "check": { "ignore": ["V0101"], "delivery": "push" } });
-        let (options, fault) = Options::read(&inner);
-        assert_eq!(fault, None);
+        let (options, faults) = Options::read(&inner);
+        assert_eq!(faults, Vec::<String>::new());
         assert_eq!(options.check.delivery, Delivery::Push);
         assert!(options.selection().never.contains("V0101"));
-        assert_eq!(Options::read(&json!({ "val3": inner })), (options, None));
+        assert_eq!(Options::read(&json!({ "val3": inner })), (options, faults));
+        assert_eq!(Options::read(&Value::Null), (Options::default(), Vec::new()));
     }
 
     #[test]
     fn what_cannot_be_read_is_as_usual() {
-        assert_eq!(Options::read(&Value::Null), (Options::default(), None));
-        let (options, fault) = Options::read(&json!({ "check": 3 }));
-        assert_eq!(options, Options::default());
-        assert!(fault.is_some());
+        let given = json!({
+            "check": { "ingore": ["V0101"], "delivery": "often", "select": 3, "ignore": ["V9999", "V0101"] },
+            "inlayHints": { "blends": "no", "parameterNames": false, "literalTypes": null },
+            "colour": true,
+        });
+        let (options, faults) = Options::read(&given);
+        expect_test::expect![[r#"
+            the setting `val3.check.delivery` cannot be read: unknown variant `often`, expected one of `auto`, `push`, `pull`
+            there is no setting `val3.check.ingore`; did you mean `ignore`?
+            the setting `val3.check.select` cannot be read: invalid type: integer `3`, expected a sequence
+            there is no setting `val3.colour`; known here: check, inlayHints
+            the setting `val3.inlayHints.blends` cannot be read: invalid type: string "no", expected a boolean
+            the setting `val3.check.ignore`: no finding has the code or name `V9999`"#]]
+        .assert_eq(&faults.join("\n"));
+        // The others count.
+        assert!(options.selection().never.contains("V0101"));
+        assert!(!options.inlay_hints.parameter_names && options.inlay_hints.blends);
+        let (options, faults) = Options::read(&json!({ "check": 3 }));
+        assert_eq!((options, faults.len()), (Options::default(), 1));
+    }
+
+    #[test]
+    fn settings_of_other_servers() {
+        let others = json!({ "rust-analyzer": { "check": {} }, "python": {} });
+        assert_eq!(Options::read_sent(&others), (Options::default(), Vec::new()));
+        assert_eq!(Options::read_sent(&json!({})), (Options::default(), Vec::new()));
+        assert_eq!(Options::read_sent(&json!({ "python": {}, "val3": { "chekc": {} } })).1.len(), 1);
+        assert_eq!(Options::read_sent(&json!({ "check": { "ingore": [] } })).1.len(), 1);
+    }
+
+    #[test]
+    fn every_setting_of_the_extension_is_known() {
+        let manifest = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../editors/vscode/package.json");
+        let manifest: Value = serde_json::from_str(&std::fs::read_to_string(manifest).unwrap()).unwrap();
+        let groups = manifest["contributes"]["configuration"].as_array().unwrap();
+        let settings = groups.iter().flat_map(|group| group["properties"].as_object().unwrap());
+        let mut count = 0;
+        for (name, setting) in settings {
+            let path: Vec<&str> = name.split('.').collect();
+            let (_, faults) = Options::read(&nested(&path, &setting["default"]));
+            assert_eq!(faults, Vec::<String>::new(), "{name}");
+            count += 1;
+        }
+        assert!(count > 5);
     }
 }

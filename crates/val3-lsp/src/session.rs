@@ -138,9 +138,9 @@ pub(crate) enum Trace {
 }
 
 impl Session {
-    /// Reads the first message of a client; the second value is a fault of its settings.
-    pub(crate) fn new(params: &InitializeParams) -> (Self, Option<String>) {
-        let (options, fault) = Options::read(params.initialization_options.as_ref().unwrap_or(&Value::Null));
+    /// Reads the first message of a client; the second value says what is wrong with its settings.
+    pub(crate) fn new(params: &InitializeParams) -> (Self, Vec<String>) {
+        let (options, faults) = Options::read(params.initialization_options.as_ref().unwrap_or(&Value::Null));
         let session = Self {
             encoding: encoding(params),
             folders: folders(params),
@@ -153,7 +153,7 @@ impl Session {
                 Trace::Off
             },
         };
-        (session, fault)
+        (session, faults)
     }
 
     /// The client asks for findings; the server sends none.

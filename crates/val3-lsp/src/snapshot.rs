@@ -7,6 +7,7 @@ use camino::Utf8Path;
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{Location, LocationLink, Position, Range, TextDocumentPositionParams, Url};
 use val3_analysis::db::{Database, Db, File, Project, Sources, path_key};
+use val3_config::ConfigError;
 use val3_ide::{CheckSettings, FilePosition, FileRange};
 use val3_syntax::TextRange;
 
@@ -40,6 +41,8 @@ pub(crate) struct Snapshot {
     pub(crate) projects: Arc<Vec<Project>>,
     /// What they are checked for; `None` before the first of them was read.
     pub(crate) settings: Option<CheckSettings>,
+    /// What is wrong with configurations.
+    pub(crate) faults: Arc<Vec<ConfigError>>,
     /// The way back to the main loop.
     pub(crate) inbox: Inbox,
     /// The URIs that were asked for: findings name the same files again and again.

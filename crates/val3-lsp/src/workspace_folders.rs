@@ -39,7 +39,7 @@ pub(crate) fn settings_changed(world: &mut World, params: DidChangeConfiguration
     if world.session.client.has_settings {
         world.ask_for_settings();
     } else {
-        world.set_options(&params.settings);
+        world.set_options(Options::read_sent(&params.settings));
     }
 }
 
@@ -59,14 +59,13 @@ impl World {
         self.outbox.ask::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |world, settings| {
             if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null())
             {
-                world.set_options(&settings);
+                world.set_options(Options::read(&settings));
             }
         });
     }
 
-    fn set_options(&mut self, settings: &serde_json::Value) {
-        let (options, fault) = Options::read(settings);
-        fault.into_iter().for_each(|fault| self.log(&fault));
+    fn set_options(&mut self, (options, faults): (Options, Vec<String>)) {
+        faults.iter().for_each(|fault| self.warn(fault));
         if options != self.session.options {
             // How findings get to the client was agreed at the start.
             let delivery = self.session.options.check.delivery;

@@ -87,7 +87,9 @@ pub(crate) struct World {
     /// Documents outside of every project have a project of their own.
     loose: Vec<Utf8PathBuf>,
     /// What is wrong with configurations.
-    faults: Vec<ConfigError>,
+    faults: Arc<Vec<ConfigError>>,
+    /// The client asks for that, so that it is not sent as well.
+    asks_for_configurations: bool,
     /// What the user was told about already.
     complained: FxHashSet<String>,
     log: Log,
@@ -115,7 +117,8 @@ impl World {
             readers: Arc::default(),
             has_surplus: false,
             loose: Vec::new(),
-            faults: Vec::new(),
+            faults: Arc::default(),
+            asks_for_configurations: false,
             complained: FxHashSet::default(),
             log,
         }
@@ -195,6 +198,7 @@ impl World {
             documents: Arc::clone(&self.documents),
             projects: Arc::clone(&self.projects),
             settings: self.settings,
+            faults: Arc::clone(&self.faults),
             inbox: self.inbox.clone(),
             uris: RefCell::default(),
             reader: Arc::clone(&self.readers),
@@ -227,10 +231,6 @@ impl World {
         Sources::try_get(&self.workspace.db)?.files(&self.workspace.db).get(&path_key(path.as_str())).copied()
     }
 
-    /// A file could not be read.
-    pub(crate) fn is_unreadable(&self, file: File) -> bool {
-        matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
-    }
     /// Whether files of projects were read in a folder.
     pub(crate) fn has_files_in(&self, folder: &Utf8Path) -> bool {
         let Some(sources) = Sources::try_get(&self.workspace.db) else { return false };
@@ -238,6 +238,10 @@ impl World {
         files.any(|file| inside(file.path(&self.workspace.db), folder).is_some())
     }
 
+    /// A file could not be read.
+    pub(crate) fn is_unreadable(&self, file: File) -> bool {
+        matches!(file.status(&self.workspace.db), FileStatus::Unreadable(_))
+    }
 
     /// An edit of a document: whatever is being computed stops.
     pub(crate) fn edited(&mut self, file: Option<File>, text: &Arc<str>) {

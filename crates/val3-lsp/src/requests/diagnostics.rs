@@ -5,16 +5,22 @@ use std::hash::{Hash as _, Hasher as _};
 
 use rustc_hash::{FxHashMap, FxHasher};
 use tower_lsp::lsp_types::*;
+use val3_analysis::paths::is_same;
 
-use crate::convert::diagnostics;
+use crate::convert::{configuration_fault, configuration_faults, diagnostics};
 use crate::documents::Report;
 use crate::snapshot::{Refusal, Snapshot};
+use crate::uri;
+use crate::world::World;
 
 pub(crate) fn document(
     snapshot: &Snapshot,
     params: &DocumentDiagnosticParams,
 ) -> Result<DocumentDiagnosticReportResult, Refusal> {
     let uri = &params.text_document.uri;
+    if is_configuration(uri) {
+        snapshot.inbox.post(World::configurations_are_asked_for);
+    }
     let items = findings(snapshot, uri);
     let result_id = id(&items);
     if let Some(document) = snapshot.documents.get(uri) {
@@ -39,19 +45,34 @@ pub(crate) fn current_report(snapshot: &Snapshot, uri: &Url) -> String {
 }
 
 fn findings(snapshot: &Snapshot, uri: &Url) -> Vec<Diagnostic> {
-    let projects = snapshot.file(uri).map(|file| val3_ide::projects_of(snapshot.db(), file).to_vec());
+    let Ok(file) = snapshot.file(uri) else { return of_configuration(snapshot, uri) };
+    let uri = snapshot.uri(file);
+    let projects = val3_ide::projects_of(snapshot.db(), file);
     let mut items: Vec<Diagnostic> = Vec::new();
-    for project in projects.unwrap_or_default().into_iter().filter(|project| snapshot.projects.contains(project)) {
-        let of_file = diagnostics(snapshot, project).into_iter().filter(|(found, _)| found == uri);
+    for project in projects.iter().filter(|project| snapshot.projects.contains(project)) {
+        let of_file = diagnostics(snapshot, *project).into_iter().filter(|(found, _)| *found == uri);
         of_file.flat_map(|(_, found)| found).for_each(|found| add(&mut items, found));
     }
     items
+}
+
+/// The faults of a configuration; none for anything else.
+fn of_configuration(snapshot: &Snapshot, uri: &Url) -> Vec<Diagnostic> {
+    let Some(path) = uri::path(uri, None) else { return Vec::new() };
+    let faults = snapshot.faults.iter().filter(|fault| is_same(&fault.path, &path));
+    faults.map(|fault| configuration_fault(snapshot, fault)).collect()
+}
+
+fn is_configuration(uri: &Url) -> bool {
+    let path = uri::path(uri, None);
+    path.is_some_and(|path| path.file_name().is_some_and(|name| name.eq_ignore_ascii_case(val3_config::FILE_NAME)))
 }
 
 pub(crate) fn workspace(
     snapshot: &Snapshot,
     params: &WorkspaceDiagnosticParams,
 ) -> Result<WorkspaceDiagnosticReportResult, Refusal> {
+    snapshot.inbox.post(World::configurations_are_asked_for);
     let mut files: BTreeMap<Url, Vec<Diagnostic>> = BTreeMap::new();
     let mut known: FxHashMap<&Url, &str> = FxHashMap::default();
     for previous in &params.previous_result_ids {
@@ -64,6 +85,9 @@ pub(crate) fn workspace(
             let items = files.entry(uri).or_default();
             found.into_iter().for_each(|found| add(items, found));
         }
+    }
+    for (uri, found) in configuration_faults(snapshot) {
+        files.entry(uri).or_default().extend(found);
     }
     let items = files.into_iter().map(|(uri, items)| {
         let id = id(&items);

@@ -8,9 +8,9 @@ use salsa::{Durability, Setter as _};
 use tower_lsp::lsp_types::request::WorkspaceDiagnosticRefresh;
 use val3_analysis::db::path_key;
 use val3_analysis::load::Workspace;
+use val3_analysis::paths::normalise;
 use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
-use val3_analysis::paths::normalise;
 use val3_ide::CheckSettings;
 
 use super::World;
@@ -19,6 +19,7 @@ use crate::loose;
 use crate::overlay::Overlay;
 use crate::panics::contained;
 use crate::parent::project_above;
+use crate::published::{Finder, ProjectFindings};
 
 /// What has to be read again.
 pub(super) enum Stale {
@@ -56,7 +57,7 @@ impl World {
             Stale::Everything => true,
         };
         match contained(|| self.read_again(&is_stale)) {
-            Ok(faults) => self.faults = faults,
+            Ok(faults) => self.take_faults(faults),
             Err(reason) => {
                 self.forget_everything();
                 self.complain("reading the workspace", &reason);
@@ -112,10 +113,34 @@ impl World {
         errors
     }
 
-    /// Sends what needs no check: faults of configurations, and that projects which are gone have no findings.
-    pub(crate) fn publish_what_is_known(&mut self) {
+    fn take_faults(&mut self, faults: Vec<ConfigError>) {
+        if *self.faults == faults {
+            return;
+        }
+        self.faults = Arc::new(faults);
+        if self.asks_for_configurations && self.session.client.pulls_again {
+            self.outbox.ask::<WorkspaceDiagnosticRefresh>((), |_, _| {});
+        }
+    }
+
+    /// Sends that projects which are gone have no findings.
+    pub(crate) fn publish_gone_projects(&mut self) {
         self.published.keep(&self.projects, &self.documents, &self.outbox);
-        let faults = convert::configuration_faults(&self.snapshot(), &self.faults);
-        self.published.project(faults, &self.documents, &self.outbox);
+    }
+
+    /// Sends the faults of configurations, unless the client asks for them. Many clients that ask for findings do so
+    /// for the documents that are open, and a configuration seldom is.
+    pub(crate) fn publish_configurations(&mut self) {
+        let is_asked = self.asks_for_configurations && self.session.is_asked_for_findings();
+        let files = if is_asked { Vec::new() } else { convert::configuration_faults(&self.snapshot()) };
+        let found = ProjectFindings { finder: Finder::Configuration, files };
+        self.published.project(found, &self.documents, &self.outbox);
+    }
+
+    /// The client asks for the faults of configurations.
+    pub(crate) fn configurations_are_asked_for(&mut self) {
+        if !std::mem::replace(&mut self.asks_for_configurations, true) {
+            self.publish_configurations();
+        }
     }
 }

@@ -17,6 +17,14 @@ impl World {
         self.outbox.show(MessageType::ERROR, &message);
     }
 
+    /// Warns the user of something that the server does without; once is enough.
+    pub(crate) fn warn(&mut self, warning: &str) {
+        self.log(warning);
+        if self.complained.insert(warning.to_owned()) {
+            self.outbox.show(MessageType::WARNING, &format!("val3: {warning}"));
+        }
+    }
+
     /// Tells a client that wants to know it what is computed.
     pub(super) fn trace(&mut self, method: &str) {
         if self.session.trace == Trace::On {

@@ -252,3 +252,60 @@ fn unused_items_are_faded() {
     assert_eq!((&unused["severity"], &unused["tags"]), (&json!(2), &json!([1])), "{unused}");
     assert_eq!(client.end(), 0);
 }
+
+fn reports_of(report: &Value, path: &str) -> Vec<Value> {
+    let reports = report["items"].as_array().unwrap().iter().filter(|report| report["uri"] == uri(path));
+    reports.flat_map(|report| report["items"].as_array().unwrap().clone()).collect()
+}
+
+#[test]
+fn a_client_that_asks_sees_a_broken_configuration() {
+    let cell = Cell::new("nA=1");
+    cell.write("val3.toml", "[rules]\nV0101 = \"of\"\n");
+    let config = cell.path("val3.toml");
+    let abilities = json!({
+        "textDocument": { "diagnostic": {} },
+        "workspace": { "diagnostics": { "refreshSupport": true } },
+    });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    // It may never ask for the findings in a file that is not open.
+    let sent = client.findings(&config, None);
+    assert_eq!(sent[0]["range"]["start"]["line"], 1, "{sent:?}");
+    let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    assert_eq!(reports_of(&report, &config), sent);
+    // What it asks for is not sent as well.
+    assert_eq!(client.findings(&config, None), Vec::<Value>::new());
+    let params = json!({ "textDocument": { "uri": uri(&config) } });
+    assert_eq!(client.ask("textDocument/diagnostic", params.clone())["items"], json!(sent));
+    cell.write("val3.toml", "[rules]\n");
+    let event = json!({ "uri": uri(&config), "type": 2 });
+    client.notify("workspace/didChangeWatchedFiles", json!({ "changes": [event] }));
+    let told = client.told("workspace/diagnostic/refresh");
+    client.send(&json!({ "jsonrpc": "2.0", "id": told["id"], "result": null }));
+    assert_eq!(client.ask("textDocument/diagnostic", params)["items"], json!([]));
+    let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+    assert_eq!(reports_of(&report, &config), Vec::<Value>::new());
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn unknown_settings_are_reported() {
+    let cell = Cell::new("nA=1");
+    let start = cell.path("usrapp/main/start.pgx");
+    for abilities in [json!({}), json!({ "textDocument": { "diagnostic": {} } })] {
+        let settings = json!({ "val3": { "check": { "ingore": ["V0101"] }, "server": { "path": "" } } });
+        let mut client = Client::start_with(&[&cell.folder()], abilities, settings.clone());
+        let told = client.told("window/showMessage");
+        assert_eq!(told["params"]["type"], 2, "{told}");
+        let message = told["params"]["message"].as_str().unwrap();
+        assert!(message.contains("`val3.check.ingore`") && message.contains("`ignore`"), "{message}");
+        client.notify("workspace/didChangeConfiguration", json!({ "settings": settings }));
+        assert_eq!(client.try_told("window/showMessage"), None, "once is enough");
+        let settings = json!({ "val3": { "check": { "ignore": "V0101" } } });
+        client.notify("workspace/didChangeConfiguration", json!({ "settings": settings }));
+        let told = client.told("window/showMessage");
+        assert!(told["params"]["message"].as_str().unwrap().contains("`val3.check.ignore`"), "{told}");
+        client.open(&start, cell.text("usrapp/main/start.pgx"));
+        assert_eq!(client.end(), 0);
+    }
+}
