@@ -4,13 +4,14 @@ use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::keywords;
 use val3_lang::types::BaseType;
+use val3_syntax::encoding::{Encoding, Mismatch, REPLACEMENT};
 use val3_syntax::{TextRange, TextSize};
 
 use crate::db::{Db, File, FileStatus};
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
 use crate::near::nearest;
-use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{EncodingFault, NameKind, Place, Problem, ProblemKind, Related, Role};
 use crate::xml::{Attribute, Element};
 
 /// Collects what is wrong in one file.
@@ -28,10 +29,11 @@ impl<'db> FileCheck<'db> {
             FileStatus::Unreadable(reason) => {
                 check.report(TextRange::default(), ProblemKind::FileUnreadable { reason: reason.as_str().into() });
             }
-            FileStatus::Read { undeclared: true, .. } => {
-                check.report(first_foreign(file.text(db)), ProblemKind::Encoding);
+            FileStatus::Read { encoding, mismatch } => {
+                if let Some((fault, range)) = encoding_fault(file.text(db), *encoding, *mismatch) {
+                    check.report(range, ProblemKind::Encoding(fault));
+                }
             }
-            FileStatus::Read { .. } => {}
         }
         check
     }
@@ -138,6 +140,22 @@ pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
     }
 }
 
+/// What is wrong with the encoding of a file that is stored like this, and where it shows first.
+fn encoding_fault(text: &str, encoding: Encoding, mismatch: Option<Mismatch>) -> Option<(EncodingFault, TextRange)> {
+    if let Some(at) = text.find(REPLACEMENT) {
+        let start = TextSize::try_from(at).unwrap_or_default();
+        // No byte is read as this character in ISO-8859-1: it comes from an editor.
+        let is_misread = encoding == Encoding::Latin1 && mismatch != Some(Mismatch::NotLatin1);
+        let fault = if is_misread { EncodingFault::Misread } else { EncodingFault::Lost };
+        return Some((fault, TextRange::at(start, TextSize::of(REPLACEMENT))));
+    }
+    let fault = match mismatch? {
+        Mismatch::NotUtf8 => EncodingFault::NotUtf8,
+        Mismatch::NotLatin1 => EncodingFault::NotLatin1,
+    };
+    Some((fault, first_foreign(text)))
+}
+
 /// The first character that is not ASCII; empty where there is none.
 fn first_foreign(text: &str) -> TextRange {
     let found = text.char_indices().find(|(_, character)| !character.is_ascii());
@@ -148,7 +166,7 @@ fn first_foreign(text: &str) -> TextRange {
 
 #[cfg(test)]
 mod tests {
-    use super::{alternatives, first_foreign};
+    use super::*;
 
     #[test]
     fn lists_read_as_a_sentence() {
@@ -158,8 +176,21 @@ mod tests {
     }
 
     #[test]
+    fn faults_of_encodings() {
+        let fault = |text: &str, encoding, mismatch| encoding_fault(text, encoding, mismatch).map(|(fault, _)| fault);
+        assert_eq!(fault("café", Encoding::Utf8, None), None);
+        assert_eq!(fault("caf\u{fffd}", Encoding::Utf8, None), Some(EncodingFault::Lost));
+        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, None), Some(EncodingFault::Misread));
+        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, Some(Mismatch::NotUtf8)), Some(EncodingFault::Misread));
+        assert_eq!(fault("caf\u{fffd}", Encoding::Latin1, Some(Mismatch::NotLatin1)), Some(EncodingFault::Lost));
+        assert_eq!(fault("café", Encoding::Latin1, None), None);
+        assert_eq!(fault("café", Encoding::Latin1, Some(Mismatch::NotUtf8)), Some(EncodingFault::NotUtf8));
+        assert_eq!(fault("cafÃ©", Encoding::Latin1, Some(Mismatch::NotLatin1)), Some(EncodingFault::NotLatin1));
+    }
+
+    #[test]
     fn the_first_character_beyond_ascii() {
-        assert_eq!(first_foreign("abé"), val3_syntax::TextRange::new(2.into(), 4.into()));
+        assert_eq!(first_foreign("abé"), TextRange::new(2.into(), 4.into()));
         assert!(first_foreign("ab").is_empty());
     }
 }

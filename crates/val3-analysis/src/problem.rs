@@ -4,7 +4,7 @@ mod kind;
 
 use rowan::TextRange;
 
-pub use kind::ProblemKind;
+pub use kind::{EncodingFault, ProblemKind};
 
 use crate::db::File;
 

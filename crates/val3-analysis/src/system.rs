@@ -38,6 +38,14 @@ pub trait System: Send + Sync + Debug {
         None
     }
 
+    /// The bytes of a file as they are stored, also while it is being edited.
+    ///
+    /// # Errors
+    /// Those of the file system.
+    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        self.read(path)
+    }
+
     /// Names of the entries of a folder, sorted. Names that are no UTF-8 are left out.
     ///
     /// # Errors
@@ -56,7 +64,7 @@ pub trait System: Send + Sync + Debug {
 pub struct Content {
     /// Its text; empty where it cannot be read.
     pub text: Arc<str>,
-    /// How it was read; `None` where an editor has the text, which does not tell how it will be stored.
+    /// How it was read; `None` where an editor has the text.
     pub status: Option<FileStatus>,
 }
 
@@ -71,7 +79,7 @@ impl Content {
             Ok(bytes) if is_utf16(&bytes) => Some(Self::unreadable("its text is UTF-16; save it as UTF-8".to_owned())),
             Ok(bytes) => {
                 let decoded = decode(bytes);
-                let status = FileStatus::Read { encoding: decoded.encoding, undeclared: decoded.undeclared };
+                let status = FileStatus::Read { encoding: decoded.encoding, mismatch: decoded.mismatch };
                 Some(Self { text: decoded.text.into(), status: Some(status) })
             }
             Err(error) if error.kind() == io::ErrorKind::NotFound => None,

@@ -326,7 +326,7 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::StringTooLong { bytes } => string_too_long::word(*bytes);
         Kind::FileMissing { what, path } => file_missing::word(*what, path);
         Kind::FileUnreadable { reason } => file_unreadable::word(reason);
-        Kind::Encoding => encoding::word();
+        Kind::Encoding(fault) => encoding::word(*fault);
         Kind::DuplicateEntry { what, name } => duplicate_entry::word(*what, name);
         Kind::WrongRoot { expected, found } => wrong_root::word(*expected, found);
         Kind::MissingAttribute { element, attribute } => missing_attribute::word(element, attribute);

@@ -39,6 +39,10 @@ impl System for Overlay {
         }
     }
 
+    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        Disk.read(path)
+    }
+
     fn edited(&self, path: &Utf8Path) -> Option<Arc<str>> {
         self.text(path).cloned()
     }

@@ -57,12 +57,10 @@ pub(crate) fn changed(world: &mut World, params: DidChangeTextDocumentParams) {
     }
 }
 
-/// A document was saved; its text is known.
+/// A document was saved: its text is known, but not how it is stored now.
 pub(crate) fn saved(world: &mut World, params: DidSaveTextDocumentParams) {
     let path = world.documents.get(&params.text_document.uri).map(|document| document.path.clone());
-    if let Some(path) = path.filter(|path| world.file(path).is_none()) {
-        world.is_stale(path);
-    }
+    path.iter().for_each(|path| world.is_stale(path));
 }
 
 /// A document was closed: the stored text counts again.

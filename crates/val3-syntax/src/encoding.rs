@@ -18,19 +18,34 @@ pub struct Decoded {
     pub text: String,
     /// How the bytes stand for it; [`Encoding::encode`] gives the same bytes back.
     pub encoding: Encoding,
-    /// The bytes are neither UTF-8 nor declared as ISO-8859-1: they were read as ISO-8859-1, which takes all bytes.
-    pub undeclared: bool,
+    /// How the bytes contradict the encoding that the file declares.
+    pub mismatch: Option<Mismatch>,
 }
+
+/// How the bytes of a file contradict the encoding that it declares.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Mismatch {
+    /// They are neither UTF-8 nor declared as ISO-8859-1: they were read as ISO-8859-1, which takes all bytes.
+    NotUtf8,
+    /// They are declared as ISO-8859-1, and characters beyond ASCII are stored as UTF-8. They were read as declared.
+    NotLatin1,
+}
+
+/// What decoders put in the place of bytes that they cannot read.
+pub const REPLACEMENT: char = '\u{fffd}';
 
 /// Reads the bytes of a file. Every sequence of bytes gives a text.
 pub fn decode(bytes: Vec<u8>) -> Decoded {
     if declares_latin1(&bytes) {
-        return Decoded { text: latin1(&bytes), encoding: Encoding::Latin1, undeclared: false };
+        let is_utf8 = !bytes.is_ascii() && std::str::from_utf8(&bytes).is_ok();
+        let mismatch = is_utf8.then_some(Mismatch::NotLatin1);
+        return Decoded { text: latin1(&bytes), encoding: Encoding::Latin1, mismatch };
     }
     match String::from_utf8(bytes) {
-        Ok(text) => Decoded { text, encoding: Encoding::Utf8, undeclared: false },
+        Ok(text) => Decoded { text, encoding: Encoding::Utf8, mismatch: None },
         Err(error) => {
-            Decoded { text: latin1_behind_mark(error.as_bytes()), encoding: Encoding::Latin1, undeclared: true }
+            let text = latin1_behind_mark(error.as_bytes());
+            Decoded { text, encoding: Encoding::Latin1, mismatch: Some(Mismatch::NotUtf8) }
         }
     }
 }
@@ -95,7 +110,7 @@ mod tests {
     fn utf8_keeps_its_byte_order_mark() {
         let bytes = "\u{feff}<?xml version=\"1.0\"?>é".as_bytes().to_vec();
         let decoded = decode(bytes.clone());
-        assert_eq!((decoded.encoding, decoded.undeclared), (Encoding::Utf8, false));
+        assert_eq!((decoded.encoding, decoded.mismatch), (Encoding::Utf8, None));
         assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
     }
 
@@ -103,16 +118,26 @@ mod tests {
     fn declared_latin1() {
         let bytes = b"<?xml version=\"1.0\" encoding=\"ISO-8859-1\"?>\xe9\xa6".to_vec();
         let decoded = decode(bytes.clone());
-        assert_eq!((decoded.encoding, decoded.undeclared), (Encoding::Latin1, false));
+        assert_eq!((decoded.encoding, decoded.mismatch), (Encoding::Latin1, None));
         assert!(decoded.text.ends_with("é¦"));
         assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
+    }
+
+    #[test]
+    fn utf8_declared_as_latin1() {
+        let bytes = "<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>café".as_bytes().to_vec();
+        let decoded = decode(bytes.clone());
+        assert_eq!((decoded.encoding, decoded.mismatch), (Encoding::Latin1, Some(Mismatch::NotLatin1)));
+        assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
+        let plain = b"<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>cafe".to_vec();
+        assert_eq!(decode(plain).mismatch, None);
     }
 
     #[test]
     fn undeclared_bytes_survive() {
         let bytes = b"<a b=\"\xff\xfe\"/>".to_vec();
         let decoded = decode(bytes.clone());
-        assert!(decoded.undeclared);
+        assert_eq!(decoded.mismatch, Some(Mismatch::NotUtf8));
         assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
     }
 
@@ -120,7 +145,7 @@ mod tests {
     fn a_byte_order_mark_survives_a_damaged_byte() {
         let bytes = b"\xef\xbb\xbf<a b=\"\xf6\"/>".to_vec();
         let decoded = decode(bytes.clone());
-        assert!(decoded.undeclared);
+        assert_eq!(decoded.mismatch, Some(Mismatch::NotUtf8));
         assert_eq!(decoded.text, "\u{feff}<a b=\"\u{f6}\"/>");
         assert_eq!(decoded.encoding.encode(&decoded.text), bytes);
     }

@@ -8,7 +8,7 @@ use camino::Utf8PathBuf;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_config::ConfigFile;
-use val3_syntax::encoding::Encoding;
+use val3_syntax::encoding::{Encoding, Mismatch};
 
 use crate::cell::CellConfig;
 use crate::paths::Roots;
@@ -34,8 +34,8 @@ pub enum FileStatus {
     Read {
         /// How its bytes stand for its text.
         encoding: Encoding,
-        /// Its bytes are not in the encoding it declares.
-        undeclared: bool,
+        /// How its bytes contradict the encoding that it declares.
+        mismatch: Option<Mismatch>,
     },
     /// It is there and cannot be read, for this reason.
     Unreadable(String),

@@ -186,7 +186,7 @@ mod tests {
     fn check(code: &str, expected: Expect) {
         let text = format!("<Program name=\"p\"><Code><![CDATA[\n{code}\n]]></Code></Program>");
         let db = Database::default();
-        let status = FileStatus::Read { encoding: Encoding::Utf8, undeclared: false };
+        let status = FileStatus::Read { encoding: Encoding::Utf8, mismatch: None };
         let file = File::new(&db, Utf8PathBuf::from("p.pgx"), Arc::from(text.as_str()), status);
         let shown = suppressions(&db, file).iter().map(|found| {
             let rules: Vec<_> = found.rules.iter().map(|rule| (&text[rule.range], rule.name.as_str())).collect();

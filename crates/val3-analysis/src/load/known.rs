@@ -68,7 +68,7 @@ impl Loader<'_> {
         let known = self.known.files.get(&key).copied();
         // What is being edited changes often.
         let durability = if content.status.is_some() { STORED } else { Durability::LOW };
-        let status = content.status.unwrap_or_else(|| self.edited_status(known));
+        let status = content.status.unwrap_or_else(|| self.stored_status(known, &key, &path));
         let file = match known {
             Some(file) => {
                 if *file.path(&self.db) != path {
@@ -92,10 +92,12 @@ impl Loader<'_> {
         file
     }
 
-    /// How a file that is edited will be stored: as it was.
-    fn edited_status(&self, known: Option<File>) -> FileStatus {
-        let before = known.map(|file| file.status(&self.db)).filter(|status| matches!(status, FileStatus::Read { .. }));
-        before.cloned().unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, undeclared: false })
+    /// How a file that is being edited is stored. One that cannot be read counts as a new one.
+    fn stored_status(&self, known: Option<File>, key: &str, path: &Utf8Path) -> FileStatus {
+        let is_read = |status: &FileStatus| matches!(status, FileStatus::Read { .. });
+        let known = known.filter(|_| !(self.is_stale)(key)).map(|file| file.status(&self.db).clone());
+        let status = known.or_else(|| Content::of(self.system.stored(path))?.status).filter(is_read);
+        status.unwrap_or(FileStatus::Read { encoding: Encoding::Utf8, mismatch: None })
     }
 
     pub(super) fn project_input(&mut self, key: &str, described: Described) -> Project {

@@ -286,8 +286,8 @@ pub enum ProblemKind {
         /// The reason, as the system words it.
         reason: SmolStr,
     },
-    /// The bytes are not in the declared encoding.
-    Encoding,
+    /// The text is not in the declared encoding, or was read in another one.
+    Encoding(EncodingFault),
     /// A file named twice in the project, or a library identifier or type declared twice.
     DuplicateEntry {
         /// What.
@@ -555,4 +555,17 @@ impl ProblemKind {
                 | Self::LibraryItemUnknown { .. }
         )
     }
+}
+
+/// What is wrong with the encoding of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EncodingFault {
+    /// It is neither in UTF-8 nor declares ISO-8859-1.
+    NotUtf8,
+    /// It declares ISO-8859-1 and is stored as UTF-8.
+    NotLatin1,
+    /// It is in ISO-8859-1, and an editor has read it in an encoding that does not have its characters.
+    Misread,
+    /// A character was replaced when the file was saved.
+    Lost,
 }

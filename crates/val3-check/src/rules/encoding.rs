@@ -1,15 +1,22 @@
-//! V0005: bytes outside the declared encoding.
+//! V0005: bytes outside the declared encoding, and characters that were lost to another one.
+
+use val3_analysis::problem::EncodingFault;
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A file holds bytes that are not possible in the encoding it declares.
+    /// A file is not in the encoding it declares, or was opened in another one.
     ///
     /// ## Why
     /// The first line of a file names its encoding; without one, XML means UTF-8. Whoever
     /// reads bytes that the encoding does not have must guess: a text on the pendant comes out wrong, or
     /// the file is not read at all. It happens when an editor saves a file as Windows-1252 or ISO-8859-1
-    /// and leaves `encoding="utf-8"` in its first line.
+    /// and leaves `encoding="utf-8"` in its first line, or saves a program of s5 as UTF-8 and leaves
+    /// `encoding="iso-8859-1"`.
+    ///
+    /// An editor that opens a file in ISO-8859-1 as UTF-8 shows the character U+FFFD in the place of each
+    /// one beyond ASCII. Saving the file stores that character: the others are lost. Close the file
+    /// without saving, and open it again in its own encoding.
     ///
     /// ## Bad
     /// ```text
@@ -28,12 +35,29 @@ rule! {
 }
 
 /// Words the finding.
-pub(crate) fn word() -> Wording {
-    Wording::new(
-        "the file is not in UTF-8 and does not declare ISO-8859-1 either",
-        "read as ISO-8859-1",
-        "save the file as UTF-8, or declare `encoding=\"iso-8859-1\"` in its first line",
-    )
+pub(crate) fn word(fault: EncodingFault) -> Wording {
+    match fault {
+        EncodingFault::NotUtf8 => Wording::new(
+            "the file is not in UTF-8 and does not declare ISO-8859-1 either",
+            "read as ISO-8859-1",
+            "save the file as UTF-8, or declare `encoding=\"iso-8859-1\"` in its first line",
+        ),
+        EncodingFault::NotLatin1 => Wording::new(
+            "the file declares ISO-8859-1 and is stored as UTF-8",
+            "read as ISO-8859-1, this is not the character that was written",
+            "save the file as ISO-8859-1",
+        ),
+        EncodingFault::Misread => Wording::new(
+            "the file is stored as ISO-8859-1 and is open in another encoding: saving it destroys its special characters",
+            "a character that the editor could not read",
+            "close the file without saving, and open it again as ISO-8859-1",
+        ),
+        EncodingFault::Lost => Wording::new(
+            "a character was lost when the file was saved in another encoding: U+FFFD is in its place",
+            "this was another character",
+            "write the character again, or restore the file from a copy",
+        ),
+    }
 }
 
 #[cfg(test)]
@@ -43,12 +67,23 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bytes_that_are_no_text() {
+    fn every_fault() {
+        let faults = [EncodingFault::NotUtf8, EncodingFault::NotLatin1, EncodingFault::Misread, EncodingFault::Lost];
+        let words: String = faults.into_iter().map(|fault| word(fault).to_string()).collect();
         expect![[r#"
             the file is not in UTF-8 and does not declare ISO-8859-1 either
             | read as ISO-8859-1
             ? save the file as UTF-8, or declare `encoding="iso-8859-1"` in its first line
+            the file declares ISO-8859-1 and is stored as UTF-8
+            | read as ISO-8859-1, this is not the character that was written
+            ? save the file as ISO-8859-1
+            the file is stored as ISO-8859-1 and is open in another encoding: saving it destroys its special characters
+            | a character that the editor could not read
+            ? close the file without saving, and open it again as ISO-8859-1
+            a character was lost when the file was saved in another encoding: U+FFFD is in its place
+            | this was another character
+            ? write the character again, or restore the file from a copy
         "#]]
-        .assert_eq(&word().to_string());
+        .assert_eq(&words);
     }
 }

@@ -309,3 +309,54 @@ fn unknown_settings_are_reported() {
         assert_eq!(client.end(), 0);
     }
 }
+
+/// A program of s5 with `café`, as it is stored.
+const IN_LATIN1: &[u8] = b"<?xml version=\"1.0\" encoding=\"iso-8859-1\"?>\n\
+    <programList xmlns=\"ProgramNameSpace\">\n\
+    <program name=\"start\" public=\"false\"><source><code>begin\n  putln(\"caf\xe9\")\nend</code></source></program>\n\
+    </programList>\n";
+
+/// What an editor shows of such a file, and what is wrong with it.
+fn encoding_faults(stored: &[u8], shown: &str) -> Vec<String> {
+    let cell = Cell::new("cls()");
+    let start = cell.path("usrapp/main/start.pgx");
+    cell.write_bytes("usrapp/main/start.pgx", stored);
+    let mut client = Client::start(&[&cell.folder()]);
+    client.open(&start, shown);
+    let found = client.latest_findings(&start, 1);
+    assert_eq!(client.end(), 0);
+    let faults = found.iter().filter(|found| found["code"] == "V0005");
+    faults.map(|found| found["message"].as_str().unwrap().lines().next().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn a_file_that_is_open_in_the_wrong_encoding() {
+    let in_latin1: String = IN_LATIN1.iter().copied().map(char::from).collect();
+    assert_eq!(encoding_faults(IN_LATIN1, &in_latin1), Vec::<String>::new());
+    let misread = encoding_faults(IN_LATIN1, &String::from_utf8_lossy(IN_LATIN1));
+    assert!(misread[0].contains("open in another encoding"), "{misread:?}");
+    // It was opened like that and saved.
+    let lost = String::from_utf8_lossy(IN_LATIN1).into_owned();
+    let found = encoding_faults(lost.as_bytes(), &lost);
+    assert!(found[0].contains("lost"), "{found:?}");
+    let found = encoding_faults(in_latin1.as_bytes(), &in_latin1);
+    assert!(found[0].contains("declares ISO-8859-1 and is stored as UTF-8"), "{found:?}");
+}
+
+#[test]
+fn a_file_is_saved_in_another_encoding_than_it_declares() {
+    let cell = Cell::new("cls()");
+    let start = cell.path("usrapp/main/start.pgx");
+    cell.write_bytes("usrapp/main/start.pgx", IN_LATIN1);
+    let in_latin1: String = IN_LATIN1.iter().copied().map(char::from).collect();
+    let mut client = Client::start(&[&cell.folder()]);
+    client.open(&start, &in_latin1);
+    assert!(!codes(&client.latest_findings(&start, 1)).contains(&"V0005"));
+    cell.write("usrapp/main/start.pgx", &in_latin1);
+    client.notify("textDocument/didSave", json!({ "textDocument": { "uri": uri(&start) } }));
+    while !codes(&client.findings(&start, Some(1))).contains(&"V0005") {}
+    cell.write_bytes("usrapp/main/start.pgx", IN_LATIN1);
+    client.notify("textDocument/didSave", json!({ "textDocument": { "uri": uri(&start) } }));
+    while codes(&client.findings(&start, Some(1))).contains(&"V0005") {}
+    assert_eq!(client.end(), 0);
+}
