@@ -106,7 +106,6 @@ fn layout_knows_trees_and_settings() {
 #[test]
 fn vm_and_motion_do_not_know_each_other() {
     check_only("val3-vm", &["val3-lang", "val3-bytecode"], &["salsa", "rowan", "tokio"]);
-    check_only(&["val3-lang", "val3-geometry", "val3-bytecode", "val3-vm"], &["salsa", "rowan", "tokio"]);
     check_only("val3-motion", &["val3-geometry", "val3-kinematics"], &["salsa", "rowan", "tokio"]);
 }
 
