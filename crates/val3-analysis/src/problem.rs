@@ -1,6 +1,7 @@
 //! What the analysis can find wrong, as values. The wording lives with the rules of `val3-check`.
 
 mod kind;
+mod refusal;
 
 use rowan::TextRange;
 

@@ -63,17 +63,37 @@ impl Unit {
 
 /// The pieces of work of some projects, without excluded files, in the order of the projects' files.
 pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
+    let is_wanted = |unit: &Unit| matches!(unit, Unit::Project(_)) || !unit.is_excluded(db);
+    all_units(db, projects).into_iter().filter(is_wanted).collect()
+}
+
+/// The pieces of work of some projects, with excluded files.
+fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     let of_project = |project: &Project| {
         let project = *project;
         let data = project::data_files(db, project).iter().map(move |file| Unit::Data(project, *file));
         let programs = project::program_files(db, project).iter().map(move |file| Unit::Program(project, *file));
-        std::iter::once(Unit::Project(project)).chain(data.chain(programs).filter(|unit| !unit.is_excluded(db)))
+        std::iter::once(Unit::Project(project)).chain(data).chain(programs)
     };
     let mut units: Vec<Unit> = projects.iter().flat_map(of_project).collect();
     // A file that is named twice is checked once.
     let mut seen = rustc_hash::FxHashSet::default();
     units.retain(|unit| seen.insert(*unit));
     units
+}
+
+/// Why the controller's compiler refuses a project, at the usual level of each rule and in the order of the project's
+/// files.
+///
+/// The language decides ([`ProblemKind::is_refused`]). Settings, excluded files and comments that silence findings have
+/// no influence.
+pub fn refusals(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
+    let settings = WorkspaceSettings::default();
+    let mut refusals = Vec::new();
+    for unit in all_units(db, &[project]) {
+        Check::new(db, unit, &settings).each_fault(&mut |fault| refusals.extend(fault.refusal()));
+    }
+    refusals
 }
 
 /// What the check of one piece of work gives.
@@ -161,11 +181,20 @@ pub fn is_said_once(rule: &Rule) -> bool {
     rule.code == MISSING_ADD_ON
 }
 
-impl Faults {
-    fn add_all(&mut self, diagnostics: Vec<Diagnostic>, settings: &Settings) {
-        diagnostics.into_iter().for_each(|diagnostic| self.add(diagnostic, settings));
-    }
+/// A fault of a text, a declaration or a type.
+struct Fault {
+    diagnostic: Diagnostic,
+    /// The controller's compiler refuses it.
+    is_refused: bool,
+}
 
+impl Fault {
+    fn refusal(self) -> Option<Diagnostic> {
+        self.is_refused.then_some(self.diagnostic)
+    }
+}
+
+impl Faults {
     fn add(&mut self, diagnostic: Diagnostic, settings: &Settings) {
         self.any |= diagnostic.severity == Severity::Error;
         self.found.extend(settings.judged(diagnostic));
@@ -186,30 +215,35 @@ impl<'db> Check<'db> {
     }
 
     fn faults(&self) -> Faults {
-        let db = self.db;
         let mut faults = Faults::default();
+        self.each_fault(&mut |fault| faults.add(fault.diagnostic, self.settings));
+        faults
+    }
+
+    fn each_fault(&self, take: &mut dyn FnMut(Fault)) {
+        let db = self.db;
         match self.unit {
             Unit::Program(project, file) => {
-                let broken = self.text(file, &mut faults);
-                self.problems(file, header_check::problems(db, project, file), &mut faults);
+                let broken = self.text(file, take);
+                self.problems(file, header_check::problems(db, project, file), take);
                 if !broken {
-                    self.problems(file, infer::problems(db, project, file), &mut faults);
-                    faults.add_all(keywords::spelling(db, project, file), self.settings);
-                    faults.add_all(suppression::unknown(db, project, file), self.settings);
+                    self.problems(file, infer::problems(db, project, file), take);
+                    let advice = [keywords::spelling(db, project, file), suppression::unknown(db, project, file)];
+                    let fault = |diagnostic| Fault { diagnostic, is_refused: false };
+                    advice.into_iter().flatten().map(fault).for_each(take);
                 }
             }
             Unit::Data(project, file) => {
-                self.text(file, &mut faults);
-                self.problems(file, data_check::problems(db, project, file), &mut faults);
+                self.text(file, take);
+                self.problems(file, data_check::problems(db, project, file), take);
             }
             Unit::Project(project) => {
                 let file = project.manifest(db);
-                self.text(file, &mut faults);
-                self.problems(file, project_check::problems(db, project), &mut faults);
-                self.problems(file, interfaces::problems(db, project), &mut faults);
+                self.text(file, take);
+                self.problems(file, project_check::problems(db, project), take);
+                self.problems(file, interfaces::problems(db, project), take);
             }
         }
-        faults
     }
 
     fn alone(&self, faults: &Faults) -> Vec<Diagnostic> {
@@ -241,7 +275,7 @@ impl<'db> Check<'db> {
     }
 
     /// The faults of a file's text; true if the rest of it cannot be judged.
-    fn text(&self, file: File, faults: &mut Faults) -> bool {
+    fn text(&self, file: File, take: &mut dyn FnMut(Fault)) -> bool {
         if matches!(file.status(self.db), FileStatus::Unreadable(_)) {
             return true;
         }
@@ -251,7 +285,8 @@ impl<'db> Check<'db> {
             // What nests too deep does so in many places; one of them is enough to find it.
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
-                faults.add(self.of_syntax(file, error), self.settings);
+                // Nothing that cannot be read is loaded.
+                take(Fault { diagnostic: self.of_syntax(file, error), is_refused: true });
             }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
@@ -268,7 +303,7 @@ impl<'db> Check<'db> {
         Diagnostic { fix: fix::of_syntax(&error.kind, &site), ..diagnostic }
     }
 
-    fn problems(&self, file: File, problems: &[Problem], faults: &mut Faults) {
+    fn problems(&self, file: File, problems: &[Problem], take: &mut dyn FnMut(Fault)) {
         for problem in without_echoes(self.db, file, problems) {
             let (rule, wording) = word_problem(&problem.kind);
             let related = problem.related.iter().take(MOST_RELATED).map(|other| RelatedNote {
@@ -277,9 +312,10 @@ impl<'db> Check<'db> {
             });
             let place = Span { file: problem.place.file, range: problem.place.range };
             let mut diagnostic = self.diagnostic(rule, wording, place, related.collect());
-            diagnostic.severity = self.doubt(&problem.kind).unwrap_or(diagnostic.severity);
+            let doubt = self.doubt(&problem.kind);
+            diagnostic.severity = doubt.unwrap_or(diagnostic.severity);
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
-            faults.add(diagnostic, self.settings);
+            take(Fault { diagnostic, is_refused: problem.kind.is_refused() && doubt.is_none() });
         }
     }
 

@@ -26,6 +26,6 @@ pub mod topics;
 
 pub use check::{
     Checked, Faults, Unit, check_alone, check_faults, check_member, check_unit, finish, is_said_once, put_together,
-    units,
+    refusals, units,
 };
 pub use statistics::{Statistics, statistics};

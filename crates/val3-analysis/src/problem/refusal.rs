@@ -1,0 +1,88 @@
+//! Which faults the controller's compiler refuses.
+
+use super::{FileRole, ProblemKind};
+
+impl ProblemKind {
+    /// The controller's compiler refuses an application or library with this fault.
+    ///
+    /// This is a property of the language. The level of the rule, the settings and comments that silence findings have
+    /// no influence on it. Faults that the controller reports at run time are not refused: an index beyond an array
+    /// (error 20), a library that is not there or that differs from its interface (error 80 and the codes of
+    /// `libLoad`). A fault of the text itself is always refused.
+    #[must_use]
+    pub fn is_refused(&self) -> bool {
+        match self {
+            Self::UnknownName { .. }
+            | Self::UnknownProgram { .. }
+            | Self::UnknownInstruction { .. }
+            | Self::MissingAddOn { .. }
+            | Self::UnknownLibrary { .. }
+            | Self::UnknownType { .. }
+            | Self::UnknownField { .. }
+            | Self::DuplicateName { .. }
+            | Self::InvalidName { .. }
+            | Self::ReservedName { .. }
+            | Self::NotAValue { .. }
+            | Self::OperatorType { .. }
+            | Self::AssignmentType { .. }
+            | Self::NotAssignable
+            | Self::ArgumentType { .. }
+            | Self::ArgumentCount { .. }
+            | Self::VariableExpected { .. }
+            | Self::ContainerMismatch { .. }
+            | Self::ConditionType { .. }
+            | Self::IndexMissing { .. }
+            | Self::IndexNotAllowed { .. }
+            | Self::IndexCount { .. }
+            | Self::IndexType { .. }
+            | Self::CaseType { .. }
+            | Self::SwitchType { .. }
+            | Self::LiteralFieldCount { .. }
+            | Self::LiteralFieldType { .. }
+            | Self::LiteralWithoutType { .. }
+            | Self::ForCounter { .. }
+            | Self::ForBound { .. }
+            | Self::NoEffect
+            | Self::NoValue { .. }
+            | Self::WrongArm { .. }
+            | Self::StringTooLong { .. }
+            | Self::FileUnreadable { .. }
+            | Self::DuplicateEntry { .. }
+            | Self::WrongRoot { .. }
+            | Self::MissingAttribute { .. }
+            | Self::InvalidAttribute { .. }
+            | Self::InvalidValue { .. }
+            | Self::KeyOutOfRange { .. }
+            | Self::DuplicateKey { .. }
+            | Self::InvalidKey { .. }
+            | Self::UserFieldType { .. }
+            | Self::InvalidSize { .. }
+            | Self::FatherMissing { .. }
+            | Self::FatherKind { .. }
+            | Self::FatherCircle { .. }
+            | Self::FatherInLibrary { .. }
+            | Self::FatherIndex { .. }
+            | Self::IoLinkKind { .. }
+            | Self::LibraryCircle { .. }
+            | Self::LibraryItemUnknown { .. }
+            | Self::LibraryItemPrivate { .. } => true,
+            // What a missing library or user type provides is missing when a line uses it.
+            Self::FileMissing { what, .. } => !matches!(what, FileRole::Library | FileRole::Type),
+            // Controllers load these. A CS9 accepts long names whatever the version says.
+            Self::NameTooLong { .. }
+            | Self::Encoding
+            | Self::UnexpectedElement { .. }
+            | Self::ProgramNameMismatch { .. }
+            | Self::UnknownValueAttribute { .. }
+            | Self::UnknownUserField { .. }
+            | Self::IoLinkUnknown { .. } => false,
+            // The task that comes to such a line meets an error or a return code.
+            Self::IndexOutOfBounds { .. }
+            | Self::LibraryNeverLoaded { .. }
+            | Self::LibLoadPath { .. }
+            | Self::ImplementationMissing { .. }
+            | Self::ImplementationPrivate { .. }
+            | Self::ImplementationDifferent { .. } => false,
+        }
+    }
+}
