@@ -148,6 +148,13 @@ pub fn binary(op: BinaryOp, left: BaseType, right: BaseType) -> Option<BaseType>
     }
 }
 
+/// The structure that both operands of an operator have where they are written between braces; `None` where their
+/// fields do not tell. Two transformations are the only structures that can be multiplied.
+#[must_use]
+pub fn structure(op: BinaryOp) -> Option<BaseType> {
+    (op == BinaryOp::Multiply).then_some(BaseType::Trsf)
+}
+
 /// The type of `op operand`; `None` where the operator is not defined for the type.
 #[must_use]
 pub fn unary(op: UnaryOp, operand: BaseType) -> Option<BaseType> {
@@ -193,7 +200,7 @@ pub fn comparable(left: BaseType, right: BaseType) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{BinaryOp, UnaryOp, assignment, binary, unary};
+    use super::{BinaryOp, UnaryOp, assignment, binary, structure, unary};
     use crate::types::BaseType::{Bool, Dio, Joint, Mdesc, Num, Point, Screen, Sio, String, Trsf};
 
     #[test]
@@ -218,6 +225,13 @@ mod tests {
         assert_eq!(unary(UnaryOp::Not, Dio), Some(Bool));
         assert_eq!(unary(UnaryOp::Not, Trsf), Some(Trsf));
         assert_eq!(unary(UnaryOp::Negate, Joint), None);
+    }
+
+    #[test]
+    fn the_structure_between_braces_suits_its_operator() {
+        let found = structure(BinaryOp::Multiply).unwrap();
+        assert_eq!(binary(BinaryOp::Multiply, found, found), Some(Trsf));
+        assert_eq!(structure(BinaryOp::Equal), None);
     }
 
     #[test]

@@ -88,7 +88,8 @@ impl<'db> Infer<'db> {
     }
 
     fn binary(&mut self, id: ExprId, op: BinaryOp, (left, right): (ExprId, ExprId), expected: Option<Base>) -> Value {
-        let expected = expected.filter(|_| is_arithmetic(op));
+        let between_braces = || operators::structure(op).filter(|_| self.is_literal(left) && self.is_literal(right));
+        let expected = expected.filter(|_| is_arithmetic(op)).or_else(|| between_braces().map(Base::of));
         let (left_base, right_base) = self.operands(left, right, expected);
         let result = match (left_base, right_base) {
             (Base::Unknown, _) | (_, Base::Unknown) => return unknown_result(op),
