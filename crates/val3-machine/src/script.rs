@@ -24,6 +24,7 @@
 //! ```
 
 mod apply;
+mod check;
 mod keys;
 mod values;
 
@@ -33,6 +34,7 @@ use std::fmt;
 use serde::Deserialize;
 use val3_lang::ports::Time;
 
+pub use check::ScriptFault;
 pub use keys::{key_codes, typed_keys};
 use values::{Fault, Key, Keys, Level, Links, Locks, Mode, Percent, SafetyFault, Seconds, Value};
 

@@ -189,6 +189,17 @@ impl IoTable {
         changes
     }
 
+    /// The configuration of the cell, and not the application alone, names the signals of the device of this path.
+    pub(crate) fn is_configured(&self, path: &str) -> bool {
+        self.knows_device_of(path)
+    }
+
+    /// A signal of this device or module exists.
+    pub(crate) fn has_device(&self, device: &str) -> bool {
+        let holds = |path: &String| path.strip_prefix(device).is_some_and(|rest| rest.starts_with('\\'));
+        self.by_path.keys().any(holds)
+    }
+
     fn find_address(&self, address: &str) -> Option<SignalId> {
         let named = |path: &str| path.rsplit('\\').next() == Some(address);
         self.by_path.iter().find(|(path, _)| named(path)).map(|(_, id)| *id)

@@ -5,6 +5,7 @@ use val3_lang::memory::{Place, StoreId};
 use val3_lang::ports::Time;
 use val3_lang::types::BaseType;
 use val3_lang::values::Text;
+use val3_vm::Instance;
 
 use super::values::{Fault as FaultEntry, Level, Locks, Value};
 use super::{Entry, Script};
@@ -63,26 +64,39 @@ impl Controller {
 
     /// The place and the type of a global variable: `nCount`, `nCounts[2]`, `library:nCount`.
     fn variable(&self, name: &str) -> Option<(Place, BaseType)> {
-        let (name, at) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
-            Some((name, at)) => (name, at.trim_matches('"')),
-            None => (name, "0"),
-        };
+        let (name, at) = split_index(name);
         let store = self.data(name)?;
         let found = self.vm.space.memory.store(store).ok()?;
-        Some((found.place(store, found.number_of_text(at)?), found.kind.base_type()?))
+        Some((found.place(store, found.number_of_text(at.unwrap_or("0"))?), found.kind.base_type()?))
     }
 
-    fn data(&self, name: &str) -> Option<StoreId> {
-        let own = self.vm.space.instance(self.application())?;
+    pub(super) fn data(&self, name: &str) -> Option<StoreId> {
         let (instance, name) = match name.split_once(':') {
-            None => (own, name),
-            Some((alias, name)) => {
-                let library = own.image.libraries.iter().position(|library| library.alias == alias)?;
-                (self.vm.space.instance((*own.libraries.get(library)?)?)?, name)
-            }
+            None => (self.vm.space.instance(self.application())?, name),
+            Some((alias, name)) => (self.library(alias)?, name),
         };
         instance.data.get(usize::from(instance.image.data(name)?)).copied()
     }
+
+    /// The library that is loaded under an identifier of the application.
+    pub(super) fn library(&self, alias: &str) -> Option<&Instance> {
+        let own = self.vm.space.instance(self.application())?;
+        let number = own.image.libraries.iter().position(|library| library.alias == alias)?;
+        self.vm.space.instance((*own.libraries.get(number)?)?)
+    }
+}
+
+/// The name of a variable, and its index or key without quotes.
+pub(super) fn split_index(name: &str) -> (&str, Option<&str>) {
+    match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
+        Some((name, at)) => (name, Some(at.trim_matches('"'))),
+        None => (name, None),
+    }
+}
+
+/// The message about a code that no signal fails with.
+pub(super) fn no_fault(link: &str, code: i32) -> String {
+    format!("`{link}` fails with -2 or -3 and works again with 0, not with {code}")
 }
 
 impl Entry {
@@ -174,7 +188,7 @@ impl Devices {
         };
         let fault = i8::try_from(*code).ok().and_then(Fault::from_number);
         if fault.is_none() && *code != 0 {
-            return Err(format!("`{link}` fails with -2 or -3 and works again with 0, not with {code}"));
+            return Err(no_fault(link, *code));
         }
         self.io.set_fault(signal, fault);
         Ok(())

@@ -1,0 +1,156 @@
+//! Whether a script fits a controller: each variable and signal that it names exists.
+
+use val3_lang::instructions::LIB_LOAD;
+use val3_lang::memory::Shape;
+use val3_lang::types::BaseType;
+
+use super::values::{Fault as FaultEntry, Locks, Value};
+use super::{Entry, Script};
+use crate::controller::Controller;
+use crate::devices::NoSignal;
+use crate::io::Fault;
+
+/// A part of an entry that no controller could carry out.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ScriptFault {
+    /// The time of the entry, in seconds.
+    pub seconds: f64,
+    /// What is wrong.
+    pub message: String,
+    /// The name that is not known, with those that are; empty where the name is not at fault.
+    pub unknown: Option<(String, Vec<String>)>,
+}
+
+/// What is wrong with a part of an entry.
+struct Problem {
+    message: String,
+    unknown: Option<(String, Vec<String>)>,
+}
+
+impl From<String> for Problem {
+    fn from(message: String) -> Self {
+        Self { message, unknown: None }
+    }
+}
+
+impl Controller {
+    /// The parts of a script that name no variable or no signal of the application, or give one a value that it does
+    /// not take. `is_resized` tells which data of the application change their size: they may have an index later.
+    ///
+    /// Data and signals of libraries that are loaded while the application runs are not judged.
+    #[must_use]
+    pub fn script_faults(&self, script: &Script, is_resized: &dyn Fn(&str) -> bool) -> Vec<ScriptFault> {
+        let faults = |entry: &Entry| {
+            let variables = entry.set.iter().filter_map(|(name, value)| self.judge_set(name, value, is_resized).err());
+            let signals = entry.signals().filter_map(|path| self.judge_signal(path).err());
+            let failing = entry.fault.iter().filter_map(|fault| self.judge_fault(fault).err());
+            let seconds = entry.t.seconds();
+            let fault = |Problem { message, unknown }| ScriptFault { seconds, message, unknown };
+            variables.chain(signals).chain(failing).map(fault).collect::<Vec<_>>()
+        };
+        script.entries.iter().flat_map(faults).collect()
+    }
+
+    fn judge_set(&self, name: &str, value: &Value, is_resized: &dyn Fn(&str) -> bool) -> Result<(), Problem> {
+        let (variable, index) = super::apply::split_index(name);
+        if let Some((alias, _)) = variable.split_once(':')
+            && self.awaits_library(alias)
+        {
+            return Ok(());
+        }
+        let no_variable = || Problem {
+            message: format!("there is no variable `{name}`"),
+            unknown: Some((variable.to_owned(), self.variables(variable))),
+        };
+        let store = self.data(variable).ok_or_else(no_variable)?;
+        let found = self.vm.space.memory.store(store).map_err(|_| no_variable())?;
+        let base = found.kind.base_type();
+        if !base.is_some_and(|base| value.suits(base)) {
+            let ty = base.map_or("a user type", BaseType::name);
+            return Err(format!("`{variable}` is of type {ty} and does not take this value").into());
+        }
+        let may_exist = match &found.shape {
+            Shape::Collection(_) => index.is_some(),
+            Shape::Array { .. } => is_resized(variable) && index.is_some_and(is_index),
+        };
+        if may_exist || found.number_of_text(index.unwrap_or("0")).is_some() {
+            return Ok(());
+        }
+        Err(match index {
+            Some(_) => format!("there is no variable `{name}`: `{variable}` does not have this index").into(),
+            None => format!("`{variable}` is a collection: name one of its keys, as in `{variable}[\"key\"]`").into(),
+        })
+    }
+
+    /// The names that can be meant by an unknown one: data of the application, or of the library before its colon.
+    fn variables(&self, name: &str) -> Vec<String> {
+        let own = self.vm.space.instance(self.application());
+        let (instance, prefix) = match name.split_once(':') {
+            Some((alias, _)) => (self.library(alias), format!("{alias}:")),
+            None => (own, String::new()),
+        };
+        let data = instance.into_iter().flat_map(|instance| &instance.image.data);
+        data.map(|data| format!("{prefix}{}", data.name)).collect()
+    }
+
+    fn judge_signal(&self, path: &str) -> Result<(), Problem> {
+        let io = &self.devices.io;
+        let may_exist = !io.is_configured(path) && self.loads_libraries();
+        if may_exist || io.find(path).is_some() {
+            return Ok(());
+        }
+        let known = io.signals().filter_map(|id| io.signal(id)).map(|signal| signal.path.clone()).collect();
+        Err(Problem { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
+    }
+
+    fn judge_fault(&self, FaultEntry { link, code }: &FaultEntry) -> Result<(), Problem> {
+        if self.devices.io.has_device(link) {
+            return Ok(());
+        }
+        self.judge_signal(link)?;
+        let known = *code == 0 || i8::try_from(*code).ok().and_then(Fault::from_number).is_some();
+        if known { Ok(()) } else { Err(super::apply::no_fault(link, *code).into()) }
+    }
+
+    /// The identifier is declared, and no library is loaded under it yet.
+    fn awaits_library(&self, alias: &str) -> bool {
+        let own = self.vm.space.instance(self.application());
+        let declares = |image: &val3_bytecode::Image| image.libraries.iter().any(|library| library.alias == alias);
+        own.is_some_and(|own| declares(&own.image)) && self.library(alias).is_none()
+    }
+
+    /// Libraries come into memory while the application runs, with variables that name further signals.
+    fn loads_libraries(&self) -> bool {
+        let instances = (0u16..).map_while(|number| self.vm.space.instance(val3_vm::InstanceId(number)));
+        let mut programs = instances.flat_map(|instance| &instance.image.programs);
+        programs.any(|program| program.instructions.iter().any(|site| site.name == LIB_LOAD))
+    }
+}
+
+impl Entry {
+    /// The paths of all signals that have to exist.
+    fn signals(&self) -> impl Iterator<Item = &str> {
+        let (held, locked) = match &self.lock {
+            Locks::AsIs(links) => (links.all(), None),
+            Locks::At(levels) => (&[][..], Some(levels.keys())),
+        };
+        let listed = held.iter().chain(self.unlock.all());
+        let keys = self.io.keys().chain(locked.into_iter().flatten()).chain(self.simulate.keys());
+        listed.chain(keys).chain(self.protect.keys()).map(String::as_str)
+    }
+}
+
+impl Value {
+    /// A variable of this type takes the value.
+    fn suits(&self, base: BaseType) -> bool {
+        matches!(
+            (self, base),
+            (Self::Num(_), BaseType::Num) | (Self::Bool(_), BaseType::Bool) | (Self::Text(_), BaseType::String)
+        )
+    }
+}
+
+/// Whole numbers with commas between them.
+fn is_index(text: &str) -> bool {
+    text.split(',').all(|part| part.trim().parse::<u32>().is_ok())
+}
