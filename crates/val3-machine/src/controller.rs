@@ -1,5 +1,7 @@
 //! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
 
+mod positions;
+
 use std::sync::Arc;
 
 use val3_bytecode::Image;
@@ -9,6 +11,8 @@ use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
 use crate::script::Script;
+
+pub use positions::{Activity, TaskPosition};
 
 /// The priority of the tasks that execute `start` and `stop` (5.2).
 const PRIORITY: u32 = 10;
@@ -152,8 +156,7 @@ impl Controller {
         self.phase = Phase::Stopped;
     }
 
-    /// Lets another image of the same application take the place of the one in memory. The data stay, so both must
-    /// declare the same.
+    /// Replaces the image of the application in memory. Data that both images declare alike keep their values.
     pub fn exchange(&mut self, image: Arc<Image>) {
         self.vm.space.exchange(self.application, image, &mut self.devices);
     }
@@ -234,6 +237,12 @@ impl Controller {
     #[must_use]
     pub fn has_failed_tasks(&self) -> bool {
         self.vm.tasks().iter().any(|task| matches!(task.state, TaskState::Failed(_)))
+    }
+
+    /// An error has stopped every task that is left.
+    #[must_use]
+    pub fn has_only_failed_tasks(&self) -> bool {
+        self.vm.tasks().iter().all(|task| matches!(task.state, TaskState::Failed(_)))
     }
 
     fn advance_phase(&mut self) {

@@ -2,7 +2,7 @@
 //!
 //! An event is one JSON object a line in the record; docs/events.md describes them, and what stands there stays.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use val3_lang::ports::{SECOND, Time};
 
 use crate::sio::Entry;
@@ -163,6 +163,22 @@ pub enum What {
         /// The number that `workingMode` gives.
         mode: u8,
     },
+    /// The run cannot continue, and this is where one of its tasks is.
+    Stuck {
+        /// The task.
+        name: String,
+        /// `waiting`, `suspended` or `error`.
+        state: &'static str,
+        /// What the task waits for.
+        #[serde(skip_serializing_if = "Option::is_none")]
+        awaits: Option<String>,
+        /// The program.
+        program: String,
+        /// The line of the file, from 1.
+        line: u32,
+        /// The file.
+        file: String,
+    },
     /// The run is over.
     End {
         /// Why.
@@ -171,7 +187,7 @@ pub enum What {
 }
 
 /// Why a run is over.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {
     /// The application has ended by itself.
@@ -180,8 +196,10 @@ pub enum EndReason {
     Stopped,
     /// The time of the run was up.
     Limit,
-    /// No task could go on.
+    /// No task could continue, or the controller lacks an instruction.
     Error,
+    /// The application was not started because of its faults.
+    Refused,
 }
 
 /// Seconds of a time.

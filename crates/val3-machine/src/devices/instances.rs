@@ -27,7 +27,7 @@ impl Devices {
     }
 
     /// The program, the line of the file and the file of a place.
-    pub(super) fn place(&self, at: CodePlace) -> (String, u32, String) {
+    pub(crate) fn place(&self, at: CodePlace) -> (String, u32, String) {
         let held = self.instances.get(usize::from(at.instance)).and_then(Option::as_ref);
         let found = held.and_then(|Held { image, .. }| {
             let program: &Program = image.programs.get(usize::from(at.program))?;

@@ -1,0 +1,131 @@
+//! Where each task is, and why it does not continue.
+
+use std::fmt;
+
+use val3_bytecode::Op;
+use val3_lang::fault::Fault;
+use val3_lang::instruction::Family;
+use val3_lang::instructions;
+use val3_vm::{Task, TaskState};
+
+use super::Controller;
+use crate::event::What;
+
+/// Where a task is.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct TaskPosition {
+    /// The name of the task.
+    pub name: String,
+    /// What it does there.
+    pub activity: Activity,
+    /// The program.
+    pub program: String,
+    /// The line of the file, from 1.
+    pub line: u32,
+    /// The file.
+    pub file: String,
+}
+
+/// What a task does at its line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Activity {
+    /// It executes lines.
+    Running,
+    /// It waits until a condition holds.
+    AwaitsCondition,
+    /// It waits in this instruction.
+    Awaits(String),
+    /// It was suspended, and no task resumes it.
+    Suspended,
+    /// The run-time error with this number has stopped it.
+    Failed(u16),
+}
+
+impl Activity {
+    /// The word of the record.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Running => "running",
+            Self::AwaitsCondition | Self::Awaits(_) => "waiting",
+            Self::Suspended => "suspended",
+            Self::Failed(_) => "error",
+        }
+    }
+
+    /// What the task waits for; `None` where it does not wait.
+    #[must_use]
+    pub fn awaited(&self) -> Option<String> {
+        match self {
+            Self::AwaitsCondition => Some("a condition".to_owned()),
+            Self::Awaits(instruction) => Some(awaited_in(instruction)),
+            Self::Running | Self::Suspended | Self::Failed(_) => None,
+        }
+    }
+}
+
+/// What a task waits for in an instruction.
+fn awaited_in(instruction: &str) -> String {
+    let subject = match instructions::find(instruction).map(|found| found.family) {
+        Some(Family::Screen | Family::Additions) => "the operator",
+        Some(Family::Io) => "an input, an output or a serial line",
+        Some(Family::Tasks) => "time",
+        Some(Family::Geometry | Family::Motion | Family::Options) => "the arm",
+        Some(Family::Controller) => "the power of the arm",
+        _ => return format!("`{instruction}`"),
+    };
+    format!("{subject} (`{instruction}`)")
+}
+
+impl fmt::Display for Activity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self, self.awaited()) {
+            (_, Some(awaited)) => write!(f, "waits for {awaited}"),
+            (Self::Suspended, _) => f.write_str("is suspended"),
+            (Self::Failed(code), _) => write!(f, "was stopped by error {code}"),
+            _ => f.write_str("is running"),
+        }
+    }
+}
+
+impl Controller {
+    /// Where each task is, in the order of creation.
+    #[must_use]
+    pub fn task_positions(&self) -> Vec<TaskPosition> {
+        self.vm.tasks().iter().map(|task| self.position(task)).collect()
+    }
+
+    /// Records the tasks of a run that cannot continue.
+    pub fn record_stuck_tasks(&mut self) {
+        let now = self.now();
+        for position in self.task_positions() {
+            let TaskPosition { name, activity, program, line, file } = position;
+            let what = What::Stuck { name, state: activity.word(), awaits: activity.awaited(), program, line, file };
+            self.devices.record_outside(now, what);
+        }
+    }
+
+    fn position(&self, task: &Task) -> TaskPosition {
+        let (program, line, file) = self.devices.place(task.thread.place().unwrap_or_default());
+        TaskPosition { name: task.name.clone(), activity: self.activity(task), program, line, file }
+    }
+
+    fn activity(&self, task: &Task) -> Activity {
+        match task.state {
+            TaskState::Failed(Fault(code)) => Activity::Failed(code),
+            TaskState::Halted => Activity::Suspended,
+            _ if task.thread.wait.is_none() => Activity::Running,
+            _ if task.thread.waiting.is_none() => Activity::AwaitsCondition,
+            _ => self.instruction_at(task).map_or(Activity::AwaitsCondition, Activity::Awaits),
+        }
+    }
+
+    /// The name of the instruction that a task executes next.
+    fn instruction_at(&self, task: &Task) -> Option<String> {
+        let frame = task.thread.frames.last()?;
+        let image = &self.vm.space.instance(frame.instance)?.image;
+        let program = image.programs.get(usize::from(frame.program))?;
+        let Op::Instruction { site } = program.code.get(task.thread.next as usize)?.op else { return None };
+        program.instructions.get(site as usize).map(|site| site.name.to_string())
+    }
+}
