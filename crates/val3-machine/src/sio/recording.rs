@@ -100,7 +100,8 @@ impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
     }
 }
 
-/// The answers of lines by their links, from the record of a run (one event a line).
+/// The answers of lines by their links, from the record of a run (one event a line). The last line may be incomplete,
+/// since a run that is killed leaves it so.
 ///
 /// # Errors
 /// The first line that is no event.
@@ -117,9 +118,11 @@ pub fn replay(record: &str) -> serde_json::Result<BTreeMap<String, Vec<Entry>>> 
         Else,
     }
     let mut answers: BTreeMap<String, Vec<Entry>> = BTreeMap::new();
-    for line in record.lines().filter(|line| !line.trim().is_empty()) {
-        if let Told::Line { link, entry } = serde_json::from_str(line)? {
-            answers.entry(link).or_default().push(entry);
+    for line in record.split_inclusive('\n').filter(|line| !line.trim().is_empty()) {
+        match serde_json::from_str(line) {
+            Ok(Told::Line { link, entry }) => answers.entry(link).or_default().push(entry),
+            Err(error) if line.ends_with('\n') || !error.is_eof() => return Err(error),
+            Ok(Told::Else) | Err(_) => {}
         }
     }
     Ok(answers)
