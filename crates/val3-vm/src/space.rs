@@ -1,5 +1,6 @@
 //! What is in memory: applications and libraries with their data, and the links between data.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
@@ -50,13 +51,28 @@ impl Space {
         id
     }
 
-    /// Lets an image with the same data take the place of the one in memory; the data stay as they are.
+    /// Replaces the image of an application in memory. Data that both images declare alike keep their values, other
+    /// data of the new image begin with theirs.
     pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) {
         let Some(instance) = self.instances.get_mut(usize::from(id.0)) else { return };
-        host.loaded(id.0, &image, &instance.data);
+        let (before, stores) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
         instance.imports = vec![None; image.imports.len()];
-        instance.image = image;
         let libraries = instance.libraries.clone();
+        let mut old: BTreeMap<&str, (&DataDef, StoreId)> =
+            before.data.iter().zip(stores.iter()).map(|(data, store)| (data.name.as_str(), (data, *store))).collect();
+        let data = image.data.iter().map(|data| match old.remove(data.name.as_str()) {
+            Some((same, store)) if same == data => store,
+            other => {
+                other.into_iter().for_each(|(_, store)| self.memory.remove(store));
+                self.memory.create_for(Owner::Project { number: id.0, public: data.public }, &data.init)
+            }
+        });
+        let data: Arc<[StoreId]> = data.collect();
+        old.values().for_each(|(_, store)| self.memory.remove(*store));
+        host.loaded(id.0, &image, &data);
+        if let Some(instance) = self.instances.get_mut(usize::from(id.0)) {
+            (instance.image, instance.data) = (image, data);
+        }
         for (number, library) in (0u16..).zip(libraries) {
             if let Some(library) = library {
                 self.connect_items(id, number, library);
