@@ -20,7 +20,7 @@ use crate::engine::Session;
 use crate::user_error::UserError;
 
 pub(crate) use arm::set as set_arm;
-pub(crate) use compiling::{compile, first_error, load_laid};
+pub(crate) use compiling::{compile, first_refusal, load_laid};
 pub(crate) use controller::controller;
 pub(crate) use laid::Files;
 pub(crate) use lines::{LineArg, Tape};

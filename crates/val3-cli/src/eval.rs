@@ -1,6 +1,7 @@
 //! `val3 eval`: values of expressions, and what statements do, in one scope.
 
 mod answer;
+mod declaration;
 mod execution;
 mod interrupt;
 mod locals;
@@ -26,20 +27,51 @@ pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> 
             UserError::new(format!("`{option}` stands behind a text")).with_help("write options before the texts")
         );
     }
-    let mut scope = Scope::open(args)?;
+    let scope = Scope::open(args)?;
     if args.texts.is_empty() && io::stdin().is_terminal() {
         return prompt::run(scope, color);
     }
-    let piped = if args.texts.is_empty() { lines_of_stdin()? } else { Vec::new() };
-    let mut sound = true;
-    for text in args.texts.iter().chain(&piped) {
-        match evaluate(&mut scope, text, color)? {
-            Outcome::Sound => {}
-            Outcome::Faulty => sound = false,
-            Outcome::Unread => break,
-        }
+    let mut progress = Progress { scope, color, sound: true };
+    if args.texts.is_empty() {
+        progress.read_stdin()?;
+    } else {
+        progress.evaluate_all(args.texts.iter().flat_map(|text| sources::texts(text)))?;
     }
-    Ok(if sound { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if progress.sound { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Texts that are evaluated one after the other.
+struct Progress {
+    scope: Scope,
+    color: Color,
+    /// Every text could be evaluated so far.
+    sound: bool,
+}
+
+impl Progress {
+    /// Evaluates texts until one of them ends the session. The answer is whether the session continues.
+    fn evaluate_all(&mut self, texts: impl IntoIterator<Item = String>) -> Result<bool, UserError> {
+        for text in texts {
+            match evaluate(&mut self.scope, &text, self.color)? {
+                Outcome::Sound => {}
+                Outcome::Faulty => self.sound = false,
+                Outcome::Unread | Outcome::Exit => return Ok(false),
+            }
+        }
+        Ok(true)
+    }
+
+    /// Evaluates each text of the standard input as soon as it is complete.
+    fn read_stdin(&mut self) -> Result<(), UserError> {
+        let mut open = String::new();
+        for line in io::stdin().lines() {
+            let line = line.map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
+            if !self.evaluate_all(sources::next_text(&mut open, &line))? {
+                return Ok(());
+            }
+        }
+        self.evaluate_all(sources::texts(&open)).map(drop)
+    }
 }
 
 /// Texts may begin with a hyphen (`-nA`), so that an option behind one would be taken for a text.
@@ -51,12 +83,6 @@ fn is_option(text: &str) -> bool {
     known.is_some_and(|mut known| known.any(|option| option.get_long() == Some(name)))
 }
 
-fn lines_of_stdin() -> Result<Vec<String>, UserError> {
-    let lines: Result<Vec<String>, _> = io::stdin().lines().collect();
-    let lines = lines.map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
-    Ok(lines.into_iter().filter(|line| !line.trim().is_empty()).collect())
-}
-
 /// What has come of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
@@ -66,10 +92,39 @@ enum Outcome {
     Faulty,
     /// Nobody reads it.
     Unread,
+    /// It ends the session.
+    Exit,
+}
+
+/// What the words say that are commands of the session and no texts.
+const HELP: &str = "\
+num nA, num nA=2, point pA[3]   declare variables
+nA*2                            print the value of an expression
+nA=nA+1                         execute statements; blocks may have several lines
+exit, quit                      leave; at a terminal Ctrl-D does the same
+The program `val3 explain NAME` shows the page of an instruction.";
+
+/// Obeys a word that is a command of the session, unless a variable has this name.
+fn command(scope: &Scope, text: &str, color: Color) -> Result<Option<Outcome>, UserError> {
+    let word = text.trim();
+    if scope.has_variable(word) {
+        return Ok(None);
+    }
+    Ok(match word {
+        "exit" | "quit" => Some(Outcome::Exit),
+        "help" => {
+            let is_read = to_reader(color, |out| writeln!(out, "{HELP}"))?;
+            Some(if is_read { Outcome::Sound } else { Outcome::Unread })
+        }
+        _ => None,
+    })
 }
 
 /// Evaluates one text and shows what comes of it, as it comes.
 fn evaluate(scope: &mut Scope, text: &str, color: Color) -> Result<Outcome, UserError> {
+    if let Some(outcome) = command(scope, text, color)? {
+        return Ok(outcome);
+    }
     let mut outcome = Outcome::Sound;
     let interrupt = scope.interrupt().clone();
     scope.evaluate(text, &mut |answer| {

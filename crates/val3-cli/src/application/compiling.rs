@@ -7,8 +7,6 @@ use val3_analysis::db::{Database, Project};
 use val3_analysis::load::{self, Workspace};
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
-use val3_check::rule::Severity;
-use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_compile::CompileError;
 
 use super::Files;
@@ -26,24 +24,16 @@ pub(crate) fn load_laid(files: Files, manifest: &Utf8PathBuf) -> Result<(Workspa
     Ok((workspace, project))
 }
 
-/// The first error of a project among those that `counts`.
-///
-/// # Errors
-/// The settings of the project are at fault.
-pub(crate) fn first_error(
+/// The first reason among those that `counts` why the controller's compiler refuses a project.
+pub(crate) fn first_refusal(
     db: &Database,
     project: Project,
     counts: impl Fn(&Diagnostic) -> bool,
-) -> Result<Option<Diagnostic>, String> {
-    let settings = WorkspaceSettings::new(db, &[project], &Selection::default())
-        .map_err(|errors| errors.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))?;
-    let units = val3_check::units(db, &[project]);
-    let checked = units.iter().map(|unit| val3_check::check_unit(db, *unit, &settings)).sum();
-    let findings = val3_check::finish(db, &units, &settings, checked).findings;
-    Ok(findings.into_iter().find(|finding| finding.severity == Severity::Error && counts(finding)))
+) -> Option<Diagnostic> {
+    val3_check::refusals(db, project).into_iter().find(counts)
 }
 
-/// The image of a project without errors.
+/// The image of a project that the controller's compiler does not refuse.
 ///
 /// # Errors
 /// A limit of the virtual controller that it exceeds.

@@ -7,7 +7,7 @@ use val3_bytecode::Image;
 use val3_machine::devices::Libraries;
 use val3_machine::files::{ControllerPath, LibraryFiles};
 
-use super::{compile, first_error, load_laid};
+use super::{compile, first_refusal, load_laid};
 
 /// Compiles libraries.
 pub(crate) struct Images {
@@ -44,7 +44,7 @@ impl Images {
         let manifest = files.files.first().map(|file| folder.join(&file.path)).ok_or("the library has no files")?;
         let files = files.files.iter().map(|file| (folder.join(&file.path), file.bytes.clone())).collect();
         let (workspace, project) = load_laid(files, &manifest)?;
-        match first_error(&workspace.db, project, |_| true)? {
+        match first_refusal(&workspace.db, project, |_| true) {
             Some(wrong) => Err(format!("`{path}`: {}", wrong.message)),
             None => compile(&workspace.db, project).map_err(|error| format!("`{path}`: {}", error.limit)),
         }

@@ -29,6 +29,11 @@ impl Execution {
         Self { controller, pace: Pace::default(), interrupt: Interrupt::default() }
     }
 
+    /// Replaces the image: data that it declares anew begin with their first values, data that it lacks are gone.
+    pub(super) fn exchange(&mut self, image: Arc<Image>) {
+        self.controller.exchange(image);
+    }
+
     /// Executes the program of a text until its task has ended. Other tasks go on meanwhile, and with the next text.
     ///
     /// # Errors

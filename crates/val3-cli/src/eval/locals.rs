@@ -37,6 +37,16 @@ impl Local {
         Ok(Self { ty, name: name.to_owned(), sizes })
     }
 
+    /// The name.
+    pub(crate) fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// It is an array or a collection.
+    pub(crate) fn is_container(&self) -> bool {
+        self.sizes.as_deref() != Some(&[1])
+    }
+
     /// The variable as a data file declares it.
     pub(crate) fn data(&self) -> String {
         let Self { ty, name, sizes } = self;

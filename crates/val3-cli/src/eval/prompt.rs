@@ -10,9 +10,9 @@ use rustyline::history::DefaultHistory;
 use rustyline::validate::{ValidationContext, ValidationResult, Validator};
 use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hinter};
 
-use super::evaluate;
 use super::scope::Scope;
-use super::sources::has_open_block;
+use super::sources::{has_open_block, texts};
+use super::{Outcome, evaluate};
 use crate::args::Color;
 use crate::user_error::UserError;
 
@@ -30,7 +30,12 @@ pub(crate) fn run(scope: Scope, color: Color) -> Result<ExitCode, UserError> {
             Ok(text) if text.trim().is_empty() => {}
             Ok(text) => {
                 editor.add_history_entry(&text).map_err(|error| no_terminal(&error))?;
-                evaluate(&mut scope.borrow_mut(), &text, color)?;
+                // Pasted lines are texts of their own.
+                for text in texts(&text) {
+                    if evaluate(&mut scope.borrow_mut(), &text, color)? == Outcome::Exit {
+                        return Ok(ExitCode::SUCCESS);
+                    }
+                }
             }
             Err(ReadlineError::Interrupted) => {}
             Err(ReadlineError::Eof) => return Ok(ExitCode::SUCCESS),

@@ -1,12 +1,13 @@
 //! A scope: an application on a controller of its own, whose data stay from one text to the next.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::body::{StmtKind, body};
 use val3_analysis::db::{Database, File, FileStatus, Project, Sources};
 use val3_analysis::infer::infer;
-use val3_analysis::items::project::program_files;
+use val3_analysis::items::project::{items, program_files};
 use val3_analysis::load::Workspace;
 use val3_bytecode::Image;
 use val3_check::diagnostic::Diagnostic;
@@ -15,20 +16,19 @@ use val3_ide::{Completion, FilePosition, completions};
 use val3_lang::types::BaseType;
 
 use super::answer::{Answer, Fault};
+use super::declaration::{Declaration, declarations};
 use super::execution::{Execution, Listener};
 use super::interrupt::Interrupt;
 use super::locals::Local;
 use super::sources::{self, BEFORE, NAME};
-use crate::application::{Files, Tape, compile, controller, first_error, load_laid, only_application, set_arm};
+use crate::application::{Files, Tape, compile, controller, first_refusal, load_laid, only_application, set_arm};
 use crate::args::{self, EvalArgs};
 use crate::engine::Session;
 use crate::opening::{Request, current_folder};
 use crate::user_error::UserError;
 
-/// The first code of the rules on what a text means. What they find shows when it runs; so does a constant index
-/// beyond an array.
-const MEANING: &str = "V0225";
-const CONSTANT_INDEX: &str = "V0212";
+/// The file with the variables of the texts.
+const DATA: &str = "eval__.dtx";
 
 /// What makes a statement of an expression that shows its value.
 const SHOW: &str = "?";
@@ -38,6 +38,11 @@ pub(super) struct Scope {
     execution: Execution,
     manifest: Utf8PathBuf,
     files: Files,
+    /// The variables of the texts.
+    locals: Vec<Local>,
+    /// The user types and the data of the application.
+    types: BTreeSet<String>,
+    data: BTreeSet<String>,
     /// The arm, where the cell does not say it.
     arm: Option<String>,
 }
@@ -59,20 +64,28 @@ impl Scope {
         let (manifest, text) = manifest(args)?;
         let folder = manifest.parent().unwrap_or(Utf8Path::new("")).to_owned();
         let mut files = Files::new();
-        files.insert(folder.join(format!("{NAME}.dtx")), sources::data(&locals).into());
+        files.insert(folder.join(DATA), sources::data(&locals).into());
         files.insert(folder.join(format!("{NAME}.pgx")), sources::program("").into());
         files.insert(manifest.clone(), text.into());
         let arm = args.controller.arm.clone();
         let (workspace, project) = load(&files, &manifest, arm.as_deref())?;
-        let fault = refused(&workspace, project, |file| !file.ends_with(".pgx")).map_err(UserError::new)?;
-        if let Some(fault) = fault {
+        let of_locals = folder.join(DATA);
+        if let Some(fault) = refusal(&workspace, project, |file| file == of_locals) {
             return Err(UserError::new(fault.message).with_help("`val3 check` shows it in its place"));
         }
         let image = compile(&workspace.db, project)
             .map_err(|error| UserError::new(error.to_string()).with_help(error.limit.help()))?;
         let controller = controller(&args.controller, Tape::default(), (&workspace.db, project), image)?;
         keep(&workspace.db, &mut files);
-        Ok(Self { execution: Execution::new(controller), manifest, files, arm })
+        let items = items(&workspace.db, project);
+        let types = items.types.keys().map(ToString::to_string).collect();
+        let data = items.data.keys().map(ToString::to_string).collect();
+        Ok(Self { execution: Execution::new(controller), manifest, files, locals, types, data, arm })
+    }
+
+    /// A variable of the texts or of the application has this name.
+    pub(super) fn has_variable(&self, name: &str) -> bool {
+        self.data.contains(name) || self.locals.iter().any(|local| local.name() == name)
     }
 
     /// What ends a text from outside.
@@ -80,15 +93,57 @@ impl Scope {
         &self.execution.interrupt
     }
 
-    /// Evaluates a text: an expression, or statements. What comes of it is told as it comes.
+    /// Evaluates a text: a declaration, an expression, or statements. What comes of it is told as it comes.
     ///
     /// # Errors
     /// The listener cannot listen.
     pub(super) fn evaluate(&mut self, text: &str, tell: &mut Listener<'_>) -> Result<(), UserError> {
-        match self.image(text) {
-            Ok((image, is_string)) => self.execution.run(image, is_string, tell),
-            Err(fault) => tell(&Answer::Fault(fault)),
+        let is_type = |ty: &str| BaseType::from_name(ty).is_some() || self.types.contains(ty);
+        match declarations(text, is_type) {
+            Some(Ok(declared)) => declared.into_iter().try_for_each(|declaration| self.declare(declaration, tell)),
+            Some(Err(message)) => tell(&Answer::Fault(message.into())),
+            None => match self.image(text) {
+                Ok((image, is_string)) => self.execution.run(image, is_string, tell),
+                Err(fault) => tell(&Answer::Fault(fault)),
+            },
         }
+    }
+
+    /// Declares a variable, and gives it its value. One of the same name that a text has declared before is gone.
+    fn declare(&mut self, declaration: Declaration, tell: &mut Listener<'_>) -> Result<(), UserError> {
+        let Declaration { local, assignment } = declaration;
+        let before = self.locals.clone();
+        let mut locals = before.clone();
+        locals.retain(|known| known.name() != local.name());
+        let without = locals.clone();
+        locals.push(local);
+        let declared = self.exchange(without).and_then(|()| self.exchange(locals));
+        let image = declared.and_then(|()| assignment.map(|code| self.compile("", &code)).transpose());
+        match image {
+            Ok(Some(image)) => self.execution.run(image, false, tell),
+            Ok(None) => Ok(()),
+            Err(fault) => {
+                // The names that were there before stay declared.
+                if self.exchange(before).is_err() {
+                    return Err(UserError::new("the variables of the texts cannot be declared again"));
+                }
+                tell(&Answer::Fault(fault))
+            }
+        }
+    }
+
+    /// Makes `locals` the variables of the texts. Those that stay as they are keep their values.
+    fn exchange(&mut self, locals: Vec<Local>) -> Result<(), Fault> {
+        let path = self.manifest.with_file_name(DATA);
+        self.files.insert(path.clone(), sources::data(&locals).into());
+        let (workspace, project, _) = self.load("")?;
+        if let Some(fault) = refusal(&workspace, project, |file| file == path) {
+            return Err(fault.message.into());
+        }
+        let image = compile(&workspace.db, project).map_err(|error| error.limit.to_string())?;
+        self.execution.exchange(image);
+        self.locals = locals;
+        Ok(())
     }
 
     /// What can be written behind the first `at` bytes of a line: in a statement, and in an expression; with the offset
@@ -146,7 +201,7 @@ impl Scope {
     fn compile(&mut self, before: &str, text: &str) -> Result<Arc<Image>, Fault> {
         let (workspace, project, file) = self.load(&format!("{before}{text}"))?;
         let path = file.path(&workspace.db).to_string();
-        match refused(&workspace, project, |file| file == path)? {
+        match refusal(&workspace, project, |file| file == path) {
             Some(fault) => Err(Fault::found(&fault, BEFORE.len() + before.len(), text)),
             None => Ok(compile(&workspace.db, project).map_err(|error| error.limit.to_string())?),
         }
@@ -179,13 +234,8 @@ fn load(files: &Files, manifest: &Utf8Path, arm: Option<&str>) -> Result<(Worksp
     Ok((workspace, project))
 }
 
-/// What the controller's compiler would refuse in the files that `counts`.
-fn refused(
-    workspace: &Workspace,
-    project: Project,
-    counts: impl Fn(&str) -> bool,
-) -> Result<Option<Diagnostic>, String> {
+/// What the controller's compiler refuses in the files that `counts`.
+fn refusal(workspace: &Workspace, project: Project, counts: impl Fn(&str) -> bool) -> Option<Diagnostic> {
     let db = &workspace.db;
-    let is_refused = |code: &str| code < MEANING && code != CONSTANT_INDEX;
-    first_error(db, project, |finding| is_refused(finding.rule.code) && counts(finding.place.file.path(db).as_str()))
+    first_refusal(db, project, |finding| counts(finding.place.file.path(db).as_str()))
 }

@@ -49,6 +49,29 @@ pub(crate) fn has_open_block(code: &str) -> bool {
     !parse.errors().is_empty() && parse.errors().iter().all(is_open)
 }
 
+/// The texts of pasted code: its lines one by one, those of a block together. Empty lines outside of blocks are none.
+pub(crate) fn texts(code: &str) -> Vec<String> {
+    let (mut texts, mut open) = (Vec::new(), String::new());
+    for line in code.lines() {
+        texts.extend(next_text(&mut open, line));
+    }
+    texts.extend(Some(open).filter(|open| !open.trim().is_empty()));
+    texts
+}
+
+/// Adds a line to the text that is being read. The answer is the text if it is complete with this line.
+pub(crate) fn next_text(open: &mut String, line: &str) -> Option<String> {
+    if !open.is_empty() {
+        open.push('\n');
+    }
+    open.push_str(line);
+    if has_open_block(open) {
+        return None;
+    }
+    let text = std::mem::take(open);
+    (!text.trim().is_empty()).then_some(text)
+}
+
 /// The data file with the variables.
 pub(crate) fn data(locals: &[Local]) -> String {
     let lines: Vec<String> = locals.iter().map(Local::data).collect();
@@ -67,4 +90,18 @@ pub(crate) const BEFORE: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XM
 pub(crate) fn program(code: &str) -> String {
     let code = code.replace("]]>", "]]]]><![CDATA[>");
     format!("{BEFORE}{code}\nend]]></Code></Program></Programs>\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::texts;
+
+    #[test]
+    fn lines_are_texts_and_blocks_stay_together() {
+        assert_eq!(texts("1+1"), ["1+1"]);
+        assert_eq!(texts("nA=1\r\n\r\nnA\r\n"), ["nA=1", "nA"]);
+        assert_eq!(texts("if nA==1\n\n  ? nA\nendIf\n? 2"), ["if nA==1\n\n  ? nA\nendIf", "? 2"]);
+        assert_eq!(texts("while true\n? 1"), ["while true\n? 1"], "a block that is not closed is the last text");
+        assert_eq!(texts(" \n"), [""; 0]);
+    }
 }

@@ -21,6 +21,53 @@ fn texts_share_their_variables() {
     assert_eq!(answers(&["--local", "num nVal", "nVal=4", "nVal=nVal*2", "nVal"]), "8\n0");
 }
 
+#[test]
+fn texts_declare_variables() {
+    assert_eq!(answers(&["num nA", "nA", "nA=nA+2", "string sB", "nA", "sB"]), "0\n2\n\"\"\n0");
+    assert_eq!(answers(&["num nA = 2", "num nB=nA*2, nC", "nB+nC", "trsf t={1,2,3}", "t.y"]), "4\n2\n0");
+    assert_eq!(answers(&["point pA[3]", "size(pA)", "num nM[2,4]", "nM[1,3]=5", "nM[1,3]"]), "3\n5\n0");
+    assert_eq!(answers(&["num nA=2", "num nA", "nA", "string nA", "nA"]), "0\n\"\"\n0", "declared again");
+}
+
+#[test]
+fn what_is_wrong_with_a_declaration_is_said() {
+    let shown = answers(&["num nA=7", "num if", "num nB=nX", "num nA[2]=3", "nA"]);
+    assert!(shown.starts_with("error: "), "{shown}");
+    assert!(shown.contains("  num nB=nX\n         ^^"), "{shown}");
+    assert!(shown.contains("`nA` has several values") && shown.contains("\n7\n"), "{shown}");
+    assert!(shown.ends_with('1'), "{shown}");
+}
+
+#[test]
+fn user_types_can_be_declared() {
+    let folder =
+        Folder::with("type Slot \"Disk://Slot/Slot.pjx\"\nnum nCount\nnCount=1\n--- Slot\npublic num nRow=4\n");
+    let run = folder.val3(&["eval", "--app", "usrapp/main", "Slot slA", "slA.nRow", "num nCount"]);
+    assert_eq!((run.code, run.stdout.lines().next()), (1, Some("4")), "{run:?}");
+    assert!(run.stdout.contains("error: ") && run.stdout.contains("nCount"), "the application has it: {run:?}");
+}
+
+#[test]
+fn commands_of_a_session() {
+    assert_eq!(answers(&["1", "exit", "2"]), "1\n0");
+    assert_eq!(answers(&["1/0", "quit", "2"]), "error 10: division by zero\n1");
+    assert!(answers(&["help"]).contains("declare variables"));
+    assert_eq!(answers(&["num help=4", "help"]), "4\n0", "a variable has priority");
+}
+
+#[test]
+fn pasted_lines_are_texts_of_their_own() {
+    let pasted = "num nSum\nfor nSum=1 to 3\n  ? nSum\nendFor\n\nnSum*2\r\n\"end\"\n";
+    assert_eq!(answers(&[pasted]), "1\n2\n3\n8\n\"end\"\n0");
+}
+
+#[test]
+fn braces_can_be_multiplied() {
+    assert_eq!(answers(&["{1,2,3,0,0,0}*{0,0,10,0,0,0}"]), "{1,2,13,0,0,0}\n0");
+    assert_eq!(answers(&["{0,0,0,0,0,90}*{1,0,0}*{0,0,4}"]), "{0,1,4,0,0,90}\n0");
+    assert!(answers(&["{1,2}+{3,4}"]).contains("error: "));
+}
+
 /// A variable of a program: its size is that of each dimension, and it begins as the manual says (2.3, 9.4 to 10.5).
 #[test]
 fn variables_of_every_container_and_type() {
@@ -126,7 +173,7 @@ fn lines_of_the_standard_input_are_texts() {
     let mut command = folder.command(&["eval"]);
     command.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut child = command.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(b"1+1\n\n2+2\n1/0\n").unwrap();
+    child.stdin.take().unwrap().write_all(b"1+1\n\nif true\n? 2+2\nendIf\n1/0\nexit\n5\n").unwrap();
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(1));
     assert_eq!(String::from_utf8(output.stdout).unwrap(), "2\n4\nerror 10: division by zero\n");

@@ -1,0 +1,99 @@
+//! A text that declares variables: `num nA`, `num nB=2`, `point pA[3]`, `num nC=1, nD`.
+
+use super::locals::Local;
+
+/// A variable that a text declares.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Declaration {
+    pub(super) local: Local,
+    /// The assignment of its value, at the place in the text where it is written. Blanks fill what is before.
+    pub(super) assignment: Option<String>,
+}
+
+/// The variables that a text declares; `None` where it declares none, since it does not begin with a type.
+///
+/// # Errors
+/// What is wrong with the declaration.
+pub(super) fn declarations(text: &str, is_type: impl Fn(&str) -> bool) -> Option<Result<Vec<Declaration>, String>> {
+    let start = text.len() - text.trim_start().len();
+    let code = text.get(start..)?;
+    let (ty, rest) = code.split_once([' ', '\t'])?;
+    let begins = rest.trim_start().starts_with(|first: char| first.is_ascii_alphabetic() || first == '_');
+    if !begins || !is_type(ty) || text.trim().contains('\n') {
+        return None;
+    }
+    let pieces = pieces(text, start + ty.len());
+    Some(pieces.into_iter().map(|(from, piece)| declaration(ty, text, (from, piece))).collect())
+}
+
+fn declaration(ty: &str, text: &str, (from, piece): (usize, &str)) -> Result<Declaration, String> {
+    let (variable, value) = piece.split_once('=').map_or((piece, None), |(variable, value)| (variable, Some(value)));
+    let local = Local::parse(&format!("{ty} {}", variable.trim()))?;
+    if value.is_some() && local.is_container() {
+        let name = local.name();
+        return Err(format!("`{name}` has several values: declare it, then assign to its elements"));
+    }
+    let before = text.get(..from).unwrap_or_default().chars().count();
+    let assignment = value.map(|_| format!("{}{}", " ".repeat(before), piece.trim_end()));
+    Ok(Declaration { local, assignment })
+}
+
+/// The parts of a text behind `from` that commas separate, with their places. Commas in brackets and strings separate
+/// nothing.
+fn pieces(text: &str, from: usize) -> Vec<(usize, &str)> {
+    let (mut pieces, mut start, mut depth, mut in_string) = (Vec::new(), from, 0_u32, false);
+    for (at, character) in text.char_indices().skip_while(|(at, _)| *at < from) {
+        match character {
+            '"' => in_string = !in_string,
+            '(' | '[' | '{' if !in_string => depth += 1,
+            ')' | ']' | '}' if !in_string => depth = depth.saturating_sub(1),
+            ',' if !in_string && depth == 0 => {
+                pieces.extend(text.get(start..at).map(|piece| (start, piece)));
+                start = at + 1;
+            }
+            _ => {}
+        }
+    }
+    pieces.extend(text.get(start..).map(|piece| (start, piece)));
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::declarations;
+
+    fn declared(text: &str) -> Option<String> {
+        let shown = |found: Result<Vec<super::Declaration>, String>| match found {
+            Ok(found) => {
+                let one = |found: &super::Declaration| {
+                    let name = found.local.name();
+                    found.assignment.as_ref().map_or(name.to_owned(), |assignment| format!("{name}:{assignment}"))
+                };
+                found.iter().map(one).collect::<Vec<_>>().join("|")
+            }
+            Err(error) => error,
+        };
+        declarations(text, |ty| ["num", "string", "Slot"].contains(&ty)).map(shown)
+    }
+
+    #[test]
+    fn a_type_and_names_with_or_without_values() {
+        assert_eq!(declared("num nA").as_deref(), Some("nA"));
+        assert_eq!(declared("  Slot\t sA").as_deref(), Some("sA"));
+        assert_eq!(declared("num nA=max(1,2), nB[2,3]").as_deref(), Some("nA:    nA=max(1,2)|nB"));
+        assert_eq!(declared("string s = \"a,=[\"").as_deref(), Some("s:       s = \"a,=[\""));
+    }
+
+    #[test]
+    fn other_texts_declare_nothing() {
+        for text in ["num", "num(1)", "nA=2", "call num()", "num =2", "num nA\nnA=2", "? num", "numb nA"] {
+            assert_eq!(declared(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_said() {
+        assert!(declared("num nA b").unwrap().contains("is no variable"));
+        assert!(declared("num nA[2]=1").unwrap().contains("several values"));
+    }
+}
