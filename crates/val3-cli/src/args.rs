@@ -8,7 +8,7 @@ use camino::Utf8PathBuf;
 use clap::builder::styling::{AnsiColor, Styles};
 use clap::{Parser, Subcommand, ValueEnum};
 
-use val3_machine::script::key_codes;
+use val3_machine::script::{key_codes, typed_keys};
 
 use crate::baseline::Mode;
 use crate::format::Format;
@@ -31,8 +31,8 @@ Exit codes:
 
 const RUN_EXIT_CODES: &str = "\
 Exit codes:
-  0  the application has ended
-  1  it has faults, a task ended in a run-time error, or no task could go on
+  0  the application has ended, or reached --until with --until-ok, or the replay has reached the end of the recording
+  1  the compiler refuses it, a task was left in a run-time error, no task can continue, or the replay differs
   2  wrong usage, or a file that cannot be read or written
   3  the time of --until was reached";
 
@@ -206,16 +206,21 @@ pub(crate) struct RunArgs {
     /// End the run after so many seconds of the controller's clock
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub(crate) until: Option<f64>,
+    /// Exit with 0 when the time of --until is reached: the normal end of a cyclic program
+    #[arg(long, requires = "until")]
+    pub(crate) until_ok: bool,
     /// Write what happens as one JSON object a line, to a file or with `-` to the standard output
     #[arg(long, value_name = "FILE")]
     pub(crate) events: Option<Utf8PathBuf>,
-    /// What happens outside the application and when (TOML)
+    /// What happens outside the application and when (TOML); each variable and signal in it has to exist
     #[arg(long, value_name = "FILE")]
     pub(crate) script: Option<Utf8PathBuf>,
-    /// Codes or names of keys that are typed whenever a program reads one, separated by commas: 49,50,Return
-    #[arg(long, value_name = "CODES", value_delimiter = ',', value_parser = key)]
-    pub(crate) keys: Vec<u16>,
-    /// Let serial lines and sockets answer as they did in a run whose --events this file holds
+    /// Keys that are typed whenever a program reads one: codes and names with commas (49,50,Return), or a text with
+    /// names in braces (12.5{Return})
+    #[arg(long, value_name = "KEYS", value_parser = keys)]
+    pub(crate) keys: Vec<Keys>,
+    /// Repeat the run whose --events this file holds: serial lines and sockets answer as they did then, the first
+    /// difference is reported, and the run ends where the recording ends
     #[arg(long, value_name = "FILE")]
     pub(crate) replay: Option<Utf8PathBuf>,
     /// The controller that it runs on
@@ -267,8 +272,19 @@ fn seconds(text: &str) -> Result<f64, String> {
     seconds.ok_or_else(|| "write a number of seconds from 0 to 1e9".to_owned())
 }
 
-fn key(text: &str) -> Result<u16, String> {
-    key_codes(text)?.first().copied().ok_or_else(|| "write the code or the name of a key".to_owned())
+/// The codes of keys that are typed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Keys(pub(crate) Vec<u16>);
+
+/// Reads a list of codes and names, or a text as the `keys` of a script.
+fn keys(text: &str) -> Result<Keys, String> {
+    let is_key = |part: &str| key_codes(part).is_ok_and(|codes| !codes.is_empty());
+    let is_list = text.contains(',') && text.split(',').any(is_key);
+    let codes = match key_codes(text) {
+        Err(_) if !is_list => typed_keys(text),
+        listed => listed,
+    };
+    codes.map(Keys)
 }
 
 /// Arguments of `val3 explain`.

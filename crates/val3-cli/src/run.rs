@@ -2,10 +2,14 @@
 
 mod audience;
 mod console;
+mod ending;
+mod failures;
 mod live;
+mod missing;
 mod opening;
 mod outside;
 mod record;
+mod replay;
 mod signals;
 
 use std::process::ExitCode;
@@ -13,15 +17,16 @@ use std::time::Instant;
 
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Step};
-use val3_machine::event::{EndReason, What};
+use val3_machine::event::{EndReason, Event, What};
 
 use crate::application::Pace;
 use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
 use audience::Audience;
-use console::Console;
 use live::Wish;
 use opening::Opened;
+use record::Record;
+use replay::Recording;
 use signals::Signals;
 
 /// Exit code of a run that `--until` has ended.
@@ -41,6 +46,8 @@ enum End {
     Lacking,
     /// `--until`
     Limit,
+    /// The recording that it replays has ended, for this reason.
+    Recorded(EndReason),
     /// Nobody reads what it writes any more.
     Unread,
     /// The operator did not want to wait for `stop`, or a signal came. With the exit code.
@@ -52,33 +59,46 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     if args.interactive {
         live::check_terminal(args.events.as_ref().is_some_and(|events| events == "-"))?;
     }
+    let recording = args.replay.as_deref().map(Recording::open).transpose()?;
     let mut controller = match opening::open(args, color)? {
         Opened::Ready(controller) => *controller,
-        Opened::Faulty(code) => return Ok(code),
+        Opened::Faulty(code) => return refuse(args, code),
     };
-    let mut audience = Audience::open(args, color)?;
+    let mut audience = Audience::open(args, recording, color)?;
     let end = until_the_end(args, &mut controller, &mut audience)?;
+    let exit_code = exit_code(args, end, &controller, &audience);
     let console = audience.close()?;
     if args.screen {
         console.page(&controller.devices.pendant)?;
     }
-    Ok(exit_code(end, &controller, &console))
+    console.explain(end, args, &controller);
+    Ok(exit_code)
 }
 
-fn exit_code(end: End, controller: &Controller, console: &Console) -> ExitCode {
+/// The record of a run that has not begun consists of its end.
+fn refuse(args: &RunArgs, code: ExitCode) -> Result<ExitCode, UserError> {
+    let mut record = Record::open(args.events.as_deref())?;
+    record.write(&Event { t: 0.0, task: None, what: What::End { reason: EndReason::Refused } })?;
+    record.flush()?;
+    Ok(code)
+}
+
+fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audience) -> ExitCode {
+    let has_failed = audience.has_unhandled_errors() || audience.has_diverged();
     match end {
-        End::Finished if console.has_unhandled_errors() => ExitCode::FAILURE,
-        End::Finished | End::Unread => ExitCode::SUCCESS,
-        End::Stuck | End::Lacking => ExitCode::FAILURE,
-        End::Limit if controller.has_failed_tasks() => ExitCode::FAILURE,
-        End::Limit => ExitCode::from(EXIT_LIMIT),
         End::BrokenOff(code) => ExitCode::from(code),
+        End::Stuck | End::Lacking => ExitCode::FAILURE,
+        End::Unread => ExitCode::SUCCESS,
+        End::Finished if has_failed => ExitCode::FAILURE,
+        End::Limit | End::Recorded(_) if has_failed || controller.has_failed_tasks() => ExitCode::FAILURE,
+        End::Limit if !args.until_ok => ExitCode::from(EXIT_LIMIT),
+        End::Finished | End::Limit | End::Recorded(_) => ExitCode::SUCCESS,
     }
 }
 
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
-    let (pace, signals) = (pace(args), Signals::catch()?);
+    let (pace, signals) = (pace(args, audience), Signals::catch()?);
     let end = loop {
         let step = controller.step();
         audience.tell(&controller.devices.take_events())?;
@@ -91,32 +111,42 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
             _ => signals.exit_code().map(End::BrokenOff),
         };
         if pace.keeps_time(controller) {
-            audience.flush()?;
+            audience.flush(controller.now())?;
         }
-        if let Some(end) = end.or_else(|| wait(&pace, controller, step)) {
+        if let Some(end) = end.or_else(|| wait(args, &pace, controller, audience, step)) {
             break end;
         }
     };
-    let reason = match end {
+    if end == End::Stuck {
+        controller.record_stuck_tasks();
+    }
+    controller.devices.record_outside(controller.now(), What::End { reason: reason(end, controller) });
+    audience.tell_end(end, &controller.devices.take_events())?;
+    Ok(end)
+}
+
+/// Why the run has ended, for the record.
+fn reason(end: End, controller: &Controller) -> EndReason {
+    match end {
         End::Finished if controller.was_stopped() => EndReason::Stopped,
         End::Finished => EndReason::Finished,
         End::Stuck | End::Lacking => EndReason::Error,
         End::Limit => EndReason::Limit,
+        End::Recorded(reason) => reason,
         End::Unread | End::BrokenOff(_) => EndReason::Stopped,
-    };
-    controller.devices.record_outside(controller.now(), What::End { reason });
-    audience.tell(&controller.devices.take_events())?;
-    Ok(end)
+    }
 }
 
 /// The pace that the arguments ask for; an operator needs the clock on the wall.
-fn pace(args: &RunArgs) -> Pace {
+fn pace(args: &RunArgs, audience: &Audience) -> Pace {
     let started = args.follows_wall().then(Instant::now);
-    Pace { started, until: args.until.map(nanoseconds), attended: args.interactive }
+    let recorded = audience.recording().and_then(Recording::limit);
+    let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
+    Pace { started, until, attended: args.interactive }
 }
 
 /// Lets the time pass until something can happen; how the run ends, if nothing can.
-fn wait(pace: &Pace, controller: &mut Controller, step: Step) -> Option<End> {
+fn wait(args: &RunArgs, pace: &Pace, controller: &mut Controller, audience: &Audience, step: Step) -> Option<End> {
     let goes_on = match step {
         Step::Idle(wake) => pace.wait(controller, wake),
         Step::Stuck => pace.wait_for_operator(controller),
@@ -125,8 +155,11 @@ fn wait(pace: &Pace, controller: &mut Controller, step: Step) -> Option<End> {
             true
         }
     };
-    match goes_on {
-        false => Some(End::Stuck),
-        true => pace.is_over(controller.now()).then_some(End::Limit),
+    let now = controller.now();
+    match audience.recording() {
+        _ if !goes_on => Some(End::Stuck),
+        _ if args.until.is_some_and(|until| now >= nanoseconds(until)) => Some(End::Limit),
+        Some(recording) if recording.is_over(now) => Some(End::Recorded(recording.reason())),
+        _ => None,
     }
 }

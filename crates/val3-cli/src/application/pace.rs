@@ -25,11 +25,6 @@ pub(crate) struct Pace {
 }
 
 impl Pace {
-    /// The time of the run is up.
-    pub(crate) fn is_over(&self, now: Time) -> bool {
-        self.until.is_some_and(|until| now >= until)
-    }
-
     /// The clock on the wall counts, and others may follow what happens.
     pub(crate) fn keeps_time(&self, controller: &Controller) -> bool {
         self.started.is_some() || controller.devices.lines.reach_outside()

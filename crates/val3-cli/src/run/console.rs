@@ -7,6 +7,8 @@ use val3_lang::runtime_errors;
 use val3_machine::event::{Event, What};
 use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
 
+use super::failures::{Failure, Failures};
+use super::missing::MissingLibraries;
 use crate::application::lacking;
 use crate::args::Color;
 use crate::format::human;
@@ -24,24 +26,31 @@ const CONNECT: &str = "A serial line or socket of a cell that is not at hand is 
 
 /// The standard output and error output.
 pub(crate) struct Console {
-    color: Color,
+    pub(super) color: Color,
     /// The standard output is free for what the application says.
     speaks: bool,
     is_read: bool,
-    paths: Paths,
-    /// Tasks that an error has stopped and that were not seen to go on or end by the doing of others.
-    failed: Vec<String>,
+    pub(super) paths: Paths,
+    failures: Failures,
+    missing: MissingLibraries,
 }
 
 impl Console {
     pub(crate) fn new(color: Color, speaks: bool) -> Result<Self, UserError> {
         let paths = Paths::new(&[], &current_folder()?);
-        Ok(Self { color, speaks, is_read: true, paths, failed: Vec::new() })
+        Ok(Self {
+            color,
+            speaks,
+            is_read: true,
+            paths,
+            failures: Failures::default(),
+            missing: MissingLibraries::default(),
+        })
     }
 
-    /// A task has ended in an error that no other task has cared for.
+    /// A task has ended in an error that no other task has handled.
     pub(crate) fn has_unhandled_errors(&self) -> bool {
-        !self.failed.is_empty()
+        !self.failures.is_empty()
     }
 
     /// Shows what has happened, if people want to know.
@@ -51,10 +60,6 @@ impl Console {
             What::Print { text } => self.say(text),
             What::Log { text, .. } => self.say(&format!("log: {text}")),
             What::Popup { text } => self.say(&format!("pop-up: {text}")),
-            What::Error { code, line, file, .. } => {
-                self.fault(event.task.as_deref().unwrap_or_default(), *code, file, *line);
-                Ok(())
-            }
             What::Lacking { instruction, line, file, .. } => {
                 self.lacking(event.task.as_deref().unwrap_or_default(), instruction, file, *line);
                 Ok(())
@@ -63,17 +68,16 @@ impl Console {
         }
     }
 
-    /// An error counts as handled when another task lets the failed one go on, or kills it.
+    /// Follows what becomes of errors and of libraries.
     pub(crate) fn follow(&mut self, event: &Event) {
-        let What::Task { state, name, .. } = &event.what else { return };
-        match *state {
-            "error" => self.failed.push(name.to_owned()),
-            "resumed" | "killed" if event.task.is_some() => {
-                // Libraries may have tasks of the same name.
-                let handled = self.failed.iter().position(|failed| failed == name);
-                handled.map(|at| self.failed.swap_remove(at));
-            }
-            _ => {}
+        self.failures.follow(event);
+        self.missing.follow(event);
+    }
+
+    /// Shows the errors that no task handles: at a time of the run, or all of them at its end.
+    pub(crate) fn show_failures(&mut self, now: Option<f64>) {
+        for failure in self.failures.take_unhandled(now) {
+            self.fault(&failure);
         }
     }
 
@@ -91,13 +95,17 @@ impl Console {
     }
 
     /// A run-time error with its line.
-    fn fault(&self, task: &str, code: u16, file: &str, line: u32) {
-        let error = runtime_errors::find(code);
+    fn fault(&self, Failure { task, code, file, line, .. }: &Failure) {
+        let error = runtime_errors::find(*code);
         let message = format!("{} (task `{task}`)", error.map_or("unknown run-time error", |error| error.short));
         let long = error.map_or("", |error| error.long);
-        let help = if code == runtime_errors::UNLINKED { format!("{long} {CONNECT}") } else { long.to_owned() };
-        let path = self.paths.shown(file.into());
-        let fault = human::Fault { code: Some(code), message, help: &help, label: STOPPED, path: &path, line };
+        let help = match *code {
+            runtime_errors::UNLINKED => format!("{long} {CONNECT}"),
+            runtime_errors::LIBRARY_ITEM_MISSING => format!("{long}{}", self.missing.told_at(file, *line)),
+            _ => long.to_owned(),
+        };
+        let path = self.paths.shown(file.as_str().into());
+        let fault = human::Fault { code: Some(*code), message, help: &help, label: STOPPED, path: &path, line: *line };
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 

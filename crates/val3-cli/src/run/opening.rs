@@ -2,6 +2,9 @@
 
 use std::process::ExitCode;
 
+use val3_analysis::db::Project;
+use val3_analysis::resizing::is_resized;
+use val3_check::rule::Severity;
 use val3_compile::CompileError;
 use val3_machine::controller::{Controller, NotStarted};
 
@@ -9,11 +12,11 @@ use super::outside;
 use crate::application::{Tape, compile, controller, only_application, set_arm};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
-use crate::format::{self, Format, human};
+use crate::format::human;
 use crate::opening::{Request, current_folder};
-use crate::output::{to_stderr_in_color, to_stdout};
+use crate::output::to_stderr_in_color;
 use crate::paths::Paths;
-use crate::report::Severity;
+use crate::similar::{question, similar};
 use crate::user_error::{EXIT_USAGE, UserError};
 
 /// What opening an application comes to.
@@ -40,7 +43,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     if let Some(name) = &args.controller.arm {
         set_arm(session.db_mut(), project, name)?;
     }
-    if show_errors(&mut session, color)? {
+    if show_faults(&mut session, project, color)? {
         return Ok(Opened::Faulty(ExitCode::FAILURE));
     }
     let db = session.db();
@@ -51,17 +54,19 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
             return Ok(Opened::Faulty(ExitCode::from(EXIT_USAGE)));
         }
     };
-    let tape = Tape { records: args.events.is_some(), replays: args.replay.as_deref() };
+    let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
+    // What a replay is compared with has the answers of its lines too.
+    let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let mut controller = controller(&args.controller, tape, (db, project), image)?;
-    outside::arrange(&mut controller, args)?;
-    start(&mut controller, &args.program)?;
+    outside::arrange(&mut controller, args, &|data| is_resized(db, project, data))?;
+    start(&mut controller, &args.program, &programs)?;
     Ok(Opened::Ready(Box::new(controller)))
 }
 
-fn start(controller: &mut Controller, program: &str) -> Result<(), UserError> {
+fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Result<(), UserError> {
     controller.start(program).map(drop).map_err(|reason| match reason {
         NotStarted::NoProgram => UserError::new(format!("the application has no program `{program}`"))
-            .with_help("name the program to start with by --program"),
+            .with_help(programs_to_name(program, programs)),
         NotStarted::HasParameters => {
             UserError::new(format!("`{program}` has parameters, and a run cannot give them values")).with_help(format!(
                 "start a program without parameters that calls it, or call it: val3 eval --app DIR 'call {program}(…)'"
@@ -70,6 +75,17 @@ fn start(controller: &mut Controller, program: &str) -> Result<(), UserError> {
         NotStarted::Fault(fault) => UserError::new(format!("`{program}` cannot be started: error {}", fault.0))
             .with_help(format!("`val3 explain {}` tells what it means", fault.0)),
     })
+}
+
+/// The programs that `--program` can name instead of one that does not exist.
+fn programs_to_name(unknown: &str, programs: &[String]) -> String {
+    let mut names: Vec<&str> = programs.iter().map(String::as_str).collect();
+    if names.is_empty() {
+        return "it has no program that could be started".to_owned();
+    }
+    names.sort_unstable_by_key(|name| name.to_lowercase());
+    let meant = question(&similar(unknown, names.iter().copied())).map(|question| format!("{question} "));
+    format!("{}name one of its programs by --program: {}", meant.unwrap_or_default(), names.join(", "))
 }
 
 /// Shows a limit of this controller where the application exceeds it.
@@ -88,14 +104,16 @@ fn show_limit(error: &CompileError, color: Color) -> Result<(), UserError> {
     Ok(())
 }
 
-/// Shows the findings of level error; whether there are any.
-fn show_errors(session: &mut Session<'_>, color: Color) -> Result<bool, UserError> {
-    let found = session.check()?;
-    let mut report = session.report(found);
-    report.findings.retain(|finding| finding.severity == Severity::Error);
-    if report.findings.is_empty() {
-        return Ok(false);
-    }
-    to_stdout(color, |out| format::write(Format::Human, &report, &format::val3check::Template::default(), out))?;
-    Ok(true)
+/// Shows why the controller's compiler refuses the application, and the other findings of level error. The answer is
+/// whether it refuses the application.
+fn show_faults(session: &mut Session<'_>, project: Project, color: Color) -> Result<bool, UserError> {
+    let mut outcomes = session.check()?;
+    let refusals = val3_check::refusals(session.db(), project);
+    let is_refused = !refusals.is_empty();
+    outcomes.diagnostics.retain(|finding| finding.severity == Severity::Error);
+    // The report keeps the first of equal findings. Settings may give the second another level.
+    outcomes.diagnostics.splice(0..0, refusals);
+    let report = session.report(outcomes);
+    to_stderr_in_color(color, |out| human::write(&report, out));
+    Ok(is_refused)
 }

@@ -6,20 +6,31 @@ use std::time::SystemTime;
 use camino::Utf8Path;
 use val3_machine::controller::Controller;
 use val3_machine::controller_state::Calendar;
-use val3_machine::script::Script;
+use val3_machine::script::{Script, ScriptFault};
 
 use crate::args::RunArgs;
+use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
 /// Lets the operator, the script and the calendar on the wall do the part that the arguments give them.
 ///
 /// # Errors
-/// The script cannot be read, or says what no script can say.
-pub(super) fn arrange(controller: &mut Controller, args: &RunArgs) -> Result<(), UserError> {
+/// The script cannot be read, says what no script can say, or names a variable or signal that does not exist.
+/// `is_resized` tells which data change their size.
+pub(super) fn arrange(
+    controller: &mut Controller,
+    args: &RunArgs,
+    is_resized: &dyn Fn(&str) -> bool,
+) -> Result<(), UserError> {
     if let Some(path) = &args.script {
-        controller.follow(script(path)?);
+        let script = script(path)?;
+        let faults: Vec<String> = controller.script_faults(&script, is_resized).iter().map(worded).collect();
+        if !faults.is_empty() {
+            return Err(UserError::new(format!("the script `{path}` cannot be used\n{}", faults.join("\n"))));
+        }
+        controller.follow(script);
     }
-    controller.devices.pendant.type_when_asked(args.keys.iter().copied());
+    controller.devices.pendant.type_when_asked(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
     if args.follows_wall() && args.controller.date.is_none() {
         controller.devices.calendar = today();
     }
@@ -37,4 +48,10 @@ fn script(path: &Utf8Path) -> Result<Script, UserError> {
             .with_help("name a TOML file with an [[at]] for each time at which something happens")
     })?;
     Script::parse(&text).map_err(|error| UserError::new(format!("the script `{path}` cannot be used\n{error}")))
+}
+
+fn worded(fault: &ScriptFault) -> String {
+    let ScriptFault { seconds, message, unknown } = fault;
+    let meant = unknown.as_ref().and_then(|(name, known)| question(&similar(name, known.iter().map(String::as_str))));
+    format!("  t = {seconds}: {message}{}", meant.map(|meant| format!("; {meant}")).unwrap_or_default())
 }

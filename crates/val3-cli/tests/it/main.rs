@@ -22,6 +22,7 @@ mod lsp;
 mod peers;
 #[cfg(unix)]
 mod prompt;
+mod refusal;
 mod ros;
 mod run;
 #[cfg(target_os = "linux")]

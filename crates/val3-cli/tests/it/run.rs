@@ -76,6 +76,15 @@ fn an_error_that_another_task_handles_is_none() {
     ends(&failing(mended).val3(&["run"]), 0, "stop\n");
 }
 
+/// Nothing but the errors that are left when the run ends is a failure.
+#[test]
+fn a_handled_error_is_not_shown() {
+    let run = failing("taskKill(\"divide\")").val3(&["run"]);
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
+    let events = failing("taskKill(\"divide\")").val3(&["run", "--events", "-"]);
+    assert!(events.stdout.contains("\"kind\":\"error\""), "the record has it: {events:?}");
+}
+
 #[test]
 fn an_application_with_faults_does_not_start() {
     let run = Folder::with(FAULTY).val3(&["run"]);
@@ -86,6 +95,161 @@ fn an_application_with_faults_does_not_start() {
 #[test]
 fn the_time_of_a_run_can_be_limited() {
     ends(&Folder::with(ENDLESS).val3(&["run", "--until", "2.5"]), 3, "1\n2\n3\n");
+}
+
+#[test]
+fn the_limit_can_be_the_normal_end() {
+    let folder = Folder::with(ENDLESS);
+    let limited = folder.val3(&["run", "--until", "2.5"]);
+    assert!(limited.stderr.contains("task `~main` waits for time (`delay`) at usrapp/main/start.pgx:"), "{limited:?}");
+    let run = folder.val3(&["run", "--until", "2.5", "--until-ok"]);
+    ends(&run, 0, "1\n2\n3\n");
+    assert_eq!(run.stderr, "");
+    let failing = failing("wait(false)").val3(&["run", "--until", "2.5", "--until-ok"]);
+    assert_eq!(failing.code, 1, "an error nobody handles stays a failure: {failing:?}");
+    assert_eq!(folder.val3(&["run", "--until-ok"]).code, 2, "it needs --until");
+}
+
+#[test]
+fn a_run_that_cannot_continue_says_why() {
+    let folder = Folder::with(
+        r#"
+bool bGo
+num nKey
+program work()
+begin
+  nKey=get()
+end
+program start()
+begin
+  taskCreate "work",10,work()
+  taskCreate "halted",10,work()
+  delay(1)
+  taskSuspend("halted")
+  wait(bGo)
+end
+"#,
+    );
+    let run = folder.val3(&["run"]);
+    ends(&run, 1, "");
+    insta::assert_snapshot!(run.stderr);
+    let told = events(&folder, &[], "stuck");
+    let told: Vec<(&str, &str, &str)> = told
+        .iter()
+        .map(|event| {
+            let text = |key: &str| event[key].as_str().unwrap_or_default();
+            (text("name"), text("state"), text("awaits"))
+        })
+        .collect();
+    let expected =
+        [("~main", "waiting", "a condition"), ("work", "waiting", "the operator (`get`)"), ("halted", "suspended", "")];
+    assert_eq!(told, expected);
+}
+
+#[test]
+fn a_library_that_is_missing_names_its_path() {
+    let folder = Folder::with(
+        "library io \"Disk://ioBoard/ioBoard.pjx\"\nprogram start()\nbegin\n  ? \"start\"\n  ? io:nInput\nend",
+    );
+    folder.write("val3.toml", "[rules]\nall=\"off\"\n");
+    let run = folder.val3(&["run"]);
+    ends(&run, 1, "start\n");
+    let reason =
+        "The library `io` comes from `Disk://ioBoard/ioBoard.pjx`, and loading it gave code 39: file not found";
+    assert!(run.stderr.contains("error[80]") && run.stderr.contains(reason), "{run:?}");
+    std::fs::remove_file(folder.path().join("val3.toml")).unwrap();
+    let run = folder.val3(&["run"]);
+    ends(&run, 1, "start\n");
+    assert!(run.stderr.starts_with("error[V0501]"), "{run:?}");
+}
+
+#[test]
+fn scripts_name_what_there_is() {
+    let folder = Folder::with(
+        "num nKey\nnum nList[2]\nnum nGrown[1]\nstring sName[\"\"]\ndio dStart\nprogram start()\nbegin\n  \
+         resize(nGrown,1,5)\n  delay(1)\nend\n",
+    );
+    let data = folder.read("usrapp/main/main.dtx");
+    let linked =
+        r#"name="dStart" access="private" xsi:type="array" type="dio" size="1"><Value key="0" link="Io\Go" /></Data>"#;
+    let (before, rest) = data.split_once("name=\"dStart\"").unwrap();
+    let (_, behind) = rest.split_once("/>").unwrap();
+    folder.write("usrapp/main/main.dtx", &format!("{before}{linked}{behind}"));
+    for (entry, message) in [
+        ("set = { nKye = 4 }", "t = 0.5: there is no variable `nKye`; did you mean `nKey`?"),
+        ("set = { \"lib:nKey\" = 4 }", "there is no variable `lib:nKey`"),
+        ("set = { nKey = \"four\" }", "`nKey` is of type num and does not take this value"),
+        ("set = { \"nList[2]\" = 1 }", "`nList` does not have this index"),
+        ("set = { sName = \"a\" }", "`sName` is a collection"),
+        ("io = { \"Io\\\\Og\" = true }", "no input or output is called `Io\\Og`; did you mean `Io\\Go`?"),
+        ("lock = \"Io\\\\Stop\"", "no input or output is called `Io\\Stop`"),
+        ("simulate = { \"Io\\\\Stop\" = true }", "no input or output is called `Io\\Stop`"),
+        ("fault = { link = \"Oi\", code = -3 }", "no input or output is called `Oi`"),
+        ("fault = { link = \"Io\\\\Go\", code = -7 }", "fails with -2 or -3"),
+    ] {
+        folder.write("cell.toml", &format!("[[at]]\nt = 0.5\n{entry}\n"));
+        let run = folder.val3(&["run", "--script", "cell.toml", "--events", "run.json"]);
+        ends(&run, 2, "");
+        assert!(run.stderr.contains(message), "{entry}: {}", run.stderr);
+    }
+    let all = "set = { nKey = 4, \"nList[1]\" = 1, \"nGrown[4]\" = 1, 'sName[\"a\"]' = \"a\" }\n\
+               io = { \"Io\\\\Go\" = true, Go = true }\nlock = \"Io\\\\Go\"\n";
+    folder.write("cell.toml", &format!("[[at]]\nt = 0.5\n{all}fault = {{ link = \"Io\", code = 5 }}\n"));
+    assert_eq!(folder.val3(&["run", "--script", "cell.toml"]).code, 0);
+}
+
+/// A run that ends at its limit, and its recording.
+fn recorded(listing: &str) -> Folder {
+    let folder = Folder::with(listing);
+    folder.val3(&["run", "--until", "2.5", "--events", "first.json"]);
+    folder
+}
+
+#[test]
+fn a_replay_ends_where_the_recording_ends() {
+    let folder = recorded(ENDLESS);
+    let run = folder.val3(&["run", "--replay", "first.json", "--events", "again.json"]);
+    ends(&run, 0, "1\n2\n3\n");
+    assert_eq!(run.stderr, "");
+    assert_eq!(folder.read("again.json"), folder.read("first.json"));
+    // The recorded run was killed while it wrote a line.
+    let whole = folder.read("first.json");
+    folder.write("cut.json", &whole[..whole.len() - 20]);
+    ends(&folder.val3(&["run", "--replay", "cut.json"]), 0, "1\n2\n3\n");
+}
+
+#[test]
+fn a_replay_reports_the_first_difference() {
+    let folder = recorded(ENDLESS);
+    let program = folder.read("usrapp/main/start.pgx");
+    folder.write("usrapp/main/start.pgx", &program.replace("? nCount", "? nCount*nCount"));
+    let run = folder.val3(&["run", "--replay", "first.json"]);
+    ends(&run, 1, "1\n4\n9\n");
+    assert_eq!(run.stderr.matches("differs").count(), 1, "{run:?}");
+    assert!(run.stderr.starts_with("error: the run differs from `first.json` at line 3\n  recorded: {"), "{run:?}");
+    // A run that ends before the recording does differs too.
+    folder.write("usrapp/main/start.pgx", &program.replace("while true", "while nCount<2"));
+    let run = folder.val3(&["run", "--replay", "first.json"]);
+    ends(&run, 1, "1\n2\n");
+    assert!(run.stderr.contains("differs"), "{run:?}");
+}
+
+#[test]
+fn keys_are_typed_as_in_a_script() {
+    let folder = Folder::with("num nValue\nnum nKey\nprogram start()\nbegin\n  nKey=get(nValue)\n  ? nValue\nend\n");
+    for keys in ["12.5{Return}", "49,50,46,53,Return"] {
+        ends(&folder.val3(&["run", "--keys", keys]), 0, "12.5\n");
+    }
+    folder.write("people.toml", "[[at]]\nt = 0\nkeys = \"12.5{Return}\"\n");
+    ends(&folder.val3(&["run", "--script", "people.toml"]), 0, "12.5\n");
+}
+
+#[test]
+fn an_unknown_program_is_answered_with_those_that_exist() {
+    let run = failing("delay(0)").val3(&["run", "--program", "devide"]);
+    ends(&run, 2, "");
+    let help = "did you mean `divide`? name one of its programs by --program: divide, start, stop";
+    assert!(run.stderr.contains(help), "{run:?}");
 }
 
 #[test]

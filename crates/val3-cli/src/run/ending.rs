@@ -1,0 +1,67 @@
+//! Why a run has ended, for people: what its tasks were waiting for.
+
+use std::fs;
+use std::io::{self, Write};
+
+use val3_machine::controller::{Controller, TaskPosition};
+use val3_machine::event::seconds;
+use val3_syntax::encoding::decode;
+
+use super::End;
+use super::console::Console;
+use crate::args::RunArgs;
+use crate::output::to_stderr;
+
+/// What an operator can do for tasks that wait.
+const UNSTICK: &str = "Let a script change what a task waits for (--script), type keys (--keys), or resume the task \
+                       from another one.";
+
+/// What makes the limit of a cyclic program its normal end.
+const EXPECTED: &str = "With --until-ok this is a success.";
+
+/// What a run that was interrupted can be used for.
+const RECORDED: &str = "With --events FILE a run can be repeated up to this point (--replay).";
+
+impl Console {
+    /// Says why the run has ended before its application, and where its tasks are.
+    pub(crate) fn explain(&self, end: End, args: &RunArgs, controller: &Controller) {
+        let now = seconds(controller.now());
+        match end {
+            // The errors of tasks are shown with their lines.
+            End::Stuck if controller.has_only_failed_tasks() => {}
+            End::Stuck => {
+                self.list(&format!("error: no task can continue after {now} s"), UNSTICK, controller);
+            }
+            End::Limit if !args.until_ok => {
+                self.list(&format!("note: the run was ended after {now} s (--until)"), EXPECTED, controller);
+            }
+            End::BrokenOff(_) if !args.interactive => {
+                self.list(&format!("note: the run was interrupted after {now} s"), RECORDED, controller);
+            }
+            End::Limit | End::Finished | End::Lacking | End::Recorded(_) | End::Unread | End::BrokenOff(_) => {}
+        }
+    }
+
+    fn list(&self, message: &str, help: &str, controller: &Controller) {
+        to_stderr(|out| {
+            writeln!(out, "{message}")?;
+            controller.task_positions().iter().try_for_each(|position| self.position(position, out))?;
+            writeln!(out, "  help: {help}")
+        });
+    }
+
+    /// A task with its line: `task "work" at main/work.pgx:7 waits for a condition: wait(bGo)`.
+    fn position(&self, position: &TaskPosition, out: &mut dyn Write) -> io::Result<()> {
+        let TaskPosition { name, activity, line, file, .. } = position;
+        let path = self.paths.shown(file.as_str().into());
+        let code = code(file, *line).map(|code| format!(": {code}")).unwrap_or_default();
+        writeln!(out, "  task `{name}` {activity} at {path}:{line}{code}")
+    }
+}
+
+/// The code of a line, from 1. A library that is not in a folder has none.
+pub(super) fn code(file: &str, line: u32) -> Option<String> {
+    let text = decode(fs::read(file).ok()?).text;
+    let code = text.lines().nth(usize::try_from(line).ok()?.checked_sub(1)?)?.trim();
+    (!code.is_empty()).then(|| code.to_owned())
+}

@@ -1,0 +1,36 @@
+//! Libraries that could not be loaded: the reason why a line that uses one meets an error.
+
+use std::collections::BTreeMap;
+
+use val3_lang::library_errors::{self, INTERFACE_DIFFERS};
+use val3_machine::event::{Event, What};
+
+use super::ending::code;
+
+/// The libraries that were not loaded, by their identifiers: the path, and the code of `libLoad`.
+#[derive(Debug, Default)]
+pub(super) struct MissingLibraries(BTreeMap<String, (String, u16)>);
+
+impl MissingLibraries {
+    /// Keeps what becomes of libraries, those that load with the application among them.
+    pub(super) fn follow(&mut self, event: &Event) {
+        let What::Lib { op: "load", alias, path, code } = &event.what else { return };
+        if *code < INTERFACE_DIFFERS {
+            self.0.remove(alias);
+        } else {
+            self.0.insert(alias.clone(), (path.clone(), *code));
+        }
+    }
+
+    /// Sentences about the libraries that a line of a file uses; about all of them where it cannot be read.
+    pub(super) fn told_at(&self, file: &str, line: u32) -> String {
+        let code = code(file, line);
+        let is_used = |alias: &str| code.as_ref().is_none_or(|code| code.contains(&format!("{alias}:")));
+        let used = self.0.iter().filter(|(alias, _)| is_used(alias));
+        used.map(|(alias, (path, code))| {
+            let reason = library_errors::find(*code).map_or("unknown code", |error| error.short);
+            format!(" The library `{alias}` comes from `{path}`, and loading it gave code {code}: {reason}.")
+        })
+        .collect()
+    }
+}

@@ -1,0 +1,184 @@
+//! `--replay`: a run is compared with the recording of another one, and ends where that ends.
+
+use std::fs;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use serde::Deserialize;
+use serde_json::Value;
+use val3_lang::ports::{Time, nanoseconds};
+use val3_machine::event::{EndReason, Event};
+
+use crate::user_error::UserError;
+
+/// The recording of a run.
+#[derive(Debug)]
+pub(super) struct Recording {
+    path: Utf8PathBuf,
+    /// The events, one a line.
+    lines: Vec<String>,
+    /// How many events of the run were compared.
+    compared: usize,
+    /// The time of the last event.
+    end: Time,
+    /// Why the recorded run ended; `None` where the recording breaks off.
+    reason: Option<EndReason>,
+    has_diverged: bool,
+}
+
+/// The first difference between a run and its recording.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Divergence {
+    path: Utf8PathBuf,
+    /// The line of the recording, from 1.
+    line: usize,
+    recorded: Option<String>,
+    found: Option<String>,
+}
+
+/// What the end of a recording depends on.
+#[derive(Deserialize)]
+struct Moment {
+    t: f64,
+    kind: String,
+    reason: Option<EndReason>,
+}
+
+impl Recording {
+    /// Reads a recording.
+    ///
+    /// # Errors
+    /// The file cannot be read, or is no recording.
+    pub(super) fn open(path: &Utf8Path) -> Result<Self, UserError> {
+        let refused = |reason: String| {
+            UserError::new(format!("cannot replay `{path}`: {reason}"))
+                .with_help("name a file that `val3 run --events` has written")
+        };
+        let text = fs::read_to_string(path).map_err(|error| refused(error.to_string()))?;
+        Self::parse(path, &text).map_err(refused)
+    }
+
+    fn parse(path: &Utf8Path, text: &str) -> Result<Self, String> {
+        let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+        // The last line of a run that was killed may be incomplete.
+        let is_cut = |line: &str| serde_json::from_str::<Value>(line).is_err_and(|error| error.is_eof());
+        lines.pop_if(|line| !text.ends_with('\n') && is_cut(line));
+        let last = lines.last().ok_or("it has no events")?;
+        let last: Moment = serde_json::from_str(last).map_err(|error| format!("line {}: {error}", lines.len()))?;
+        let reason = last.reason.filter(|_| last.kind == "end");
+        Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
+    }
+
+    /// The time at which the run is ended: that of the recorded end, where the recorded run did not end by itself.
+    pub(super) fn limit(&self) -> Option<Time> {
+        let is_by_itself = matches!(self.reason, Some(EndReason::Finished | EndReason::Error | EndReason::Refused));
+        (!is_by_itself).then_some(self.end)
+    }
+
+    /// The run has continued beyond the recorded end.
+    pub(super) fn is_over(&self, now: Time) -> bool {
+        self.limit().map_or(now > self.end, |limit| now >= limit)
+    }
+
+    /// Why the recorded run ended.
+    pub(super) fn reason(&self) -> EndReason {
+        self.reason.unwrap_or(EndReason::Stopped)
+    }
+
+    /// The run differs from the recording.
+    pub(super) fn has_diverged(&self) -> bool {
+        self.has_diverged
+    }
+
+    /// Compares the next event of the run. The answer is the difference, if it is the first one.
+    pub(super) fn compare(&mut self, event: &Event) -> Option<Divergence> {
+        let at = self.compared;
+        self.compared += 1;
+        let recorded = self.lines.get(at);
+        let is_cut_off = recorded.is_none() && self.reason.is_none();
+        let found = serde_json::to_string(event).ok();
+        if self.has_diverged || is_cut_off || is_equal(recorded, found.as_ref()) {
+            return None;
+        }
+        let recorded = recorded.cloned();
+        self.diverge(at, recorded, found)
+    }
+
+    /// The run has ended. The answer is the difference, if it lacks recorded events and did not differ before.
+    pub(super) fn finish(&mut self) -> Option<Divergence> {
+        let next = self.lines.get(self.compared).filter(|_| !self.has_diverged)?.clone();
+        self.diverge(self.compared, Some(next), None)
+    }
+
+    fn diverge(&mut self, at: usize, recorded: Option<String>, found: Option<String>) -> Option<Divergence> {
+        self.has_diverged = true;
+        Some(Divergence { path: self.path.clone(), line: at + 1, recorded, found })
+    }
+}
+
+/// Two events are the same. The order of fields and the form of numbers do not count.
+fn is_equal(one: Option<&String>, other: Option<&String>) -> bool {
+    let value = |event: Option<&String>| event.and_then(|event| serde_json::from_str::<Value>(event).ok());
+    one == other || value(one).is_some_and(|one| Some(one) == value(other))
+}
+
+impl From<Divergence> for UserError {
+    fn from(divergence: Divergence) -> Self {
+        let Divergence { path, line, recorded, found } = divergence;
+        let shown = |event: Option<String>, none: &str| event.unwrap_or_else(|| none.to_owned());
+        let recorded = shown(recorded, "the recorded run has ended before");
+        let found = shown(found, "the run has ended before");
+        Self::new(format!("the run differs from `{path}` at line {line}\n  recorded: {recorded}\n  this run: {found}"))
+            .with_help("replay with the same application and the same options, --script and --keys among them")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_machine::event::What;
+
+    use super::*;
+
+    fn print(t: f64, text: &str) -> Event {
+        Event { t, task: None, what: What::Print { text: text.to_owned() } }
+    }
+
+    const PRINTS: &str =
+        "{\"kind\":\"print\",\"t\":1.0,\"text\":\"a\"}\n{\"t\":2.5,\"kind\":\"print\",\"text\":\"b\"}\n";
+
+    #[test]
+    fn the_first_difference_is_found() {
+        let mut recording = Recording::parse("run.json".into(), PRINTS).unwrap();
+        assert_eq!(recording.compare(&print(1.0, "a")), None);
+        let divergence = recording.compare(&print(2.5, "c")).unwrap();
+        assert_eq!((divergence.line, divergence.found.unwrap().contains("\"c\"")), (2, true));
+        assert_eq!(recording.compare(&print(3.0, "d")), None, "only the first one is reported");
+        assert_eq!(recording.finish(), None);
+    }
+
+    #[test]
+    fn a_run_that_ends_too_early_differs() {
+        let mut recording = Recording::parse("run.json".into(), PRINTS).unwrap();
+        recording.compare(&print(1.0, "a"));
+        assert_eq!(recording.finish().unwrap().line, 2);
+    }
+
+    #[test]
+    fn a_recording_may_break_off() {
+        let mut recording = Recording::parse("run.json".into(), &format!("{PRINTS}{{\"t\":2.5,\"ki")).unwrap();
+        assert_eq!((recording.limit(), recording.lines.len()), (Some(2_500_000_000), 2));
+        recording.compare(&print(1.0, "a"));
+        recording.compare(&print(2.5, "b"));
+        assert_eq!((recording.compare(&print(2.5, "c")), recording.finish()), (None, None));
+    }
+
+    #[test]
+    fn the_reason_decides_whether_the_run_has_to_end_by_itself() {
+        let end = |reason: &str| format!("{{\"t\":4.0,\"kind\":\"end\",\"reason\":\"{reason}\"}}\n");
+        let open = |reason: &str| Recording::parse("run.json".into(), &end(reason)).unwrap();
+        assert_eq!(open("limit").limit(), Some(4_000_000_000));
+        assert_eq!(open("finished").limit(), None);
+        assert!(open("finished").is_over(4_004_000_000) && !open("finished").is_over(4_000_000_000));
+        assert!(Recording::parse("run.json".into(), "").is_err());
+        assert!(Recording::parse("run.json".into(), "hello\n").is_err());
+    }
+}
