@@ -184,7 +184,7 @@ fn scripts_name_what_there_is() {
         ("io = { \"Io\\\\Og\" = true }", "no input or output is called `Io\\Og`; did you mean `Io\\Go`?"),
         ("lock = \"Io\\\\Stop\"", "no input or output is called `Io\\Stop`"),
         ("simulate = { \"Io\\\\Stop\" = true }", "no input or output is called `Io\\Stop`"),
-        ("fault = { link = \"Oi\", code = -3 }", "no input or output is called `Oi`"),
+        ("fault = { link = \"Io\\\\Og\", code = -3 }", "no input or output is called `Io\\Og`"),
         ("fault = { link = \"Io\\\\Go\", code = -7 }", "fails with -2 or -3"),
     ] {
         folder.write("cell.toml", &format!("[[at]]\nt = 0.5\n{entry}\n"));

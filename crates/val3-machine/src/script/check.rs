@@ -103,8 +103,11 @@ impl Controller {
         Err(Problem { message: NoSignal(path.to_owned()).to_string(), unknown: Some((path.to_owned(), known)) })
     }
 
+    /// A device may fail although the application uses none of its signals.
     fn judge_fault(&self, FaultEntry { link, code }: &FaultEntry) -> Result<(), Problem> {
-        if self.devices.io.has_device(link) {
+        let io = &self.devices.io;
+        let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));
+        if io.has_device(link) || io.find(link).is_none() && !is_of_known_device {
             return Ok(());
         }
         self.judge_signal(link)?;
