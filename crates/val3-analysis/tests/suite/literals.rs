@@ -81,7 +81,7 @@ fn where_braces_may_stand() {
 fn two_braces_are_multiplied_as_transformations() {
     expect![[r#"
         {0,0,1}: trsf | {0,0,2}: trsf | {0,0,1}*{0,0,2}: trsf
-        ! {1,2}: LiteralWithoutType { expected: None }
+        {1,2}: ? | {1,2}: ? | {1,2}=={1,2}: bool
         ! {1,2}: LiteralWithoutType { expected: None }
     "#]]
     .assert_eq(&types("? {0,0,1}*{0,0,2}\n? {1,2}=={1,2}\n"));
