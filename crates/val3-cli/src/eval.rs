@@ -12,7 +12,7 @@ mod sources;
 use std::io::{self, IsTerminal};
 use std::process::ExitCode;
 
-use clap::CommandFactory as _;
+use clap::{CommandFactory as _, ValueEnum};
 
 use crate::args::{Args, Color, EvalArgs};
 use crate::output::{to_reader, to_stderr};
@@ -96,7 +96,15 @@ enum Outcome {
     Exit,
 }
 
-/// What the words say that are commands of the session and no texts.
+/// A word that is a command of the session and no text.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Command {
+    Exit,
+    Quit,
+    Help,
+}
+
+/// What can be written.
 const HELP: &str = "\
 num nA, num nA=2, point pA[3]   declare variables
 nA*2                            print the value of an expression
@@ -110,13 +118,13 @@ fn command(scope: &Scope, text: &str, color: Color) -> Result<Option<Outcome>, U
     if scope.has_variable(word) {
         return Ok(None);
     }
-    Ok(match word {
-        "exit" | "quit" => Some(Outcome::Exit),
-        "help" => {
+    Ok(match Command::from_str(word, false) {
+        Ok(Command::Exit | Command::Quit) => Some(Outcome::Exit),
+        Ok(Command::Help) => {
             let is_read = to_reader(color, |out| writeln!(out, "{HELP}"))?;
             Some(if is_read { Outcome::Sound } else { Outcome::Unread })
         }
-        _ => None,
+        Err(_) => None,
     })
 }
 
