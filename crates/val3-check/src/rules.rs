@@ -112,6 +112,7 @@ rules! {
     seconds,
     binary_size,
     negative_motion_data,
+    empty_key,
     // Flow and tasks
     constant_condition,
     unreachable_code,
@@ -155,6 +156,8 @@ rules! {
     output_before_arrival,
     move_while_stopped,
     position_while_moving,
+    built_in_changed,
+    global_refers_to_local,
     // Project and data
     file_missing,
     file_unreadable,

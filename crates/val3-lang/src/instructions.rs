@@ -341,8 +341,14 @@ pub const FROM_BINARY: &str = "fromBinary";
 /// Changes a parameter of a serial line or socket (3.7.3).
 pub const SIO_CTRL: &str = "sioCtrl";
 
+/// Changes one dimension of an array (2.5.5): the array, the dimension, the size.
+pub const RESIZE: &str = "resize";
+
+/// Raises a number to a power (3.2.3): the base, the exponent.
+pub const POWER: &str = "power";
+
 /// Changes the size of an array (2.5.4, 2.5.5): none of them takes a local array.
-const RESIZING: [&str; 4] = ["insert", "delete", "append", "resize"];
+const RESIZING: [&str; 4] = ["insert", "delete", "append", RESIZE];
 
 /// The instruction changes the size of the array it is given.
 #[must_use]
@@ -365,10 +371,29 @@ pub fn shows_named_page(instruction: &Instruction, form: &Overload) -> bool {
     instruction.name == "userPage" && form.since.is_some()
 }
 
+/// The instruction adds values to a collection or removes them, by their keys (2.5.4); the others that change sizes
+/// take arrays alone.
+#[must_use]
+pub fn resizes_collections(name: &str) -> bool {
+    matches!(name, "insert" | "delete")
+}
+
+/// The key at which the instruction looks need not be that of a value (2.5.4, 2.5.6).
+#[must_use]
+pub fn takes_any_key(name: &str) -> bool {
+    matches!(name, IS_DEFINED | "next" | "prev")
+}
+
+/// The instruction yields a point in the frame that it is given (9.6.3).
+#[must_use]
+pub fn gives_point_in_frame(name: &str) -> bool {
+    matches!(name, "here" | "jointToPoint")
+}
+
 /// The instruction changes the size of an array of two or three dimensions as well (2.5.5).
 #[must_use]
 pub fn resizes_every_array(name: &str) -> bool {
-    name == "resize"
+    name == RESIZE
 }
 
 #[cfg(test)]

@@ -46,6 +46,13 @@ pub(crate) const ARGUMENTS: &[Mutation] = &[
         "  nLayer=0\n  resize(pCorner,4,1)$0\n",
         "V0225",
     ),
+    slip(
+        "dimension that the array lacks",
+        "palletiser/init.pgx",
+        "  nLayer=0\n",
+        "  nLayer=0\n  resize(pCorner,2,1)$0\n",
+        "V0225",
+    ),
     slip("wait in milliseconds", "palletiser/supervisor.pgx", "delay(0.2)", "delay(200)", "V0240"),
     slip(
         "too few numbers to send",
@@ -107,6 +114,30 @@ pub(crate) const VALUES: &[Mutation] = &[
         "  nLayer=0\n",
         "  nLayer=0\n  append(tSlots)$0\n",
         "V0235",
+    ),
+    slip(
+        "append to a collection",
+        "palletiser/init.pgx",
+        "  nLayer=0\n",
+        "  nLayer=0\n  append(part:sLabel)$0\n",
+        "V0235",
+    ),
+    slip(
+        "empty key of a collection",
+        "palletiser/init.pgx",
+        "  nLayer=0\n",
+        "  nLayer=0\n  putln(part:sLabel[\"\"])$0\n",
+        "V0244",
+    ),
+    slip("coordinate of world", "palletiser/init.pgx", "  nLayer=0\n", "  nLayer=0\n  world.trsf.z=100$0\n", "V0409"),
+    slip("link of flange", "palletiser/init.pgx", "  nLayer=0\n", "  nLayer=0\n  link(flange,tSuction)$0\n", "V0409"),
+    slip(
+        "global frame in a local one",
+        "palletiser/place.pgx",
+        "    </Locals>\n    <Code><![CDATA[begin\n",
+        "      <Local name=\"l_fBase\" type=\"frame\" xsi:type=\"array\" size=\"1\" />\n    </Locals>\n    \
+         <Code><![CDATA[begin\n  link(l_fBase,world)\n  link(fPallet,l_fBase)$0\n",
+        "V0410",
     ),
 ];
 

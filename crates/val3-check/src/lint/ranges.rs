@@ -4,9 +4,10 @@ use std::fmt::{self, Display};
 use std::ops::Bound;
 
 use val3_analysis::body::ExprId;
-use val3_lang::arguments::{Range, range};
+use val3_lang::arguments::{DIMENSION, Range, dimensions, power_base, range};
+use val3_lang::instructions::{POWER, RESIZE};
 
-use super::Program;
+use super::{Call, Program};
 
 /// A constant number that its instruction does not take.
 pub(crate) struct OutOfRange {
@@ -32,11 +33,28 @@ pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
         let callee = call.instruction.name;
         for (param, argument) in call.arguments() {
             let Some(value) = program.body.number(argument) else { continue };
-            let Some(range) = range(callee, param.name).filter(|range| !range.takes(value)) else { continue };
+            let range = program.range_of(call, param.name).filter(|range| !range.takes(value));
+            let Some(range) = range else { continue };
             found.push(OutOfRange { argument, callee, parameter: param.name, value, range });
         }
     }
     found
+}
+
+impl Program<'_> {
+    /// What an instruction takes as a parameter. It may depend on the version and on the other arguments.
+    fn range_of(&self, call: &Call<'_>, parameter: &str) -> Option<&'static Range> {
+        let range = range(call.instruction.name, parameter)?;
+        match (call.instruction.name, parameter, call.args) {
+            (POWER, _, [base, exponent]) => {
+                power_base(self.items.version, self.body.number(*base)?, self.body.number(*exponent))
+            }
+            (RESIZE, DIMENSION, [array, dimension, _]) if range.takes(self.body.number(*dimension)?) => {
+                dimensions(self.inference.ty(*array).container)
+            }
+            _ => Some(range),
+        }
+    }
 }
 
 /// A range in words: "1 to 100", "more than 0", "at least 0".
@@ -55,6 +73,7 @@ impl Display for Spoken<'_> {
             Bound::Unbounded => None,
         };
         match (self.0.low, self.0.high) {
+            (Bound::Included(low), Bound::Included(high)) if low >= high => write!(f, "{low}"),
             (Bound::Included(low), Bound::Included(high)) => write!(f, "{low} to {high}"),
             _ => f.write_str(&low.into_iter().chain(high).collect::<Vec<_>>().join(" and ")),
         }

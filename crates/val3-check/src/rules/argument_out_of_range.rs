@@ -13,8 +13,9 @@ rule! {
     ///
     /// ## Why
     /// The line stops its task whenever it runs: error 11 for a number that the function is not defined for (3.2.3),
-    /// error 70 for a parameter out of its range. Note that `power` takes no base of 0 or below, whatever the
-    /// exponent.
+    /// error 70 for a parameter out of its range. Up to s7 `power` takes no base of 0 or below, whatever the
+    /// exponent; from s8 on it takes a negative base to a whole exponent, and 0 to a positive one. `resize` takes a
+    /// dimension that the array has.
     ///
     /// ## Bad
     /// ```val3
@@ -103,6 +104,36 @@ mod tests {
             ),
             ""
         );
+    }
+
+    #[test]
+    fn powers_from_s8_on() {
+        expect![[r#"
+            start.pgx:5 `-2` `power` takes at least 0 for `nX`, not -2
+              | run-time error 11: invalid numeric value
+            start.pgx:6 `0` `power` takes more than 0 for `nX`, not 0
+              | run-time error 11: invalid numeric value
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "version s8.10\nnum n\nn=power(-2,0.5)\nn=power(0,-1)\nn=power(-2,3)\nn=power(0,2)\nn=power(-2,n)\nn=power(n,-1)",
+        ));
+    }
+
+    #[test]
+    fn dimensions_that_the_array_has() {
+        expect![[r#"
+            start.pgx:5 `2` `resize` takes 1 for `nDimension`, not 2
+              | run-time error 70: invalid parameter
+            start.pgx:6 `3` `resize` takes 1 to 2 for `nDimension`, not 3
+              | run-time error 70: invalid parameter
+            start.pgx:7 `0` `resize` takes 1 to 3 for `nDimension`, not 0
+              | run-time error 70: invalid parameter
+        "#]]
+        .assert_eq(&check(
+            &RULE,
+            "num nA[2]\nnum nGrid[2,3]\nresize(nA,2,5)\nresize(nGrid,3,5)\nresize(nA,0,5)\nresize(nA,1,5)\nresize(nGrid,2,5)",
+        ));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use val3_analysis::body::Expr;
 use val3_analysis::effects::Root;
 use val3_lang::instruction::Class;
-use val3_lang::instructions::{resizes, resizes_every_array};
+use val3_lang::instructions::{resizes, resizes_collections, resizes_every_array};
 use val3_lang::types::Container;
 
 use crate::diagnostic::Wording;
@@ -11,11 +11,13 @@ use crate::lint::{Call, Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An instruction that changes the size of an array is given one that it does not support.
+    /// An instruction that changes the size of an array is given a variable that it does not support.
     ///
     /// ## Why
     /// `insert`, `delete`, `append` and `resize` do not support local arrays, and the first three no arrays of two or
-    /// three dimensions (2.5.4, 2.5.5): use a global array, and `resize` for one of several dimensions.
+    /// three dimensions (2.5.4, 2.5.5): use a global array, and `resize` for one of several dimensions. `append` and
+    /// `resize` do not support collections, whose values have keys: use `insert` and `delete`. The line is run-time
+    /// error 70.
     ///
     /// ## Bad
     /// ```val3
@@ -52,13 +54,17 @@ fn fault(program: &Program<'_>, instruction: &str, call: Call<'_>) -> Option<Wor
         Expr::Index(base, _) => *base,
         _ => argument,
     };
-    let Container::Array { dims } = program.inference.ty(array).container else { return None };
-    let is_whole = matches!(program.body.expr(array), Expr::Name(_));
     let text = program.text(array);
-    if is_whole && matches!(program.effects.root(array), Some(Root::Local(_))) {
-        return Some(local(instruction, text));
+    let is_whole = matches!(program.body.expr(array), Expr::Name(_));
+    let is_local = is_whole && matches!(program.effects.root(array), Some(Root::Local(_)));
+    match program.inference.ty(array).container {
+        Container::Array { .. } if is_local => Some(local(instruction, text)),
+        Container::Array { dims: dims @ 2.. } if !resizes_every_array(instruction) => {
+            Some(several_dimensions(instruction, text, dims))
+        }
+        Container::Collection if !resizes_collections(instruction) => Some(collection(instruction, text)),
+        _ => None,
     }
-    (dims > 1 && !resizes_every_array(instruction)).then(|| several_dimensions(instruction, text, dims))
 }
 
 fn local(instruction: &str, array: &str) -> Wording {
@@ -66,6 +72,14 @@ fn local(instruction: &str, array: &str) -> Wording {
         format!("`{instruction}` does not support the local array `{array}`"),
         "the size of a local array is fixed",
         "use a global array, or declare the local one large enough",
+    )
+}
+
+fn collection(instruction: &str, collection: &str) -> Wording {
+    Wording::new(
+        format!("`{instruction}` does not support the collection `{collection}`"),
+        "an array is needed",
+        format!("`insert({collection}[…])` adds a value under a key, and `delete` removes it"),
     )
 }
 
@@ -115,6 +129,19 @@ mod tests {
     fn the_manual_excludes_them() {
         let listing = "num nGrid[2,3]\nprogram p()\nnum l_n[2]\nbegin\nappend(l_n)\nappend(nGrid)\nend";
         assert_eq!(levels(&RULE, listing), [Severity::Error; 2]);
+    }
+
+    #[test]
+    fn collections() {
+        expect![[r#"
+            start.pgx:5 `append(nC)` `append` does not support the collection `nC`
+              | an array is needed
+              ? `insert(nC[…])` adds a value under a key, and `delete` removes it
+            start.pgx:6 `resize(nC,1,4)` `resize` does not support the collection `nC`
+              | an array is needed
+              ? `insert(nC[…])` adds a value under a key, and `delete` removes it
+        "#]]
+        .assert_eq(&check(&RULE, "num nC[\"\"]\nappend(nC)\nresize(nC,1,4)\ninsert(nC[\"a\"])\ndelete(nC[\"a\"])"));
     }
 
     #[test]

@@ -2,6 +2,9 @@
 
 use std::ops::{Bound, RangeBounds};
 
+use crate::types::Container;
+use crate::versions::Version;
+
 use Bound::{Excluded, Included, Unbounded};
 
 /// The numbers that an argument takes.
@@ -39,6 +42,36 @@ pub fn range(instruction: &str, parameter: &str) -> Option<&'static Range> {
     RANGES.iter().find(is_meant).map(|(_, _, range)| range)
 }
 
+/// The parameter that names a dimension of an array.
+pub const DIMENSION: &str = "nDimension";
+
+/// The dimensions that a container has; `None` for one without.
+#[must_use]
+pub fn dimensions(container: Container) -> Option<&'static Range> {
+    match container {
+        Container::Array { dims } => DIMENSIONS.get(usize::from(dims).checked_sub(1)?),
+        Container::Element | Container::Collection => None,
+    }
+}
+
+/// The numbers that can be raised to a power like `base` to `exponent`, which is `None` where it is not known.
+///
+/// Up to s7 only those above 0. From s8 on a negative one has the powers with a whole exponent, and 0 those with a
+/// positive one.
+#[must_use]
+pub fn power_base(version: Version, base: f64, exponent: Option<f64>) -> Option<&'static Range> {
+    if version.major < 8 {
+        return Some(&POSITIVE);
+    }
+    let exponent = exponent?;
+    let is_whole = exponent.fract() == 0.0;
+    match (base < 0.0 && is_whole, exponent > 0.0) {
+        (true, _) => None,
+        (false, true) => Some(&NOT_NEGATIVE),
+        (false, false) => Some(&POSITIVE),
+    }
+}
+
 /// Numbers that as many outputs as `count` can show in binary (3.5.3): those below the result.
 #[must_use]
 pub fn bits(count: u32) -> f64 {
@@ -61,9 +94,17 @@ const COLUMN: Range = between(Included(0.0), Included(39.0), Beyond::Instead("th
 const LINE: Range = between(Included(0.0), Included(13.0), Beyond::Instead("the line is taken modulo 14"));
 const COUNT: Range = between(Included(0.0), Unbounded, INVALID_PARAMETER);
 const SINE: Range = between(Included(-1.0), Included(1.0), INVALID_NUMBER);
+const NOT_NEGATIVE: Range = between(Included(0.0), Unbounded, INVALID_NUMBER);
 const POSITIVE: Range = between(Excluded(0.0), Unbounded, INVALID_NUMBER);
 const PART_OF_PATH: Range = between(Excluded(-1.0), Excluded(2.0), INVALID_PARAMETER);
 const FORCE: Range = between(Included(-1000.0), Included(1000.0), INVALID_PARAMETER);
+
+/// By the number of dimensions.
+static DIMENSIONS: [Range; 3] = [
+    between(Included(1.0), Included(1.0), INVALID_PARAMETER),
+    between(Included(1.0), Included(2.0), INVALID_PARAMETER),
+    between(Included(1.0), Included(3.0), INVALID_PARAMETER),
+];
 
 const fn between(low: Bound<f64>, high: Bound<f64>, beyond: Beyond) -> Range {
     Range { low, high, beyond }
@@ -72,12 +113,12 @@ const fn between(low: Bound<f64>, high: Bound<f64>, beyond: Beyond) -> Range {
 /// Instruction, parameter and range, by section of the manual.
 #[rustfmt::skip]
 static RANGES: [(&str, &str, Range); 43] = [
-    ("size", "nDimension", between(Included(1.0), Included(3.0), Beyond::Instead("the result is 0"))),
-    ("resize", "nDimension", between(Included(1.0), Included(3.0), INVALID_PARAMETER)),
+    ("size", DIMENSION, between(Included(1.0), Included(3.0), Beyond::Instead("the result is 0"))),
+    ("resize", DIMENSION, between(Included(1.0), Included(3.0), INVALID_PARAMETER)),
     ("resize", "nSize", COUNT),
     ("asin", "nValue", SINE),
     ("acos", "nValue", SINE),
-    ("sqrt", "nValue", between(Included(0.0), Unbounded, INVALID_NUMBER)),
+    ("sqrt", "nValue", NOT_NEGATIVE),
     ("exp", "nValue", between(Unbounded, Excluded(709.8), INVALID_NUMBER)),
     ("power", "nX", POSITIVE),
     ("ln", "nValue", POSITIVE),
@@ -141,6 +182,21 @@ mod tests {
         let part = range("interpolateL", "nPosition").unwrap();
         assert!(part.takes(1.99) && !part.takes(2.0) && !part.takes(-1.0));
         assert_eq!(part.beyond, Beyond::Fails(70));
+    }
+
+    #[test]
+    fn what_has_a_power_depends_on_the_version() {
+        let takes = |major, base: f64, exponent| {
+            power_base(Version::new(major, 0, 0), base, exponent).is_none_or(|range| range.takes(base))
+        };
+        assert!(takes(7, 2.0, Some(-3.0)) && !takes(7, -2.0, Some(2.0)) && !takes(7, 0.0, None));
+        for (base, exponent) in [(-2.0, 2.0), (-2.0, -3.0), (0.0, 0.5), (2.0, 0.5), (-2.0, 0.0)] {
+            assert!(takes(8, base, Some(exponent)), "{base} to {exponent}");
+        }
+        for (base, exponent) in [(-2.0, 0.5), (-2.0, -0.5), (0.0, 0.0), (0.0, -1.0)] {
+            assert!(!takes(8, base, Some(exponent)), "{base} to {exponent}");
+        }
+        assert!(takes(8, -2.0, None));
     }
 
     #[test]
