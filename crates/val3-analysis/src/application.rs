@@ -81,8 +81,11 @@ pub struct Application {
 /// The programs the controller starts on its own (5.1, 6.2).
 pub const ENTRY_POINTS: [&str; 2] = [START, STOP];
 
-const START: &str = "start";
-const STOP: &str = "stop";
+/// The program that an application begins with.
+pub const START: &str = "start";
+
+/// The program that runs when an application is stopped.
+pub const STOP: &str = "stop";
 
 /// What the programs of `project` do together.
 #[salsa::tracked]

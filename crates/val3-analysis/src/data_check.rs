@@ -8,11 +8,14 @@ pub use fathers::{Step, steps};
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_lang::files::FileKind;
+use val3_lang::types::Container;
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
 use crate::db::{Db, File, Project};
 use crate::file_check::FileCheck;
+use crate::items::attributes;
 use crate::items::data::{self, DataDecl};
 use crate::items::declarations;
 use crate::items::parse;
@@ -53,12 +56,10 @@ impl DataCheck<'_> {
             return self.report(root.name_range(), kind);
         }
         self.foreign_elements(root);
+        self.found.elements(FileKind::Data, root);
         let mut seen = FxHashMap::default();
         for element in data::elements(view) {
-            let Some(name) = element.attribute("name") else {
-                self.found.missing(element, "name");
-                continue;
-            };
+            let Some(name) = element.attribute("name") else { continue };
             self.name(name, &mut seen);
             self.hidden_father(name);
             if element.name() == "Data" {
@@ -99,12 +100,23 @@ impl DataCheck<'_> {
     fn declaration(&mut self, element: Element<'_>) {
         self.found.one_of(element, "access", &["public", "private"]);
         self.found.one_of(element, "xsi:type", &["array", "collection"]);
-        let Some(ty) = element.attribute("type") else { return self.found.missing(element, "type") };
+        let Some(ty) = element.attribute("type") else { return };
         self.found.ty(ty);
         let sound = self.found.size(element);
         let base = resolve_type(&self.items.types, &ty.text()).unwrap_or(Base::Unknown);
+        let (container, sizes) = self.container(element, sound);
+        self.values(element, base, container, &sizes);
+    }
+
+    /// The container that an element declares, and its sizes if they can be relied on (`sound`). Any key suits one whose
+    /// attributes are misspelt or missing.
+    fn container(&self, element: Element<'_>, sound: bool) -> (Container, Vec<u32>) {
         let data::Shape { container, sizes, .. } = data::shape(element);
-        self.values(element, base, container, if sound { &sizes } else { &[] });
+        match (attributes::is_plain(element), sound) {
+            (false, _) => (Container::Collection, Vec::new()),
+            (true, false) => (container, Vec::new()),
+            (true, true) => (container, sizes),
+        }
     }
 
     fn item(&self, name: &str) -> Option<&DataItem> {

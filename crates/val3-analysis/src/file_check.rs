@@ -2,17 +2,22 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::{SmolStr, format_smolstr};
+use val3_lang::files::{self, FileKind, Presence};
 use val3_lang::keywords;
 use val3_lang::types::BaseType;
 use val3_syntax::encoding::{Encoding, Mismatch, REPLACEMENT};
 use val3_syntax::{TextRange, TextSize};
 
 use crate::db::{Db, File, FileStatus};
+use crate::items::attributes;
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
 use crate::near::nearest;
 use crate::problem::{EncodingFault, NameKind, Place, Problem, ProblemKind, Related, Role};
 use crate::xml::{Attribute, Element};
+
+/// The element of a value in a data file.
+pub(crate) const VALUE: &str = "Value";
 
 /// Collects what is wrong in one file.
 pub(crate) struct FileCheck<'db> {
@@ -54,11 +59,87 @@ impl<'db> FileCheck<'db> {
         self.report(element.name_range(), kind);
     }
 
-    /// An attribute or element that is missing in `element`.
-    pub(crate) fn missing(&mut self, element: Element<'_>, what: &'static str) {
-        let kind =
-            ProblemKind::MissingAttribute { element: element.name().into(), attribute: SmolStr::new_static(what) };
-        self.report(element.name_range(), kind);
+    /// An element that is missing in `parent`.
+    pub(crate) fn missing_element(&mut self, parent: Element<'_>, element: &'static str) {
+        let kind = ProblemKind::MissingElement { parent: parent.name().into(), element: SmolStr::new_static(element) };
+        self.report(parent.name_range(), kind);
+    }
+
+    /// The namespaces and attributes of `root` and of every element in it.
+    pub(crate) fn elements(&mut self, file: FileKind, root: Element<'_>) {
+        let mut rest = vec![root];
+        while let Some(element) = rest.pop() {
+            let known = files::find(file, element.name());
+            if let Some(known) = known {
+                self.namespace(element, known);
+                // The attributes of a value depend on its type.
+                if element.name() != VALUE {
+                    self.attributes(element, known.attributes);
+                }
+            }
+            // What does not belong here is reported as such.
+            let belongs = |inner: &Element<'_>| {
+                known.is_none_or(|known| known.children.is_empty() || known.children.contains(&inner.name()))
+            };
+            let inner: Vec<Element<'_>> = element.elements().filter(belongs).collect();
+            rest.extend(inner.into_iter().rev());
+        }
+    }
+
+    fn namespace(&mut self, element: Element<'_>, known: &files::Element) {
+        let (Some(expected), Some(found)) = (known.namespace, element.attribute("xmlns")) else { return };
+        if found.text().trim() != expected {
+            let kind = ProblemKind::Namespace {
+                element: element.name().into(),
+                found: found.text().as_ref().into(),
+                expected: SmolStr::new_static(expected),
+            };
+            self.report(found.range, kind);
+        }
+    }
+
+    /// The attributes of `element` are `known` ones, and none is missing that every writer gives.
+    pub(crate) fn attributes(&mut self, element: Element<'_>, known: &[files::Attribute]) {
+        for (found, near) in self.unknown_attributes(element, known, &[]) {
+            let kind =
+                ProblemKind::UnknownAttribute { element: element.name().into(), attribute: found.name.into(), near };
+            self.report(found.name_range, kind);
+        }
+    }
+
+    /// Reports the `known` attributes that are missing. Returns those that are neither known nor called as one of
+    /// `others`, each with the most similar attribute that is not there.
+    pub(crate) fn unknown_attributes<'g>(
+        &mut self,
+        element: Element<'g>,
+        known: &[files::Attribute],
+        others: &[&'static str],
+    ) -> Vec<(Attribute<'g>, Option<SmolStr>)> {
+        let names = || known.iter().map(|attribute| attribute.name).chain(others.iter().copied());
+        let mut unknown: Vec<Attribute<'g>> =
+            attributes::unknown(element, |name| names().any(|known| known == name)).collect();
+        for attribute in attributes::left_out(element, known) {
+            let resembles = |found: &Attribute<'_>| nearest(found.name, std::iter::once(attribute.name)).is_some();
+            let written = unknown.iter().position(resembles).map(|place| unknown.remove(place));
+            self.missing(element, attribute, written);
+        }
+        let near =
+            |found: &Attribute<'_>| nearest(found.name, names().filter(|name| element.attribute(name).is_none()));
+        unknown.into_iter().map(|found| (found, near(&found))).collect()
+    }
+
+    fn missing(&mut self, element: Element<'_>, attribute: &files::Attribute, written: Option<Attribute<'_>>) {
+        let default = match attribute.presence {
+            Presence::Required => None,
+            Presence::Expected(default) | Presence::Optional(default) => Some(SmolStr::new_static(default)),
+        };
+        let kind = ProblemKind::MissingAttribute {
+            element: element.name().into(),
+            attribute: SmolStr::new_static(attribute.name),
+            default,
+            written: written.map(|found| found.name.into()),
+        };
+        self.report(written.map_or(element.name_range(), |found| found.name_range), kind);
     }
 
     /// The value of the attribute, if it is there, is one of `values`.
@@ -99,7 +180,7 @@ impl<'db> FileCheck<'db> {
         let limit = self.items.version.identifier_limit();
         if !keywords::is_identifier(&name) {
             self.report(attribute.range, ProblemKind::InvalidName { name });
-        } else if keywords::canonical(&name).is_some() && what != NameKind::Library
+        } else if keywords::canonical(&name).is_some()
             || what == NameKind::Type && BaseType::from_file_name(&name).is_some()
         {
             self.report(attribute.range, ProblemKind::ReservedName { name });

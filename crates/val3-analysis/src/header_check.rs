@@ -1,6 +1,7 @@
 //! The header of a program: names, types, attributes, and whether the file holds what it should.
 
 use rustc_hash::{FxHashMap, FxHashSet};
+use val3_lang::files::FileKind;
 use val3_syntax::TextRange;
 
 use crate::db::{Db, File, Project};
@@ -28,21 +29,41 @@ fn root(check: &mut FileCheck<'_>, root: Element<'_>, program: Option<Element<'_
         let kind = ProblemKind::WrongRoot { expected: FileRole::Program, found: root.name().into() };
         return check.report(root.name_range(), kind);
     }
-    let Some(program) = program else { return check.missing(root, "Program") };
-    match program.attribute("name") {
-        None => check.missing(program, "name"),
-        Some(name) => {
-            if check.name(name, NameKind::Program) {
-                file_name(check, name, stem);
-            }
-        }
+    check.elements(FileKind::Program, root);
+    let Some(program) = program else { return missing_program(check, root) };
+    if let Some(name) = program.attribute("name")
+        && check.name(name, NameKind::Program)
+    {
+        file_name(check, name, stem);
     }
     check.one_of(program, "access", &["public", "private"]);
     check.one_of(program, "public", &["true", "false"]);
     let others = root.elements().filter(|element| element.name_range() != program.name_range());
     others.for_each(|element| check.unexpected(element, root));
     foreign_elements(check, program);
+    missing_code(check, program);
     declarations(check, program);
+}
+
+/// A misspelt element is reported as such.
+fn missing_program(check: &mut FileCheck<'_>, root: Element<'_>) {
+    let mut others = root.elements().peekable();
+    if others.peek().is_none() {
+        check.missing_element(root, if root.name() == "programList" { "program" } else { "Program" });
+    }
+    others.for_each(|element| check.unexpected(element, root));
+}
+
+/// The program has its code, or an element that may be meant as such.
+fn missing_code(check: &mut FileCheck<'_>, program: Element<'_>) {
+    let is_known = |element: Element<'_>| program::LISTS.iter().any(|(name, _)| *name == element.name());
+    if program.elements().any(|element| matches!(element.name(), "Code" | "source") || !is_known(element)) {
+        if let Some(source) = program.child(&["source"]).filter(|source| source.elements().next().is_none()) {
+            check.missing_element(source, "code");
+        }
+    } else {
+        check.missing_element(program, if program.name() == "program" { "source" } else { "Code" });
+    }
 }
 
 /// The program is called as its file, but for letter case.
@@ -96,11 +117,10 @@ fn declaration(
     what: NameKind,
     seen: &mut FxHashMap<String, TextRange>,
 ) {
-    let Some(name) = element.attribute("name") else { return check.missing(element, "name") };
+    let Some(name) = element.attribute("name") else { return };
     check.name(name, what);
     check.once(name, what, seen);
-    match element.attribute("type") {
-        None => check.missing(element, "type"),
-        Some(ty) => check.ty(ty),
+    if let Some(ty) = element.attribute("type") {
+        check.ty(ty);
     }
 }

@@ -15,7 +15,7 @@ use crate::items::declarations;
 use crate::items::program::header;
 use crate::items::project::{find_project, folder, items, program_files};
 use crate::paths::{self, Target};
-use crate::problem::{Place, Problem, ProblemKind};
+use crate::problem::{FileRole, Place, Problem, ProblemKind};
 
 pub use compare::{implements, is_same_item};
 pub(crate) use left_out::is_left_out;
@@ -180,12 +180,24 @@ impl Interfaces<'_> {
                 if let Some(found) = find_project(db, self.project, path) {
                     return vec![found];
                 }
-                let target = paths::project(folder(db, self.project), self.project.roots(db), path);
-                if target != Target::Elsewhere {
-                    let kind = ProblemKind::LibLoadPath { path: path.clone() };
+                if let Some(kind) = self.unresolved(path) {
                     self.problems.push(Problem { kind, place, related: Vec::new() });
                 }
                 Vec::new()
+            }
+        }
+    }
+
+    /// What is wrong with a path that leads to no project. A medium that is not at hand may have it.
+    fn unresolved(&self, path: &SmolStr) -> Option<ProblemKind> {
+        let roots = self.project.roots(self.db);
+        match paths::project(folder(self.db, self.project), roots, path) {
+            Target::Path(_) => Some(ProblemKind::LibLoadPath { path: path.clone() }),
+            Target::Elsewhere => {
+                let root = paths::root(path);
+                let near = Some(paths::near_root(root, roots)?);
+                let (path, root) = (path.clone(), root.into());
+                Some(ProblemKind::UnresolvedPath { what: FileRole::Library, path, root, near })
             }
         }
     }

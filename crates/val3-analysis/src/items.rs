@@ -3,6 +3,7 @@
 //! Items hold no ranges, so that an edit elsewhere in a file leaves them equal; `declarations` finds the place of
 //! an item when a message needs it.
 
+pub mod attributes;
 pub mod data;
 pub mod declarations;
 pub mod fathers;

@@ -1,6 +1,15 @@
 //! The paths that projects and programs write: `Disk://a/a.pjx`, `./b`, `../c/c.pjx`, `io`, `USB0://d`.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
+use smol_str::SmolStr;
+
+use crate::near::nearest;
+
+/// The root of paths without one: the flash memory of the controller.
+const DISK: &str = "Disk";
+
+/// The roots that every controller has (6.7).
+const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
 use crate::db::path_key;
 
@@ -16,7 +25,7 @@ pub struct Roots {
 impl Roots {
     /// The folder that a root stands for.
     fn folder(&self, root: &str) -> Option<&Utf8Path> {
-        if root.eq_ignore_ascii_case("Disk") {
+        if root.eq_ignore_ascii_case(DISK) {
             return self.disk.as_deref();
         }
         let named = self.others.iter().find(|(name, _)| root.eq_ignore_ascii_case(name));
@@ -57,6 +66,19 @@ pub fn project(folder: &Utf8Path, roots: &Roots, reference: &str) -> Target {
         None => roots.disk.as_ref().map(|disk| disk.join(reference.trim_start_matches('/'))),
     };
     path.map_or(Target::Elsewhere, |path| Target::Path(with_manifest(normalise(&path))))
+}
+
+/// The root of such a reference.
+pub fn root(reference: &str) -> &str {
+    let named = reference.trim().split_once("://").map(|(root, _)| root).filter(|root| !root.is_empty());
+    named.unwrap_or(DISK)
+}
+
+/// The root that was probably meant by an unknown one. A medium of the controller is meant as it is.
+pub fn near_root(root: &str, roots: &Roots) -> Option<SmolStr> {
+    let is_medium = MEDIA.iter().any(|medium| root.eq_ignore_ascii_case(medium));
+    let named = roots.others.iter().map(|(name, _)| name.as_str());
+    if is_medium { None } else { nearest(root, MEDIA.into_iter().chain(named)) }
 }
 
 /// Reads the start of such a reference (`"Disk://parts/part" + sName`): the folder that holds the projects, and how

@@ -4,6 +4,7 @@ mod circles;
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
+use val3_lang::files::FileKind;
 use val3_lang::versions::Version;
 use val3_syntax::TextRange;
 
@@ -42,6 +43,7 @@ impl ProjectCheck<'_> {
             return self.found.report(root.name_range(), kind);
         }
         let spelling = spelling(root);
+        self.found.elements(FileKind::Project, root);
         self.children(root, spelling);
         self.version(root, spelling);
         self.parameters(root, spelling);
@@ -67,7 +69,7 @@ impl ProjectCheck<'_> {
 
     fn version(&mut self, root: Element<'_>, spelling: &Spelling) {
         let Some(parameters) = root.child(&[spelling.parameters]) else { return };
-        let version = parameters.attribute("version").filter(|version| !version.raw.trim().is_empty());
+        let version = parameters.attribute("version");
         if let Some(version) = version.filter(|version| Version::parse(&version.text()).is_none()) {
             self.found.invalid(parameters, version, SmolStr::new_static("a version such as `s7.11.3`"));
         }
@@ -86,10 +88,10 @@ impl ProjectCheck<'_> {
     fn files(&mut self, root: Element<'_>, list: (&'static str, &'static str), what: FileRole) {
         let mut seen: FxHashMap<String, TextRange> = FxHashMap::default();
         for element in entries(root, list) {
-            let Some(file) = element.attribute("file") else {
-                self.found.missing(element, "file");
+            let Some(file) = element.attribute("file") else { continue };
+            if self.separators(file) {
                 continue;
-            };
+            }
             let path = file.text();
             if let Some(first) = seen.get(&path.to_lowercase()) {
                 self.duplicate(file, *first, what);
@@ -112,18 +114,13 @@ impl ProjectCheck<'_> {
     ) {
         let mut seen = FxHashMap::default();
         for element in entries(root, list) {
-            let is_again = match element.attribute(name) {
-                None => {
-                    self.found.missing(element, name);
-                    false
-                }
-                Some(found) => self.project_name(found, what, &mut seen),
-            };
-            match element.attribute(path) {
-                None => self.found.missing(element, path),
-                // What the second of two entries names does not count.
-                Some(found) if !is_again => self.target(found, what),
-                Some(_) => {}
+            let is_again = element.attribute(name).is_some_and(|found| self.project_name(found, what, &mut seen));
+            // What the second of two entries names does not count.
+            if let Some(found) = element.attribute(path)
+                && !is_again
+                && !self.separators(found)
+            {
+                self.target(found, what);
             }
             self.found.one_of(element, "autoload", &["true", "false"]);
         }
@@ -147,12 +144,31 @@ impl ProjectCheck<'_> {
         self.found.report_again(found.range, kind, Some(Place { file: self.file, range: first }));
     }
 
+    /// Reports a path with backslashes; true if it is one.
+    fn separators(&mut self, path: Attribute<'_>) -> bool {
+        let found = path.text().contains('\\');
+        if found {
+            self.found.report(path.range, ProblemKind::PathSeparator { path: path.text().as_ref().into() });
+        }
+        found
+    }
+
     fn target(&mut self, path: Attribute<'_>, what: FileRole) {
         let db = self.db;
         let reference = path.text();
-        let target = paths::project(folder(db, self.project), self.project.roots(db), &reference);
-        if target != Target::Elsewhere && find_project(db, self.project, &reference).is_none() {
-            self.found.report(path.range, ProblemKind::FileMissing { what, path: reference.as_ref().into() });
+        if find_project(db, self.project, &reference).is_some() {
+            return;
         }
+        let kind = match paths::project(folder(db, self.project), self.project.roots(db), &reference) {
+            Target::Path(_) => ProblemKind::FileMissing { what, path: reference.as_ref().into() },
+            Target::Elsewhere => self.unresolved(&reference, what),
+        };
+        self.found.report(path.range, kind);
+    }
+
+    fn unresolved(&self, reference: &str, what: FileRole) -> ProblemKind {
+        let root = paths::root(reference);
+        let near = paths::near_root(root, self.project.roots(self.db));
+        ProblemKind::UnresolvedPath { what, path: reference.into(), root: root.into(), near }
     }
 }

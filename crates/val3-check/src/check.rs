@@ -354,6 +354,10 @@ impl<'db> Check<'db> {
             ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => {
                 (!self.is_in_usrapp(project), Severity::Warning)
             }
+            // Every known writer gives the attribute; whether a controller needs it, no source says.
+            ProblemKind::MissingAttribute { default: Some(_), .. } => (true, Severity::Warning),
+            // Another medium, the name of a connection, or a part of a cell.
+            ProblemKind::UnresolvedPath { near: None, .. } => (true, Severity::Info),
             // No public document lists every instruction of s8; what resembles a known one is still a slip.
             ProblemKind::UnknownInstruction { near: None, is: None, .. } => {
                 (project::items(self.db, project).version.major >= 8, Severity::Warning)

@@ -28,7 +28,8 @@ pub(crate) fn without_echoes<'p>(db: &dyn Db, file: File, problems: &'p [Problem
 }
 
 fn is_about_structure(kind: &ProblemKind) -> bool {
-    matches!(kind, ProblemKind::UnexpectedElement { .. } | ProblemKind::MissingAttribute { .. })
+    use ProblemKind::{MissingAttribute, MissingElement, UnexpectedElement};
+    matches!(kind, UnexpectedElement { .. } | MissingAttribute { .. } | MissingElement { .. })
 }
 
 /// Where the lines of a text start.

@@ -23,6 +23,7 @@ rules! {
     conflict_marker,
     encoding,
     nesting_too_deep,
+    control_character,
     syntax,
     unclosed_bracket,
     unmatched_bracket,
@@ -186,6 +187,11 @@ rules! {
     unlisted_file,
     instruction_version,
     version_feature,
+    missing_stop,
+    unknown_attribute,
+    missing_element,
+    namespace,
+    path_separator,
     // Library interfaces
     library_item_unknown,
     library_item_private,
@@ -194,6 +200,7 @@ rules! {
     implementation_missing,
     implementation_private,
     implementation_different,
+    unresolved_path,
     // Style
     keyword_spelling,
     unused_suppression,
@@ -250,6 +257,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
         Kind::DuplicateAttribute { name } => xml_attribute::duplicate(name);
         Kind::ConflictMarker => conflict_marker::word();
         Kind::NestingTooDeep => nesting_too_deep::word();
+        Kind::ControlCharacter { character } => control_character::word(*character);
         Kind::Expected { expected: Expected::ForAssign, found } => for_syntax::no_assignment(found);
         Kind::Expected { expected: Expected::ForTo, found } => for_syntax::no_to(found);
         Kind::Expected { expected: Expected::ForStep, found } => for_syntax::no_step(found);
@@ -332,7 +340,15 @@ pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
         Kind::Encoding(fault) => encoding::word(*fault);
         Kind::DuplicateEntry { what, name } => duplicate_entry::word(*what, name);
         Kind::WrongRoot { expected, found } => wrong_root::word(*expected, found);
-        Kind::MissingAttribute { element, attribute } => missing_attribute::word(element, attribute);
+        Kind::MissingAttribute { element, attribute, default, written } =>
+            missing_attribute::word(element, attribute, default.as_deref(), written.as_deref());
+        Kind::UnknownAttribute { element, attribute, near } =>
+            unknown_attribute::word(element, attribute, near.as_deref());
+        Kind::MissingElement { parent, element } => missing_element::word(parent, element);
+        Kind::Namespace { element, found, expected } => namespace::word(element, found, expected);
+        Kind::PathSeparator { path } => path_separator::word(path);
+        Kind::UnresolvedPath { what, path, root, near } =>
+            unresolved_path::word(*what, path, root, near.as_deref());
         Kind::InvalidAttribute { element, attribute, value, expected } =>
             invalid_attribute::word(element, attribute, value, expected);
         Kind::UnexpectedElement { name, parent } => unexpected_element::word(name, parent);

@@ -55,6 +55,11 @@ pub enum SyntaxErrorKind {
     Doctype,
     /// A line of a merge conflict (`<<<<<<<`, `=======`, `>>>>>>>`).
     ConflictMarker,
+    /// Characters that no XML file may contain, from this one on.
+    ControlCharacter {
+        /// The first character.
+        character: char,
+    },
     // ---- code ----
     /// Something else was expected here.
     Expected {
@@ -233,6 +238,7 @@ impl SyntaxErrorKind {
                 | Self::RootElement
                 | Self::Doctype
                 | Self::ConflictMarker
+                | Self::ControlCharacter { .. }
                 | Self::NestingTooDeep
         )
     }

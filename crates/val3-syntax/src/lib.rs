@@ -4,6 +4,7 @@
 //! range of the file. Parsing never fails and never loses a byte: the text of the tree is the text that went in.
 
 pub mod ast;
+pub mod characters;
 mod edit;
 pub mod encoding;
 pub mod error;

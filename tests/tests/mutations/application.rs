@@ -139,7 +139,8 @@ pub(crate) const TASKS: &[Mutation] = &[
 
 pub(crate) const VERSIONS: &[Mutation] = &[
     slip("unlisted program", "palletiser/palletiser.pjx", "    <Program file=\"stop.pgx\" />\n", "", "V0531")
-        .at(&[("palletiser/palletiser.pjx", "<Programs>")]),
+        .at(&[("palletiser/palletiser.pjx", "<Programs>")])
+        .also("V0534"),
     slip("version before the form of the files", "io/io.pjx", "s7.11.3", "s6.8", "V0533"),
     slip(
         "instruction of s8",

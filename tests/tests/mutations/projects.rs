@@ -85,7 +85,48 @@ pub(crate) const FILES: &[Mutation] = &[
         "  <Libraries>\n    <Library alias=\"main\" path=\"Disk://palletiser/palletiser.pjx\" />$0\n  </Libraries>",
         "V0530",
     ),
+    slip(
+        "misspelt attribute of data",
+        "palletiser/palletiser.dtx",
+        "name=\"nLayer\" access=\"private\"",
+        "name=\"nLayer\" acess=\"private\"",
+        "V0505",
+    ),
+    slip(
+        "data without a size",
+        "palletiser/palletiser.dtx",
+        "name=\"nLayer\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"1\"",
+        "name=\"nLayer\" access=\"private\" xsi:type=\"array\" type=\"num\"",
+        "V0505",
+    ),
+    slip("misspelt attribute of a program", "partBox/grip.pgx", " access=\"public\"", " acces=\"public\"", "V0535"),
+    slip("program without code", "palletiser/stop.pgx", STOP_CODE, "", "V0536")
+        .at(&[("palletiser/stop.pgx", "<Program name")]),
+    slip("namespace of another version", "palletiser/stop.pgx", "VAL3/Program/2", "VAL3/Program/3", "V0537"),
+    slip("control character in a string", "palletiser/stop.pgx", "\"host\"", "\"ho\u{0}st\"", "V0007"),
+    slip(
+        "reserved word as a library identifier",
+        "palletiser/palletiser.pjx",
+        "    <Library alias=\"part\"",
+        "    <Library alias=\"Default\" path=\"Disk://partBag/partBag.pjx\" />\n    <Library alias=\"part\"",
+        "V0111",
+    ),
+    slip("empty version", "palletiser/palletiser.pjx", "version=\"s7.11.3\"", "version=\"\"", "V0506"),
+    slip("project without a version", "palletiser/palletiser.pjx", " version=\"s7.11.3\"", "", "V0505"),
 ];
+
+/// The code of the program `stop`.
+const STOP_CODE: &str = "    <Code><![CDATA[begin
+  // First the tasks that command the arm and the outputs, then what they left behind
+  taskKill(\"production\")
+  taskKill(\"supervisor\")
+  taskKill(\"host\")
+  taskKill(\"sensors\")
+  resetMotion()
+  io:doConveyor=false
+  call tower(\"\")
+end]]></Code>
+";
 
 pub(crate) const VALUES: &[Mutation] = &[
     slip("letter in a number", "palletiser/palletiser.dtx", "value=\"150\"", "value=\"15O\"", "V0510"),
@@ -113,6 +154,7 @@ pub(crate) const VALUES: &[Mutation] = &[
         "key=\"1\" value=\"running\"",
         "V0513",
     ),
+    slip("misspelt key", "palletiser/palletiser.dtx", "<Value key=\"1,2\">", "<Value kye=\"1,2\">", "V0505"),
     slip("key of a collection twice", "io/io.dtx", "key=\"red\"", "key=\"green\"", "V0513"),
     slip("one index in a key of two", "palletiser/palletiser.dtx", "<Value key=\"1,2\">", "<Value key=\"1\">", "V0514"),
     slip(
@@ -207,6 +249,20 @@ pub(crate) const LINKS: &[Mutation] = &[
 const LOAD: (&str, &str) = ("palletiser/loadPart.pgx", "Disk://partBag");
 
 pub(crate) const LIBRARIES: &[Mutation] = &[
+    slip(
+        "misspelt root of a path",
+        "palletiser/palletiser.pjx",
+        "Disk://partBox/partBox.pjx",
+        "Disc://partBox/partBox.pjx",
+        "V0608",
+    ),
+    slip(
+        "backslash in a path",
+        "palletiser/palletiser.pjx",
+        "Disk://partBox/partBox.pjx",
+        "Disk://partBox\\partBox.pjx",
+        "V0538",
+    ),
     slip("misspelt program of a library", "palletiser/pick.pgx", "call part:grip(", "call part:gripp(", "V0601"),
     slip("misspelt data of a library", "palletiser/pick.pgx", "io:doConveyor=true", "io:doConvyor=true", "V0601"),
     slip("item that the interface lacks", "palletiser/place.pgx", "part:nHeight/2", "part:nSettle/2", "V0601"),

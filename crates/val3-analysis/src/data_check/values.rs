@@ -3,11 +3,13 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::enumerations;
-use val3_lang::types::{AttributeValue, BaseType, Container, attribute, attributes};
+use val3_lang::files::{self, FileKind};
+use val3_lang::types::{self, AttributeValue, BaseType, Container, attribute};
 
 use super::{DataCheck, show_sizes};
-use crate::file_check::alternatives;
+use crate::file_check::{VALUE, alternatives};
 use crate::infer::STRING_LIMIT;
+use crate::items::attributes;
 use crate::items::data::{Shape, shape};
 use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
@@ -20,17 +22,19 @@ impl DataCheck<'_> {
     pub(super) fn values(&mut self, element: Element<'_>, base: Base, container: Container, sizes: &[u32]) {
         let mut seen = FxHashSet::default();
         for value in element.elements() {
-            if value.name() != "Value" {
+            if value.name() != VALUE {
                 self.found.unexpected(value, element);
                 continue;
             }
-            match value.attribute("key") {
-                None => self.found.missing(value, "key"),
-                Some(key) => self.key(key, container, sizes, &mut seen),
+            if let Some(key) = value.attribute("key") {
+                self.key(key, container, sizes, &mut seen);
             }
             match base {
                 Base::Builtin(ty, arm) => self.attributes(value, ty, arm),
-                Base::User(_) => self.fields(value, base),
+                Base::User(_) => {
+                    self.found.attributes(value, value_attributes());
+                    self.fields(value, base);
+                }
                 Base::Unknown => {}
             }
         }
@@ -64,20 +68,16 @@ impl DataCheck<'_> {
     }
 
     /// The attributes of a value of a built-in type.
-    fn attributes(&mut self, value: Element<'_>, ty: BaseType, arm: Option<val3_lang::types::Arm>) {
+    fn attributes(&mut self, value: Element<'_>, ty: BaseType, arm: Option<types::Arm>) {
         let arm = arm.or(self.items.arm);
+        let names: Vec<&str> = types::attributes(ty, arm).iter().map(|attribute| attribute.name).collect();
+        for (found, near) in self.found.unknown_attributes(value, value_attributes(), &names) {
+            let (ty, attribute) = (ty.name().into(), found.name.into());
+            self.report(found.name_range, ProblemKind::UnknownValueAttribute { ty, attribute, near });
+        }
         for found in value.attributes() {
-            if found.name == "key" || found.name.starts_with("xmlns") || found.name.starts_with("xsi:") {
-                continue;
-            }
-            match attribute(ty, arm, found.name) {
-                Some(known) => self.attribute_value(found, ty, known.value),
-                None => {
-                    let near = nearest(found.name, attributes(ty, arm).iter().map(|attribute| attribute.name));
-                    let kind =
-                        ProblemKind::UnknownValueAttribute { ty: ty.name().into(), attribute: found.name.into(), near };
-                    self.report(found.name_range, kind);
-                }
+            if let Some(known) = attribute(ty, arm, found.name) {
+                self.attribute_value(found, ty, known.value);
             }
         }
     }
@@ -112,10 +112,7 @@ impl DataCheck<'_> {
                 self.found.unexpected(field, value);
                 continue;
             }
-            let Some(name) = field.attribute("name") else {
-                self.found.missing(field, "name");
-                continue;
-            };
+            let Some(name) = field.attribute("name") else { continue };
             self.found.once(name, NameKind::Data, &mut seen);
             match known.get(name.text().as_ref()) {
                 Some(item) => self.known_field(field, name, base, item),
@@ -134,7 +131,7 @@ impl DataCheck<'_> {
     }
 
     fn known_field(&mut self, field: Element<'_>, name: Attribute<'_>, owner: Base, item: &DataItem) {
-        let Shape { container: found, sizes, .. } = shape(field);
+        let Shape { container: found, .. } = shape(field);
         let written = field.value("type").unwrap_or_default();
         let built_in = BaseType::from_file_name(&written).map(|(base, arm)| Base::Builtin(base, arm));
         let same_base = match (built_in, item.base) {
@@ -142,7 +139,7 @@ impl DataCheck<'_> {
             _ => true,
         };
         let same_container = (found == Container::Collection) == (item.decl.container == Container::Collection);
-        if !same_base || !same_container {
+        if (!same_base || !same_container) && attributes::is_plain(field) {
             let kind = ProblemKind::UserFieldType {
                 ty: owner.display(self.db),
                 field: name.text().as_ref().into(),
@@ -152,8 +149,14 @@ impl DataCheck<'_> {
             return self.report(name.range, kind);
         }
         let sound = self.found.size(field);
-        self.values(field, item.base, found, if sound { &sizes } else { &[] });
+        let (container, sizes) = self.container(field, sound);
+        self.values(field, item.base, container, &sizes);
     }
+}
+
+/// The attributes that a value of any type has.
+fn value_attributes() -> &'static [files::Attribute] {
+    files::find(FileKind::Data, VALUE).map_or(&[], |value| value.attributes)
 }
 
 fn brackets_unless_single(container: Container) -> &'static str {

@@ -186,7 +186,7 @@ impl Infer<'_> {
         let Some(interface) = self.interface(id, library) else { return Value::UNKNOWN };
         let items = items(self.db, interface);
         match items.data.get(item) {
-            Some(found) if found.decl.public => data_value(found),
+            Some(found) if found.decl.may_be_public() => data_value(found),
             Some(found) => {
                 let place = declarations::data(self.db, found.file, item.clone());
                 let kind = self.private_item(library, item, NameKind::Data);

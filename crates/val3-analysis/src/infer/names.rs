@@ -34,6 +34,9 @@ pub(super) fn scope<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'
 
 /// A global variable, or a field of a user type.
 pub(super) fn data_value(item: &DataItem) -> Value {
+    if !item.decl.plain {
+        return Value::UNKNOWN;
+    }
     let origin = Origin::Data(item.file, item.decl.name.clone());
     let single = item.decl.sizes == [1];
     let variable = Variable { container: item.decl.container, single, loose: false, origin };

@@ -73,7 +73,7 @@ impl Interfaces<'_> {
 
     fn data(&mut self, pair: &Pair<'_>, wanted: &DataItem, found: &DataItem) {
         let there = declarations::data(self.db, found.file, pair.item.clone());
-        if !found.decl.public {
+        if !found.decl.may_be_public() {
             self.private(pair, there);
         } else if !same_data(wanted, found) {
             self.different(pair, data_line(wanted, pair.item), data_line(found, pair.item), there);

@@ -1,11 +1,12 @@
 //! What a `.dtx` declares: global data, or the fields of a user type.
 
 use smol_str::SmolStr;
+use val3_lang::files::FileKind;
 use val3_lang::types::{BaseType, Container};
 use val3_syntax::TextRange;
 use val3_syntax::view::View;
 
-use super::{flag, is_sound, parse, sizes};
+use super::{attributes, flag, is_sound, parse, sizes};
 use crate::db::{Db, File};
 use crate::xml::{self, Element};
 
@@ -22,6 +23,17 @@ pub struct DataDecl {
     pub sizes: Vec<u32>,
     /// Other projects may use it.
     pub public: bool,
+    /// The file says whether other projects may use it.
+    pub has_access: bool,
+    /// Every attribute that says what it is can be read. Otherwise code may take it for something else.
+    pub plain: bool,
+}
+
+impl DataDecl {
+    /// Other projects may use it, or the file lacks its access: then the fault is reported there alone.
+    pub fn may_be_public(&self) -> bool {
+        self.public || !self.has_access
+    }
 }
 
 /// Reads a `.dtx` of either dialect. Elements without a name are left out.
@@ -69,8 +81,17 @@ pub fn declaration(element: Element<'_>) -> Option<DataDecl> {
 
 fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
     let Shape { type_name, container, sizes } = shape(element);
-    let public = element.value("access").is_some_and(|access| access.trim() != "private");
-    DataDecl { name, type_name, container, sizes, public }
+    let access = element.value("access");
+    let public = access.as_ref().is_some_and(|access| access.trim() != "private");
+    DataDecl {
+        name,
+        type_name,
+        container,
+        sizes,
+        public,
+        has_access: access.is_some(),
+        plain: attributes::is_plain(element),
+    }
 }
 
 /// Type, container and sizes of a `<Data>`, `<Field>`, `<Local>` or `<Parameter>`.
@@ -85,7 +106,7 @@ pub struct Shape {
     pub sizes: Vec<u32>,
 }
 
-/// Reads the attributes that tell what a variable is. They can be left out, all but the type.
+/// Reads the attributes that say what a variable is.
 pub fn shape(element: Element<'_>) -> Shape {
     let (mut type_name, mut collection, mut size, mut readable) = (SmolStr::default(), false, Some(vec![1]), true);
     for attribute in element.attributes() {
@@ -134,6 +155,9 @@ fn old_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
         type_name: element.name().into(),
         container: Container::Array { dims: 1 },
         sizes: vec![size],
-        public: element.value("public").and_then(|text| flag(&text)).unwrap_or(false),
+        public: element.value("public").and_then(|text| flag(&text)).unwrap_or(false)
+            || attributes::has_unknown(FileKind::Data, element),
+        has_access: true,
+        plain: true,
     }
 }

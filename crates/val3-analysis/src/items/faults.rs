@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use val3_syntax::characters::add_control_characters;
 use val3_syntax::error::SyntaxError;
 use val3_syntax::view::View;
 use val3_syntax::{Parse, SyntaxKind, TextRange, TextSize, joined};
@@ -42,7 +43,8 @@ pub struct OddKeyword {
 #[salsa::tracked]
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);
-    let errors = joined(file.text(db), parse.errors());
+    let mut errors = joined(file.text(db), parse.errors());
+    add_control_characters(file.text(db), &mut errors);
     let mut faults = TextFaults { errors, ..TextFaults::default() };
     codes(parse.view(), &mut faults.codes);
     faults.odd_keywords = odd_keywords(&parse, file.text(db));

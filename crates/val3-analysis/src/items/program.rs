@@ -1,12 +1,13 @@
 //! What the header of a `.pgx` declares: the program's name, access, parameters and locals.
 
 use smol_str::SmolStr;
+use val3_lang::files::FileKind;
 use val3_lang::types::Container;
 use val3_syntax::SyntaxKind;
 use val3_syntax::view::View;
 
 use super::data::{Shape, shape};
-use super::{flag, parse};
+use super::{attributes, flag, parse};
 use crate::db::{Db, File, FileStatus};
 use crate::xml::{self, Element};
 
@@ -118,8 +119,9 @@ fn read(file: View<'_>) -> Header {
     let value = |name: &str| program.value(name);
     Header {
         name: value("name").map(SmolStr::from).unwrap_or_default(),
-        // A word that is neither is a fault of its own, told once.
+        // A word that is neither, and an attribute that may be meant as this one, is a fault of its own, reported once.
         public: value("access").is_some_and(|text| text.trim() != "private")
+            || attributes::has_unknown(FileKind::Program, program)
             || value("public").and_then(|text| flag(&text)).unwrap_or(false),
         params: params(program).filter_map(param).collect(),
         locals: locals(program).filter_map(local).collect(),
@@ -129,7 +131,7 @@ fn read(file: View<'_>) -> Header {
 
 fn param(element: Element<'_>) -> Option<ParamDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let type_name = shape(element).type_name;
+    let type_name = plain_shape(element).type_name;
     if let Some(by_value) = element.value("byVal") {
         let by_reference = by_value.trim() == "false";
         let container = if by_reference { Container::Array { dims: 1 } } else { Container::Element };
@@ -148,6 +150,12 @@ fn param(element: Element<'_>) -> Option<ParamDecl> {
 
 fn local(element: Element<'_>) -> Option<LocalDecl> {
     let name = SmolStr::from(element.value("name")?);
-    let Shape { type_name, container, sizes } = shape(element);
+    let Shape { type_name, container, sizes } = plain_shape(element);
     Some(LocalDecl { name, type_name, container, sizes })
+}
+
+/// Nothing is known of the values of a variable whose attributes may be meant as others.
+fn plain_shape(element: Element<'_>) -> Shape {
+    let shape = shape(element);
+    if attributes::is_plain(element) { shape } else { Shape { type_name: SmolStr::default(), ..shape } }
 }

@@ -286,6 +286,22 @@ pub enum ProblemKind {
         /// The reason, as the system words it.
         reason: SmolStr,
     },
+    /// A path with backslashes.
+    PathSeparator {
+        /// The path as written.
+        path: SmolStr,
+    },
+    /// The path of a library or type whose root stands for no folder that is known here.
+    UnresolvedPath {
+        /// What it should lead to.
+        what: FileRole,
+        /// The path as written.
+        path: SmolStr,
+        /// The root: `Disk`, `USB0`.
+        root: SmolStr,
+        /// The root that was probably meant.
+        near: Option<SmolStr>,
+    },
     /// The text is not in the declared encoding, or was read in another one.
     Encoding(EncodingFault),
     /// A file named twice in the project, or a library identifier or type declared twice.
@@ -308,6 +324,35 @@ pub enum ProblemKind {
         element: SmolStr,
         /// The attribute.
         attribute: SmolStr,
+        /// The value that is assumed instead, where there is one.
+        default: Option<SmolStr>,
+        /// The unknown attribute that was probably meant to be it.
+        written: Option<SmolStr>,
+    },
+    /// An attribute that the element does not have.
+    UnknownAttribute {
+        /// The element.
+        element: SmolStr,
+        /// The attribute.
+        attribute: SmolStr,
+        /// The most similar attribute that is not there.
+        near: Option<SmolStr>,
+    },
+    /// A required element is missing.
+    MissingElement {
+        /// The element around it.
+        parent: SmolStr,
+        /// The element that is missing.
+        element: SmolStr,
+    },
+    /// The root, or a part with a namespace of its own, is in another namespace than that of its kind of file.
+    Namespace {
+        /// The element.
+        element: SmolStr,
+        /// The namespace found.
+        found: SmolStr,
+        /// The namespace of this element.
+        expected: SmolStr,
     },
     /// An attribute with a value that it cannot have.
     InvalidAttribute {

@@ -71,6 +71,7 @@ fn roots_lead_to_libraries() {
     expect![[r#"
         /w/main/main.pjx: s7.0 None on /w/content
         w/main/main.pjx:1 `usb0://missing` FileMissing { what: Library, path: "usb0://missing" }
+        w/main/main.pjx:1 `USB1://other` UnresolvedPath { what: Library, path: "USB1://other", root: "USB1", near: None }
     "#]]
     .assert_eq(&shown(&applications, &files, "/w/main"));
 }

@@ -109,7 +109,7 @@ fn keys() {
         main/main.dtx:2 `2,0` KeyOutOfRange { key: "2,0", size: "2 x 3" }
         main/main.dtx:2 `1,3` KeyOutOfRange { key: "1,3", size: "2 x 3" }
         main/main.dtx:2 `1` InvalidKey { key: "1", dims: 2 }
-        main/main.dtx:2 `Value` MissingAttribute { element: "Value", attribute: "key" }
+        main/main.dtx:2 `Value` MissingAttribute { element: "Value", attribute: "key", default: None, written: None }
     "#]]
     .assert_eq(&faulty.concat());
 }
@@ -151,6 +151,8 @@ fn declarations() {
 "#;
     expect![[r#"
         main/main.dtx:15 `Value` UnexpectedElement { name: "Value", parent: "Datas" }
+        main/main.dtx:13 `Data` MissingAttribute { element: "Data", attribute: "type", default: None, written: None }
+        main/main.dtx:14 `Data` MissingAttribute { element: "Data", attribute: "name", default: None, written: None }
         main/main.dtx:3 `1a` InvalidName { name: "1a" }
         main/main.dtx:4 `sixteen_letters_` NameTooLong { name: "sixteen_letters_", limit: 15 }
         main/main.dtx:5 `endIf` ReservedName { name: "endIf" }
@@ -161,8 +163,6 @@ fn declarations() {
         main/main.dtx:10 `nmu` UnknownType { name: "nmu", near: Some("num") }
         main/main.dtx:11 `Slto` UnknownType { name: "Slto", near: Some("Slot") }
         main/main.dtx:12 `0` InvalidSize { size: "0" }
-        main/main.dtx:13 `Data` MissingAttribute { element: "Data", attribute: "type" }
-        main/main.dtx:14 `Data` MissingAttribute { element: "Data", attribute: "name" }
         main/main.dtx:16 `Valu` UnexpectedElement { name: "Valu", parent: "Data" }
     "#]].assert_eq(&datas(faulty));
 }
@@ -198,7 +198,7 @@ fn values_of_user_types() {
         main/main.dtx:2 `nCount` UserFieldType { ty: "Slot", field: "nCount", expected: "num", found: "num[\"\"]" }
         main/main.dtx:2 `nByName` UserFieldType { ty: "Slot", field: "nByName", expected: "num[\"\"]", found: "num" }
         main/main.dtx:2 `0` InvalidSize { size: "0" }
-        main/main.dtx:2 `Field` MissingAttribute { element: "Field", attribute: "name" }
+        main/main.dtx:2 `Field` MissingAttribute { element: "Field", attribute: "name", default: None, written: None }
         main/main.dtx:2 `Value` UnexpectedElement { name: "Value", parent: "Value" }
     "#]]
     .assert_eq(&faulty.concat());

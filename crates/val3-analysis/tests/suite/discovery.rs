@@ -102,6 +102,7 @@ fn roots_without_usrapp() {
     let lost = disk(&[("/repo/a", &["Disk://gone"])]);
     expect![[r#"
         /repo/a/a.pjx on ?
+        repo/a/a.pjx:1 `Disk://gone` UnresolvedPath { what: Library, path: "Disk://gone", root: "Disk", near: None }
     "#]]
     .assert_eq(&found(&lost, "/repo"));
     let relative = disk(&[

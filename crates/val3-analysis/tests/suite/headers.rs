@@ -24,7 +24,7 @@ fn heads() {
         program(r#"name="run""#, "<Parameter />"),
     ];
     expect![[r#"
-        main/run.pgx:2 `Program` MissingAttribute { element: "Program", attribute: "name" }
+        main/run.pgx:2 `Program` MissingAttribute { element: "Program", attribute: "name", default: None, written: None }
         main/run.pgx:2 `runs` ProgramNameMismatch { program: "runs", file: "run" }
         main/run.pgx:2 `r-n` InvalidName { name: "r-n" }
         main/run.pgx:2 `Public` InvalidAttribute { element: "Program", attribute: "access", value: "Public", expected: "`public` or `private`" }
@@ -55,14 +55,14 @@ fn parameters_and_locals() {
 <Local name="while" type="num" size="1" />
 </Locals>"#;
     expect![[r#"
+        main/run.pgx:5 `Parameter` MissingAttribute { element: "Parameter", attribute: "name", default: None, written: None }
+        main/run.pgx:6 `Parameter` MissingAttribute { element: "Parameter", attribute: "type", default: None, written: None }
         main/run.pgx:7 `Param` UnexpectedElement { name: "Param", parent: "Parameters" }
         main/run.pgx:3 `elem` InvalidAttribute { element: "Parameter", attribute: "xsi:type", value: "elem", expected: "`element`, `array` or `collection`" }
         main/run.pgx:3 `ref` InvalidAttribute { element: "Parameter", attribute: "use", value: "ref", expected: "`value` or `reference`" }
         main/run.pgx:3 `4` InvalidAttribute { element: "Parameter", attribute: "dimensions", value: "4", expected: "`1`, `2` or `3`" }
         main/run.pgx:4 `x_a` DuplicateName { name: "x_a", what: Parameter }
             First main/run.pgx:3 `x_a`
-        main/run.pgx:5 `Parameter` MissingAttribute { element: "Parameter", attribute: "name" }
-        main/run.pgx:6 `Parameter` MissingAttribute { element: "Parameter", attribute: "type" }
         main/run.pgx:9 `x_b` DuplicateName { name: "x_b", what: Local }
             First main/run.pgx:6 `x_b`
         main/run.pgx:10 `number` UnknownType { name: "number", near: None }
@@ -81,7 +81,7 @@ fn files_that_are_no_programs() {
     };
     expect![[r#"
         main/run.pgx:1 `Database` WrongRoot { expected: Program, found: "Database" }
-        main/run.pgx:1 `Programs` MissingAttribute { element: "Programs", attribute: "Program" }
+        main/run.pgx:1 `Programs` MissingElement { parent: "Programs", element: "Program" }
     "#]]
     .assert_eq(&(file("<Database />") + &file("<Programs />") + &file("")));
 }

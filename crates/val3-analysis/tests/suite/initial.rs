@@ -61,7 +61,7 @@ fn the_new_dialect() {
 
 #[test]
 fn the_old_dialect() {
-    let data = r#"<dataList xmlns="ProjectSchema">
+    let data = r#"<dataList xmlns="DataNameSpace">
   <mdescSection>
     <mdesc name="mA" public="false">
       <valueMdesc index="0"><mdescValue accel="100" vel="100" blend="off" leave="1" reach="1" /></valueMdesc>

@@ -5,6 +5,7 @@ mod show;
 
 mod application;
 mod arguments;
+mod attributes;
 mod calls;
 mod configuration;
 mod data;

@@ -16,8 +16,7 @@ fn entries() {
     let fine = r#"<Parameters version="s7.11.3" stackSize="5000" millimeterUnit="true" />
 <Programs><Program file="RUN.pgx" /></Programs>
 <Database><Data file="main.dtx" /></Database>
-<Libraries><Library alias="part" path="Disk://Part/PART.pjx" autoload="false" password="" />
-<Library alias="usb" path="USB0://any/any.pjx" /></Libraries>
+<Libraries><Library alias="part" path="Disk://Part/PART.pjx" autoload="false" password="" /></Libraries>
 <Types><Type name="Part" path="../part" /></Types>"#;
     assert_eq!(project(fine), "");
     let faulty = r#"<Parameters version="version 7" />
@@ -29,20 +28,20 @@ fn entries() {
 <Types><Type name="Part" path="./nowhere" /></Types>
 <Other />"#;
     expect![[r#"
+        main/main.pjx:3 `Program` MissingAttribute { element: "Program", attribute: "file", default: None, written: None }
+        main/main.pjx:6 `Library` MissingAttribute { element: "Library", attribute: "alias", default: None, written: None }
+        main/main.pjx:6 `Library` MissingAttribute { element: "Library", attribute: "path", default: None, written: None }
         main/main.pjx:3 `Data` UnexpectedElement { name: "Data", parent: "Programs" }
         main/main.pjx:9 `Other` UnexpectedElement { name: "Other", parent: "Project" }
         main/main.pjx:2 `version 7` InvalidAttribute { element: "Parameters", attribute: "version", value: "version 7", expected: "a version such as `s7.11.3`" }
         main/main.pjx:3 `Run.pgx` DuplicateEntry { what: Program, name: "Run.pgx" }
             First main/main.pjx:3 `run.pgx`
         main/main.pjx:3 `rum.pgx` FileMissing { what: Program, path: "rum.pgx" }
-        main/main.pjx:3 `Program` MissingAttribute { element: "Program", attribute: "file" }
         main/main.pjx:4 `other.dtx` FileMissing { what: Data, path: "other.dtx" }
         main/main.pjx:5 `no` InvalidAttribute { element: "Library", attribute: "autoload", value: "no", expected: "`true` or `false`" }
         main/main.pjx:5 `part` DuplicateEntry { what: Library, name: "part" }
             First main/main.pjx:5 `part`
         main/main.pjx:6 `a b` InvalidName { name: "a b" }
-        main/main.pjx:6 `Library` MissingAttribute { element: "Library", attribute: "alias" }
-        main/main.pjx:6 `Library` MissingAttribute { element: "Library", attribute: "path" }
         main/main.pjx:6 `Disk://nowhere` FileMissing { what: Library, path: "Disk://nowhere" }
         main/main.pjx:8 `./nowhere` FileMissing { what: Type, path: "./nowhere" }
     "#]].assert_eq(&project(faulty));

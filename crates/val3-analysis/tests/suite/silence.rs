@@ -55,7 +55,7 @@ fn a_library_without_its_alias() {
 <Libraries><Library path="Disk://part/part.pjx" /></Libraries>
 <Types><Type name="Slot" path="Disk://Slot/Slot.pjx" /></Types></Project>"#;
     expect![[r#"
-        main/main.pjx:3 `Library` MissingAttribute { element: "Library", attribute: "alias" }
+        main/main.pjx:3 `Library` MissingAttribute { element: "Library", attribute: "alias", default: None, written: None }
     "#]]
     .assert_eq(&with("main/main.pjx", text));
 }
@@ -67,7 +67,7 @@ fn a_type_without_its_name() {
 <Libraries><Library alias="part" path="Disk://part/part.pjx" /></Libraries>
 <Types><Type path="Disk://Slot/Slot.pjx" /></Types></Project>"#;
     expect![[r#"
-        main/main.pjx:4 `Type` MissingAttribute { element: "Type", attribute: "name" }
+        main/main.pjx:4 `Type` MissingAttribute { element: "Type", attribute: "name", default: None, written: None }
     "#]]
     .assert_eq(&with("main/main.pjx", text));
 }

@@ -6,9 +6,10 @@ use val3_syntax::error::SyntaxErrorKind;
 use super::{Site, rename};
 use crate::diagnostic::Fix;
 use crate::rules::{
-    assignment_in_expression, comment_after_code, duplicate_entry, father_missing, foreign_spelling, missing_begin_end,
-    missing_break, no_effect, program_name_mismatch, unclosed_block, unclosed_bracket, unknown_instruction,
-    unknown_program, unmatched_bracket, xml_text,
+    assignment_in_expression, comment_after_code, control_character, duplicate_entry, father_missing, foreign_spelling,
+    missing_attribute, missing_begin_end, missing_break, namespace, no_effect, path_separator, program_name_mismatch,
+    unclosed_block, unclosed_bracket, unknown_instruction, unknown_program, unmatched_bracket, unresolved_path,
+    xml_text,
 };
 
 /// The fix of a fault of the text.
@@ -26,6 +27,7 @@ pub(crate) fn of_syntax(kind: &SyntaxErrorKind, site: &Site<'_>) -> Option<Fix> 
         Kind::MissingBreak => missing_break::fix(site),
         Kind::AssignmentInExpression => assignment_in_expression::fix(site),
         Kind::CommentAfterCode => comment_after_code::fix(site),
+        Kind::ControlCharacter { .. } => control_character::fix(site),
         Kind::ForeignSpelling { instead, .. } => foreign_spelling::fix(site, instead),
         _ => None,
     }
@@ -42,6 +44,13 @@ pub(crate) fn of_problem(kind: &ProblemKind, site: &Site<'_>) -> Option<Fix> {
         Kind::UnknownType { name, near } => rename(site, name, near.as_deref()),
         Kind::UnknownField { field, near, .. } => rename(site, field, near.as_deref()),
         Kind::NoEffect => no_effect::fix(site),
+        Kind::MissingAttribute { attribute, written, .. } => {
+            missing_attribute::fix(site, attribute, written.as_deref())
+        }
+        Kind::UnknownAttribute { attribute, near, .. } => rename(site, attribute, near.as_deref()),
+        Kind::Namespace { expected, .. } => namespace::fix(site, expected),
+        Kind::PathSeparator { path } => path_separator::fix(site, path),
+        Kind::UnresolvedPath { root, near, .. } => unresolved_path::fix(site, root, near.as_deref()),
         Kind::DuplicateEntry { what, .. } => duplicate_entry::fix(site, *what),
         Kind::ProgramNameMismatch { program, file } => program_name_mismatch::fix(site, program, file),
         Kind::UnknownValueAttribute { attribute, near, .. } => rename(site, attribute, near.as_deref()),

@@ -134,7 +134,7 @@ mod tests {
         let data = |father: &str| {
             format!(
                 "movel(pX,flange,mX)\n\n=== main/main.dtx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<dataList \
-                 xmlns=\"ProjectSchema\">\n  <mdescSection>\n    <mdesc name=\"mX\" public=\"false\" />\n  \
+                 xmlns=\"DataNameSpace\">\n  <mdescSection>\n    <mdesc name=\"mX\" public=\"false\" />\n  \
                  </mdescSection>\n  <pointSection>\n    <point name=\"pX\" public=\"false\">\n      \
                  <pFather alias=\"\" name=\"{father}\" fatherIndex=\"0\" />\n      <valuePoint index=\"0\">\n        \
                  <tpValue x=\"1\" y=\"0\" z=\"0\" rx=\"0\" ry=\"0\" rz=\"0\" />\n      </valuePoint>\n    \

@@ -1,6 +1,10 @@
 //! V0505: an element without an attribute that it needs.
 
-use crate::{diagnostic::Wording, rule::rule};
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::{Site, rename},
+    rule::rule,
+};
 
 rule! {
     /// An element lacks an attribute that it cannot do without.
@@ -8,6 +12,10 @@ rule! {
     /// ## Why
     /// The attributes say what an element declares: without `name` a variable has no name, without `file` an entry
     /// of the project leads nowhere. The controller reports the file as faulty and does not load the application.
+    ///
+    /// Without `size`, `access` or the kind of container a variable is no longer what the code takes it for. This is
+    /// a warning: the controller and all known tools write these attributes, and no source says what a controller
+    /// does without them. Nothing else is said of a variable that is declared so.
     ///
     /// ## Bad
     /// ```val3
@@ -37,13 +45,19 @@ rule! {
     V0505 "missing-attribute" Error
 }
 
-/// Words the finding.
-pub(crate) fn word(element: &str, attribute: &str) -> Wording {
-    Wording::new(
-        format!("the element `{element}` needs the attribute `{attribute}`"),
-        format!("`{attribute}` is missing"),
-        "",
-    )
+/// Words the finding. `written` is the unknown attribute that was probably meant.
+pub(crate) fn word(element: &str, attribute: &str, default: Option<&str>, written: Option<&str>) -> Wording {
+    let label = match default {
+        Some(default) => format!("`{attribute}` is missing: `{default}` is assumed"),
+        None => format!("`{attribute}` is missing"),
+    };
+    let help = written.map(|written| format!("did you mean `{attribute}` where `{written}` is written?"));
+    Wording::new(format!("the element `{element}` needs the attribute `{attribute}`"), label, help.unwrap_or_default())
+}
+
+/// Writes the attribute in place of the one that was probably meant as it.
+pub(crate) fn fix(site: &Site<'_>, attribute: &str, written: Option<&str>) -> Option<Fix> {
+    rename(site, written?, Some(attribute))
 }
 
 #[cfg(test)]
@@ -58,6 +72,16 @@ mod tests {
             the element `Data` needs the attribute `type`
             | `type` is missing
         "#]]
-        .assert_eq(&word("Data", "type").to_string());
+        .assert_eq(&word("Data", "type", None, None).to_string());
+    }
+
+    #[test]
+    fn the_default_is_shown() {
+        expect![[r#"
+            the element `Data` needs the attribute `size`
+            | `size` is missing: `1` is assumed
+            ? did you mean `size` where `szie` is written?
+        "#]]
+        .assert_eq(&word("Data", "size", Some("1"), Some("szie")).to_string());
     }
 }

@@ -92,7 +92,7 @@ mod tests {
 
     #[test]
     fn the_old_dialect() {
-        let old = "cls()\n=== main/main.dtx\n<dataList xmlns=\"x\"><mdescSection>\n\
+        let old = "cls()\n=== main/main.dtx\n<dataList xmlns=\"DataNameSpace\"><mdescSection>\n\
                    <mdesc name=\"m\" public=\"false\" size=\"1\"><valueMdesc index=\"0\">\n\
                    <mdescValue accel=\"100\" vel=\"-1\" /></valueMdesc></mdesc>\n</mdescSection></dataList>\n";
         assert!(check(&RULE, old).contains("`vel` of a motion descriptor cannot be -1"));

@@ -65,8 +65,7 @@ mod tests {
     use crate::lint::testing::check;
 
     fn data(ty: &str, values: &str) -> String {
-        let project =
-            "<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Database><Data file=\"a.dtx\"/></Database></Project>";
+        let project = "<Project><Parameters version=\"s7.11\"/><Database><Data file=\"a.dtx\"/></Database></Project>";
         let value =
             format!("<Data name=\"xA\" access=\"public\" xsi:type=\"array\" type=\"{ty}\" size=\"2\">{values}</Data>");
         check(

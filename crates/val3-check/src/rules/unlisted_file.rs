@@ -103,14 +103,13 @@ mod tests {
 
     fn project(programs: &str, files: &[&str]) -> String {
         let parts = [
-            "<Project xmlns=\"x\"><Parameters version=\"s8.20\"/>",
+            "<Project><Parameters version=\"s8.20\"/>",
             programs,
             "<Database><Data file=\"a.dtx\"/></Database></Project>",
         ];
         let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
         let files: String = files.iter().map(|name| format!("=== a/{name}\n{program}\n")).collect();
-        let listing =
-            format!("=== a/a.pjx\n{}\n=== a/a.dtx\n<Database xmlns=\"y\"><Datas/></Database>\n{files}", parts.concat());
+        let listing = format!("=== a/a.pjx\n{}\n=== a/a.dtx\n<Database><Datas/></Database>\n{files}", parts.concat());
         check(&RULE, &listing)
     }
 

@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn a_father_is_used() {
-        let listing = "=== a/a.pjx\n<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Programs><Program file=\"start.pgx\"/></Programs>\
+        let listing = "=== a/a.pjx\n<Project><Parameters version=\"s7.11\"/><Programs><Program file=\"start.pgx\"/></Programs>\
                        <Database><Data file=\"a.dtx\"/></Database></Project>\n=== a/start.pgx\n\
                        <Programs><Program name=\"start\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>\n\
                        === a/a.dtx\n<Database xmlns:xsi=\"y\"><Datas>\n\

@@ -87,7 +87,7 @@ mod tests {
     fn sub_folders() {
         let project = |version: &str, file: &str| {
             let programs = format!("<Programs><Program file=\"{file}\"/></Programs>");
-            let project = format!("<Project xmlns=\"x\">\n<Parameters version=\"{version}\"/>\n{programs}\n</Project>");
+            let project = format!("<Project>\n<Parameters version=\"{version}\"/>\n{programs}\n</Project>");
             let program = "<Programs><Program name=\"p\"><Code><![CDATA[begin\nend]]></Code></Program></Programs>";
             check(&RULE, &format!("=== a/a.pjx\n{project}\n=== a/{file}\n{program}"))
         };

@@ -105,6 +105,7 @@ fn findings_about_other_files_stay() {
         "num nA\n//val3: allow-program(V0104)\nnA=1\n=== main/main.dtx\n<Database><Datas><Data/></Datas></Database>\n",
         expect![[r#"
         V0505 the element `Data` needs the attribute `name`
+        V0505 the element `Data` needs the attribute `type`
         V0702 `V0104` is not found in this program
     "#]],
     );

@@ -2,6 +2,8 @@
 
 use std::borrow::Cow;
 
+use crate::characters::is_allowed;
+
 /// The character that the reference at the start of `text` stands for, and the length of the reference.
 /// `None` where `text` starts with no reference that XML itself defines.
 pub fn resolve(text: &str) -> Option<(char, usize)> {
@@ -27,7 +29,7 @@ fn numeric(name: &str) -> Option<char> {
     };
     // A sign, which Rust takes, is none of XML's digits.
     let code = u32::from_str_radix(digits, radix).ok().filter(|_| !digits.starts_with('+'))?;
-    char::from_u32(code).filter(|character| *character != '\0')
+    char::from_u32(code).filter(|character| is_allowed(*character))
 }
 
 /// `text` with every reference replaced by its character; what is no reference stays.
@@ -63,6 +65,7 @@ mod tests {
         assert_eq!(resolve("&#+65;"), None);
         assert_eq!(resolve("&#;"), None);
         assert_eq!(resolve("&#0;"), None);
+        assert_eq!(resolve("&#x1;"), None);
     }
 
     #[test]

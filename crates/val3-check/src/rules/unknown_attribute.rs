@@ -1,0 +1,80 @@
+//! V0535: an attribute that the element does not have.
+
+use crate::{diagnostic::Wording, phrase::did_you_mean, rule::rule};
+
+rule! {
+    /// An element has an attribute that the file format does not know.
+    ///
+    /// ## Why
+    /// The attribute sets nothing. If it is misspelt, what was meant keeps its default: a program with `acces="public"`
+    /// is private, and libraries that call it fail. Letter case counts.
+    ///
+    /// A misspelt attribute that the element needs is reported by `V0505`, and an attribute of a value that
+    /// does not belong to its type by `V0511`.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// call run()
+    ///
+    /// === main/run.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="run" acces="public">
+    ///     <Code><![CDATA[begin
+    ///   putln("ready")
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// call run()
+    ///
+    /// === main/run.pgx
+    /// <?xml version="1.0" encoding="utf-8"?>
+    /// <Programs xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+    ///   <Program name="run" access="public">
+    ///     <Code><![CDATA[begin
+    ///   putln("ready")
+    /// end]]></Code>
+    ///   </Program>
+    /// </Programs>
+    /// ```
+    V0535 "unknown-attribute" Warning
+}
+
+/// Words the finding.
+pub(crate) fn word(element: &str, attribute: &str, near: Option<&str>) -> Wording {
+    Wording::new(
+        format!("the element `{element}` has no attribute `{attribute}`"),
+        "it sets nothing",
+        did_you_mean(near),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_near_miss() {
+        expect![[r#"
+            the element `Program` has no attribute `acces`
+            | it sets nothing
+            ? did you mean `access`?
+        "#]]
+        .assert_eq(&word("Program", "acces", Some("access")).to_string());
+    }
+
+    #[test]
+    fn an_unknown_attribute() {
+        expect![[r#"
+            the element `Data` has no attribute `colour`
+            | it sets nothing
+        "#]]
+        .assert_eq(&word("Data", "colour", None).to_string());
+    }
+}

@@ -1,0 +1,110 @@
+//! V0608: a path to a library that cannot be followed here.
+
+use val3_analysis::problem::FileRole;
+use val3_syntax::{TextRange, TextSize};
+
+use crate::{
+    diagnostic::{Fix, Wording},
+    fix::Site,
+    phrase::{did_you_mean_or, file_role},
+    rule::rule,
+};
+
+rule! {
+    /// The path of a library or user type starts with a root that stands for no folder known here.
+    ///
+    /// ## Why
+    /// What cannot be found is not checked: every call and every name that goes through the library identifier
+    /// passes. This is said once, where the path is written.
+    ///
+    /// - A root that resembles one of the controller's (`Disc` for `Disk`) is most likely a slip: a warning.
+    /// - Any other root may be a medium (`USB0`) or the name of a connection: information. The setting `roots` of
+    ///   `val3.toml` names the folder with its content.
+    /// - `Disk`, which is also the root of a path without one, stands for the folder `usrapp`. If the project is not
+    ///   in such a folder and the path leads nowhere from the folders above, the library is not part of what is checked:
+    ///   information. The setting `disk` of `val3.toml` names the folder.
+    ///
+    /// ## Bad
+    /// ```val3
+    /// library part "Disc://part/part.pjx"
+    /// call part:init()
+    ///
+    /// --- part
+    /// public program init()
+    /// begin
+    ///   putln("part")
+    /// end
+    /// ```
+    ///
+    /// ## Good
+    /// ```val3
+    /// library part "Disk://part/part.pjx"
+    /// call part:init()
+    ///
+    /// --- part
+    /// public program init()
+    /// begin
+    ///   putln("part")
+    /// end
+    /// ```
+    V0608 "unresolved-path" Warning
+}
+
+/// Words the finding.
+pub(crate) fn word(what: FileRole, path: &str, root: &str, near: Option<&str>) -> Wording {
+    let advice = if root.eq_ignore_ascii_case("Disk") {
+        "check the whole folder `usrapp`, or name it with `disk` in `val3.toml`".to_owned()
+    } else {
+        format!("name the folder of `{root}` with `roots` in `val3.toml`")
+    };
+    Wording::new(
+        format!("the {} `{path}` cannot be found: no folder is known for `{root}://`", file_role(what)),
+        "what is used of it is not checked",
+        did_you_mean_or(near, &advice),
+    )
+}
+
+/// Writes the root that was probably meant.
+pub(crate) fn fix(site: &Site<'_>, root: &str, near: Option<&str>) -> Option<Fix> {
+    let near = near?;
+    let at = site.text().find(root)?;
+    let start = site.range.start() + TextSize::try_from(at).ok()?;
+    Some(Fix::guess(format!("write `{near}`"), vec![site.replace(TextRange::at(start, TextSize::of(root)), near)]))
+}
+
+#[cfg(test)]
+mod tests {
+    use expect_test::expect;
+
+    use super::*;
+
+    #[test]
+    fn a_misspelt_root() {
+        expect![[r#"
+            the library `Disc://part` cannot be found: no folder is known for `Disc://`
+            | what is used of it is not checked
+            ? did you mean `Disk`?
+        "#]]
+        .assert_eq(&word(FileRole::Library, "Disc://part", "Disc", Some("Disk")).to_string());
+    }
+
+    #[test]
+    fn no_usrapp() {
+        expect![[r#"
+            the user type `Slot` cannot be found: no folder is known for `Disk://`
+            | what is used of it is not checked
+            ? check the whole folder `usrapp`, or name it with `disk` in `val3.toml`
+        "#]]
+        .assert_eq(&word(FileRole::Type, "Slot", "Disk", None).to_string());
+    }
+
+    #[test]
+    fn another_medium() {
+        expect![[r#"
+            the library `USB0://part` cannot be found: no folder is known for `USB0://`
+            | what is used of it is not checked
+            ? name the folder of `USB0` with `roots` in `val3.toml`
+        "#]]
+        .assert_eq(&word(FileRole::Library, "USB0://part", "USB0", None).to_string());
+    }
+}
