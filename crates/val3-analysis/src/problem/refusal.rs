@@ -49,7 +49,8 @@ impl ProblemKind {
             | Self::FileUnreadable { .. }
             | Self::DuplicateEntry { .. }
             | Self::WrongRoot { .. }
-            | Self::MissingAttribute { .. }
+            | Self::MissingElement { .. }
+            | Self::Namespace { .. }
             | Self::InvalidAttribute { .. }
             | Self::InvalidValue { .. }
             | Self::KeyOutOfRange { .. }
@@ -61,19 +62,25 @@ impl ProblemKind {
             | Self::FatherKind { .. }
             | Self::FatherCircle { .. }
             | Self::FatherInLibrary { .. }
+            | Self::FatherHidden { .. }
             | Self::FatherIndex { .. }
             | Self::IoLinkKind { .. }
             | Self::LibraryCircle { .. }
             | Self::LibraryItemUnknown { .. }
-            | Self::LibraryItemPrivate { .. } => true,
+            | Self::LibraryItemPrivate { .. }
+            | Self::LibraryLeftOut { .. } => true,
+            Self::MissingAttribute { default, .. } => default.is_none(),
             // What a missing library or user type provides is missing when a line uses it.
             Self::FileMissing { what, .. } => !matches!(what, FileRole::Library | FileRole::Type),
             // Controllers load these. A CS9 accepts long names whatever the version says.
             Self::NameTooLong { .. }
-            | Self::Encoding
+            | Self::Encoding(_)
             | Self::UnexpectedElement { .. }
             | Self::ProgramNameMismatch { .. }
+            | Self::UnknownAttribute { .. }
             | Self::UnknownValueAttribute { .. }
+            | Self::PathSeparator { .. }
+            | Self::UnresolvedPath { .. }
             | Self::UnknownUserField { .. }
             | Self::IoLinkUnknown { .. } => false,
             // The task that comes to such a line meets an error or a return code.
