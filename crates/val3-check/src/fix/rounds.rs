@@ -175,12 +175,22 @@ impl<T: FixTarget> Round<'_, T> {
                 continue;
             }
             self.undo(&attempt);
-            if group.len() == 1 {
-                refused += 1;
-            } else {
-                let (suspects, others) = self.divide(group, &attempt.faulty);
-                open.extend([suspects, others]);
+            let is_alone = group.len() == 1;
+            let (suspects, mut others): (Vec<&Fix>, Vec<&Fix>) =
+                group.into_iter().partition(|fix| is_alone || self.edits_one_of(fix, &attempt.faulty));
+            if suspects.is_empty() {
+                let second = others.split_off(others.len() / 2);
+                open.extend([second, others]);
+                continue;
             }
+            let (first, second) = halves_of_files(suspects);
+            if second.is_empty() {
+                // Each file with new errors has one fix.
+                refused += first.len();
+            } else {
+                open.extend([second, first]);
+            }
+            open.push(others);
         }
         if let Some(best) = &best {
             set_texts(self.target, &best.changes);
@@ -229,22 +239,26 @@ impl<T: FixTarget> Round<'_, T> {
         self.target.set_texts(back.map(|change| (change.path.as_path(), &change.before)));
     }
 
-    /// Those that edit a file with new errors, and the others; two halves where that makes no difference.
-    fn divide<'f>(&self, fixes: Vec<&'f Fix>, faulty: &FxHashSet<Utf8PathBuf>) -> (Vec<&'f Fix>, Vec<&'f Fix>) {
-        let is_faulty = |file: &File| self.files.get(file).is_some_and(|fixed| faulty.contains(&fixed.path));
-        let is_suspect = |fix: &&Fix| fix.edits.iter().any(|edit| is_faulty(&edit.place.file));
-        let (suspects, others): (Vec<_>, Vec<_>) = fixes.into_iter().partition(is_suspect);
-        match (suspects.is_empty(), others.is_empty()) {
-            (false, false) => (suspects, others),
-            (true, _) => halves(others),
-            (_, true) => halves(suspects),
-        }
+    fn edits_one_of(&self, fix: &Fix, files: &FxHashSet<Utf8PathBuf>) -> bool {
+        let edited = fix.edits.iter().filter_map(|edit| self.files.get(&edit.place.file));
+        edited.into_iter().any(|file| files.contains(&file.path))
     }
 }
 
-/// The second half and the first, which is tried before it.
-fn halves<T>(mut all: Vec<T>) -> (Vec<T>, Vec<T>) {
-    (all.split_off(all.len() / 2), all)
+/// The first half of the fixes of each file, and the second, which is empty where each file has one fix.
+fn halves_of_files(fixes: Vec<&Fix>) -> (Vec<&Fix>, Vec<&Fix>) {
+    let file = |fix: &Fix| fix.edits.first().map(|edit| edit.place.file);
+    let mut counts: FxHashMap<Option<File>, usize> = FxHashMap::default();
+    for fix in &fixes {
+        *counts.entry(file(fix)).or_default() += 1;
+    }
+    counts.values_mut().for_each(|count| *count = count.div_ceil(2));
+    fixes.into_iter().partition(|fix| {
+        let left = counts.entry(file(fix)).or_default();
+        let is_first = *left > 0;
+        *left = left.saturating_sub(1);
+        is_first
+    })
 }
 
 fn set_texts<T: FixTarget>(target: &mut T, changes: &[FixedFile]) {

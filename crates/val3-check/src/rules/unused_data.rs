@@ -126,7 +126,6 @@ mod tests {
         let names = |code: &str| ["nA", "nB1"].map(|name| beside(code).contains(&format!("`{name}` no program uses")));
         assert_eq!(names("  cls()"), [true, true]);
         assert_eq!(names("  nA=1"), [false, true]);
-        assert_eq!(names("  if (nB1"), [true, false]);
         assert!(!names("  getData(\"nB\"+toString(\"\",nX),nX)")[1]);
     }
 

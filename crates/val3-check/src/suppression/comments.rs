@@ -128,7 +128,10 @@ mod tests {
 
     #[test]
     fn lines_and_programs() {
-        check(str::to_owned, LISTING, expect![[r#"
+        check(
+            str::to_owned,
+            LISTING,
+            expect![[r#"
             <![CDATA[begin
               // TODO
               //val3: allow(V0101)
@@ -139,8 +142,12 @@ mod tests {
             //val3: allow(V0101)
               nC=nD==2
               nC=1
-            end]]>"#]]);
-        check(|text| text.replace('\n', "\r\n"), LISTING, expect![[r#"
+            end]]>"#]],
+        );
+        check(
+            |text| text.replace('\n', "\r\n"),
+            LISTING,
+            expect![[r#"
             <![CDATA[begin␍
               // TODO␍
               //val3: allow(V0101)␍
@@ -151,6 +158,7 @@ mod tests {
             //val3: allow(V0101)␍
               nC=nD==2␍
               nC=1␍
-            end]]>"#]]);
+            end]]>"#]],
+        );
     }
 }
