@@ -117,15 +117,21 @@ mod tests {
         assert_eq!(check(&RULE, "num nA"), "");
     }
 
+    /// A project that lists one program.
+    const PROJECT: &str = "=== main/main.pjx\n<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Programs>\
+                           <Program file=\"start.pgx\"/></Programs><Database><Data file=\"main.dtx\"/></Database>\
+                           </Project>\n";
+
     #[test]
     fn programs_that_are_not_listed_use_data() {
         let beside = |code: &str| {
             let program = format!("<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
-            check(&RULE, &format!("num nA\nnum nB1\nprogram start()\nbegin\nend\n=== main/q.pgx\n{program}\n"))
+            check(&RULE, &format!("num nA\nnum nB1\nprogram start()\nbegin\nend\n=== main/q.pgx\n{program}\n{PROJECT}"))
         };
         let names = |code: &str| ["nA", "nB1"].map(|name| beside(code).contains(&format!("`{name}` no program uses")));
         assert_eq!(names("  cls()"), [true, true]);
         assert_eq!(names("  nA=1"), [false, true]);
+        assert_eq!(names("  if (nB1"), [true, false]);
         assert!(!names("  getData(\"nB\"+toString(\"\",nX),nX)")[1]);
     }
 

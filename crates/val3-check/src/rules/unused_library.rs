@@ -88,12 +88,17 @@ mod tests {
         .assert_eq(&library("cls()"));
     }
 
+    /// A project that lists one program and the library.
+    const PROJECT: &str = "=== main/main.pjx\n<Project xmlns=\"x\"><Parameters version=\"s7.11\"/><Programs>\
+                           <Program file=\"start.pgx\"/></Programs><Database><Data file=\"main.dtx\"/></Database>\
+                           <Libraries><Library alias=\"part\" path=\"Disk://part/part.pjx\"/></Libraries></Project>\n";
+
     #[test]
     fn a_program_that_is_not_listed_uses_it() {
         let program = "<Programs><Program name=\"q\"><Code><![CDATA[begin\n  ?part:nW\nend]]></Code></Program></Programs>";
         let listing = "library part \"Disk://part/part.pjx\"\nprogram start()\nbegin\nend\n";
         assert!(check(&RULE, &format!("{listing}--- part\npublic num nW\n")).contains("`part`"));
-        assert_eq!(check(&RULE, &format!("{listing}=== main/q.pgx\n{program}\n--- part\npublic num nW\n")), "");
+        assert_eq!(check(&RULE, &format!("{listing}=== main/q.pgx\n{program}\n{PROJECT}--- part\npublic num nW\n")), "");
     }
 
     #[test]

@@ -89,11 +89,18 @@ fn nothing_to_change_is_an_empty_diff() {
     assert_eq!(run.code, 1, "{run:?}");
 }
 
-/// A project whose folder holds one program more than it lists, which uses data and a library that nothing else uses.
-const STRAY: &str = "library part \"Disk://part/part.pjx\"\nnum nUsed\nnum nLeft\nprogram start()\nbegin\nend\n\
-    === usrapp/main/stray.pgx\n<?xml version=\"1.0\" encoding=\"utf-8\"?>\n\
-    <Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  <Program name=\"stray\">\n    \
-    <Code><![CDATA[begin\n  nUsed=part:nA\nend]]></Code>\n  </Program>\n</Programs>\n--- part\npublic num nA\n";
+/// A project whose folder holds one program more than it lists. This one uses data and a library that nothing else uses.
+fn with_stray_program(code: &str) -> Folder {
+    let folder = Folder::with(
+        "library part \"Disk://part/part.pjx\"\nnum nUsed\nnum nLeft\nprogram start()\nbegin\nend\n--- part\npublic num nA\n",
+    );
+    let code = format!("begin\n  {code}\nend]]>");
+    let text = folder.read(PROGRAM).replace("name=\"start\"", "name=\"stray\"").replace("begin\nend]]>", &code);
+    folder.write("usrapp/main/stray.pgx", &text);
+    folder
+}
+
+const USES: &str = "nUsed=part:nA";
 
 /// The findings in the JSON of a check, without what fixes could be offered.
 fn findings(run: &Run) -> serde_json::Value {
@@ -103,9 +110,8 @@ fn findings(run: &Run) -> serde_json::Value {
 
 #[test]
 fn what_is_reported_after_fixes_is_what_the_next_check_finds() {
-    let with_an_error = STRAY.replace("nUsed=part:nA", "nUsed=nOther");
-    for listing in [STRAY, &with_an_error, MIXED, FAULTY, UNUSUAL] {
-        let folder = Folder::with(listing);
+    let folders = [USES, "nUsed=nOther"].map(with_stray_program);
+    for folder in folders.into_iter().chain([MIXED, FAULTY, UNUSUAL].map(Folder::with)) {
         let fixed = folder.val3(&["check", "--fix", "--unsafe-fixes", "--format", "json"]);
         assert_eq!(findings(&fixed), findings(&folder.val3(&["check", "--format", "json"])));
     }
@@ -113,7 +119,7 @@ fn what_is_reported_after_fixes_is_what_the_next_check_finds() {
 
 #[test]
 fn what_an_unlisted_program_uses_stays() {
-    let folder = Folder::with(STRAY);
+    let folder = with_stray_program(USES);
     let run = folder.val3(&["check", "--fix", "--unsafe-fixes"]);
     assert_eq!(run.code, 0, "{run:?}");
     let (project, data) = (folder.read("usrapp/main/main.pjx"), folder.read("usrapp/main/main.dtx"));
@@ -124,7 +130,7 @@ fn what_an_unlisted_program_uses_stays() {
 #[test]
 fn no_fix_adds_an_error() {
     // The program would be part of the application, with its fault.
-    let folder = Folder::with(&STRAY.replace("nUsed=part:nA", "nUsed=nOther"));
+    let folder = with_stray_program("nUsed=nOther");
     for select in [&[][..], &["--select", "unlisted-file"]] {
         let run = folder.val3(&[&["check", "--fix", "--unsafe-fixes"], select].concat());
         assert_eq!(run.code, 0, "{run:?}");
@@ -135,7 +141,7 @@ fn no_fix_adds_an_error() {
 
 #[test]
 fn line_ends_stay() {
-    let folder = Folder::with(STRAY);
+    let folder = with_stray_program(USES);
     for file in ["usrapp/main/main.pjx", "usrapp/main/main.dtx"] {
         folder.write(file, &folder.read(file).replace('\n', "\r\n"));
     }

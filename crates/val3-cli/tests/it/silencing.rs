@@ -6,11 +6,11 @@ const PROGRAM: &str = "usrapp/main/start.pgx";
 
 #[test]
 fn comments_for_all_findings_are_written() {
-    let folder = Folder::with("num nLeft\n\nprogram start(num x_nA)\n  num l_nB\nbegin\n  nCuont=1\n  nCuont=2\nend\n");
+    let folder = Folder::with("num nLeft\n\nprogram start(num x_nA)\n  num l_nB\nbegin\n  nFirst=1\n  nOther=2\nend\n");
     let run = folder.val3(&["check", "--add-suppressions"]);
     let program = folder.read(PROGRAM);
     assert!(
-        program.contains("\n  //val3: allow(V0101)\n  nCuont=1\n  //val3: allow(V0101)\n  nCuont=2\n"),
+        program.contains("\n  //val3: allow(V0101)\n  nFirst=1\n  //val3: allow(V0101)\n  nOther=2\n"),
         "{program}"
     );
     assert!(!run.stdout.contains("V0101") && run.stderr.contains("silenced by new comments"), "{run:?}");
