@@ -9,7 +9,7 @@
 //!
 //! The instruction `link` changes the father and leaves the transformation as it is, so it computes nothing.
 
-use nalgebra::IsometryMatrix3;
+use nalgebra::{IsometryMatrix3, Point3};
 
 use crate::Trsf;
 
@@ -25,12 +25,17 @@ pub fn position(place: &[Trsf], reference: &[Trsf]) -> Trsf {
     between(reference, place).into()
 }
 
-/// The instruction `distance` of two points (manual 9.6.3), in mm.
+/// The instruction `distance` of two points (manual 9.6.3), in mm. The orientation of neither point matters.
 #[must_use]
 pub fn distance(left: &[Trsf], right: &[Trsf]) -> f64 {
     let (left, right) = without_common_end(left, right);
-    let [left, right] = [left, right].map(|chain| resolve(chain).translation.vector);
-    (right - left).norm()
+    (origin(right) - origin(left)).norm()
+}
+
+/// The position of the place at the start of a chain, seen from the end of the chain.
+fn origin(chain: &[Trsf]) -> Point3<f64> {
+    let Some((place, fathers)) = chain.split_first() else { return Point3::origin() };
+    fathers.iter().fold(Point3::from(place.translation()), |point, father| father.isometry() * point)
 }
 
 /// The instruction `compose` (manual 9.6.3): `point`, moved by a `transformation` that is meant in `reference`.

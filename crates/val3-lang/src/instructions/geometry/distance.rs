@@ -56,6 +56,19 @@ mod tests {
         assert_eq!(bench.run("distance(tr1,tr2)"), "111.80339887499");
     }
 
+    /// Only the positions are composed: an orientation that no number describes does not spoil the distance.
+    #[test]
+    fn the_orientation_of_points_does_not_count() {
+        let mut bench = Bench::default().global("frame fTable; point pA; point pB");
+        for line in ["link(fTable,world)", "link(pA,fTable)", "link(pB,world)"] {
+            bench.run(line);
+        }
+        bench.set("fTable", &[100.0, 0.0, 0.0, 0.0, 0.0, 90.0]);
+        bench.set("pA", &[10.0, 0.0, 0.0, f64::INFINITY, 0.0, 45.0]);
+        bench.set("pB", &[100.0, 10.0, 7.0, 0.0, f64::NAN, 0.0]);
+        assert_eq!(bench.run("distance(pA,pB)"), "7");
+    }
+
     #[test]
     fn of_points_in_two_frames() {
         let mut bench = Bench::default().global("frame fTable; point pA; point pB");
