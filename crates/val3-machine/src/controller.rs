@@ -27,6 +27,8 @@ pub struct Controller {
     schedule: Schedule,
     application: InstanceId,
     phase: Phase,
+    /// The task that executes `start`, later the one that executes `stop`.
+    lead: Option<TaskNumber>,
     stopped: bool,
     /// What happens from outside.
     pub(crate) script: Script,
@@ -84,6 +86,7 @@ impl Controller {
             schedule: Schedule::new(line_cost),
             application,
             phase: Phase::Running,
+            lead: None,
             stopped: false,
             script: Script::default(),
         }
@@ -95,11 +98,16 @@ impl Controller {
         self.schedule.now
     }
 
-    /// Starts a program without parameters in the task `~application` (5.2).
+    /// Starts a program without parameters in the task `application~` (5.2).
     ///
     /// # Errors
     /// It cannot be started.
     pub fn start(&mut self, program: &str) -> Result<TaskNumber, NotStarted> {
+        self.lead_with(program, |application| format!("{application}~"))
+    }
+
+    /// Starts a program in the task that `start` or `stop` runs in, whose name derives from that of the application.
+    fn lead_with(&mut self, program: &str, task: impl Fn(&str) -> String) -> Result<TaskNumber, NotStarted> {
         let image = self.vm.space.instance(self.application).map(|instance| Arc::clone(&instance.image));
         let image = image.ok_or(NotStarted::NoProgram)?;
         let number = image.program(program).ok_or(NotStarted::NoProgram)?;
@@ -107,7 +115,8 @@ impl Controller {
             return Err(NotStarted::HasParameters);
         }
         self.devices.origin(self.outside());
-        let started = self.vm.start(&task_name(&image), (self.application, number), PRIORITY, &mut self.devices);
+        let started = self.vm.start(&task(&image.name), (self.application, number), PRIORITY, &mut self.devices);
+        self.lead = started.ok();
         started.map_err(NotStarted::Fault)
     }
 
@@ -116,9 +125,7 @@ impl Controller {
     pub fn stop(&mut self) {
         if self.phase == Phase::Running {
             self.stopped = true;
-            let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
-            let start = self.vm.tasks().iter().find(|task| Some(&task.name) == name.as_ref()).map(|task| task.id);
-            if let Some(start) = start {
+            if let Some(start) = self.lead {
                 self.kill(start);
             }
             self.begin_stop();
@@ -142,10 +149,10 @@ impl Controller {
         Origin { time: self.schedule.now, task: TaskNumber::default(), at: CodePlace::default() }
     }
 
-    /// Lets `stop` run.
+    /// Lets `stop` run in the task `~application` (5.2).
     fn begin_stop(&mut self) {
         self.phase = Phase::Stopping;
-        if self.start("stop").is_err() {
+        if self.lead_with("stop", |application| format!("~{application}")).is_err() {
             self.end();
         }
     }
@@ -246,13 +253,16 @@ impl Controller {
     }
 
     fn advance_phase(&mut self) {
-        let name = self.vm.space.instance(self.application).map(|instance| task_name(&instance.image));
-        let stops = self.vm.tasks().iter().any(|task| Some(&task.name) == name.as_ref());
         match self.phase {
             Phase::Running if !self.has_tasks() => self.begin_stop(),
-            Phase::Stopping if !stops => self.end(),
+            Phase::Stopping if !self.leads() => self.end(),
             _ => {}
         }
+    }
+
+    /// The task that executes `start` or `stop` exists.
+    fn leads(&self) -> bool {
+        self.vm.tasks().iter().any(|task| Some(task.id) == self.lead)
     }
 
     /// The application has tasks. Those of its libraries do not keep it alive: they are killed behind `stop` (2.1.3).
@@ -263,9 +273,4 @@ impl Controller {
     fn is_stuck(&self) -> bool {
         !self.vm.tasks().iter().any(|task| task.state == TaskState::Running)
     }
-}
-
-/// The task that executes `start` and `stop`.
-fn task_name(image: &Image) -> String {
-    format!("~{}", image.name)
 }

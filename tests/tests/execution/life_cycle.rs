@@ -28,26 +28,28 @@ fn stop_runs_when_the_last_task_has_ended() {
         program start()
         begin
           taskCreate "work",10,work()
-          ? taskStatus("~main")
+          ? taskStatus("main~")
         end
         program stop()
         begin
+          ? taskStatus("main~")
           ? taskStatus("~main")
           call start()
         end
         "#,
     );
     expect![[r#"
-        ~main created
+        main~ created
         work created
         1
-        ~main ended
+        main~ ended
         2
         work ended
         ~main created
+        -1
         1
         work created
-        1
+        -1
         ~main ended
         work killed
     "#]]
@@ -112,10 +114,10 @@ fn stopped_from_outside_it_kills_tasks_in_the_reverse_order() {
     let mut running = Running::start(STOPPED).for_seconds(5);
     running.controller.stop();
     expect![[r#"
-        ~main created
+        main~ created
         z created
         a created
-        ~main killed
+        main~ killed
         ~main created
         5
         1
@@ -165,13 +167,70 @@ fn stopped_behind_the_end_of_start_the_other_tasks_see_stop() {
     running.controller.stop();
     running.controller.stop();
     expect![[r#"
-        ~main created
+        main~ created
         work created
-        ~main ended
+        main~ ended
         ~main created
         told
         ~main ended
         work killed
     "#]]
     .assert_eq(&story(&running.to_the_end()));
+}
+
+/// What public programs do to end themselves.
+#[test]
+fn an_application_ends_where_it_kills_its_start_task() {
+    let running = Running::start(
+        r#"
+        program watchdog()
+        begin
+          delay(1)
+          taskKill("main~")
+          ? taskStatus("main~")
+        end
+        program start()
+        begin
+          taskCreate "watchdog",10,watchdog()
+          while true
+            delay(0.1)
+          endWhile
+        end
+        program stop()
+        begin
+          ? "stopped"
+        end
+        "#,
+    );
+    expect![[r#"
+        main~ created
+        watchdog created
+        main~ killed
+        -1
+        watchdog ended
+        ~main created
+        stopped
+        ~main ended
+    "#]]
+    .assert_eq(&story(&running.to_the_end()));
+}
+
+#[test]
+fn the_start_task_may_kill_itself() {
+    check(
+        r#"
+        program start()
+        begin
+          taskKill("main~")
+          ? "never"
+        end
+        program stop()
+        begin
+          taskKill("main~")
+          taskKill("~main")
+          ? "never"
+        end
+        "#,
+        expect![""],
+    );
 }

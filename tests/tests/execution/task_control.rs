@@ -36,7 +36,7 @@ fn the_states_of_a_task() {
           delay(0)
           ? taskStatus("work")
           taskKill("work")
-          ? taskStatus("~main")
+          ? taskStatus("main~")
         end
         "#,
         expect![[r#"
@@ -425,9 +425,9 @@ fn the_start_task_is_a_task_as_others() {
         program work()
         begin
           delay(1)
-          ? taskStatus("~main")
-          taskKill("~main")
-          ? taskStatus("~main")
+          ? taskStatus("main~")
+          taskKill("main~")
+          ? taskStatus("main~")
         end
         program start()
         begin

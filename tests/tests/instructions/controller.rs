@@ -36,7 +36,7 @@ fn power_stays_off_in_other_modes_and_the_log_says_why() {
     assert_eq!(running.printed(), "false\n");
     expect![[r#"
         {"t":0.0,"kind":"mode","mode":3}
-        {"t":2e-6,"task":"~main","kind":"log","level":"warning","text":"arm power not switched on: the robot is not in remote mode"}
+        {"t":2e-6,"task":"main~","kind":"log","level":"warning","text":"arm power not switched on: the robot is not in remote mode"}
     "#]].assert_eq(&running.record());
 }
 

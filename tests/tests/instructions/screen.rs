@@ -78,10 +78,10 @@ fn cls_empties_the_page_and_titles_stay() {
           put("y")
         "#,
         expect![[r#"
-            {"t":2e-6,"task":"~main","kind":"title","screen":"","text":"Palletiser"}
-            {"t":4e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"x"}
-            {"t":6e-6,"task":"~main","kind":"cls","screen":""}
-            {"t":8e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"y"}
+            {"t":2e-6,"task":"main~","kind":"title","screen":"","text":"Palletiser"}
+            {"t":4e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"x"}
+            {"t":6e-6,"task":"main~","kind":"cls","screen":""}
+            {"t":8e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"y"}
         "#]],
     );
 }
@@ -114,14 +114,14 @@ fn screens_are_written_apart_and_shown_one_at_a_time() {
     check_record(
         listing,
         expect![[r#"
-        {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"default"}
-        {"t":4e-6,"task":"~main","kind":"put","screen":"scMain","x":0,"y":0,"text":"main"}
-        {"t":6e-6,"task":"~main","kind":"put","screen":"scMain","x":0,"y":1,"text":"1.5"}
-        {"t":8e-6,"task":"~main","kind":"title","screen":"scPages[1]","text":"second"}
-        {"t":0.000014,"task":"~main","kind":"put","screen":"scPages[1]","x":3,"y":4,"text":"by reference"}
-        {"t":0.000016,"task":"~main","kind":"put","screen":"scBy[\"maintenance\"]","x":0,"y":0,"text":"oil"}
-        {"t":0.000018,"task":"~main","kind":"put","screen":"screen4","x":0,"y":0,"text":"local"}
-        {"t":0.00002,"task":"~main","kind":"cls","screen":"scPages[0]"}
+        {"t":2e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"default"}
+        {"t":4e-6,"task":"main~","kind":"put","screen":"scMain","x":0,"y":0,"text":"main"}
+        {"t":6e-6,"task":"main~","kind":"put","screen":"scMain","x":0,"y":1,"text":"1.5"}
+        {"t":8e-6,"task":"main~","kind":"title","screen":"scPages[1]","text":"second"}
+        {"t":0.000014,"task":"main~","kind":"put","screen":"scPages[1]","x":3,"y":4,"text":"by reference"}
+        {"t":0.000016,"task":"main~","kind":"put","screen":"scBy[\"maintenance\"]","x":0,"y":0,"text":"oil"}
+        {"t":0.000018,"task":"main~","kind":"put","screen":"screen4","x":0,"y":0,"text":"local"}
+        {"t":0.00002,"task":"main~","kind":"cls","screen":"scPages[0]"}
     "#]],
     );
     check_page(
@@ -220,13 +220,13 @@ fn get_shows_what_is_edited_and_the_cursor_stays() {
     running.controller.devices.pendant.type_when_asked([263, 263, 55, 270]);
     let running = running.to_the_end();
     expect![[r#"
-        {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"speed: "}
-        {"t":4e-6,"task":"~main","kind":"put","screen":"","x":7,"y":0,"text":"50"}
+        {"t":2e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"speed: "}
+        {"t":4e-6,"task":"main~","kind":"put","screen":"","x":7,"y":0,"text":"50"}
         {"t":0.004,"kind":"put","screen":"","x":7,"y":0,"text":"5 "}
         {"t":0.008,"kind":"put","screen":"","x":7,"y":0,"text":"  "}
         {"t":0.012,"kind":"put","screen":"","x":7,"y":0,"text":"7 "}
         {"t":0.016,"kind":"put","screen":"","x":7,"y":0,"text":"7 "}
-        {"t":0.016002,"task":"~main","kind":"put","screen":"","x":7,"y":0,"text":"!"}
+        {"t":0.016002,"task":"main~","kind":"put","screen":"","x":7,"y":0,"text":"!"}
     "#]]
     .assert_eq(&running.record());
     expect!["speed: !"].assert_eq(&running.page());
@@ -339,16 +339,16 @@ fn messages_are_shown_and_logged() {
     check_record(
         "  popUpMsg(\"Close the guard\")\n  logMsg(\"gripper lost a part\")",
         expect![[r#"
-        {"t":2e-6,"task":"~main","kind":"popup","text":"Close the guard"}
-        {"t":4e-6,"task":"~main","kind":"log","level":"info","text":"USR gripper lost a part"}
+        {"t":2e-6,"task":"main~","kind":"popup","text":"Close the guard"}
+        {"t":4e-6,"task":"main~","kind":"log","level":"info","text":"USR gripper lost a part"}
     "#]],
     );
     check_record(
         "version s8.10\n  popUpMsg(\"Jam\",3)\n  logMsg(\"slow\",2)\n  userPageAlert(\"Tray\")",
         expect![[r#"
-        {"t":2e-6,"task":"~main","kind":"popup","text":"Jam"}
-        {"t":4e-6,"task":"~main","kind":"log","level":"warning","text":"USR slow"}
-        {"t":6e-6,"task":"~main","kind":"popup","text":"Tray"}
+        {"t":2e-6,"task":"main~","kind":"popup","text":"Jam"}
+        {"t":4e-6,"task":"main~","kind":"log","level":"warning","text":"USR slow"}
+        {"t":6e-6,"task":"main~","kind":"popup","text":"Tray"}
     "#]],
     );
 }
@@ -491,9 +491,9 @@ fn pages_of_html_are_set_and_shown() {
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");
     expect![[r#"
-        {"t":6e-6,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"innerHTML","value":"3"}
-        {"t":8e-6,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"style.color","value":"red"}
-        {"t":0.00001,"task":"~main","kind":"html","page":"main","id":"lblDone","attribute":"hidden","value":"true"}
+        {"t":6e-6,"task":"main~","kind":"html","page":"main","id":"lblDone","attribute":"innerHTML","value":"3"}
+        {"t":8e-6,"task":"main~","kind":"html","page":"main","id":"lblDone","attribute":"style.color","value":"red"}
+        {"t":0.00001,"task":"main~","kind":"html","page":"main","id":"lblDone","attribute":"hidden","value":"true"}
     "#]]
     .assert_eq(&running.record());
 }

@@ -101,7 +101,7 @@ fn keys_power_and_modes_come_from_outside() {
             2
             1
             1
-            {"t":2e-6,"task":"~main","kind":"put","screen":"","x":0,"y":0,"text":"0"}
+            {"t":2e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"0"}
             {"t":0.5,"kind":"put","screen":"","x":0,"y":0,"text":"1"}
             {"t":0.5,"kind":"power","on":true}
             {"t":0.504,"kind":"put","screen":"","x":0,"y":0,"text":"12"}

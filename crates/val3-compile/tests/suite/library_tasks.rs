@@ -140,11 +140,11 @@ fn tasks_of_libraries_end_with_the_application_the_newest_first() {
     let events = run(&mut cell.controller(), |_| {});
     let story: String = events.iter().filter_map(|event| line(&event.what)).collect();
     expect![[r#"
-        ~main created
+        main~ created
         z created
         a created
         m created
-        ~main ended
+        main~ ended
         ~main created
         2.004
         ~main ended
