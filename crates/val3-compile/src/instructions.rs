@@ -8,6 +8,7 @@ use val3_lang::instructions;
 use val3_lang::memory::Lanes;
 use val3_lang::number_functions::NumberFunction;
 use val3_lang::types::BaseType;
+use val3_lang::versions::Version;
 
 use crate::arguments::Formal;
 use crate::coder::Coder;
@@ -25,13 +26,17 @@ struct Called {
 }
 
 impl Called {
-    fn of(instruction: &'static Instruction, form: &'static Overload, result: Option<BaseType>) -> Self {
+    fn of(
+        (instruction, form): (&'static Instruction, &'static Overload),
+        result: Option<BaseType>,
+        version: Version,
+    ) -> Self {
         let formal = |param: &Param| Formal { base: param.ty.map(Base::of), shape: param.shape };
         Self {
             site: InstructionSite::new(instruction, form),
             formals: form.params.iter().map(formal).collect(),
             result,
-            function: NumberFunction::of(instruction, form),
+            function: NumberFunction::of(instruction, form, version),
         }
     }
 
@@ -97,14 +102,15 @@ impl Coder<'_, '_> {
     }
 
     fn called(&self, id: ExprId) -> Result<Called> {
+        let version = self.unit.items.version;
         if let Some(call) = self.types.call(id) {
             let form = call.form.or_else(|| only_form(call.instruction)).ok_or(Limit::Unclear)?;
-            return Ok(Called::of(call.instruction, form, form.result));
+            return Ok(Called::of((call.instruction, form), form.result, version));
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
         // What the catalogue has too does what it does there; its forms say how arguments are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
-            return Ok(Called::of(instruction, form, call.form.result));
+            return Ok(Called::of((instruction, form), call.form.result, version));
         }
         let formal =
             |param: &val3_lang::add_on::AddOnParam| Formal { base: param.ty.map(Base::of), shape: param.shape };

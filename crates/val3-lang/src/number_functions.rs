@@ -10,6 +10,7 @@ use crate::instruction::{Instruction, Overload, Shape};
 use crate::runtime_errors::INVALID_NUMBER;
 use crate::types::BaseType;
 use crate::values::{bits, numbers};
+use crate::versions::Version;
 
 /// What such an instruction computes of its arguments. Those that it does not have may be anything.
 type Compute = fn([f64; 3]) -> Result<f64>;
@@ -44,6 +45,7 @@ number_functions! {
     Not "bNot" = |[a, ..]| Ok(bits::not(a));
     Or "bOr" = |[a, b, _]| Ok(bits::or(a, b));
     Power "power" = |[a, b, _]| numbers::power(a, b);
+    SignedPower "power" = |[a, b, _]| numbers::signed_power(a, b);
     Round "round" = |[a, ..]| Ok(numbers::round(a));
     RoundDown "roundDown" = |[a, ..]| Ok(numbers::round_down(a));
     RoundUp "roundUp" = |[a, ..]| Ok(numbers::round_up(a));
@@ -55,13 +57,17 @@ number_functions! {
 }
 
 impl NumberFunction {
-    /// What a form of an instruction computes, if it makes a number of numbers alone.
+    /// What a form of an instruction computes in an application of a version, if it makes a number of numbers alone.
     #[must_use]
-    pub fn of(instruction: &Instruction, form: &Overload) -> Option<Self> {
+    pub fn of(instruction: &Instruction, form: &Overload, version: Version) -> Option<Self> {
         let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));
         let takes_numbers = form.params.iter().all(|param| param.shape == Shape::Value && is_number(param.ty));
         let (function, ..) = ALL.iter().find(|(_, name, _)| *name == instruction.name)?;
-        (takes_numbers && is_number(form.result)).then_some(*function)
+        let function = match function {
+            Self::Power if version.raises_negative_numbers() => Self::SignedPower,
+            function => *function,
+        };
+        (takes_numbers && is_number(form.result)).then_some(function)
     }
 
     /// Its number, for those who pass it on as one.
@@ -105,10 +111,14 @@ mod tests {
 
     #[test]
     fn each_computes_what_its_instruction_does() {
-        for (function, name, _) in ALL {
+        let versions = [Version::DEFAULT, Version::new(8, 0, 0)];
+        for ((function, name, _), version) in ALL.iter().flat_map(|row| versions.map(|version| (row, version))) {
             let instruction = crate::instructions::find(name).unwrap();
-            let form = instruction.overloads.iter().find(|form| NumberFunction::of(instruction, form).is_some());
-            let params = form.unwrap().params;
+            let is_meant = |form: &&Overload| NumberFunction::of(instruction, form, version) == Some(*function);
+            let Some(params) = instruction.overloads.iter().find(is_meant).map(|form| form.params) else {
+                assert!(matches!(function, NumberFunction::Power | NumberFunction::SignedPower), "{name}");
+                continue;
+            };
             for (a, b, c) in NUMBERS.iter().flat_map(|a| NUMBERS.map(|b| (*a, b, 7.0))) {
                 let spoken = |(value, param): (f64, &crate::instruction::Param)| match param.ty {
                     Some(BaseType::Bool) => (value != 0.0).to_string(),
@@ -119,7 +129,9 @@ mod tests {
                 let expected = function.compute([a, b, c]);
                 let expected =
                     expected.map_or_else(|fault| format!("error {}", fault.0), |value| significant(value).to_string());
-                assert_eq!(Bench::default().run(&call), expected, "{call}");
+                let mut bench = Bench::default();
+                bench.version = version;
+                assert_eq!(bench.run(&call), expected, "{call}");
             }
         }
     }
@@ -128,7 +140,8 @@ mod tests {
     fn other_forms_are_none() {
         let of = |name: &str| {
             let instruction = crate::instructions::find(name).unwrap();
-            instruction.overloads.iter().filter_map(|form| NumberFunction::of(instruction, form)).count()
+            let of = |form| NumberFunction::of(instruction, form, Version::DEFAULT);
+            instruction.overloads.iter().filter_map(of).count()
         };
         assert_eq!((of("abs"), of("sqrt"), of("clock"), of("len")), (1, 1, 0, 0));
     }

@@ -61,6 +61,12 @@ impl Version {
         (self.major < 8).then_some(9999)
     }
 
+    /// Whether `power` computes whole exponents of a negative base (s8; 3.2.3).
+    #[must_use]
+    pub fn raises_negative_numbers(self) -> bool {
+        self.major >= 8
+    }
+
     /// Whether a project's `<Program file>` may name a sub-folder (s8.20 on).
     #[must_use]
     pub fn allows_sub_folders(self) -> bool {

@@ -60,7 +60,7 @@ pub fn dimensions(container: Container) -> Option<&'static Range> {
 /// positive one.
 #[must_use]
 pub fn power_base(version: Version, base: f64, exponent: Option<f64>) -> Option<&'static Range> {
-    if version.major < 8 {
+    if !version.raises_negative_numbers() {
         return Some(&POSITIVE);
     }
     let exponent = exponent?;

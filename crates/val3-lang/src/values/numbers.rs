@@ -44,12 +44,21 @@ pub fn exp(value: f64) -> Result<f64> {
     not_too_large(libm::exp(value))
 }
 
-/// `power`. A result too small for a number is 0.
+/// `power` up to s7. A result too small for a number is 0.
 ///
 /// # Errors
 /// 11: the base is 0 or negative, whatever the exponent, or the result is too large.
 pub fn power(base: f64, exponent: f64) -> Result<f64> {
     not_too_large(libm::pow(positive(base)?, exponent))
+}
+
+/// `power` from s8 on: also that of 0 to a positive exponent, and of a negative base to a whole one.
+///
+/// # Errors
+/// 11: there is no such power, or it is too large.
+pub fn signed_power(base: f64, exponent: f64) -> Result<f64> {
+    let is_defined = base > 0.0 || base == 0.0 && exponent > 0.0 || base < 0.0 && exponent.fract() == 0.0;
+    if is_defined { not_too_large(unsigned_zero(libm::pow(base, exponent))) } else { power(base, exponent) }
 }
 
 /// `ln`.
