@@ -15,6 +15,14 @@ fn it_has_arrived_and_settled() {
 }
 
 #[test]
+fn it_knows_its_limits() {
+    check(
+        "  ? isInRange(herej())\n  ? isInRange({0,148,0,0,0,0})\n  ? isInRange({0,0,0,-270,0,270})",
+        "true\nfalse\ntrue\n",
+    );
+}
+
+#[test]
 fn its_speed_is_that_of_a_tool_with_a_reference() {
     check("  ? getSpeed(flange)", "0\n");
 }

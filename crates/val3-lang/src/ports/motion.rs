@@ -10,6 +10,9 @@ pub trait Motion {
     /// Where the encoders find each axis.
     fn measured_joint(&mut self) -> [f64; 6];
 
+    /// `isInRange`: every axis would be within its software limits.
+    fn is_in_range(&mut self, joint: [f64; 6]) -> bool;
+
     /// `getSpeed`: of the tip of a tool, in millimetres a second; `tool` is its way to the flange, from the inside out.
     fn speed(&mut self, tool: &[Trsf]) -> f64;
 

@@ -227,6 +227,10 @@ impl Motion for Nothing {
         unreachable!()
     }
 
+    fn is_in_range(&mut self, joint: [f64; 6]) -> bool {
+        joint.iter().all(|position| position.abs() <= 100.0)
+    }
+
     /// An inch a second, and the faster the longer the tool is.
     fn speed(&mut self, tool: &[Trsf]) -> f64 {
         tool.iter().map(|part| part.x).sum::<f64>() + 25.4

@@ -34,11 +34,14 @@ struct OemLicence {
     state: Licence,
 }
 
+/// The model of the arm where nothing says which it is.
+pub const FIRST_ARM: &str = "tx90-S1";
+
 /// What a part is at first: a controller of the language of the manual with an arm from its examples, and no board.
 const AT_FIRST: [(Component, &str); 7] = [
     (Component::Val3, "s7.11.0 - Jan 01 2024 - 00:00:00"),
     (Component::System, "s7.11.0"),
-    (Component::ArmType, "tx90-S1"),
+    (Component::ArmType, FIRST_ARM),
     (Component::Tuning, "R1"),
     (Component::Mounting, "floor"),
     (Component::ControllerSerial, "F24_000001_C_01"),

@@ -4,6 +4,7 @@ use val3_geometry::Trsf;
 use val3_lang::ports::Motion;
 
 use super::Devices;
+use crate::controller_state::JointLimits;
 
 /// An arm that stands still at joint position zero: no move is ever recorded.
 #[derive(Debug, Clone, Default)]
@@ -15,6 +16,16 @@ pub struct StandingArm {
     /// The id of the next move.
     next_move: f64,
     connects_by_itself: bool,
+    /// How far each axis may go.
+    pub limits: JointLimits,
+}
+
+impl StandingArm {
+    /// An arm of this model, with its limits as far as they are known.
+    #[must_use]
+    pub fn new(model: &str) -> Self {
+        Self { limits: JointLimits::of_model(model), ..Self::default() }
+    }
 }
 
 impl Motion for Devices {
@@ -24,6 +35,10 @@ impl Motion for Devices {
 
     fn measured_joint(&mut self) -> [f64; 6] {
         [0.0; 6]
+    }
+
+    fn is_in_range(&mut self, joint: [f64; 6]) -> bool {
+        self.arm.limits.contain(joint)
     }
 
     fn speed(&mut self, _: &[Trsf]) -> f64 {

@@ -1,3 +1,4 @@
+use crate::call::Call;
 use crate::declare::instruction;
 
 instruction! {
@@ -18,5 +19,20 @@ instruction! {
     ///   endIf
     /// ```
     "isInRange": Geometry "9.2.3";
-    function (joint jPosition) -> bool;
+    function (joint jPosition) -> bool = is_in_range;
+}
+
+fn is_in_range(call: &mut Call<'_>, position: [f64; 6]) -> bool {
+    call.ports.is_in_range(position)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::testing::check;
+
+    #[test]
+    fn every_axis_counts() {
+        check("isInRange({0,0,90,0,0,-100})", "true");
+        check("isInRange({0,0,90,0,0,-100.5})", "false");
+    }
 }
