@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use val3_lang::memory::{Kind, PartInit};
+use val3_lang::memory::{Kind, PartInit, bytes_of};
 use val3_lang::types::{BaseType, Container, LengthUnit};
+use val3_lang::values::Text;
 use val3_lang::versions::Version;
 
-use crate::Program;
+use crate::{Program, Step};
 
 /// Everything of an application or library that the run time needs.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -73,7 +74,7 @@ pub enum LinkTarget {
 }
 
 /// Data that a value refers to, as a file names it: `fTray[0]`, `tSlot["a"].fIn[0]`, `lib:fTray`.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct FatherLink {
     /// The library identifier, if it is data of a library.
     pub library: Option<String>,
@@ -123,6 +124,13 @@ impl Image {
     #[must_use]
     pub fn program(&self, name: &str) -> Option<u16> {
         self.programs.iter().position(|program| program.name == name).and_then(|at| u16::try_from(at).ok())
+    }
+
+    /// Bytes of its programs in memory, as far as they grow with the code.
+    #[must_use]
+    pub fn code_bytes(&self) -> u64 {
+        let bytes = |program: &Program| bytes_of::<Step>(program.code.len()) + bytes_of::<Text>(program.texts.len());
+        self.programs.iter().map(bytes).sum()
     }
 
     /// The number of global data.

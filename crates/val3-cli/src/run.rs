@@ -99,6 +99,7 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audie
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
     let (pace, signals) = (pace(args, audience), Signals::catch()?);
+    controller.devices.interrupt = signals.flag();
     let end = loop {
         let step = controller.step();
         audience.tell(&controller.devices.take_events())?;

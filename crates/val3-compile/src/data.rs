@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use val3_analysis::ty::Base;
 use val3_analysis::xml::Element as Xml;
 use val3_bytecode::LinkTarget;
-use val3_lang::memory::{Element, Kind, PartInit, Shape};
+use val3_lang::memory::{Element, Kind, MEMORY, PartInit, Shape, bytes_of};
 use val3_lang::types::Container;
 use val3_lang::values::Text;
 
@@ -58,7 +58,14 @@ impl Kinds<'_> {
         let (shape, written) = placed(element, container, sizes);
         let count = shape.len();
         let mut loaded = Loaded { init: PartInit { kind: kind.clone(), shape, values: Vec::new() }, links: Vec::new() };
-        if let Some(value) = values::unwritten(base, &kind) {
+        let unwritten = values::unwritten(base, &kind);
+        let last = if unwritten.is_some() {
+            count
+        } else {
+            written.iter().map(|(at, _)| at.saturating_add(1)).max().unwrap_or(0)
+        };
+        fits(loaded.init.bytes().saturating_add(bytes_of::<Option<Element>>(last as usize)))?;
+        if let Some(value) = unwritten {
             loaded.init.values = vec![Some(value); count as usize];
         }
         let mut overridden = vec![false; if kind.fields.is_empty() { 0 } else { count as usize }];
@@ -122,6 +129,11 @@ impl Kinds<'_> {
     }
 }
 
+/// Data of so many bytes can be in memory.
+pub(crate) fn fits(bytes: u64) -> Result<()> {
+    if bytes > MEMORY { Err(Limit::Memory) } else { Ok(()) }
+}
+
 /// The shape of a container, and the elements of its values with their numbers.
 fn placed<'g>(element: Xml<'g>, container: Container, sizes: &[u32]) -> (Shape, Vec<(u32, Xml<'g>)>) {
     let key = |value: &Xml<'g>| value.value("key").or_else(|| value.value("index"));
@@ -146,7 +158,12 @@ fn number(shape: &Shape, key: Cow<'_, str>) -> Option<u32> {
     let Shape::Array { dims, sizes } = shape else { return None };
     let indexes: Vec<u32> = key.split(',').map(|index| index.trim().parse().ok()).collect::<Option<_>>()?;
     let inside = indexes.len() == usize::from(*dims) && indexes.iter().zip(sizes).all(|(index, size)| index < size);
-    inside.then(|| indexes.iter().zip(sizes).fold(0, |number, (index, size)| number * size + index))
+    inside.then(|| {
+        indexes
+            .iter()
+            .zip(sizes)
+            .fold(0u32, |number, (index, size)| number.saturating_mul(*size).saturating_add(*index))
+    })
 }
 
 fn put(values: &mut Vec<Option<Element>>, number: u32, value: Element) {

@@ -24,6 +24,8 @@ pub enum Limit {
     Items,
     /// Operations of one program: 4,294,967,295.
     Operations,
+    /// Bytes of global data: as many as a controller has memory.
+    Memory,
     /// The analysis does not know what is meant: a project with errors cannot be compiled.
     Unclear,
 }
@@ -46,6 +48,7 @@ impl fmt::Display for Limit {
             Self::Containers => "there are more than 8,191 variables",
             Self::Items => "there are more than 65,535 programs, libraries, texts or fields",
             Self::Operations => "the program is too long",
+            Self::Memory => "the data need more memory than a controller has",
             Self::Unclear => "it cannot be told what is meant here",
         })
     }
@@ -59,6 +62,7 @@ impl Limit {
             Self::Registers | Self::Operations => "split the program into several that call one another",
             Self::Containers => "make one array, collection or user type of variables that belong together",
             Self::Items => "move programs and data to libraries",
+            Self::Memory => "make arrays smaller, or read what is large from files",
             Self::Unclear => "`val3 check` shows what is wrong here, if `val3.toml` or a comment does not silence it",
         }
     }

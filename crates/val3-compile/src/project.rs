@@ -12,7 +12,7 @@ use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, Whole, WholeKind};
 use val3_lang::builtins;
 use val3_lang::types::LengthUnit;
 
-use crate::data::Found;
+use crate::data::{Found, fits};
 use crate::error::{CompileError, Limit};
 use crate::kinds::Kinds;
 use crate::unit::Unit;
@@ -69,6 +69,7 @@ fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<Li
         links.extend(loaded.links.into_iter().map(|found| link(number.into(), found)));
         data.push(DataDef { name: decl.name.to_string(), public: decl.public, init: loaded.init });
     }
+    fits(data.iter().map(|data| data.init.bytes()).fold(0, u64::saturating_add))?;
     Ok((data, links))
 }
 

@@ -24,6 +24,9 @@ pub const NO_LIBRARY: u16 = 10;
 /// Loaded; the library lacks some of its interface.
 pub const INTERFACE_DIFFERS: u16 = 11;
 
+/// The library cannot be loaded; the event log says why.
+pub const CANNOT_LOAD: u16 = 12;
+
 /// The library under the identifier is at work in another task.
 pub const IN_USE: u16 = 13;
 

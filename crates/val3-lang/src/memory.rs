@@ -11,6 +11,8 @@ mod kind;
 mod lanes;
 mod owner;
 mod place;
+mod rearrange;
+mod room;
 mod shown;
 mod stack;
 mod store;
@@ -20,6 +22,7 @@ pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_o
 pub use lanes::Lanes;
 pub use owner::Owner;
 pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
+pub use room::{MEMORY, Room, bytes_of};
 pub use stack::Stack;
 pub use store::{Shape, Store};
 pub use stores::Stores;
@@ -49,7 +52,8 @@ impl Memory {
         for (index, base) in [(Self::WORLD, BaseType::Frame), (Self::FLANGE, BaseType::Tool)] {
             let mut store = Store::filled(Arc::new(Kind::builtin(base, None)), Shape::ELEMENT);
             store.links.first_mut().into_iter().for_each(|link| *link = Link::Data(Place::first(index)));
-            memory.add(store);
+            // Two small values always find room.
+            let _ = memory.add(store);
         }
         memory
     }
@@ -61,7 +65,10 @@ impl Memory {
     pub const FLANGE: StoreId = StoreId { index: 1, generation: 0 };
 
     /// Takes a container in; it lives until [`remove`](Self::remove).
-    pub fn add(&mut self, store: Store) -> StoreId {
+    ///
+    /// # Errors
+    /// 40 without memory.
+    pub fn add(&mut self, store: Store) -> Result<StoreId> {
         self.stores.add(store)
     }
 
@@ -86,6 +93,13 @@ impl Memory {
     #[inline]
     pub fn store_mut(&mut self, id: StoreId) -> Result<&mut Store> {
         self.stores.get_mut(id)
+    }
+
+    /// Bytes of a container and of those within its values.
+    #[must_use]
+    pub fn bytes(&self, id: StoreId) -> u64 {
+        let Ok(store) = self.store(id) else { return 0 };
+        store.parts.iter().fold(store.bytes(), |sum, part| sum + self.bytes(*part))
     }
 
     /// A number, truth value (0 or 1) or enumerator (its place among those of its type), `offset` lanes behind `at`.

@@ -44,7 +44,7 @@ impl Bench {
     /// Global variables, declared as in a listing: `num nGrid[4,6]`, `point pPick`.
     pub(crate) fn global(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
-            let store = self.memory.create(&variable.init());
+            let store = self.memory.create(&variable.init()).unwrap();
             self.declare(&variable, store);
         }
         self
@@ -53,7 +53,7 @@ impl Bench {
     /// Local variables. All of them have a container here, those of one value too.
     pub(crate) fn local(mut self, declarations: &str) -> Self {
         for variable in declarations.split("; ").map(Variable::parse) {
-            let store = self.memory.create_local(&variable.init());
+            let store = self.memory.create_local(&variable.init()).unwrap();
             self.declare(&variable, store);
         }
         self
@@ -209,7 +209,7 @@ impl Bench {
 
     /// A container for one value that has no name.
     fn value_of(&mut self, base: BaseType) -> StoreId {
-        self.memory.create_local(&Variable { name: "", base, shape: Shape::ELEMENT }.init())
+        self.memory.create_local(&Variable { name: "", base, shape: Shape::ELEMENT }.init()).unwrap()
     }
 
     fn variable(&self, name: &str) -> Option<(View, BaseType)> {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, Cycle, InstanceId, Schedule, TaskState, Vm};
+use val3_vm::{CYCLE, Cycle, Host as _, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
 use crate::script::Script;
@@ -74,13 +74,17 @@ pub enum NotStarted {
 impl Controller {
     /// An application in memory with the libraries that load with it; no task runs yet. `path` is its folder on the
     /// media (`Disk://app`).
-    #[must_use]
-    pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Self {
+    ///
+    /// # Errors
+    /// 40 if the application needs more memory than a controller has.
+    pub fn new(mut devices: Devices, image: Arc<Image>, path: String, line_cost: Time) -> Result<Self, Fault> {
         let mut vm = Vm::default();
-        let application = vm.space.load(image, path.clone(), &mut devices);
+        let application = vm.space.load(image, path.clone(), &mut devices)?;
         devices.keep_files(application, &path);
         vm.space.load_with(application, &mut devices);
-        Self {
+        // The clock starts when everything is in memory.
+        devices.take_elapsed();
+        Ok(Self {
             vm,
             devices,
             schedule: Schedule::new(line_cost),
@@ -89,7 +93,7 @@ impl Controller {
             lead: None,
             stopped: false,
             script: Script::default(),
-        }
+        })
     }
 
     /// The controller's clock, in nanoseconds.

@@ -16,11 +16,12 @@ mod tasks;
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
 
 use val3_bytecode::Image;
 use val3_lang::ports::{Origin, TaskNumber, Time};
 
-use crate::controller_state::{Calendar, Cs9, EventLog, Languages, Profiles, Robot, Versions};
+use crate::controller_state::{Calendar, Cs9, EventLog, FIRST_ARM, Languages, Profiles, Robot, Versions};
 use crate::event::{Event, What, seconds};
 use crate::files::{ControllerPath, LibraryFiles, OpenFiles, Roots};
 use crate::io::IoTable;
@@ -31,6 +32,9 @@ pub use io::NoSignal;
 use instances::Held;
 pub use lines::Lines;
 pub use motion::StandingArm;
+
+/// Bytes of events after which a cycle is broken off, so that they are taken.
+const MOST_RECORDED: usize = 64 << 20;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
@@ -62,8 +66,15 @@ pub struct Devices {
     files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
+    /// Ends the cycle behind the instruction at hand while it is set, so that whoever runs the controller can end the
+    /// run. A loop of slow instructions would keep it for long otherwise.
+    pub interrupt: Arc<AtomicBool>,
+    /// What the last instruction has taken outside the program.
+    elapsed: Time,
     /// What has happened and was not taken yet.
     events: Vec<Event>,
+    /// Bytes of the events, roughly.
+    recorded: usize,
     /// A task was at an instruction that is not there.
     pub(crate) lacks: bool,
     /// Where the calls of ports come from.
@@ -98,7 +109,7 @@ impl Devices {
             lines: Lines::default(),
             pendant: Pendant::default(),
             robot: Robot::default(),
-            arm: StandingArm::default(),
+            arm: StandingArm::new(FIRST_ARM),
             log: EventLog::default(),
             profiles: Profiles::default(),
             languages: Languages::default(),
@@ -108,7 +119,10 @@ impl Devices {
             roots,
             files: OpenFiles::default(),
             libraries,
+            interrupt: Arc::default(),
+            elapsed: 0,
             events: Vec::new(),
+            recorded: 0,
             lacks: false,
             origin: Origin::default(),
             names: BTreeMap::new(),
@@ -122,7 +136,7 @@ impl Devices {
     /// Records what the task that runs has done.
     fn record(&mut self, what: What) {
         let task = self.names.get(&self.origin.task).cloned();
-        self.events.push(Event { t: seconds(self.origin.time), task, what });
+        self.push_event(Event { t: seconds(self.origin.time), task, what });
     }
 
     /// Records what lines have answered.
@@ -137,11 +151,17 @@ impl Devices {
 
     /// Records what has come from outside.
     pub fn record_outside(&mut self, now: Time, what: What) {
-        self.events.push(Event { t: seconds(now), task: None, what });
+        self.push_event(Event { t: seconds(now), task: None, what });
+    }
+
+    fn push_event(&mut self, event: Event) {
+        self.recorded += size_of::<Event>();
+        self.events.push(event);
     }
 
     /// What has happened since this was asked before.
     pub fn take_events(&mut self) -> Vec<Event> {
+        self.recorded = 0;
         std::mem::take(&mut self.events)
     }
 }

@@ -301,7 +301,10 @@ impl Machine<'_> {
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     let inner = self.call(image, (&frame, program), site, (at.next, at.line))?;
-                    thread.frames.push(inner);
+                    if let Err(fault) = thread.push(inner, &mut self.space.memory.stores.room) {
+                        leave(&mut self.space.memory, &inner.base);
+                        return Err(fault);
+                    }
                     (at.next, at.line) = (0, 0);
                     change!(inner);
                 }

@@ -4,12 +4,19 @@ use std::sync::Arc;
 
 use val3_bytecode::Image;
 use val3_lang::memory::StoreId;
-use val3_lang::ports::Ports;
+use val3_lang::ports::{Ports, Time};
 
 use crate::{InstanceId, Space};
 
 /// The controller around the run time.
 pub trait Host: Ports {
+    /// The time that the last instruction has taken outside the program, such as on a medium; 0 when asked again.
+    fn take_elapsed(&mut self) -> Time;
+
+    /// The cycle is to be broken off behind the instruction at hand: the run is to end, or what is recorded has to be
+    /// taken first.
+    fn is_interrupted(&self) -> bool;
+
     /// The task that runs is at an instruction that this controller does not have.
     fn lacking(&mut self, instruction: &str);
 
@@ -19,6 +26,9 @@ pub trait Host: Ports {
     /// A library was loaded or saved under an identifier, or not: the code tells. `path` is as the program gave it;
     /// without an identifier the application itself was meant.
     fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16);
+
+    /// There is no memory left for the library at this path.
+    fn no_memory_for(&mut self, path: &str);
 
     /// Compiles the library that a program names (6.6).
     ///

@@ -5,7 +5,7 @@ use val3_bytecode::{Handler, Image, InstructionSite};
 use val3_lang::call::{Argument, Call, Flow, Wait, Waiting};
 use val3_lang::fault::Result;
 use val3_lang::memory::Memory;
-use val3_lang::ports::{Ports, Tasks, nanoseconds};
+use val3_lang::ports::{Ports, Tasks, Time, nanoseconds};
 
 use crate::arguments::place;
 use crate::machine::Machine;
@@ -63,7 +63,19 @@ impl Machine<'_> {
                 return Ok(Some(Stop::Waits));
             }
         }
-        Ok(is_stopped.then_some(Stop::Halted))
+        Ok(if is_stopped { Some(Stop::Halted) } else { self.pause(thread, now) })
+    }
+
+    /// Lets the task pause as long as the instruction that it has executed takes outside the program. Where the run is
+    /// interrupted, the turn is over too.
+    fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<Stop> {
+        let elapsed = self.ports.take_elapsed();
+        if elapsed == 0 && !self.ports.is_interrupted() {
+            return None;
+        }
+        let wake = now.saturating_add(elapsed);
+        thread.wait = Some(Wait { wake: Some(wake), sleeps: true, part: 0 });
+        Some(Stop::Pauses(wake))
     }
 
     /// The task has halted or killed itself.

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use val3_lang::fault::Fault;
 use val3_lang::library_errors as code;
 use val3_lang::ports::Request;
 
@@ -49,7 +50,7 @@ impl Machine<'_> {
         if let Some(refusal) = leaving.iter().find_map(|leaving| self.refusal(thread, *leaving)) {
             return refusal;
         }
-        let new = self.space.take_in(loaded, self.ports);
+        let Ok(new) = self.space.take_in(loaded, self.ports) else { return code::CANNOT_LOAD };
         let complete = self.space.connect(owner, library, new, self.ports);
         self.space.drop_unused();
         if complete { code::DONE } else { code::INTERFACE_DIFFERS }
@@ -90,13 +91,17 @@ impl Space {
     }
 
     /// The library in memory; loaded with those that load with it, where it is not there yet.
-    pub fn take_in(&mut self, loaded: crate::Loaded, host: &mut dyn Host) -> InstanceId {
+    ///
+    /// # Errors
+    /// 40 without memory; the event log says so.
+    pub fn take_in(&mut self, loaded: crate::Loaded, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         if let Some(there) = self.in_memory(&loaded.path) {
-            return there;
+            return Ok(there);
         }
-        let id = self.load(loaded.image, loaded.path, host);
+        let path = loaded.path.clone();
+        let id = self.load(loaded.image, loaded.path, host).inspect_err(|_| host.no_memory_for(&path))?;
         self.load_with(id, host);
-        id
+        Ok(id)
     }
 
     /// Loads the libraries that load with an application or library. What cannot be loaded is missing when it is used
@@ -106,11 +111,11 @@ impl Space {
         let (image, path) = (Arc::clone(&instance.image), instance.path.clone());
         for (number, library) in (0u16..).zip(&image.libraries).filter(|(_, library)| library.autoload) {
             let code = match host.load(&path, &library.path, "") {
-                Ok(loaded) => {
-                    let loaded = self.take_in(loaded, host);
-                    let complete = self.connect(id, number, loaded, host);
-                    if complete { code::DONE } else { code::INTERFACE_DIFFERS }
-                }
+                Ok(loaded) => match self.take_in(loaded, host) {
+                    Ok(loaded) if self.connect(id, number, loaded, host) => code::DONE,
+                    Ok(_) => code::INTERFACE_DIFFERS,
+                    Err(_) => code::CANNOT_LOAD,
+                },
                 Err(code) => code,
             };
             host.library(LibraryOp::Load, &library.alias, &library.path, code);
@@ -146,7 +151,9 @@ impl Space {
         instance.loaded = false;
         instance.libraries.fill(None);
         let data = std::mem::take(&mut instance.data);
+        let code = instance.image.code_bytes();
         data.iter().for_each(|store| self.memory.remove(*store));
+        self.memory.stores.room.give_back(code);
         self.declare_libraries(id);
     }
 }

@@ -48,11 +48,14 @@ impl Schedule {
     }
 
     /// Runs tasks until the end of the cycle, which is returned with its outcome. The last turn may overrun that end by
-    /// part of a line.
+    /// part of a line. A cycle that the host interrupts resumes when this is called again.
     pub fn cycle(&mut self, vm: &mut Vm, host: &mut dyn Host) -> (Cycle, Time) {
         let end = (self.now / CYCLE + 1) * CYCLE;
         let synchronous = self.synchronous(vm, host);
         let asynchronous = self.asynchronous(vm, end, host);
+        if host.is_interrupted() {
+            return (Cycle::Busy, self.now);
+        }
         self.now = self.now.max(end);
         (if synchronous { Cycle::Busy } else { asynchronous }, end)
     }
@@ -67,15 +70,28 @@ impl Schedule {
                 continue;
             }
             self.begin_period(vm, *id);
-            let turn = vm.turn(*id, Grant::once(SYNCHRONOUS_LINES), (self.now, self.line_cost), host);
-            let took = Time::from(turn.lines) * self.line_cost;
-            self.now += took;
-            if took > *period {
+            let start = self.now;
+            self.synchronous_turn(vm, *id, host);
+            if self.now - start > *period {
                 self.leave_out_period(vm, *id);
             }
         }
         self.pass_periods(vm);
         !due.is_empty()
+    }
+
+    /// Gives a synchronous task its lines. What takes time outside the program delays all that follows in the cycle.
+    fn synchronous_turn(&mut self, vm: &mut Vm, id: TaskNumber, host: &mut dyn Host) {
+        let mut lines = SYNCHRONOUS_LINES;
+        loop {
+            let turn = vm.turn(id, Grant::once(lines), (self.now, self.line_cost), host);
+            self.now += Time::from(turn.lines) * self.line_cost;
+            lines = lines.saturating_sub(turn.lines);
+            match turn.stop {
+                Stop::Pauses(wake) if !host.is_interrupted() => self.now = self.now.max(wake),
+                _ => return,
+            }
+        }
     }
 
     /// The periods of tasks that do not run pass, so that one that is resumed goes on at the beginning of one.
@@ -144,6 +160,9 @@ impl Schedule {
             round.has_run |= has_run;
             round.reads_clock |= turn.reads_clock;
             any |= has_run;
+            if host.is_interrupted() {
+                return Cycle::Busy;
+            }
         }
         Cycle::Busy
     }

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use val3_bytecode::{DataDef, FatherLink, Image, Import, ImportKind, LinkInit, LinkTarget};
+use val3_lang::fault::Fault;
 use val3_lang::memory::{Link, Memory, Owner, Place, StoreId, View};
 use val3_lang::types::BaseType;
 
@@ -25,13 +26,20 @@ impl Space {
     }
 
     /// Takes an application or library into memory, with its data as its files say.
-    pub fn load(&mut self, image: Arc<Image>, path: String, host: &mut dyn Host) -> InstanceId {
+    ///
+    /// # Errors
+    /// 40 without memory.
+    pub fn load(&mut self, image: Arc<Image>, path: String, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         let free = self.instances.iter().position(|instance| !instance.loaded);
         let at = free.unwrap_or(self.instances.len());
         let id = InstanceId(u16::try_from(at).unwrap_or(u16::MAX));
         let owner = |data: &DataDef| Owner::Project { number: id.0, public: data.public };
-        let data = image.data.iter().map(|data| self.memory.create_for(owner(data), &data.init));
-        let data: Arc<[StoreId]> = data.collect();
+        let data = self.memory.create_all(&image.data, |memory, data| memory.create_for(owner(data), &data.init))?;
+        if let Err(fault) = self.memory.stores.room.take(image.code_bytes()) {
+            data.into_iter().for_each(|store| self.memory.remove(store));
+            return Err(fault);
+        }
+        let data: Arc<[StoreId]> = data.into();
         let instance = Instance {
             data,
             path,
@@ -48,29 +56,33 @@ impl Space {
             host.loaded(id.0, &instance.image, &instance.data);
         }
         self.link_data(id, None, host);
-        id
+        Ok(id)
     }
 
     /// Replaces the image of an application in memory. Data that both images declare alike keep their values, other
     /// data of the new image begin with theirs.
-    pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) {
-        let Some(instance) = self.instances.get_mut(usize::from(id.0)) else { return };
-        let (before, stores) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
-        instance.imports = vec![None; image.imports.len()];
-        let libraries = instance.libraries.clone();
-        let mut old: BTreeMap<&str, (&DataDef, StoreId)> =
-            before.data.iter().zip(stores.iter()).map(|(data, store)| (data.name.as_str(), (data, *store))).collect();
-        let data = image.data.iter().map(|data| match old.remove(data.name.as_str()) {
-            Some((same, store)) if same == data => store,
-            other => {
-                other.into_iter().for_each(|(_, store)| self.memory.remove(store));
-                self.memory.create_for(Owner::Project { number: id.0, public: data.public }, &data.init)
-            }
-        });
-        let data: Arc<[StoreId]> = data.collect();
-        old.values().for_each(|(_, store)| self.memory.remove(*store));
+    ///
+    /// # Errors
+    /// 40 without memory. The image in memory is then unchanged.
+    pub fn exchange(&mut self, id: InstanceId, image: Arc<Image>, host: &mut dyn Host) -> Result<(), Fault> {
+        let Some(instance) = self.instance(id) else { return Ok(()) };
+        let (before, stores, libraries) =
+            (Arc::clone(&instance.image), Arc::clone(&instance.data), instance.libraries.clone());
+        let old = by_name(&before.data, &stores);
+        let kept = |data: &DataDef| old.get(data.name.as_str()).filter(|(same, _)| *same == data).map(|(_, store)| *store);
+        let owner = |data: &DataDef| Owner::Project { number: id.0, public: data.public };
+        let added = image.data.iter().filter(|data| kept(data).is_none());
+        let added = self.memory.create_all(added, |memory, data| memory.create_for(owner(data), &data.init))?;
+        let mut added = added.into_iter();
+        let data: Arc<[StoreId]> = image.data.iter().filter_map(|data| kept(data).or_else(|| added.next())).collect();
+        let new = by_name(&image.data, &data);
+        let gone = old.iter().filter(|(name, (_, store))| new.get(*name).is_none_or(|(_, same)| same != store));
+        gone.for_each(|(_, (_, store))| self.memory.remove(*store));
         host.loaded(id.0, &image, &data);
+        self.memory.stores.room.give_back(before.code_bytes());
+        self.memory.stores.room.count(image.code_bytes());
         if let Some(instance) = self.instances.get_mut(usize::from(id.0)) {
+            instance.imports = vec![None; image.imports.len()];
             (instance.image, instance.data) = (image, data);
         }
         for (number, library) in (0u16..).zip(libraries) {
@@ -78,6 +90,7 @@ impl Space {
                 self.connect_items(id, number, library);
             }
         }
+        Ok(())
     }
 
     /// Lets a library identifier of `user` stand for `library`.
@@ -217,4 +230,9 @@ fn builtin(name: &str) -> Option<StoreId> {
         BaseType::Tool => Some(Memory::FLANGE),
         _ => None,
     })
+}
+
+/// Data definitions with their containers, by name.
+fn by_name<'d>(data: &'d [DataDef], stores: &[StoreId]) -> BTreeMap<&'d str, (&'d DataDef, StoreId)> {
+    data.iter().zip(stores).map(|(data, store)| (data.name.as_str(), (data, *store))).collect()
 }

@@ -2,8 +2,8 @@
 
 use val3_bytecode::Program;
 use val3_lang::call::{Wait, Waiting};
-use val3_lang::fault::Fault;
-use val3_lang::memory::{Place, Stack};
+use val3_lang::fault::{Fault, Result};
+use val3_lang::memory::{Place, Room, Stack, bytes_of};
 use val3_lang::ports::{CodePlace, TaskNumber, Time};
 
 use crate::InstanceId;
@@ -54,7 +54,53 @@ pub(crate) struct NewThread {
     pub(crate) stack_size: u32,
 }
 
+/// Bytes that a task takes beside its stack, for what the controller knows of it. The number keeps programs that create
+/// tasks without end to some thousands.
+const TASK_BYTES: u64 = 64 << 10;
+
 impl Thread {
+    /// A thread in no program yet, with the memory that a task takes.
+    ///
+    /// # Errors
+    /// 40 without memory.
+    pub(crate) fn new(room: &mut Room) -> Result<Self> {
+        room.take(TASK_BYTES)?;
+        Ok(Self::default())
+    }
+
+    /// Bytes of its frames and of its stack, as far as the thread has it.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        bytes_of::<Frame>(self.frames.capacity()) + self.stack.bytes()
+    }
+
+    /// Gives the memory back: the task is over.
+    pub(crate) fn give_back(&self, room: &mut Room) {
+        room.give_back(TASK_BYTES + self.bytes());
+    }
+
+    /// Enters a program.
+    ///
+    /// # Errors
+    /// 40 without memory.
+    #[inline(always)]
+    pub(crate) fn push(&mut self, frame: Frame, room: &mut Room) -> Result<()> {
+        if self.frames.len() == self.frames.capacity() {
+            self.grow(room)?;
+        }
+        self.frames.push(frame);
+        Ok(())
+    }
+
+    /// Doubles the frames that there is room for.
+    #[cold]
+    fn grow(&mut self, room: &mut Room) -> Result<()> {
+        let more = self.frames.len().max(LEAST_FRAMES);
+        room.take(bytes_of::<Frame>(more))?;
+        self.frames.reserve_exact(more);
+        Ok(())
+    }
+
     /// Where it is; `None` while the interpreter has it.
     #[must_use]
     pub fn place(&self) -> Option<CodePlace> {
@@ -68,6 +114,9 @@ impl Thread {
         (self.waiting, self.watched, self.wait) = (None, None, None);
     }
 }
+
+/// Frames that a thread has room for at first.
+const LEAST_FRAMES: usize = 4;
 
 /// How often a task runs.
 #[derive(Debug, Clone, Copy, PartialEq)]

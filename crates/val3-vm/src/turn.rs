@@ -9,7 +9,7 @@ use val3_lang::ports::{TaskChange, Time};
 use val3_lang::tasks::{period_steps, priority};
 
 use crate::arguments::{Given, on_frame, place};
-use crate::enter::{enter, pass};
+use crate::enter::enter_with;
 use crate::machine::Machine;
 use crate::task::{Base, NewThread, Thread};
 use crate::{CYCLE, Frame, InstanceId, Rate};
@@ -21,6 +21,8 @@ pub enum Stop {
     Budget,
     /// It waits.
     Waits,
+    /// It pauses behind an instruction: until this time it is busy with what is outside the program.
+    Pauses(Time),
     /// Its program has ended.
     Ended,
     /// It has halted or killed itself.
@@ -137,14 +139,17 @@ impl Machine<'_> {
         let lanes = stack.ends();
         let (place, view) = (length(&stack.places), length(&stack.views));
         let base = Base { num: lanes.num, text: lanes.text, link: lanes.link, part: lanes.part, place, view, bytes: 0 };
-        enter(&mut self.space.memory, callee, &base, u32::MAX)?;
-        for (param, argument) in callee.params.iter().zip(arguments) {
-            pass(&mut self.space.memory, &base, param, *argument)?;
-        }
-        let stack = self.space.memory.stack.split_off(lanes, place, view);
+        let memory = &mut self.space.memory;
+        let mut thread = Thread::new(&mut memory.stores.room)?;
+        thread.line = callee.lines.first().map_or(0, |line| line.op);
         let frame = Frame { instance, program: number, back: 0, back_line: 0, base: Base::default() };
-        let line = callee.lines.first().map_or(0, |line| line.op);
-        Ok(Thread { frames: vec![frame], line, stack, ..Thread::default() })
+        let entered = thread.push(frame, &mut memory.stores.room);
+        let entered = entered.and_then(|()| enter_with(memory, callee, &base, u32::MAX, arguments));
+        thread.stack = memory.stack.split_off(lanes, place, view);
+        if entered.is_err() {
+            thread.give_back(&mut memory.stores.room);
+        }
+        entered.map(|()| thread)
     }
 }
 

@@ -29,7 +29,7 @@ impl Vm {
     /// Starts a program without parameters as a task, under any name (5.2).
     ///
     /// # Errors
-    /// 61 if there is no such program.
+    /// 61 if there is no such program, 40 without memory.
     pub fn start(
         &mut self,
         name: &str,
@@ -102,7 +102,7 @@ impl Vm {
                 host.task(id, &task.name, TaskChange::Failed(fault), None);
             }
             Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
-            Stop::Ended | Stop::Budget | Stop::Waits | Stop::Halted => {}
+            Stop::Ended | Stop::Budget | Stop::Waits | Stop::Pauses(_) | Stop::Halted => {}
         }
         self.idle = Some(std::mem::replace(&mut task.thread, thread));
         if stop == Stop::Ended
@@ -119,6 +119,7 @@ impl Vm {
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
             leave(&mut self.space.memory, &Base::default());
             std::mem::swap(&mut self.space.memory.stack, &mut task.thread.stack);
+            task.thread.give_back(&mut self.space.memory.stores.room);
         }
     }
 

@@ -4,9 +4,12 @@
 use std::sync::Arc;
 
 use val3_analysis::db::{Database, Project};
+use val3_analysis::items::project::items;
 use val3_bytecode::Image;
-use val3_lang::components::Component;
+use val3_lang::memory::MEMORY;
+use val3_lang::types::Arm;
 use val3_machine::controller::Controller;
+use val3_machine::controller_state::{FIRST_ARM, JointLimits};
 use val3_machine::devices::Devices;
 
 use super::lines::Tape;
@@ -31,18 +34,26 @@ pub(crate) fn controller(
     let Media { roots, disk, application } = media;
     let mut devices = Devices::new(roots, Box::new(Images::new(disk.clone())));
     cell::declare_io(&mut devices, db, project);
+    if items(db, project).arm.is_some_and(|arm| arm != Arm::from_model(FIRST_ARM)) {
+        // The limits of the first arm are those of another kind.
+        devices.arm.limits = JointLimits::NONE;
+    }
     cell::describe(&mut devices, &disk);
     describe(&mut devices, args);
     settings.apply(&mut devices);
     lines::connect(&mut devices.lines, &disk, tape, &settings)?;
-    Ok(Controller::new(devices, image, application, settings.line_cost))
+    Controller::new(devices, image, application, settings.line_cost).map_err(|_| {
+        let megabytes = MEMORY >> 20;
+        UserError::new(format!("the data of the application need more memory than a controller has ({megabytes} MB)"))
+            .with_help("make arrays smaller, or read what is large from files")
+    })
 }
 
 /// What the arguments say of the arm, and the date.
 fn describe(devices: &mut Devices, args: &ControllerArgs) {
     // Kinds of arms have no digit, models have.
     if let Some(model) = args.arm.as_ref().filter(|name| name.contains(|letter: char| letter.is_ascii_digit())) {
-        devices.versions.set(Component::ArmType, model);
+        devices.set_arm(model);
     }
     if let Some(date) = args.date {
         devices.calendar = date;

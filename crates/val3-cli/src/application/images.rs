@@ -9,6 +9,9 @@ use val3_machine::files::{ControllerPath, LibraryFiles};
 
 use super::{compile, first_refusal, load_laid};
 
+/// Compiled libraries that are kept. A program that saves a library under ever new names fills no memory.
+const MOST_KNOWN: usize = 64;
+
 /// Compiles libraries.
 pub(crate) struct Images {
     /// The folder of `Disk`.
@@ -32,6 +35,9 @@ impl Libraries for Images {
         }
         let image = self.compile(path, &files)?;
         self.known.retain(|(known, ..)| *known != shown);
+        if self.known.len() == MOST_KNOWN {
+            self.known.remove(0);
+        }
         self.known.push((shown, files, Arc::clone(&image)));
         Ok(image)
     }

@@ -25,8 +25,10 @@ pub(super) struct Execution {
 }
 
 impl Execution {
-    pub(super) fn new(controller: Controller) -> Self {
-        Self { controller, pace: Pace::default(), interrupt: Interrupt::default() }
+    pub(super) fn new(mut controller: Controller) -> Self {
+        let interrupt = Interrupt::default();
+        controller.devices.interrupt = interrupt.flag();
+        Self { controller, pace: Pace::default(), interrupt }
     }
 
     /// Replaces the image: data that it declares anew begin with their first values, data that it lacks are gone.

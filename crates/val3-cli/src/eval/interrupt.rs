@@ -16,6 +16,11 @@ impl Interrupt {
         self.0.swap(false, Relaxed)
     }
 
+    /// Set while Ctrl-C was pressed and nobody has asked: what takes long is to look at it.
+    pub(super) fn flag(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.0)
+    }
+
     /// Ends the text as Ctrl-C does.
     pub(super) fn ask(&self) {
         self.0.store(true, Relaxed);

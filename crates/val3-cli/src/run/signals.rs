@@ -1,8 +1,8 @@
 //! Signals that end a run from outside: what it holds, such as the terminal and its record, is given back first.
 
 use std::sync::Arc;
-use std::sync::atomic::AtomicUsize;
 use std::sync::atomic::Ordering::Relaxed;
+use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 use crate::user_error::UserError;
 
@@ -13,9 +13,16 @@ const EXIT_SIGNAL: u8 = 128;
 #[derive(Debug, Default)]
 pub(super) struct Signals {
     caught: Arc<AtomicUsize>,
+    /// Set with the first signal.
+    seen: Arc<AtomicBool>,
 }
 
 impl Signals {
+    /// Set as soon as a signal was caught: what takes long is to look at it.
+    pub(super) fn flag(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.seen)
+    }
+
     /// The exit code that a signal asks for, if one was caught.
     pub(super) fn exit_code(&self) -> Option<u8> {
         let signal = u8::try_from(self.caught.load(Relaxed)).ok().filter(|signal| *signal != 0)?;
@@ -31,11 +38,12 @@ impl Signals {
         use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
         use signal_hook::flag::{register, register_conditional_default, register_usize};
 
-        let (signals, seen) = (Self::default(), Arc::default());
+        let signals = Self::default();
+        let seen = &signals.seen;
         for signal in [SIGHUP, SIGINT, SIGTERM] {
             let number = usize::try_from(signal).unwrap_or_default();
-            register_conditional_default(signal, Arc::clone(&seen))
-                .and_then(|_| register(signal, Arc::clone(&seen)))
+            register_conditional_default(signal, Arc::clone(seen))
+                .and_then(|_| register(signal, Arc::clone(seen)))
                 .and_then(|_| register_usize(signal, Arc::clone(&signals.caught), number))
                 .map_err(|error| UserError::new(format!("cannot catch signals: {error}")))?;
         }

@@ -365,12 +365,12 @@ end
     };
     let told: Vec<String> = told.iter().map(place).collect();
     let expected = [
-        "- created ~main start 5",
-        "~main created work work 5",
-        "~main suspended work work 6",
-        "~main resumed work work 6",
-        "~main killed work work 6",
-        "~main ended ~main start 9",
+        "- created main~ start 5",
+        "main~ created work work 5",
+        "main~ suspended work work 6",
+        "main~ resumed work work 6",
+        "main~ killed work work 6",
+        "main~ ended main~ start 9",
     ];
     assert_eq!(told[..6], expected);
 }
@@ -391,8 +391,33 @@ fn a_run_ends_at_its_limit_to_the_dot() {
 }
 
 #[test]
+fn a_loop_of_slow_instructions_comes_to_its_limit() {
+    let folder = Folder::with("  while true\n    libSave()\n  endWhile\n");
+    let saved = events(&folder, &["--until", "0.1"], "lib");
+    assert!((5..=25).contains(&saved.len()), "{saved:?}");
+    let end = events(&folder, &["--until", "0.1"], "end");
+    assert_eq!((&end[0]["t"], &end[0]["reason"]), (&0.1.into(), &"limit".into()));
+}
+
+#[test]
+fn the_arm_of_the_cell_has_limits() {
+    let ask = |j1: i32, j5: f64| format!("  ? isInRange({{{j1},0,90,0,{j5},0}})\n");
+    let code = [ask(0, 140.0), ask(0, 140.5), ask(-170, 0.0), ask(95, 0.0)].concat();
+    let folder = Folder::with(&code);
+    ends(&folder.val3(&["run"]), 0, "true\nfalse\ntrue\ntrue\n");
+    ends(&folder.val3(&["run", "--arm", "tx40"]), 0, "false\nfalse\ntrue\ntrue\n");
+    folder.write(
+        "configs/arm.cfx",
+        "<arm><FloatArray name=\"maxArmJointPos\"><Float index=\"0\" value=\"90\"/></FloatArray>\
+         <FloatArray name=\"minArmJointPos\"><Float index=\"0\" value=\"-9999999\"/></FloatArray>\
+         <String name=\"arm\" value=\"rx160l-S1\"/></arm>",
+    );
+    ends(&folder.val3(&["run"]), 0, "false\nfalse\nfalse\nfalse\n");
+}
+
+#[test]
 fn a_run_whose_tasks_are_all_suspended_does_not_wait_for_its_limit() {
-    let folder = Folder::with("  taskSuspend(\"~main\")\n");
+    let folder = Folder::with("  taskSuspend(\"main~\")\n");
     ends(&folder.val3(&["run", "--until", "1000"]), 1, "");
     let end = events(&folder, &["--until", "1000"], "end");
     assert_eq!((&end[0]["t"], &end[0]["reason"]), (&0.004.into(), &"error".into()));

@@ -98,7 +98,7 @@ impl Cell {
         prepare(&mut devices);
         let main = ControllerPath::root("Disk").join("main").unwrap();
         let image = OnDisk(self.path("")).image(&main, LibraryFiles { files: Vec::new(), encrypted: false }).unwrap();
-        let mut controller = Controller::new(devices, image, main.to_string(), LINE_COST);
+        let mut controller = Controller::new(devices, image, main.to_string(), LINE_COST).unwrap();
         controller.start("start").unwrap();
         controller
     }

@@ -29,7 +29,7 @@ pub(crate) const LINE_COST: Time = 2_000;
 /// A controller whose application has begun.
 pub(crate) fn started(image: &Arc<Image>, line_cost: Time) -> Controller {
     let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
-    let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), line_cost);
+    let mut controller = Controller::new(devices, Arc::clone(image), "Disk://main".to_owned(), line_cost).unwrap();
     controller.start("start").unwrap();
     controller
 }
@@ -378,6 +378,17 @@ fn a_task_that_is_alone_gets_the_same_turns() {
     let (alone, among_others) = (printed("delay(9)"), printed("wait(bGo)"));
     assert!(alone.contains("-27\n"), "{alone}");
     assert_eq!(alone, among_others);
+}
+
+#[test]
+fn powers_of_negative_numbers() {
+    let powers = |version: &str| {
+        run(&format!(
+            "version {version}\nnum nX\nprogram start()\nbegin\n  nX=-3\n  ? power(nX,3)\n  ? power(nX+3,2)\n  ? power(nX,0.5)\nend"
+        ))
+    };
+    assert_eq!(powers("s8.10"), "-27\n0\nerror 11 in line 8\n");
+    assert_eq!(powers("s7.11"), "error 11 in line 6\n");
 }
 
 /// An index is rounded as floor(x + 0.5), and exactly so: the largest number below a half is index 0.

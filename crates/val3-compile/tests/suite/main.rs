@@ -14,6 +14,7 @@ mod libraries;
 mod library_tasks;
 mod lines;
 mod media;
+mod memory;
 mod places;
 mod programs;
 mod random_programs;

@@ -163,3 +163,109 @@ fn the_old_forms_of_insert_and_delete() {
     );
     assert_eq!(cell.run(), "3\n2\n2\nerror 20 in start\n");
 }
+
+/// Access to a medium takes time of the controller: a loop of it comes to its limit, and other tasks go on meanwhile.
+#[test]
+fn access_takes_time() {
+    let cell = Cell::new(
+        r#"
+        num nFile
+        num nStart
+        num nTicks
+        string sLines[1]
+        program tick()
+        begin
+          while true
+            nTicks=nTicks+1
+            delay(0.004)
+          endWhile
+        end
+        program start()
+        begin
+          taskCreate "tick",10,tick()
+          nStart=clock()
+          nFile=$fileOpen("./log.txt","w")
+          ? clock()-nStart
+          nStart=clock()
+          for nTicks=0 to 9
+            $fileSet(nFile,sLines,1)
+          endFor
+          $fileClose(nFile)
+          ? clock()-nStart
+          nTicks=0
+          nStart=clock()
+          ? libSave("./copy")
+          ? clock()-nStart>=0.008
+          ? nTicks>=2
+          taskKill("tick")
+        end
+        "#,
+    );
+    expect![[r#"
+        0.004
+        0.001
+        0
+        true
+        true
+    "#]]
+    .assert_eq(&cell.run());
+}
+
+/// Whoever runs the controller sees a signal behind each instruction, however long those take.
+#[test]
+fn an_interrupt_ends_the_cycle_behind_the_instruction() {
+    let cell = Cell::new(
+        r#"
+        program start()
+        begin
+          while true
+            ? "x"
+          endWhile
+        end
+        "#,
+    );
+    let mut controller = cell.controller();
+    controller.step();
+    assert!(controller.devices.take_events().len() > 500);
+    controller.devices.interrupt.store(true, std::sync::atomic::Ordering::Relaxed);
+    for _ in 0..3 {
+        let before = controller.now();
+        controller.step();
+        assert_eq!(controller.devices.take_events().len(), 1);
+        assert!(controller.now() > before && controller.now() - before < 10_000);
+    }
+}
+
+/// The lines of a synchronous task wait for a medium, and its cycle is too short then.
+#[test]
+fn access_in_a_synchronous_task() {
+    let cell = Cell::new(
+        r#"
+        num nFile
+        num nRuns
+        bool bLate
+        program sync()
+        begin
+          while nRuns<3
+            nRuns=nRuns+1
+            ? $fileExists("./none.txt")
+            ? bLate
+            delay(0)
+          endWhile
+        end
+        program start()
+        begin
+          taskCreateSync "sync",0.004,bLate,sync()
+          wait(taskStatus("sync")==-1)
+        end
+        "#,
+    );
+    let printed = cell.run();
+    assert_eq!(
+        printed.lines().filter(|line| *line == "false").count()
+            + printed.lines().filter(|line| *line == "true").count(),
+        6,
+        "{printed}"
+    );
+    assert!(printed.contains("true"), "{printed}");
+}

@@ -4,17 +4,21 @@ use super::{Call, ScreenRef};
 use crate::fault::Result;
 use crate::memory::Link;
 
+/// Bytes that a page takes.
+const PAGE_BYTES: u64 = 16 << 10;
+
 impl ScreenRef {
     /// The number of its page. The page comes into being when the variable is first used.
     ///
     /// A copy of a structure with a screen shares the page from then on, as it shares links to inputs and outputs.
     ///
     /// # Errors
-    /// 20 if the variable is gone.
+    /// 20 if the variable is gone, 40 without memory for a new page.
     pub fn page(self, call: &mut Call<'_>) -> Result<u32> {
         if let Link::Port(page) = call.memory.link(self.0, 0)? {
             return Ok(page);
         }
+        call.memory.stores.room.take(PAGE_BYTES)?;
         let page = call.ports.create_page(self.0);
         call.memory.set_link(self.0, 0, Link::Port(page))?;
         Ok(page)

@@ -2,7 +2,7 @@
 
 use std::ops::Bound;
 
-use super::store::number_within;
+use super::store::{KEY_BYTES, number_within};
 use super::{Lanes, Memory, Owner, Place, Shape, Slot, SlotAt, Store, StoreId, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
@@ -69,14 +69,14 @@ impl Memory {
         let store = self.growing(view.store, limit)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let number = number_within(view, size + 1, index)?;
-        let before = store.kind.size * number;
-        let (kind, owner) = (store.kind.clone(), store.owner);
+        let parts = self.parts_of_new_value(view.store)?;
+        let store = self.store_mut(view.store)?;
+        let (before, kind) = (store.kind.size * number, store.kind.clone());
         store.shape = Shape::array(size + 1);
         splice(&mut store.nums, before.num, &kind.default.nums);
         splice(&mut store.texts, before.text, &kind.default.texts);
         splice(&mut store.links, before.link, &kind.default.links);
-        let parts = self.create_parts(&kind, None, owner);
-        splice(&mut self.store_mut(view.store)?.parts, before.part, &parts);
+        splice(&mut store.parts, before.part, &parts);
         Ok(())
     }
 
@@ -93,17 +93,23 @@ impl Memory {
         if key.as_str().is_empty() {
             return Err(Fault::INVALID_PARAMETER);
         }
-        let store = self.growing(id, limit)?;
-        let gap = store.gaps.pop();
-        let number = gap.unwrap_or_else(|| store.shape.len());
-        if let Shape::Collection(keys) = &mut store.shape {
+        let gap = self.growing(id, limit)?.gaps.last().copied();
+        self.stores.room.check(KEY_BYTES)?;
+        let number = match gap {
+            Some(number) => {
+                self.reset(id, number)?;
+                self.store_mut(id)?.gaps.pop();
+                number
+            }
+            None => {
+                self.push(id)?;
+                self.store(id)?.shape.len()
+            }
+        };
+        if let Shape::Collection(keys) = &mut self.store_mut(id)?.shape {
             keys.insert(key, number);
         }
-        if gap.is_some() {
-            self.reset(id, number)?;
-        } else {
-            self.push(id)?;
-        }
+        self.stores.room.take(KEY_BYTES)?;
         Ok(true)
     }
 
@@ -114,8 +120,9 @@ impl Memory {
     pub fn append(&mut self, id: StoreId, limit: Option<u32>) -> Result<()> {
         let store = self.growing(id, limit)?;
         let Shape::Array { dims: 1, sizes: [size, ..] } = store.shape else { return Err(Fault::INVALID_PARAMETER) };
-        store.shape = Shape::array(size + 1);
-        self.push(id)
+        self.push(id)?;
+        self.store_mut(id)?.shape = Shape::array(size + 1);
+        Ok(())
     }
 
     /// Takes out the value with this index (2.5.4). An array keeps at least one value.
@@ -135,6 +142,7 @@ impl Memory {
         cut(&mut store.links, at.link, one.link);
         let parts = cut(&mut store.parts, at.part, one.part);
         store.shape = Shape::array(size - 1);
+        self.stores.room.give_back(one.bytes());
         parts.into_iter().for_each(|part| self.remove(part));
         Ok(())
     }
@@ -148,6 +156,7 @@ impl Memory {
         let Shape::Collection(keys) = &mut store.shape else { return Err(Fault::INVALID_PARAMETER) };
         let number = keys.remove(key).ok_or(Fault::INDEX_TOO_LARGE)?;
         store.gaps.push(number);
+        self.stores.room.give_back(KEY_BYTES);
         Ok(())
     }
 
@@ -178,32 +187,22 @@ impl Memory {
 
     /// Moves the values of an array to their places in one of other sizes.
     fn rearrange(&mut self, id: StoreId, old: [u32; 3], new: [u32; 3], dims: u8) -> Result<()> {
-        let source = self.store(id)?.clone();
-        let kind = source.kind.clone();
+        let store = self.store(id)?;
+        let (kind, owner, before) = (store.kind.clone(), store.owner, store.bytes());
         let shape = Shape::Array { dims, sizes: new };
-        let mut target = Store { parts: Vec::new(), ..Store::filled(kind.clone(), shape) };
-        let mut kept = vec![false; source.parts.len()];
-        let indexes =
-            |[x, y, z]: [u32; 3]| (0..x).flat_map(move |i| (0..y).flat_map(move |j| (0..z).map(move |k| [i, j, k])));
-        let number = |[i, j, k]: [u32; 3], [_, y, z]: [u32; 3]| (i * y + j) * z + k;
-        for at in indexes(new) {
-            let was = at.iter().zip(old).all(|(index, size)| *index < size);
-            if was {
-                let (from, to) = (kind.size * number(at, old), kind.size * number(at, new));
-                move_lanes(&source, from, &mut target, to, kind.size);
-                let parts = from.part as usize..(from.part + kind.size.part) as usize;
-                target.parts.extend_from_slice(source.parts.get(parts.clone()).unwrap_or_default());
-                kept.get_mut(parts).unwrap_or_default().fill(true);
-            } else if kind.size.part > 0 {
-                target.parts.extend(self.create_parts(&kind, None, source.owner));
-            }
+        let after = shape.bytes(kind.size);
+        self.stores.room.check(after.saturating_sub(before))?;
+        let kept: u32 = old.iter().zip(new).map(|(old, new)| new.min(*old)).product();
+        let added = if kind.size.part > 0 { shape.len() - kept } else { 0 };
+        let fresh = self.create_parts(&kind, (0..added).map(|_| None), owner)?;
+        if let Err(fault) = self.stores.room.take(after.saturating_sub(before)) {
+            fresh.into_iter().for_each(|part| self.remove(part));
+            return Err(fault);
         }
-        let lost: Vec<StoreId> =
-            source.parts.iter().zip(kept).filter(|(_, kept)| !kept).map(|(part, _)| *part).collect();
-        lost.into_iter().for_each(|part| self.remove(part));
-        let Store { nums, texts, links, parts, shape, .. } = target;
+        self.stores.room.give_back(before.saturating_sub(after));
         let store = self.store_mut(id)?;
-        (store.nums, store.texts, store.links, store.parts, store.shape) = (nums, texts, links, parts, shape);
+        let lost = store.rearrange((old, new), shape, fresh);
+        lost.into_iter().for_each(|part| self.remove(part));
         Ok(())
     }
 
@@ -242,13 +241,31 @@ impl Memory {
         if store.shape.len() >= most { Err(Fault::NO_MEMORY) } else { Ok(store) }
     }
 
+    /// Adds the lanes of a default value behind the others.
     fn push(&mut self, id: StoreId) -> Result<()> {
+        let parts = self.parts_of_new_value(id)?;
         let store = self.store_mut(id)?;
         store.push_default();
-        let (kind, owner) = (store.kind.clone(), store.owner);
-        let parts = self.create_parts(&kind, None, owner);
-        self.store_mut(id)?.parts.extend(parts);
+        store.parts.extend(parts);
         Ok(())
+    }
+
+    /// Takes the memory for one more value of a container, and makes the containers within the value.
+    fn parts_of_new_value(&mut self, id: StoreId) -> Result<Vec<StoreId>> {
+        let store = self.store(id)?;
+        let bytes = store.kind.size.bytes();
+        let parts = match store.kind.size.part {
+            0 => Vec::new(),
+            _ => {
+                let (kind, owner) = (store.kind.clone(), store.owner);
+                self.create_parts(&kind, [None], owner)?
+            }
+        };
+        if let Err(fault) = self.stores.room.take(bytes) {
+            parts.into_iter().for_each(|part| self.remove(part));
+            return Err(fault);
+        }
+        Ok(parts)
     }
 }
 
@@ -266,16 +283,4 @@ fn splice<T: Copy>(lanes: &mut Vec<T>, at: u32, values: &[T]) {
 fn cut<T>(lanes: &mut Vec<T>, at: u32, count: u32) -> Vec<T> {
     let end = ((at + count) as usize).min(lanes.len());
     lanes.drain((at as usize).min(end)..end).collect()
-}
-
-fn move_lanes(source: &Store, from: Lanes, target: &mut Store, to: Lanes, size: Lanes) {
-    fn lane<T: Copy>(source: &[T], from: u32, target: &mut [T], to: u32, size: u32) {
-        let range = |at: u32| at as usize..(at + size) as usize;
-        if let (Some(source), Some(target)) = (source.get(range(from)), target.get_mut(range(to))) {
-            target.copy_from_slice(source);
-        }
-    }
-    lane(&source.nums, from.num, &mut target.nums, to.num, size.num);
-    lane(&source.texts, from.text, &mut target.texts, to.text, size.text);
-    lane(&source.links, from.link, &mut target.links, to.link, size.link);
 }

@@ -5,21 +5,53 @@ use crate::fault::{Fault, Result};
 
 impl Memory {
     /// A new container with these values: global data of the application.
-    pub fn create(&mut self, init: &PartInit) -> StoreId {
+    ///
+    /// # Errors
+    /// 40 without memory.
+    pub fn create(&mut self, init: &PartInit) -> Result<StoreId> {
         self.create_for(Owner::APPLICATION, init)
     }
 
     /// A new container with these values, which ends with a program.
-    pub fn create_local(&mut self, init: &PartInit) -> StoreId {
+    ///
+    /// # Errors
+    /// 40 without memory.
+    pub fn create_local(&mut self, init: &PartInit) -> Result<StoreId> {
         self.create_for(Owner::Program, init)
     }
 
     /// A new container with these values.
-    pub fn create_for(&mut self, owner: Owner, init: &PartInit) -> StoreId {
+    ///
+    /// # Errors
+    /// 40 without memory.
+    pub fn create_for(&mut self, owner: Owner, init: &PartInit) -> Result<StoreId> {
         self.create_as(init, owner, false)
     }
 
-    fn create_as(&mut self, init: &PartInit, owner: Owner, field: bool) -> StoreId {
+    /// Makes one container of each of `sources`; none if one of them cannot be made.
+    ///
+    /// # Errors
+    /// That of the first that cannot be made.
+    pub fn create_all<T>(
+        &mut self,
+        sources: impl IntoIterator<Item = T>,
+        mut create: impl FnMut(&mut Self, T) -> Result<StoreId>,
+    ) -> Result<Vec<StoreId>> {
+        let mut created = Vec::new();
+        for source in sources {
+            match create(self, source) {
+                Ok(id) => created.push(id),
+                Err(fault) => {
+                    created.into_iter().for_each(|id| self.remove(id));
+                    return Err(fault);
+                }
+            }
+        }
+        Ok(created)
+    }
+
+    fn create_as(&mut self, init: &PartInit, owner: Owner, field: bool) -> Result<StoreId> {
+        self.stores.room.check(init.shape.bytes(init.kind.size))?;
         let mut store = Store { owner, field, ..Store::filled(init.kind.clone(), init.shape.clone()) };
         let count = init.shape.len();
         for (number, value) in (0..count).zip(&init.values) {
@@ -29,26 +61,28 @@ impl Memory {
         }
         if init.kind.size.part > 0 {
             let values = init.values.iter().map(Option::as_ref).chain(std::iter::repeat(None));
-            let values: Vec<_> = values.take(count as usize).collect();
-            store.parts = values.into_iter().flat_map(|value| self.create_parts(&init.kind, value, owner)).collect();
+            store.parts = self.create_parts(&init.kind, values.take(count as usize), owner)?;
         }
         self.add(store)
     }
 
-    /// The containers of one value of a user type.
-    pub(super) fn create_parts(&mut self, kind: &Kind, value: Option<&Element>, owner: Owner) -> Vec<StoreId> {
-        let parts = match value {
-            Some(value) if !value.parts.is_empty() => &value.parts,
-            _ => &kind.default.parts,
-        };
-        parts.iter().map(|part| self.create_as(part, owner, true)).collect()
+    /// The containers of values of a user type; those of a value that is `None` are as the type has them.
+    pub(super) fn create_parts<'v>(
+        &mut self,
+        kind: &Kind,
+        values: impl IntoIterator<Item = Option<&'v Element>>,
+        owner: Owner,
+    ) -> Result<Vec<StoreId>> {
+        let parts = |value: Option<&'v Element>| value.map(|value| &value.parts).filter(|parts| !parts.is_empty());
+        let parts = values.into_iter().flat_map(|value| parts(value).unwrap_or(&kind.default.parts));
+        self.create_all(parts, |memory, part| memory.create_as(part, owner, true))
     }
 
     /// Copies a value of the type `kind`: `to = from` (2.3, 7.3). The fields of a user type get as many values as
     /// those that are copied.
     ///
     /// # Errors
-    /// 20 if one of the values is gone, 82 and 165 if a link is none that `to` may have.
+    /// 20 if one of the values is gone, 82 and 165 if a link is none that `to` may have, 40 without memory.
     pub fn copy(&mut self, kind: &Kind, from: Place, to: Place) -> Result<()> {
         let Lanes { num, text, link, part } = kind.size;
         // First, because it can be refused.
@@ -76,24 +110,20 @@ impl Memory {
         if from == to {
             return Ok(());
         }
-        let source = self.store(from)?.clone();
-        let owner = self.owner(to);
-        source.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
-        let parts = source.parts.iter().map(|part| self.duplicate(*part, owner)).collect::<Result<Vec<_>>>()?;
-        let target = self.store_mut(to)?;
-        let old = std::mem::replace(&mut target.parts, parts);
-        (target.shape, target.gaps) = (source.shape, source.gaps);
-        (target.nums, target.texts, target.links) = (source.nums, source.texts, source.links);
-        old.into_iter().for_each(|part| self.remove(part));
+        let copy = self.duplicate(from, self.owner(to))?;
+        self.stores.exchange(to, copy)?;
+        self.remove(copy);
         Ok(())
     }
 
     /// A copy of a container for an owner.
     fn duplicate(&mut self, id: StoreId, owner: Owner) -> Result<StoreId> {
-        let mut copy = Store { owner, ..self.store(id)?.clone() };
-        copy.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
-        copy.parts = copy.parts.iter().map(|part| self.duplicate(*part, owner)).collect::<Result<_>>()?;
-        Ok(self.add(copy))
+        let source = self.store(id)?;
+        self.stores.room.check(source.bytes())?;
+        source.links.iter().try_for_each(|link| self.check_link(owner, *link))?;
+        let mut copy = Store { owner, ..source.clone() };
+        copy.parts = self.create_all(copy.parts, |memory, part| memory.duplicate(part, owner))?;
+        self.add(copy)
     }
 
     /// Whether two values of one type are equal, field by field, containers of a user type with their indexes and
@@ -144,14 +174,14 @@ impl Memory {
     /// Gives a value of a container its default again.
     ///
     /// # Errors
-    /// 20 if the container is gone.
+    /// 20 if the container is gone, 40 without memory.
     pub(super) fn reset(&mut self, id: StoreId, number: u32) -> Result<()> {
         let (kind, owner) = (self.store(id)?.kind.clone(), self.owner(id));
         write_lanes(self.store_mut(id)?, number, &kind.default);
         for lane in 0..kind.size.part {
             let part = self.part(Place::new(id, kind.size * number), lane)?;
             let init = kind.default.parts.get(lane as usize).ok_or(Fault::INTERPRETER)?;
-            let fresh = self.create_as(init, owner, true);
+            let fresh = self.create_as(init, owner, true)?;
             let at = (kind.size.part * number + lane) as usize;
             if let Some(slot) = self.store_mut(id)?.parts.get_mut(at) {
                 *slot = fresh;

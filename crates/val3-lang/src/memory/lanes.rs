@@ -2,6 +2,9 @@
 
 use std::ops::{Add, Mul};
 
+use super::{Link, StoreId, bytes_of};
+use crate::values::Text;
+
 /// A number of lanes of each sort, or an offset in each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
 pub struct Lanes {
@@ -16,6 +19,15 @@ pub struct Lanes {
 }
 
 impl Lanes {
+    /// The bytes of these lanes.
+    #[must_use]
+    pub fn bytes(self) -> u64 {
+        bytes_of::<f64>(self.num as usize)
+            + bytes_of::<Text>(self.text as usize)
+            + bytes_of::<Link>(self.link as usize)
+            + bytes_of::<StoreId>(self.part as usize)
+    }
+
     /// So many numbers and nothing else.
     #[must_use]
     pub const fn nums(num: u32) -> Self {

@@ -128,7 +128,7 @@ mod tests {
     fn references_to_libraries() {
         let mut memory = Memory::new();
         let frame = init(Kind::builtin(BaseType::Frame, None), Shape::ELEMENT);
-        let mut create = |owner| Place::first(memory.create_for(owner, &frame));
+        let mut create = |owner| Place::first(memory.create_for(owner, &frame).unwrap());
         let of = |number, public| Owner::Project { number, public };
         let own = create(Owner::APPLICATION);
         let (public, private, user) = (create(of(1, true)), create(of(1, false)), create(of(2, true)));
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn a_field_ends_with_its_variable() {
         let mut memory = Memory::new();
-        let (global, local) = (memory.create(&station()), memory.create_local(&station()));
+        let (global, local) = (memory.create(&station()).unwrap(), memory.create_local(&station()).unwrap());
         let first = |memory: &Memory, store| Place::first(memory.part(Place::first(store), 0).unwrap());
         let (global, local) = (first(&memory, global), first(&memory, local));
         assert_eq!(memory.set_link(global, 0, Link::Data(local)), Err(Fault(165)));
@@ -165,7 +165,7 @@ mod tests {
     #[test]
     fn fields_of_a_local_variable_grow_and_stay_local() {
         let mut memory = Memory::new();
-        let (local, global) = (memory.create_local(&station()), memory.create(&station()));
+        let (local, global) = (memory.create_local(&station()).unwrap(), memory.create(&station()).unwrap());
         let row = memory.part(Place::first(local), 0).unwrap();
         assert_eq!(memory.append(row, None), Ok(()));
         assert_eq!(memory.append(local, None), Err(Fault::INVALID_PARAMETER));
@@ -180,7 +180,8 @@ mod tests {
         let stations = PartInit { shape: Shape::array(2), ..station() };
         let kind = Kind::user("Line".to_owned(), vec![FieldKind { name: "all".to_owned(), init: stations }]);
         let line = init(kind.clone(), Shape::ELEMENT);
-        let (global, local) = (Place::first(memory.create(&line)), Place::first(memory.create_local(&line)));
+        let (global, local) =
+            (Place::first(memory.create(&line).unwrap()), Place::first(memory.create_local(&line).unwrap()));
         memory.copy(&kind, global, local).unwrap();
         let copied = memory.part(Place::first(memory.part(local, 0).unwrap()), 0).unwrap();
         assert!(memory.is_local(copied));

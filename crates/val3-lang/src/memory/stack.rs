@@ -1,6 +1,6 @@
 //! The stack of a task: the frames of the programs it is in, one behind the other.
 
-use super::{Lanes, Link, Place, StoreId, View};
+use super::{Lanes, Link, Place, StoreId, View, bytes_of};
 use crate::values::Text;
 
 /// The lanes of all frames.
@@ -30,6 +30,12 @@ impl Stack {
             link: count(self.links.len()),
             part: count(self.parts.len()),
         }
+    }
+
+    /// The bytes of its lanes.
+    #[must_use]
+    pub fn bytes(&self) -> u64 {
+        self.ends().bytes() + bytes_of::<Place>(self.places.len()) + bytes_of::<View>(self.views.len())
     }
 
     /// Cuts off what begins at these lanes, places and views, as a stack of its own.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{Element, Kind, Link, Owner, Place, StoreId, View};
+use super::{Element, Kind, Lanes, Link, Owner, Place, StoreId, View, bytes_of};
 use crate::fault::{Fault, Result};
 use crate::types::BaseType;
 use crate::values::Text;
@@ -33,11 +33,11 @@ impl Shape {
         Self::Array { dims: 1, sizes: [size, 1, 1] }
     }
 
-    /// The number of values.
+    /// The number of values. One that a file declares may be beyond all memory.
     #[must_use]
     pub fn len(&self) -> u32 {
         match self {
-            Self::Array { sizes, .. } => sizes.iter().product(),
+            Self::Array { sizes, .. } => sizes.iter().fold(1, |product: u32, size| product.saturating_mul(*size)),
             Self::Collection(keys) => u32::try_from(keys.len()).unwrap_or(u32::MAX),
         }
     }
@@ -46,6 +46,20 @@ impl Shape {
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// Bytes of the keys.
+    fn key_bytes(&self) -> u64 {
+        match self {
+            Self::Array { .. } => 0,
+            Self::Collection(keys) => KEY_BYTES.saturating_mul(keys.len() as u64),
+        }
+    }
+
+    /// Bytes that a container of this shape takes with values of this size, without those that the values hold.
+    #[must_use]
+    pub fn bytes(&self, size: Lanes) -> u64 {
+        STORE_BYTES.saturating_add(self.key_bytes()).saturating_add(size.bytes().saturating_mul(self.len().into()))
     }
 
     /// The number of the value that a file names: `3`, `1,2`, `home`.
@@ -64,6 +78,12 @@ impl Shape {
         indexes.iter().zip(sizes).all(|(index, size)| index < size).then(|| (x * rows + y) * columns + z)
     }
 }
+
+/// Bytes of a container beside its values and keys.
+const STORE_BYTES: u64 = bytes_of::<Store>(1);
+
+/// Bytes of a key of a collection with the place of its value.
+pub(super) const KEY_BYTES: u64 = bytes_of::<(Text, u32)>(1);
 
 /// A container: its shape and its values in lanes.
 ///
@@ -108,6 +128,26 @@ impl Store {
             field: false,
             gaps: Vec::new(),
         }
+    }
+
+    /// The bytes it takes, without those of the containers in its values. A gap counts as a value.
+    pub(super) fn bytes(&self) -> u64 {
+        let Self { nums, texts, links, parts, .. } = self;
+        let lanes = bytes_of::<f64>(nums.len())
+            + bytes_of::<Text>(texts.len())
+            + bytes_of::<Link>(links.len())
+            + bytes_of::<StoreId>(parts.len());
+        STORE_BYTES + self.shape.key_bytes() + lanes
+    }
+
+    /// Exchanges the values; type and owner stay.
+    pub(super) fn exchange(&mut self, other: &mut Self) {
+        std::mem::swap(&mut self.shape, &mut other.shape);
+        std::mem::swap(&mut self.gaps, &mut other.gaps);
+        std::mem::swap(&mut self.nums, &mut other.nums);
+        std::mem::swap(&mut self.texts, &mut other.texts);
+        std::mem::swap(&mut self.links, &mut other.links);
+        std::mem::swap(&mut self.parts, &mut other.parts);
     }
 
     pub(super) fn gone(generation: u32) -> Self {

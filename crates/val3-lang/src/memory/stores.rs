@@ -1,6 +1,6 @@
 //! The containers, each under an identity that no later one has.
 
-use super::{Store, StoreId, View};
+use super::{Room, Store, StoreId, View};
 use crate::fault::{Fault, Result};
 
 /// All containers of a controller.
@@ -8,34 +8,56 @@ use crate::fault::{Fault, Result};
 pub struct Stores {
     items: Vec<Store>,
     free: Vec<u32>,
+    /// The memory that containers share with stacks, tasks and code.
+    pub room: Room,
 }
 
 impl Stores {
     /// Takes a container in; it lives until [`remove`](Self::remove).
-    pub fn add(&mut self, mut store: Store) -> StoreId {
+    ///
+    /// # Errors
+    /// 40 without memory. The containers in its values are dropped then.
+    pub fn add(&mut self, mut store: Store) -> Result<StoreId> {
+        if let Err(fault) = self.room.take(store.bytes()) {
+            store.parts.into_iter().for_each(|part| self.remove(part));
+            return Err(fault);
+        }
         if let Some(index) = self.free.pop()
             && let Some(slot) = self.items.get_mut(index as usize)
         {
             store.generation = slot.generation + 1;
             let generation = store.generation;
             *slot = store;
-            return StoreId { index, generation };
+            return Ok(StoreId { index, generation });
         }
         // A copy of a container comes with the number of the place that the container has.
         store.generation = 0;
         let index = u32::try_from(self.items.len()).unwrap_or(u32::MAX);
         self.items.push(store);
-        StoreId { index, generation: 0 }
+        Ok(StoreId { index, generation: 0 })
     }
 
     /// Drops a container and those in it. References to it end in run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         let Ok(store) = self.get_mut(id) else { return };
-        let generation = store.generation;
+        let (generation, bytes) = (store.generation, store.bytes());
         let parts = std::mem::take(&mut store.parts);
         *store = Store::gone(generation + 1);
         self.free.push(id.index);
+        self.room.give_back(bytes);
         parts.into_iter().for_each(|part| self.remove(part));
+    }
+
+    /// Exchanges the values of two containers of one type.
+    ///
+    /// # Errors
+    /// 20 if one of them is gone.
+    pub fn exchange(&mut self, one: StoreId, other: StoreId) -> Result<()> {
+        self.get(one).and(self.get(other))?;
+        let places = [one.index as usize, other.index as usize];
+        let [one, other] = self.items.get_disjoint_mut(places).map_err(|_| Fault::INTERPRETER)?;
+        one.exchange(other);
+        Ok(())
     }
 
     /// A container.
@@ -130,11 +152,11 @@ mod tests {
     fn a_copy_of_a_later_container_is_found() {
         let mut stores = Stores::default();
         let store = Store::filled(Arc::new(Kind::builtin(BaseType::Num, None)), Shape::ELEMENT);
-        let first = stores.add(store.clone());
+        let first = stores.add(store.clone()).unwrap();
         stores.remove(first);
-        let second = stores.add(store);
+        let second = stores.add(store).unwrap();
         let copied = stores.get(second).unwrap().clone();
-        let copy = stores.add(copied);
+        let copy = stores.add(copied).unwrap();
         assert!(stores.get(copy).is_ok());
         assert!(stores.get(first).is_err());
     }

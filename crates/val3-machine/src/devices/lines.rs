@@ -112,6 +112,11 @@ impl Lines {
         u32::try_from(at).unwrap_or(u32::MAX)
     }
 
+    /// Bytes that tasks have to send and wait with.
+    pub(super) fn pending(&self) -> usize {
+        self.sending.values().map(Sending::total).sum()
+    }
+
     /// The text of a link.
     pub(super) fn link(&self, number: u32) -> Option<&str> {
         self.lines.get(number as usize).map(|known| known.link.as_str())

@@ -14,6 +14,15 @@ use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use links::Links;
 use values::Saver;
 
+/// Bytes of data that a medium takes of one application or library. As text they need many times that.
+const MOST_SAVED: u64 = 64 << 20;
+
+/// Bytes of the global data of an application or library.
+fn data_bytes(space: &Space, saved: InstanceId) -> u64 {
+    let data = space.instance(saved).map(|instance| instance.data.iter());
+    data.into_iter().flatten().map(|store| space.memory.bytes(*store)).sum()
+}
+
 impl Devices {
     /// Keeps the files of what was loaded, as the place to write its data to.
     pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
@@ -30,10 +39,15 @@ impl Devices {
         (from, saved): (InstanceId, InstanceId),
         to: Option<&str>,
     ) -> Result<(), FileFault> {
+        self.access(0);
         let path = |id| space.instance(id).map_or("", |instance| instance.path.as_str());
         let origin = LibraryPath::new(&controller_path("", path(saved))?)?;
         let loaded = self.sources.get(&saved.0).ok_or(FileFault::NotFound)?;
+        if data_bytes(space, saved) > MOST_SAVED {
+            return Err(FileFault::DiskFull);
+        }
         let new = loaded.with_data(&self.saver(space, saved).ok_or(FileFault::NoLibrary)?.all());
+        self.access(new.size());
         match to {
             Some(to) => {
                 let target = LibraryPath::new(&controller_path(path(from), to)?)?;

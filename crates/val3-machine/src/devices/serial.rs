@@ -49,6 +49,9 @@ impl Serial for Devices {
             Outgoing::Text(text) => channel.text(text),
             Outgoing::Numbers(numbers) => Sending::bytes(numbers.iter().copied().map(byte_of).collect()),
         });
+        if self.lines.pending() + sending.total() > MOST_PENDING {
+            return Err(Fault::NO_MEMORY);
+        }
         let reply = self.ask(port, |channel| channel.send(&mut sending, seconds(waited)))?;
         let reply = reply.map(|sent| sent.ok());
         match reply {
@@ -80,6 +83,9 @@ impl Serial for Devices {
     }
 }
 
+/// Bytes that all tasks together may have to send.
+const MOST_PENDING: usize = 64 << 20;
+
 impl Devices {
     /// Asks a channel, which is in use from then on.
     fn ask<T>(&mut self, port: Option<u32>, question: impl FnOnce(&mut Channel) -> Turn<T>) -> Result<Reply<T>> {
@@ -96,6 +102,7 @@ impl Devices {
     fn record_line(&mut self, port: Option<u32>, dir: &'static str, bytes: &[u8]) {
         let link = port.and_then(|port| self.lines.link(port)).unwrap_or_default().to_owned();
         if !bytes.is_empty() {
+            self.recorded += bytes.len();
             self.record(What::Sio { link, dir, bytes: bytes.to_vec() });
         }
     }

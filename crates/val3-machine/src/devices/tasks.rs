@@ -1,16 +1,18 @@
 //! What tasks do, and what the run time asks of the controller.
 
 use std::sync::Arc;
+use std::sync::atomic::Ordering;
 
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::memory::StoreId;
-use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber};
+use val3_lang::ports::{CodePlace, Origin, Ports, TaskChange, TaskNumber, Time};
 use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
 use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
 
-use super::Devices;
+use super::{Devices, MOST_RECORDED};
+use crate::controller_state::Severity;
 use crate::event::What;
 use crate::files::FileFault;
 
@@ -54,6 +56,14 @@ impl Ports for Devices {
 }
 
 impl Host for Devices {
+    fn take_elapsed(&mut self) -> Time {
+        std::mem::take(&mut self.elapsed)
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupt.load(Ordering::Relaxed) || self.recorded > MOST_RECORDED
+    }
+
     fn lacking(&mut self, instruction: &str) {
         let (program, line, file) = self.place(self.origin.at);
         self.record(What::Lacking { instruction: instruction.to_owned(), program, line, file });
@@ -66,6 +76,10 @@ impl Host for Devices {
         if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
             self.sources.insert(instance, files);
         }
+    }
+
+    fn no_memory_for(&mut self, path: &str) {
+        self.report(&format!("`{path}`: no memory is left for the library"), Severity::Error, self.origin.time);
     }
 
     fn load(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, u16> {

@@ -5,6 +5,7 @@ mod archive;
 mod store;
 
 use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 use val3_syntax::encoding::decode;
 use val3_syntax::xml;
@@ -182,6 +183,12 @@ impl LibraryPath {
 }
 
 impl LibraryFiles {
+    /// Bytes of all files.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.files.iter().map(|file| file.bytes.len()).sum()
+    }
+
     /// The same library with other values of its data.
     #[must_use]
     pub fn with_data(&self, data: &[SavedData]) -> Self {
@@ -221,9 +228,10 @@ fn files_of(manifest: &Place<'_>) -> Result<Vec<LibraryFile>, FileFault> {
     let bytes = manifest.read()?;
     let named = named_files(&decode(bytes.clone()).text);
     let mut files = vec![LibraryFile { path: manifest.name().into(), bytes }];
+    let mut known = FxHashSet::from_iter([manifest.path.clone()]);
     for name in named {
         let Ok(place) = folder.child_path(Utf8Path::new(&name.replace('\\', "/"))) else { continue };
-        if place.kind()? == EntryKind::File && !files.iter().any(|file| folder.path.join(&file.path) == place.path) {
+        if place.kind()? == EntryKind::File && known.insert(place.path.clone()) {
             let path = place.path.strip_prefix(&folder.path).unwrap_or(&place.path).to_owned();
             files.push(LibraryFile { path, bytes: place.read()? });
         }

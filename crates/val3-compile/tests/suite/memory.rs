@@ -1,0 +1,286 @@
+//! Programs that ask for more memory than a controller has (error 40), and memory that is given back.
+
+use std::sync::Arc;
+
+use val3_bytecode::Image;
+use val3_compile::Limit;
+use val3_lang::memory::MEMORY;
+use val3_machine::controller::{Controller, Step};
+use val3_machine::event::What;
+
+use crate::execution::{LINE_COST, started};
+use crate::show::{image, project, workspace};
+
+const MEGABYTE: u64 = 1 << 20;
+
+/// A controller with so much memory beside what the application takes at the start.
+fn with_memory(image: Image, bytes: u64) -> Controller {
+    let mut controller = started(&Arc::new(image), LINE_COST);
+    let taken = controller.vm.space.memory.stores.room.taken();
+    controller.vm.space.memory.stores.room.limit_to(taken + bytes);
+    controller
+}
+
+/// What is printed, and the errors of tasks, until the application has ended or is stuck.
+fn run(controller: &mut Controller) -> String {
+    let mut shown = String::new();
+    loop {
+        let step = controller.step();
+        for event in controller.devices.take_events() {
+            match event.what {
+                What::Print { text } => shown += &format!("{text}\n"),
+                What::Error { code, line, .. } => shown += &format!("error {code} in line {line}\n"),
+                _ => {}
+            }
+        }
+        match step {
+            Step::Finished | Step::Stuck | Step::Lacking => return shown,
+            Step::Idle(Some(wake)) => controller.jump(wake),
+            Step::Idle(None) | Step::Busy => {}
+        }
+    }
+}
+
+/// The application fails with error 40 somewhere, within a megabyte.
+#[track_caller]
+fn fails(listing: &str) {
+    let printed = run(&mut with_memory(image(listing), MEGABYTE));
+    assert!(printed.contains("error 40 in line"), "{printed}");
+}
+
+#[test]
+fn all_variables_share_the_memory() {
+    fails(
+        "
+        version s8.10
+        num nA[1]
+        num nB[1]
+        string sC[1]
+        program start()
+        begin
+          resize(nA,1,50000)
+          resize(nB,1,50000)
+          resize(sC,1,3000)
+        end",
+    );
+}
+
+#[test]
+fn what_grows_without_end() {
+    for (declared, grows) in [
+        ("num nA[1]", "append(nA)"),
+        ("point pA[1]", "insert(pA[0])"),
+        ("num nA[\"\"]", "insert(nA[toString(\"\",n)])"),
+        ("dio dA[\"\"]", "insert(dA[toString(\"\",n)])"),
+    ] {
+        fails(&format!(
+            "
+            version s8.10
+            {declared}
+            num n
+            program start()
+            begin
+              while true
+                {grows}
+                n=n+1
+              endWhile
+            end"
+        ));
+    }
+}
+
+const SLOTS: &str = r#"
+version s8.10
+type Slot "slot/slot.pjx"
+Slot tSlots[1]
+Slot tOther
+num n
+"#;
+
+const SLOT: &str = r#"
+--- slot
+public num nValues[100]
+public string sNames[""]
+"#;
+
+#[test]
+fn values_of_user_types() {
+    for grows in ["append(tSlots)", "resize(tSlots,1,1+20*n)", "resize(tOther.nValues,1,1+20000*n)"] {
+        fails(&format!("{SLOTS}program start()\nbegin\nwhile true\n{grows}\nn=n+1\nendWhile\nend{SLOT}"));
+    }
+}
+
+#[test]
+fn a_copy_that_does_not_fit() {
+    fails(&format!(
+        "{SLOTS}program start()\nbegin\nresize(tSlots,1,2)\nresize(tSlots[0].nValues,1,60000)\n\
+         tSlots[1]=tSlots[0]\n? size(tSlots[1].nValues)\ntOther=tSlots[0]\nend{SLOT}"
+    ));
+}
+
+#[test]
+fn what_fails_leaves_everything_as_it_was() {
+    let mut controller = with_memory(
+        image(&format!(
+            "{SLOTS}
+            program fill()
+            begin
+              while true
+                append(tSlots)
+              endWhile
+            end
+            program start()
+            begin
+              taskCreate \"fill\",10,fill()
+              wait(taskStatus(\"fill\")==40)
+              n=size(tSlots)
+              ? n>100
+              resize(tSlots,1,1)
+              ? size(tSlots)
+              resize(tSlots,1,n)
+              ? size(tSlots)-n
+              ? size(tSlots[n-1].nValues)
+              resize(tSlots,1,1)
+            end{SLOT}"
+        )),
+        MEGABYTE,
+    );
+    let taken = controller.vm.space.memory.stores.room.taken();
+    let printed = run(&mut controller);
+    let printed: Vec<_> = printed.lines().skip(1).collect();
+    assert_eq!(printed, ["true", "1", "0", "100"]);
+    let left = controller.vm.space.memory.stores.room.taken();
+    assert!(left < taken, "{left} {taken}: the task of `start` is gone");
+}
+
+#[test]
+fn calls_without_end() {
+    let mut deep = image("program start()\nnum l_nA[50]\nstring l_sText\nbegin\ncall start()\nend");
+    deep.stack_size = u32::MAX;
+    assert!(run(&mut with_memory(deep, MEGABYTE)).starts_with("error 40 in line"));
+    let mut narrow = image("program start()\nbegin\ncall start()\nend");
+    narrow.stack_size = u32::MAX;
+    assert!(run(&mut with_memory(narrow, MEGABYTE)).starts_with("error 40 in line"));
+}
+
+#[test]
+fn a_call_that_fails_can_be_repeated() {
+    let program = "
+        num nA[1]
+        program work(num nX)
+          num l_nA[20000]
+          num l_nB[50000]
+        begin
+          l_nA[1]=nX
+          l_nB[1]=l_nA[1]
+          ? l_nB[1]
+        end
+        program calls()
+        begin
+          call work(3)
+        end
+        program start()
+        begin
+          resize(nA,1,9999)
+          resize(nA,1,9999)
+          taskCreate \"calls\",10,calls()
+          wait(taskStatus(\"calls\")==40)
+          resize(nA,1,1)
+          taskResume(\"calls\",0)
+          wait(taskStatus(\"calls\")==-1)
+        end";
+    let mut large = image(program);
+    large.stack_size = u32::MAX;
+    let printed = run(&mut with_memory(large, 700_000));
+    assert!(printed.starts_with("error 40") && printed.ends_with("\n3\n"), "{printed}");
+}
+
+#[test]
+fn tasks_without_end() {
+    let create = "
+        version s8.10
+        num n
+        program sleep()
+        begin
+          delay(1000)
+        end
+        program start()
+        begin
+          while true
+            taskCreate \"t\"+toString(\"\",n),10,sleep()
+            n=n+1
+          endWhile
+        end";
+    fails(create);
+}
+
+#[test]
+fn a_task_that_ends_gives_its_memory_back() {
+    let mut controller = with_memory(
+        image(
+            "
+            version s8.10
+            num n
+            program deep(num nLeft)
+              num l_nA[10]
+            begin
+              l_nA[0]=nLeft
+              if nLeft>0
+                call deep(nLeft-1)
+              endIf
+            end
+            program start()
+            begin
+              for n=1 to 500
+                taskCreate \"deep\",10,deep(20)
+                wait(taskStatus(\"deep\")==-1)
+              endFor
+              ? \"done\"
+            end",
+        ),
+        MEGABYTE / 2,
+    );
+    assert_eq!(run(&mut controller), "done\n");
+}
+
+#[test]
+fn local_screens_take_memory() {
+    fails(
+        "
+        version s8.10
+        program show()
+          screen l_scPage
+        begin
+          cls(l_scPage)
+        end
+        program start()
+        begin
+          while true
+            call show()
+          endWhile
+        end",
+    );
+}
+
+/// The sizes of files are believed before there is a value.
+#[test]
+fn data_beyond_all_memory_are_refused() {
+    for data in [
+        "num nHuge[4000000000]",
+        "num nGrid[65536,65536]",
+        "mdesc mHuge[100000000]",
+        "num nA[50000000]\nnum nB[50000000]",
+    ] {
+        let workspace = workspace(&format!("version s8.10\n{data}\nprogram start()\nbegin\nend"));
+        let refused = val3_compile::compile(&workspace.db, project(&workspace, "main"));
+        assert_eq!(refused.map(drop).map_err(|error| error.limit), Err(Limit::Memory), "{data}");
+    }
+}
+
+#[test]
+fn a_large_grid_fits() {
+    let large = image("version s8.10\nnum nGrid[4000,4000]\nprogram start()\nbegin\n? size(nGrid,2)\nend");
+    let mut controller = started(&Arc::new(large), LINE_COST);
+    assert!(controller.vm.space.memory.stores.room.taken() < MEMORY);
+    assert_eq!(run(&mut controller), "4000\n");
+}

@@ -1,0 +1,51 @@
+//! Arrays whose dimensions change (2.5.5).
+
+use super::{Lanes, Shape, Store, StoreId};
+
+impl Store {
+    /// Moves the values to their places in an array of other sizes, from `old` to `new`. The values that are added take
+    /// their containers from `fresh`. Gives the containers of the values that are lost.
+    pub(super) fn rearrange(
+        &mut self,
+        (old, new): ([u32; 3], [u32; 3]),
+        shape: Shape,
+        fresh: Vec<StoreId>,
+    ) -> Vec<StoreId> {
+        let size = self.kind.size;
+        let mut target = Self { parts: Vec::new(), ..Self::filled(self.kind.clone(), shape) };
+        let (mut kept, mut fresh) = (vec![false; self.parts.len()], fresh.into_iter());
+        for at in indexes(new) {
+            if at.iter().zip(old).all(|(index, size)| *index < size) {
+                let (from, to) = (size * number(at, old), size * number(at, new));
+                move_lanes(self, from, &mut target, to, size);
+                let parts = from.part as usize..(from.part + size.part) as usize;
+                target.parts.extend_from_slice(self.parts.get(parts.clone()).unwrap_or_default());
+                kept.get_mut(parts).unwrap_or_default().fill(true);
+            } else {
+                target.parts.extend(fresh.by_ref().take(size.part as usize));
+            }
+        }
+        self.exchange(&mut target);
+        target.parts.into_iter().zip(kept).filter(|(_, kept)| !kept).map(|(part, _)| part).collect()
+    }
+}
+
+fn indexes([x, y, z]: [u32; 3]) -> impl Iterator<Item = [u32; 3]> {
+    (0..x).flat_map(move |i| (0..y).flat_map(move |j| (0..z).map(move |k| [i, j, k])))
+}
+
+fn number([i, j, k]: [u32; 3], [_, y, z]: [u32; 3]) -> u32 {
+    (i * y + j) * z + k
+}
+
+fn move_lanes(source: &Store, from: Lanes, target: &mut Store, to: Lanes, size: Lanes) {
+    fn lane<T: Copy>(source: &[T], from: u32, target: &mut [T], to: u32, size: u32) {
+        let range = |at: u32| at as usize..(at + size) as usize;
+        if let (Some(source), Some(target)) = (source.get(range(from)), target.get_mut(range(to))) {
+            target.copy_from_slice(source);
+        }
+    }
+    lane(&source.nums, from.num, &mut target.nums, to.num, size.num);
+    lane(&source.texts, from.text, &mut target.texts, to.text, size.text);
+    lane(&source.links, from.link, &mut target.links, to.link, size.link);
+}
