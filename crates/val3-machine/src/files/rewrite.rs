@@ -9,6 +9,7 @@ mod lists;
 mod tag;
 mod values;
 
+use rustc_hash::FxHashMap;
 use val3_syntax::xml;
 
 use super::SavedData;
@@ -16,14 +17,15 @@ use edits::Edits;
 use layout::Layout;
 
 /// The text of a data file with the values of `data`. What the file does not declare is passed over, and what `data`
-/// does not name stays.
+/// does not name stays. Takes time in proportion to the text and the data.
 #[must_use]
 pub fn rewrite(text: &str, data: &[SavedData]) -> String {
     let parse = val3_syntax::parse(text);
     let Some(root) = xml::root(parse.view()) else { return text.to_owned() };
     let mut edits = Edits::default();
     let layout = Layout::of(text);
-    let named = |name: &str| data.iter().find(|data| data.name == name);
+    let data: FxHashMap<&str, &SavedData> = data.iter().map(|data| (data.name.as_str(), data)).collect();
+    let named = |name: &str| data.get(name).copied();
     match root.name() {
         "Database" => {
             for element in root.list("Datas", "Data") {

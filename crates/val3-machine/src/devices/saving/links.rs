@@ -1,11 +1,13 @@
 //! Links of values as files write them: inputs, outputs and lines by their path, fathers by name and index.
 
+use std::cell::RefCell;
 use std::collections::BTreeMap;
 
 use rustc_hash::FxHashMap;
 use val3_bytecode::{FatherLink, LinkInit, LinkTarget};
-use val3_lang::memory::{KindBase, Link, Memory, Shape, StoreId};
+use val3_lang::memory::{KindBase, Link, Memory, Place, Shape, StoreId};
 use val3_lang::types::BaseType;
+use val3_lang::values::Text;
 use val3_vm::{Instance, InstanceId, Space};
 
 use super::super::Devices;
@@ -17,9 +19,29 @@ pub(super) struct Links<'s> {
     id: InstanceId,
     memory: &'s Memory,
     devices: &'s Devices,
-    /// The frames and tools of global data, as a reference begins: `tSlot["a"].fIn`.
-    names: FxHashMap<StoreId, String>,
+    /// The frames and tools of global data.
+    names: FxHashMap<StoreId, Named>,
+    /// The places of the fathers that files name, once they were looked up.
+    fathers: RefCell<FxHashMap<FatherLink, Option<Place>>>,
     loaded: BTreeMap<Spot, &'s LinkTarget>,
+}
+
+/// A container of frames or tools.
+struct Named {
+    /// As a reference begins: `tSlot["a"].fIn`.
+    name: String,
+    /// The keys of a collection by the numbers of their values.
+    keys: FxHashMap<u32, Text>,
+}
+
+impl Named {
+    fn new(name: String, shape: &Shape) -> Self {
+        let keys = match shape {
+            Shape::Collection(keys) => keys.iter().map(|(key, number)| (*number, *key)).collect(),
+            Shape::Array { .. } => FxHashMap::default(),
+        };
+        Self { name, keys }
+    }
 }
 
 /// A link among those of global data: the data, the way from it through fields, the value, and the link of the value.
@@ -29,9 +51,10 @@ impl<'s> Links<'s> {
     pub(super) fn new(space: &'s Space, (id, instance): (InstanceId, &'s Instance), devices: &'s Devices) -> Self {
         let spot = |init: &LinkInit| (init.data, init.path.clone(), init.value, init.link);
         let loaded = instance.image.links.iter().map(|init| (spot(init), &init.target)).collect();
-        let mut links = Self { space, id, memory: &space.memory, devices, names: FxHashMap::default(), loaded };
-        links.names.insert(Memory::WORLD, "world".to_owned());
-        links.names.insert(Memory::FLANGE, "flange".to_owned());
+        let (names, fathers) = (FxHashMap::default(), RefCell::default());
+        let mut links = Self { space, id, memory: &space.memory, devices, names, fathers, loaded };
+        links.name(Memory::WORLD, "world".to_owned());
+        links.name(Memory::FLANGE, "flange".to_owned());
         links.name_all(instance, "");
         for (library, id) in instance.image.libraries.iter().zip(&instance.libraries) {
             if let Some(library_instance) = id.and_then(|id| space.instance(id)) {
@@ -51,7 +74,7 @@ impl<'s> Links<'s> {
         let Ok(store) = self.memory.store(id) else { return };
         match &store.kind.base {
             KindBase::Builtin(BaseType::Frame | BaseType::Tool, _) => {
-                self.names.entry(id).or_insert(name);
+                self.names.entry(id).or_insert_with(|| Named::new(name, &store.shape));
             }
             KindBase::Builtin(..) => {}
             KindBase::User(_) => {
@@ -75,8 +98,14 @@ impl<'s> Links<'s> {
             Link::Data(place) => {
                 let store = self.memory.store(place.store).ok()?;
                 let number = place.num.checked_div(store.kind.size.num)?;
-                let (_, index) = indexes(&store.shape).find(|(at, _)| *at == number)?;
-                Some(format!("{}[{index}]", self.names.get(&place.store)?))
+                let Named { name, keys } = self.names.get(&place.store)?;
+                match store.shape {
+                    Shape::Array { dims, sizes } if number < store.shape.len() => {
+                        Some(format!("{name}[{}]", index(dims, sizes, number)))
+                    }
+                    Shape::Array { .. } => None,
+                    Shape::Collection(_) => Some(format!("{name}[\"{}\"]", keys.get(&number)?)),
+                }
             }
         }
     }
@@ -89,18 +118,26 @@ impl<'s> Links<'s> {
     /// The father that the file names and that is not there.
     fn missing(&self, spot: Option<&Spot>, link: Link) -> Option<&FatherLink> {
         match self.loaded.get(spot?)? {
-            LinkTarget::Father(father) if link == Link::None && self.space.father(self.id, father).is_none() => {
-                Some(father)
-            }
+            LinkTarget::Father(father) if link == Link::None && self.father(father).is_none() => Some(father),
             _ => None,
         }
+    }
+
+    /// The frame or tool that a file names.
+    fn father(&self, father: &FatherLink) -> Option<Place> {
+        if let Some(known) = self.fathers.borrow().get(father) {
+            return *known;
+        }
+        let place = self.space.father(self.id, father);
+        self.fathers.borrow_mut().insert(father.clone(), place);
+        place
     }
 
     /// The value has the link that it was loaded with; `own` is that of the type.
     pub(super) fn is_loaded(&self, spot: Option<&Spot>, link: Link, own: Link) -> bool {
         match spot.and_then(|spot| self.loaded.get(spot)) {
             Some(LinkTarget::Port(base, path)) => self.text(link, *base).as_ref() == Some(path),
-            Some(LinkTarget::Father(father)) => match self.space.father(self.id, father) {
+            Some(LinkTarget::Father(father)) => match self.father(father) {
                 Some(place) => link == Link::Data(place),
                 None => link == Link::None,
             },

@@ -14,12 +14,13 @@ pub(super) struct Layout<'t> {
     pub(super) text: &'t str,
     /// How an element without content ends.
     pub(super) close: &'static str,
+    line_end: &'static str,
 }
 
 impl<'t> Layout<'t> {
     pub(super) fn of(text: &'t str) -> Self {
         let close = if text.contains("/>") && !text.contains(" />") { "/>" } else { " />" };
-        Self { text, close }
+        Self { text, close, line_end: xml::line_end(text) }
     }
 
     pub(super) fn slice(&self, range: TextRange) -> &'t str {
@@ -43,7 +44,7 @@ impl<'t> Layout<'t> {
     }
 
     fn lines(&self, blanks: &str, lines: &[String]) -> String {
-        lines.iter().map(|line| format!("{}{blanks}{line}", xml::line_end(self.text))).collect()
+        lines.iter().map(|line| format!("{}{blanks}{line}", self.line_end)).collect()
     }
 
     /// What stands behind the last attribute of the start tag, to the end of the element.
@@ -59,7 +60,7 @@ impl<'t> Layout<'t> {
         let at = element.tag_range().start();
         let tag = self.slice(element.tag_range());
         let open = if tag.ends_with("/>") { ">" } else { "" };
-        let end = xml::indentation(self.text, at).map(|blanks| format!("{}{blanks}", xml::line_end(self.text)));
+        let end = xml::indentation(self.text, at).map(|blanks| format!("{}{blanks}", self.line_end));
         format!("{open}{}{}</{}>", self.inside(at, lines), end.unwrap_or_default(), element.name())
     }
 

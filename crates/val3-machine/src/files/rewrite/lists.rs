@@ -1,6 +1,7 @@
 //! The lists of s5 and s6: `<num name="n"><valueNum index="0" value="3" /></num>`. Every value is spelt with all its
 //! attributes, some of them on elements inside, and the father of a variable stands once for all its values.
 
+use rustc_hash::FxHashMap;
 use val3_syntax::TextRange;
 use val3_syntax::xml::{self, Attribute, Element};
 
@@ -16,26 +17,27 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     let Some(last) = found.last() else { return };
     let count = sizes.iter().map(|size| *size as usize).product::<usize>();
     father(edits, element, data);
+    let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
+    let value = |index: usize| values.get(index.to_string().as_str()).copied();
     for (index, found) in found.iter().enumerate() {
         if index < count {
-            values(edits, *found, data, index);
+            change(edits, *found, data, value(index));
         } else {
             edits.replace(xml::whole_line(layout.text, found.view().range()), String::new());
         }
     }
-    let added: Vec<String> = (found.len()..count).map(|index| copy(layout, *last, data, index)).collect();
-    let text: String = added.into_iter().map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
+    let added = (found.len()..count).map(|index| copy(layout, *last, data, (index, value(index))));
+    let text: String = added.map(|text| layout.beside(last.tag_range().start(), &[text])).collect();
     if !text.is_empty() {
         edits.replace(TextRange::empty(last.view().range().end()), text);
     }
 }
 
 /// The attributes of one value that changed.
-fn values(edits: &mut Edits, found: Element<'_>, data: &SavedData, index: usize) {
-    let value = data.values.iter().find(|value| value.key == index.to_string());
+fn change(edits: &mut Edits, found: Element<'_>, data: &SavedData, value: Option<&SavedValue>) {
     for attribute in leaves(found) {
         let Some(name) = name_of(attribute) else { continue };
-        let new = value.and_then(|value: &SavedValue| value.text(name));
+        let new = value.and_then(|value| value.text(name));
         if !saved_data::same_text(&data.type_name, name, new, Some(&attribute.text())) {
             edits.replace(attribute.range, new.map_or_else(|| default_text(&data.type_name, name), tag::escaped));
         }
@@ -64,7 +66,12 @@ fn default_text(type_name: &str, name: &str) -> String {
 }
 
 /// A further value, written like the last one.
-fn copy(layout: &Layout<'_>, last: Element<'_>, data: &SavedData, index: usize) -> String {
+fn copy(
+    layout: &Layout<'_>,
+    last: Element<'_>,
+    data: &SavedData,
+    (index, value): (usize, Option<&SavedValue>),
+) -> String {
     let text = layout.slice(last.view().range());
     let parse = val3_syntax::parse(text);
     let Some(copied) = xml::root(parse.view()) else { return String::new() };
@@ -72,7 +79,7 @@ fn copy(layout: &Layout<'_>, last: Element<'_>, data: &SavedData, index: usize) 
     if let Some(attribute) = copied.attribute("index") {
         edits.replace(attribute.range, index.to_string());
     }
-    values(&mut edits, copied, data, index);
+    change(&mut edits, copied, data, value);
     edits.apply(text)
 }
 

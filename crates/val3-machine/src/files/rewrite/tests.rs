@@ -297,3 +297,26 @@ proptest::proptest! {
         }
     }
 }
+
+/// Values are looked up, not searched for: a text of this size would take minutes otherwise.
+#[test]
+fn many_values() {
+    let count = 20_000_u32;
+    let element = |index: u32| format!("      <Value key=\"{index}\" value=\"{}\" />\n", index + 1);
+    let list: String = (0..count).step_by(2).map(element).collect();
+    let text = format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<Database xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  \
+         <Datas>\n    <Data name=\"nList\" access=\"private\" xsi:type=\"array\" type=\"num\" size=\"{count}\">\n{list}    \
+         </Data>\n  </Datas>\n</Database>\n"
+    );
+    let value = |index: u32| SavedValue {
+        key: index.to_string(),
+        content: Content::Attributes(vec![("value".into(), (index + 2).to_string())]),
+    };
+    let data = SavedData { values: (0..count).map(value).collect(), ..array("nList", "num", &[count], &[]) };
+    let written = rewrite(&text, &[data]);
+    let lines: Vec<&str> = written.lines().filter(|line| line.contains("<Value")).collect();
+    assert_eq!(lines.len(), count as usize);
+    let line = |index: u32| format!("      <Value key=\"{index}\" value=\"{}\" />", index + 2);
+    assert!(lines.iter().zip(0..).all(|(found, index)| *found == line(index)));
+}

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use rustc_hash::{FxHashMap, FxHashSet};
 use val3_syntax::TextRange;
 use val3_syntax::xml::{self, Element};
 
@@ -15,8 +16,12 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     if let Shape::Sizes(sizes) = &data.shape {
         size(edits, element, sizes);
     }
-    let (kept, removed): (Vec<_>, Vec<_>) = spelt(element).partition(|found| stays(data, *found));
-    let added: Vec<_> = data.values.iter().filter(|value| is_new(data, element, value)).collect();
+    let values: FxHashMap<&str, &SavedValue> = data.values.iter().map(|value| (value.key.as_str(), value)).collect();
+    let value = |found: Element<'_>| values.get(key(found).as_ref()).copied();
+    let (kept, removed): (Vec<_>, Vec<_>) = spelt(element).partition(|found| stays(data, *found, value(*found)));
+    let known: FxHashSet<Cow<'_, str>> = kept.iter().chain(&removed).map(|found| key(*found)).collect();
+    let is_new = |value: &&SavedValue| is_spelt(data, value) && !known.contains(value.key.as_str());
+    let added: Vec<_> = data.values.iter().filter(is_new).collect();
     if kept.is_empty() && (!added.is_empty() || !removed.is_empty()) {
         return refill(edits, layout, element, data, &added);
     }
@@ -24,29 +29,40 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
         edits.replace(xml::whole_line(layout.text, found.view().range()), String::new());
     }
     for found in &kept {
-        if let Some(value) = data.values.iter().find(|value| key(*found) == value.key) {
+        if let Some(value) = value(*found) {
             change(edits, layout, data, *found, value);
         }
     }
-    for value in added {
-        insert(edits, layout, element, data, &kept, value);
+    if !added.is_empty() {
+        insert(edits, layout, (element, &kept), data, &added);
     }
 }
 
-/// A further value, in its order among those that stay.
+/// Further values, in their order among those that stay: each behind the last one that does not follow it.
 fn insert(
     edits: &mut Edits,
     layout: &Layout<'_>,
-    element: Element<'_>,
+    (element, kept): (Element<'_>, &[Element<'_>]),
     data: &SavedData,
-    kept: &[Element<'_>],
-    value: &SavedValue,
+    added: &[&SavedValue],
 ) {
-    let before = kept.iter().rfind(|found| order(data, &key(**found)) <= order(data, &value.key));
-    let Some(neighbour) = before.or(kept.first()) else { return };
-    let text = layout.beside(neighbour.tag_range().start(), &layout.value(data, value));
-    let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
-    edits.replace(TextRange::empty(at), text);
+    // The least order from each element on: it grows, so that the last element before a value can be searched for.
+    let mut least: Vec<_> = kept.iter().map(|found| order(data, &key(*found))).collect();
+    for at in (1..least.len()).rev() {
+        let (before, behind) = least.split_at_mut(at);
+        if let (Some(before), Some(behind)) = (before.last_mut(), behind.first()) {
+            *before = (*before).min(*behind);
+        }
+    }
+    for value in added {
+        let order = order(data, &value.key);
+        let count = least.partition_point(|least| *least <= order);
+        let before = count.checked_sub(1).and_then(|last| kept.get(last));
+        let Some(neighbour) = before.or(kept.first()) else { return };
+        let text = layout.beside(neighbour.tag_range().start(), &layout.value(data, value));
+        let at = before.map_or(element.tag_range().end(), |before| before.view().range().end());
+        edits.replace(TextRange::empty(at), text);
+    }
 }
 
 fn spelt<'g>(element: Element<'g>) -> impl Iterator<Item = Element<'g>> {
@@ -58,21 +74,21 @@ fn key<'g>(value: Element<'g>) -> Cow<'g, str> {
     value.value("key").unwrap_or_default()
 }
 
-/// Where a value stands among the others: an array's by index, a collection's as they come.
-fn order(data: &SavedData, key: &str) -> Vec<u32> {
-    match data.shape {
-        Shape::Sizes(_) => indices(key),
-        Shape::Keys => Vec::new(),
+/// Where a value is among the others: an array's by index, a collection's as they come.
+fn order(data: &SavedData, key: &str) -> [Option<u32>; 3] {
+    let mut order = [None; 3];
+    if matches!(data.shape, Shape::Sizes(_)) {
+        order.iter_mut().zip(indices(key)).for_each(|(at, index)| *at = Some(index));
     }
+    order
 }
 
-fn indices(key: &str) -> Vec<u32> {
-    key.split(',').filter_map(|index| index.trim().parse().ok()).collect()
+fn indices(key: &str) -> impl Iterator<Item = u32> {
+    key.split(',').filter_map(|index| index.trim().parse().ok())
 }
 
 fn fits(sizes: &[u32], key: &str) -> bool {
-    let indices = indices(key);
-    indices.len() == sizes.len() && indices.iter().zip(sizes).all(|(index, size)| index < size)
+    indices(key).count() == sizes.len() && indices(key).zip(sizes).all(|(index, size)| index < *size)
 }
 
 fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
@@ -83,23 +99,20 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     }
 }
 
-/// The element stays, as it is or changed.
-fn stays(data: &SavedData, found: Element<'_>) -> bool {
-    let key = key(found);
-    let value = data.values.iter().find(|value| value.key == key);
+/// The element stays, as it is or changed; `value` is what it is to hold.
+fn stays(data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
         (Shape::Keys, value) => value.is_some(),
-        (Shape::Sizes(sizes), _) if !fits(sizes, &key) => false,
+        (Shape::Sizes(sizes), _) if !fits(sizes, &key(found)) => false,
         (_, None) => tag::is_default(&data.type_name, found),
         (_, Some(SavedValue { content: Content::Fields(_), .. })) => true,
         (_, Some(value)) => tag::is_same(&data.type_name, found, value) || !value.is_default(&data.type_name),
     }
 }
 
-/// The value has no element yet and needs one.
-fn is_new(data: &SavedData, element: Element<'_>, value: &SavedValue) -> bool {
-    let needed = data.shape == Shape::Keys || !value.is_default(&data.type_name);
-    needed && !spelt(element).any(|found| key(found) == value.key)
+/// The value needs an element.
+fn is_spelt(data: &SavedData, value: &SavedValue) -> bool {
+    data.shape == Shape::Keys || !value.is_default(&data.type_name)
 }
 
 /// None of the values that are there stays.

@@ -1,0 +1,54 @@
+//! What `libSave` writes into a data file: `cargo bench --bench save`.
+//!
+//! To reach: the time of a value does not depend on how many there are.
+
+#![allow(missing_docs, reason = "benchmarks are named by their functions")]
+
+use divan::Bencher;
+use divan::counter::ItemsCount;
+use val3_machine::files::{Content, LibraryFile, LibraryFiles, SavedData, SavedValue, Shape};
+
+const COUNTS: [u32; 3] = [1_000, 8_000, 64_000];
+
+fn main() {
+    divan::main();
+}
+
+/// Every value is another than the file has.
+#[divan::bench(args = COUNTS)]
+fn changed(bencher: Bencher<'_, '_>, count: u32) {
+    let files = library(count, count);
+    bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]));
+}
+
+/// Every other value is not in the file yet.
+#[divan::bench(args = COUNTS)]
+fn added(bencher: Bencher<'_, '_>, count: u32) {
+    let files = library(count, count / 2);
+    bencher.counter(ItemsCount::new(count)).bench_local(|| files.with_data(&[numbers(count)]));
+}
+
+/// The data file of an array of `count` numbers of which the first `written` have a value.
+fn library(count: u32, written: u32) -> LibraryFiles {
+    let values: String =
+        (0..written).map(|index| format!("      <Value key=\"{index}\" value=\"{}\" />\n", index + 1)).collect();
+    let text = format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\" ?>\n<Database>\n  <Datas>\n    <Data name=\"nList\" \
+         access=\"public\" xsi:type=\"array\" type=\"num\" size=\"{count}\">\n{values}    </Data>\n  </Datas>\n\
+         </Database>\n"
+    );
+    LibraryFiles { files: vec![LibraryFile { path: "main.dtx".into(), bytes: text.into_bytes() }], encrypted: false }
+}
+
+fn numbers(count: u32) -> SavedData {
+    let value = |index: u32| SavedValue {
+        key: index.to_string(),
+        content: Content::Attributes(vec![("value".into(), (index + 2).to_string())]),
+    };
+    SavedData {
+        name: "nList".into(),
+        type_name: "num".into(),
+        shape: Shape::Sizes(vec![count]),
+        values: (0..count).map(value).collect(),
+    }
+}
