@@ -129,7 +129,7 @@ impl Kinds<'_> {
     }
 }
 
-/// Data of so many bytes can be in memory.
+/// Checks that data of this size can be in memory.
 pub(crate) fn fits(bytes: u64) -> Result<()> {
     if bytes > MEMORY { Err(Limit::Memory) } else { Ok(()) }
 }

@@ -66,8 +66,8 @@ pub struct Devices {
     files: OpenFiles,
     /// Finds and compiles libraries.
     pub libraries: Box<dyn Libraries>,
-    /// Ends the cycle behind the instruction at hand while it is set, so that whoever runs the controller can end the
-    /// run. A loop of slow instructions would keep it for long otherwise.
+    /// While set, each cycle ends after the current instruction, so that the caller can end the run even in a loop of
+    /// slow instructions.
     pub interrupt: Arc<AtomicBool>,
     /// What the last instruction has taken outside the program.
     elapsed: Time,

@@ -54,8 +54,7 @@ pub(crate) struct NewThread {
     pub(crate) stack_size: u32,
 }
 
-/// Bytes that a task takes beside its stack, for what the controller knows of it. The number keeps programs that create
-/// tasks without end to some thousands.
+/// Bytes of a task without its stack. They limit a controller to some thousands of tasks.
 const TASK_BYTES: u64 = 64 << 10;
 
 impl Thread {

@@ -21,7 +21,7 @@ pub enum Stop {
     Budget,
     /// It waits.
     Waits,
-    /// It pauses behind an instruction: until this time it is busy with what is outside the program.
+    /// It pauses after an instruction until this time, while an access outside the program takes its time.
     Pauses(Time),
     /// Its program has ended.
     Ended,

@@ -16,7 +16,7 @@ impl Interrupt {
         self.0.swap(false, Relaxed)
     }
 
-    /// Set while Ctrl-C was pressed and nobody has asked: what takes long is to look at it.
+    /// Set from a Ctrl-C until [`take`](Self::take). Long operations check it.
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.0)
     }

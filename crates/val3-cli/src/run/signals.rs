@@ -18,7 +18,7 @@ pub(super) struct Signals {
 }
 
 impl Signals {
-    /// Set as soon as a signal was caught: what takes long is to look at it.
+    /// Set with the first signal. Long operations check it.
     pub(super) fn flag(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.seen)
     }

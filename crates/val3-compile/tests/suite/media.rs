@@ -164,7 +164,7 @@ fn the_old_forms_of_insert_and_delete() {
     assert_eq!(cell.run(), "3\n2\n2\nerror 20 in start\n");
 }
 
-/// Access to a medium takes time of the controller: a loop of it comes to its limit, and other tasks go on meanwhile.
+/// Access to a medium takes controller time, so a loop of accesses reaches its limit. Other tasks run meanwhile.
 #[test]
 fn access_takes_time() {
     let cell = Cell::new(
@@ -211,9 +211,9 @@ fn access_takes_time() {
     .assert_eq(&cell.run());
 }
 
-/// Whoever runs the controller sees a signal behind each instruction, however long those take.
+/// Control returns to the caller after each instruction while the interrupt is set.
 #[test]
-fn an_interrupt_ends_the_cycle_behind_the_instruction() {
+fn an_interrupt_ends_the_cycle_after_the_instruction() {
     let cell = Cell::new(
         r#"
         program start()

@@ -13,7 +13,7 @@ use crate::show::{image, project, workspace};
 
 const MEGABYTE: u64 = 1 << 20;
 
-/// A controller with so much memory beside what the application takes at the start.
+/// A controller with `bytes` of free memory once the application has started.
 fn with_memory(image: Image, bytes: u64) -> Controller {
     let mut controller = started(&Arc::new(image), LINE_COST);
     let taken = controller.vm.space.memory.stores.room.taken();

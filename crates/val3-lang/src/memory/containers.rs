@@ -241,7 +241,7 @@ impl Memory {
         if store.shape.len() >= most { Err(Fault::NO_MEMORY) } else { Ok(store) }
     }
 
-    /// Adds the lanes of a default value behind the others.
+    /// Appends the lanes of a default value.
     fn push(&mut self, id: StoreId) -> Result<()> {
         let parts = self.parts_of_new_value(id)?;
         let store = self.store_mut(id)?;

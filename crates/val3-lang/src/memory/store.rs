@@ -79,7 +79,7 @@ impl Shape {
     }
 }
 
-/// Bytes of a container beside its values and keys.
+/// Bytes of a container without its values and keys.
 const STORE_BYTES: u64 = bytes_of::<Store>(1);
 
 /// Bytes of a key of a collection with the place of its value.

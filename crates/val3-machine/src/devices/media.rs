@@ -9,22 +9,22 @@ use crate::event::What;
 use crate::files::{self, ControllerPath, FileFault, LibraryPath, OpenMode, list};
 use crate::sio::byte_of;
 
-/// What it takes to find, make or delete something on a medium: a cycle, behind which the run can be ended.
+/// Time to find, create or delete something on a medium: a cycle, after which the run can be ended.
 const ACCESS: Time = CYCLE;
 
-/// What it takes to read from an open file or to write to one, beside the bytes.
+/// Time to read from or write to an open file, without the bytes.
 const TRANSFER: Time = 100_000;
 
-/// What each byte takes: 4 MB in a second.
+/// Time for each byte: 4 MB in a second.
 const PER_BYTE: Time = 250;
 
 impl Devices {
-    /// The instruction at hand looks for something on a medium, and reads or writes so many bytes.
+    /// Charges the current instruction for a path on a medium and for the bytes read or written there.
     pub(super) fn access(&mut self, bytes: usize) {
         self.spend(ACCESS, bytes);
     }
 
-    /// The instruction at hand reads or writes bytes of an open file.
+    /// Charges the current instruction for bytes of an open file.
     fn transfer(&mut self, bytes: usize) {
         self.spend(TRANSFER, bytes);
     }

@@ -38,7 +38,7 @@ pub(super) fn data(edits: &mut Edits, layout: &Layout<'_>, element: Element<'_>,
     }
 }
 
-/// Further values, in their order among those that stay: each behind the last one that does not follow it.
+/// Inserts new values in order: each after the last existing value that precedes it.
 fn insert(
     edits: &mut Edits,
     layout: &Layout<'_>,
@@ -49,9 +49,9 @@ fn insert(
     // The least order from each element on: it grows, so that the last element before a value can be searched for.
     let mut least: Vec<_> = kept.iter().map(|found| order(data, &key(*found))).collect();
     for at in (1..least.len()).rev() {
-        let (before, behind) = least.split_at_mut(at);
-        if let (Some(before), Some(behind)) = (before.last_mut(), behind.first()) {
-            *before = (*before).min(*behind);
+        let (before, after) = least.split_at_mut(at);
+        if let (Some(before), Some(after)) = (before.last_mut(), after.first()) {
+            *before = (*before).min(*after);
         }
     }
     for value in added {
