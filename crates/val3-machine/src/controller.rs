@@ -168,8 +168,11 @@ impl Controller {
     }
 
     /// Replaces the image of the application in memory. Data that both images declare alike keep their values.
-    pub fn exchange(&mut self, image: Arc<Image>) {
-        self.vm.space.exchange(self.application, image, &mut self.devices);
+    ///
+    /// # Errors
+    /// 40 without memory. The image in memory is then unchanged.
+    pub fn exchange(&mut self, image: Arc<Image>) -> Result<(), Fault> {
+        self.vm.space.exchange(self.application, image, &mut self.devices)
     }
 
     /// Kills all tasks, the newest first.

@@ -69,7 +69,8 @@ impl Space {
         let (before, stores, libraries) =
             (Arc::clone(&instance.image), Arc::clone(&instance.data), instance.libraries.clone());
         let old = by_name(&before.data, &stores);
-        let kept = |data: &DataDef| old.get(data.name.as_str()).filter(|(same, _)| *same == data).map(|(_, store)| *store);
+        let kept =
+            |data: &DataDef| old.get(data.name.as_str()).filter(|(same, _)| *same == data).map(|(_, store)| *store);
         let owner = |data: &DataDef| Owner::Project { number: id.0, public: data.public };
         let added = image.data.iter().filter(|data| kept(data).is_none());
         let added = self.memory.create_all(added, |memory, data| memory.create_for(owner(data), &data.init))?;

@@ -125,7 +125,9 @@ mod tests {
     #[test]
     fn programs_that_are_not_listed_use_data() {
         let beside = |code: &str| {
-            let program = format!("<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>");
+            let program = format!(
+                "<Programs><Program name=\"q\"><Code><![CDATA[begin\n{code}\nend]]></Code></Program></Programs>"
+            );
             check(&RULE, &format!("num nA\nnum nB1\nprogram start()\nbegin\nend\n=== main/q.pgx\n{program}\n{PROJECT}"))
         };
         let names = |code: &str| ["nA", "nB1"].map(|name| beside(code).contains(&format!("`{name}` no program uses")));

@@ -95,10 +95,14 @@ mod tests {
 
     #[test]
     fn a_program_that_is_not_listed_uses_it() {
-        let program = "<Programs><Program name=\"q\"><Code><![CDATA[begin\n  ?part:nW\nend]]></Code></Program></Programs>";
+        let program =
+            "<Programs><Program name=\"q\"><Code><![CDATA[begin\n  ?part:nW\nend]]></Code></Program></Programs>";
         let listing = "library part \"Disk://part/part.pjx\"\nprogram start()\nbegin\nend\n";
         assert!(check(&RULE, &format!("{listing}--- part\npublic num nW\n")).contains("`part`"));
-        assert_eq!(check(&RULE, &format!("{listing}=== main/q.pgx\n{program}\n{PROJECT}--- part\npublic num nW\n")), "");
+        assert_eq!(
+            check(&RULE, &format!("{listing}=== main/q.pgx\n{program}\n{PROJECT}--- part\npublic num nW\n")),
+            ""
+        );
     }
 
     #[test]

@@ -31,9 +31,12 @@ impl Execution {
         Self { controller, pace: Pace::default(), interrupt }
     }
 
-    /// Replaces the image: data that it declares anew begin with their first values, data that it lacks are gone.
-    pub(super) fn exchange(&mut self, image: Arc<Image>) {
-        self.controller.exchange(image);
+    /// Replaces the image: new data begin with their first values, and data that the image lacks are removed.
+    ///
+    /// # Errors
+    /// The controller has no memory for it; its image is then unchanged.
+    pub(super) fn exchange(&mut self, image: Arc<Image>) -> Result<(), &'static str> {
+        self.controller.exchange(image).map_err(|_| "the controller has not enough memory (run-time error 40)")
     }
 
     /// Executes the program of a text until its task has ended. Other tasks go on meanwhile, and with the next text.
@@ -41,7 +44,9 @@ impl Execution {
     /// # Errors
     /// The listener cannot listen.
     pub(super) fn run(&mut self, image: Arc<Image>, is_string: bool, tell: &mut Listener<'_>) -> Result<(), UserError> {
-        self.controller.exchange(image);
+        if let Err(fault) = self.exchange(image) {
+            return tell(&Answer::Fault(fault.to_owned().into()));
+        }
         self.interrupt.take();
         let Ok(task) = self.controller.start(NAME) else {
             return tell(&Answer::Fault("the text cannot be started".to_owned().into()));

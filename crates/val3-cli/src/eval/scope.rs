@@ -141,7 +141,7 @@ impl Scope {
             return Err(fault.message.into());
         }
         let image = compile(&workspace.db, project).map_err(|error| error.limit.to_string())?;
-        self.execution.exchange(image);
+        self.execution.exchange(image).map_err(str::to_owned)?;
         self.locals = locals;
         Ok(())
     }

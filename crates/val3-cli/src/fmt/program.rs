@@ -38,7 +38,12 @@ impl Formatted {
     ///
     /// # Errors
     /// If the bytes are neither.
-    pub(super) fn of_stream(path: Utf8PathBuf, shown: String, bytes: Vec<u8>, style: &Style) -> Result<Self, UserError> {
+    pub(super) fn of_stream(
+        path: Utf8PathBuf,
+        shown: String,
+        bytes: Vec<u8>,
+        style: &Style,
+    ) -> Result<Self, UserError> {
         let decoded = decode(bytes.clone());
         if !bare::is_bare(&decoded.text) {
             return Ok(Self::new(path, shown, bytes, style));

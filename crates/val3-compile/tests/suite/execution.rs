@@ -407,8 +407,10 @@ fn indexes_are_rounded() {
             ? nA[i]
           endFor
           ? nA[0.49999999999999994]
-          ? nA[-0.5]
-          ? nA[-0.6]
+          i=-0.5
+          ? nA[i]
+          i=-0.6
+          ? nA[i]
         end",
         expect![[r#"
             10
