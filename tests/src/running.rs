@@ -52,8 +52,8 @@ impl Running {
     /// If it has faults.
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
-        let mut controller =
-            Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE).unwrap();
+        let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE)
+            .unwrap_or_else(|fault| panic!("the controller has no memory for the application: {fault:?}"));
         let started = controller.start("start");
         assert!(started.is_ok(), "{started:?}");
         Self { controller, events: Vec::new() }

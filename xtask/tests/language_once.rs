@@ -10,7 +10,7 @@ const CRATES: &[&str] = &["val3-syntax", "val3-analysis", "val3-check", "val3-id
 
 /// Names of instructions that are also an attribute in the files or a type; and `libLoad`, by which the loader finds
 /// libraries before anything is analysed.
-const SHARED: &[&str] = &["size", "config", "position", "libLoad"];
+const SHARED: &[&str] = &["size", "config", "link", "position", "libLoad"];
 
 /// The names in the manual's signatures: the word before the first bracket.
 fn instructions(root: &Utf8Path) -> BTreeSet<String> {

@@ -101,7 +101,7 @@ fn data_called_world() {
 #[test]
 fn data_called_flange_in_the_old_dialect() {
     let data = r#"=== main/main.dtx
-<dataList xmlns="ProjectSchema">
+<dataList xmlns="DataNameSpace">
   <numSection><num name="flange" public="false"><valueNum index="0" value="3" /></num></numSection>
   <toolSection>
     <tool name="tA" public="false"><tFather alias="" name="flange" fatherIndex="0" /></tool>

@@ -101,7 +101,7 @@ fn the_time_of_a_run_can_be_limited() {
 fn the_limit_can_be_the_normal_end() {
     let folder = Folder::with(ENDLESS);
     let limited = folder.val3(&["run", "--until", "2.5"]);
-    assert!(limited.stderr.contains("task `~main` waits for time (`delay`) at usrapp/main/start.pgx:"), "{limited:?}");
+    assert!(limited.stderr.contains("task `main~` waits for time (`delay`) at usrapp/main/start.pgx:"), "{limited:?}");
     let run = folder.val3(&["run", "--until", "2.5", "--until-ok"]);
     ends(&run, 0, "1\n2\n3\n");
     assert_eq!(run.stderr, "");
@@ -142,7 +142,7 @@ end
         })
         .collect();
     let expected =
-        [("~main", "waiting", "a condition"), ("work", "waiting", "the operator (`get`)"), ("halted", "suspended", "")];
+        [("main~", "waiting", "a condition"), ("work", "waiting", "the operator (`get`)"), ("halted", "suspended", "")];
     assert_eq!(told, expected);
 }
 

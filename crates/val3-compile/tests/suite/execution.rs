@@ -422,7 +422,7 @@ fn indexes_are_rounded() {
             12
             10
             10
-            error 21 in line Some(12)
+            error 21 in line 18
         "#]],
     );
 }

@@ -235,12 +235,12 @@ fn numbers_that_stand_for_something() {
     check(
         "num nA\nnA=taskStatus(\"a\")\nif nA==2$00\nendIf",
         expect![[r#"
-        ```val3
-        20 index too large
-        ```
+            ```val3
+            20 index too large
+            ```
 
-        run-time error. The index is not below the size of the array, or the key is not in the collection. Compare it with size, or ask isDefined.
-    "#]],
+            run-time error. A line uses an element of an array whose index is not below the size of the array, or of a collection that does not have the key. Compare the index with size, or ask isDefined for the key.
+        "#]],
     );
     check(
         "num nA\nnA=getKey()\nswitch nA\ncase 27$01\nbreak\nendSwitch",
