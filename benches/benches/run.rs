@@ -52,7 +52,8 @@ fn compiled(name: &str) -> Arc<Image> {
 /// The line that the application has logged.
 fn run(image: Arc<Image>) -> Option<String> {
     let devices = Devices::new(Roots::default(), Box::new(NoLibraries));
-    let mut controller = Controller::new(devices, image, "Disk://main".to_owned(), LINE).unwrap();
+    let mut controller =
+        Controller::new(devices, image, "Disk://main".to_owned(), LINE).expect("memory for the application");
     controller.start("start").expect("a program start");
     let mut logged = None;
     loop {
