@@ -1,11 +1,13 @@
 //! What the analysis can find wrong, as values. The wording lives with the rules of `val3-check`.
 
+mod encoding;
 mod kind;
 mod refusal;
 
 use rowan::TextRange;
 
-pub use kind::{EncodingFault, ProblemKind};
+pub use encoding::EncodingFault;
+pub use kind::ProblemKind;
 
 use crate::db::File;
 
@@ -93,4 +95,18 @@ pub enum FileRole {
     Library,
     /// The project of a user type.
     Type,
+}
+
+impl ProblemKind {
+    /// A declaration is missing: every use of the name has the same fault.
+    pub fn is_about_missing_name(&self) -> bool {
+        matches!(
+            self,
+            Self::UnknownName { .. }
+                | Self::UnknownProgram { .. }
+                | Self::UnknownInstruction { .. }
+                | Self::UnknownLibrary { .. }
+                | Self::LibraryItemUnknown { .. }
+        )
+    }
 }

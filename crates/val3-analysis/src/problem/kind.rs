@@ -2,7 +2,7 @@
 
 use smol_str::SmolStr;
 
-use super::{FileRole, NameKind};
+use super::{EncodingFault, FileRole, NameKind};
 
 /// The kinds of faults. Types are given as a programmer would write them: `num`, `point[]`, `string[""]`, `Slot`.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -586,31 +586,4 @@ pub enum ProblemKind {
         /// What the library has.
         found: SmolStr,
     },
-}
-
-impl ProblemKind {
-    /// A declaration is missing: every use of the name has the same fault.
-    pub fn is_about_missing_name(&self) -> bool {
-        matches!(
-            self,
-            Self::UnknownName { .. }
-                | Self::UnknownProgram { .. }
-                | Self::UnknownInstruction { .. }
-                | Self::UnknownLibrary { .. }
-                | Self::LibraryItemUnknown { .. }
-        )
-    }
-}
-
-/// What is wrong with the encoding of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum EncodingFault {
-    /// It is neither in UTF-8 nor declares ISO-8859-1.
-    NotUtf8,
-    /// It declares ISO-8859-1 and is stored as UTF-8.
-    NotLatin1,
-    /// It is in ISO-8859-1, and an editor has read it in an encoding that does not have its characters.
-    Misread,
-    /// A character was replaced when the file was saved.
-    Lost,
 }

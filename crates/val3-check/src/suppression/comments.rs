@@ -123,7 +123,7 @@ mod tests {
         expected.assert_eq(&code.replace('\r', "␍"));
     }
 
-    const LISTING: &str = "num nA\n\nprogram start()\n  num l_nB\nbegin\n  // TODO\n  if nA==nX\n    nB=nA*true\n  endIf\n\
+    const LISTING: &str = "num nA\n\nprogram start()\n  num l_nB\nbegin\n  // left over\n  if nA==nX\n    nB=nA*true\n  endIf\n\
                            //val3: allow(V0101)\n  nC=nD==2\n  nC=1\nend\n";
 
     #[test]
@@ -133,7 +133,7 @@ mod tests {
             LISTING,
             expect![[r#"
             <![CDATA[begin
-              // TODO
+              // left over
               //val3: allow(V0101)
               if nA==nX
                 //val3: allow(V0101, V0201)
@@ -149,7 +149,7 @@ mod tests {
             LISTING,
             expect![[r#"
             <![CDATA[begin␍
-              // TODO␍
+              // left over␍
               //val3: allow(V0101)␍
               if nA==nX␍
                 //val3: allow(V0101, V0201)␍
