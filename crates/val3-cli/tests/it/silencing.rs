@@ -62,3 +62,34 @@ fn quiet_prints_findings_alone() {
     let run = Folder::with("num nCount\nIF nCount==1\nendIf\n").val3(&["check", "--quiet", "--fix"]);
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{run:?}");
 }
+
+/// A program of s5, whose code is escaped text.
+const ESCAPED: &str = r#"<?xml version="1.0" encoding="iso-8859-1"?>
+<programList xmlns="ProgramNameSpace">
+  <program name="start" public="true">
+    <description></description>
+    <paramSection />
+    <localSection><local name="l_nUnused" type="num" size="1" /></localSection>
+    <source><code>begin
+  if nCount&lt;3 and nCount!=1
+    nCount=nCount/0
+  endIf
+end
+    </code></source>
+  </program>
+</programList>
+"#;
+
+#[test]
+fn comments_in_escaped_code_for_a_line_and_for_the_program() {
+    let folder = Folder::with("version s5.2\nnum nCount\n\nprogram start()\nbegin\nend\n");
+    folder.write(PROGRAM, ESCAPED);
+    assert_eq!(folder.val3(&["check"]).code, 1);
+    let run = folder.val3(&["check", "--add-suppressions"]);
+    assert_eq!(run.code, 0, "{run:?}");
+    let expected = ESCAPED
+        .replace("begin\n", "begin\n  //val3: allow-program(V0115)\n")
+        .replace("    nCount=nCount/0", "    //val3: allow(V0230)\n    nCount=nCount/0");
+    assert_eq!(folder.read(PROGRAM), expected);
+    assert_eq!(folder.val3(&["check", PROGRAM, "--fail-level", "info"]).code, 0);
+}
