@@ -22,6 +22,9 @@ const EXPECTED: &str = "With --until-ok this is a success.";
 /// What a run that was interrupted can be used for.
 const RECORDED: &str = "With --events FILE a run can be repeated up to this point (--replay).";
 
+/// The most tasks that are listed. Applications have a dozen; a run-away loop of `taskCreate` has thousands.
+const MOST_TASKS: usize = 50;
+
 impl Console {
     /// Says why the run has ended before its application, and where its tasks are.
     pub(crate) fn explain(&self, end: End, args: &RunArgs, controller: &Controller) {
@@ -45,7 +48,11 @@ impl Console {
     fn list(&self, message: &str, help: &str, controller: &Controller) {
         to_stderr(|out| {
             writeln!(out, "{message}")?;
-            controller.task_positions().iter().try_for_each(|position| self.position(position, out))?;
+            let positions = controller.task_positions();
+            positions.iter().take(MOST_TASKS).try_for_each(|position| self.position(position, out))?;
+            if let Some(more @ 1..) = positions.len().checked_sub(MOST_TASKS) {
+                writeln!(out, "  and {more} more tasks")?;
+            }
             writeln!(out, "  help: {help}")
         });
     }

@@ -397,6 +397,19 @@ fn a_loop_of_slow_instructions_comes_to_its_limit() {
     assert!((5..=25).contains(&saved.len()), "{saved:?}");
     let end = events(&folder, &["--until", "0.1"], "end");
     assert_eq!((&end[0]["t"], &end[0]["reason"]), (&0.1.into(), &"limit".into()));
+    let run = folder.val3(&["run", "--until", "0.1"]);
+    assert!(run.stderr.contains("task `main~` waits for a file at "), "{run:?}");
+}
+
+#[test]
+fn only_the_first_of_many_tasks_are_listed() {
+    let folder = Folder::with(
+        "program start()\n  num i\nbegin\n  for i=1 to 60\n    taskCreate toString(\"\",i),10,idle()\n  endFor\n  \
+         wait(false)\nend\nprogram idle()\nbegin\n  wait(false)\nend\n",
+    );
+    let run = folder.val3(&["run", "--until", "1"]);
+    assert_eq!(run.stderr.matches("  task `").count(), 50, "{run:?}");
+    assert!(run.stderr.contains("\n  and 11 more tasks\n"), "{run:?}");
 }
 
 #[test]

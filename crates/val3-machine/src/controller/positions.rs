@@ -3,6 +3,7 @@
 use std::fmt;
 
 use val3_bytecode::Op;
+use val3_lang::call::Wait;
 use val3_lang::fault::Fault;
 use val3_lang::instruction::Family;
 use val3_lang::instructions;
@@ -35,6 +36,8 @@ pub enum Activity {
     AwaitsCondition,
     /// It waits in this instruction.
     Awaits(String),
+    /// It waits until a file access has taken its time.
+    AwaitsMedium,
     /// It was suspended, and no task resumes it.
     Suspended,
     /// The run-time error with this number has stopped it.
@@ -47,7 +50,7 @@ impl Activity {
     pub fn word(&self) -> &'static str {
         match self {
             Self::Running => "running",
-            Self::AwaitsCondition | Self::Awaits(_) => "waiting",
+            Self::AwaitsCondition | Self::Awaits(_) | Self::AwaitsMedium => "waiting",
             Self::Suspended => "suspended",
             Self::Failed(_) => "error",
         }
@@ -59,6 +62,7 @@ impl Activity {
         match self {
             Self::AwaitsCondition => Some("a condition".to_owned()),
             Self::Awaits(instruction) => Some(awaited_in(instruction)),
+            Self::AwaitsMedium => Some("a file".to_owned()),
             Self::Running | Self::Suspended | Self::Failed(_) => None,
         }
     }
@@ -115,7 +119,10 @@ impl Controller {
             TaskState::Failed(Fault(code)) => Activity::Failed(code),
             TaskState::Halted => Activity::Suspended,
             _ if task.thread.wait.is_none() => Activity::Running,
-            _ if task.thread.waiting.is_none() => Activity::AwaitsCondition,
+            _ if task.thread.waiting.is_none() => match task.thread.wait {
+                Some(Wait { sleeps: true, .. }) => Activity::AwaitsMedium,
+                _ => Activity::AwaitsCondition,
+            },
             _ => self.instruction_at(task).map_or(Activity::AwaitsCondition, Activity::Awaits),
         }
     }
