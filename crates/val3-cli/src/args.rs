@@ -128,7 +128,7 @@ pub(crate) struct CheckArgs {
     #[arg(long, group = "mending")]
     pub(crate) diff: bool,
     /// Write comments into the programs that silence all their findings, and report the rest
-    #[arg(long, conflicts_with_all = ["mending", "watch", "write_baseline", "prune_baseline", "explain_config"])]
+    #[arg(long, conflicts_with_all = ["mending", "write_baseline", "prune_baseline", "explain_config"])]
     pub(crate) add_suppressions: bool,
     /// Count the findings of each rule instead of listing them
     #[arg(long, conflicts_with = "diff")]
@@ -137,7 +137,7 @@ pub(crate) struct CheckArgs {
     #[arg(long, short)]
     pub(crate) quiet: bool,
     /// Check again whenever a file is changed, until Ctrl-C, and mark what is new
-    #[arg(long, conflicts_with_all = ["diff", "write_baseline", "prune_baseline", "explain_config"])]
+    #[arg(long, conflicts_with_all = ["diff", "add_suppressions", "write_baseline", "prune_baseline", "explain_config"])]
     pub(crate) watch: bool,
     /// A file with known findings, which are not reported; wins over `baseline` in a val3.toml
     #[arg(long, value_name = "FILE")]
