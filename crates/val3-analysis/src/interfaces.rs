@@ -188,7 +188,7 @@ impl Interfaces<'_> {
         }
     }
 
-    /// What is wrong with a path that leads to no project. A medium that is not at hand may have it.
+    /// The fault of a path that leads to no project; `None` where a medium that is not available here may hold it.
     fn unresolved(&self, path: &SmolStr) -> Option<ProblemKind> {
         let roots = self.project.roots(self.db);
         match paths::project(folder(self.db, self.project), roots, path) {

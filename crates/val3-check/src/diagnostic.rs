@@ -71,7 +71,7 @@ pub struct Span {
     pub range: TextRange,
 }
 
-/// How many uses a finding names at most that stands for many.
+/// Maximum number of uses that a finding lists when it represents many.
 pub(crate) const MOST_RELATED: usize = 10;
 
 /// Another side of a finding.

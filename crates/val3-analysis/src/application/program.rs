@@ -41,7 +41,7 @@ pub struct Summary {
     pub locks: FxHashSet<SmolStr>,
     /// It takes a flag with `setMutex`.
     pub takes_mutex: bool,
-    /// It lets a stopped arm go on.
+    /// It calls `restartMove`: a stopped arm continues.
     pub restarts_arm: bool,
     /// It shows a user page (s8) by its name.
     pub shows_page: bool,

@@ -44,7 +44,7 @@ fn unlisted_uses(db: &dyn Db, project: Project) -> Uses {
     uses
 }
 
-/// Every word in the text of a file: nobody knows how well a file can be read that belongs to no project.
+/// Every word in the text of a file. Words are enough: a file that belongs to no project may not parse.
 #[salsa::tracked]
 fn words(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let is_part = |letter: char| letter.is_ascii_alphanumeric() || letter == '_';

@@ -45,7 +45,7 @@ pub trait FixTarget {
     fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>);
 }
 
-/// What fixes did.
+/// Result of applying fixes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AppliedFixes {
     /// The files that differ, by path.
@@ -136,7 +136,7 @@ struct Round<'t, T> {
     guesses: bool,
 }
 
-/// What comes of some fixes.
+/// Result of applying a set of fixes on trial.
 struct Attempt {
     /// How many fixes were applied.
     count: usize,
@@ -151,8 +151,8 @@ struct Attempt {
 }
 
 impl<T: FixTarget> Round<'_, T> {
-    /// Applies as many of the fixes as possible without an error that was not there before; gives them, and how many
-    /// are refused. Where a group of fixes adds an error, its parts are tried one after the other.
+    /// Applies as many of the fixes as possible without adding an error. Returns the last attempt and the number of refused
+    /// fixes. Where a group of fixes adds an error, its parts are tried one after the other.
     fn keep_harmless(&mut self, fixes: Vec<&Fix>) -> Result<(Option<Attempt>, usize), T::Error> {
         let mut kept: Vec<&Fix> = Vec::new();
         let mut best = None;
@@ -166,7 +166,7 @@ impl<T: FixTarget> Round<'_, T> {
             let attempt = self.attempt(&trial)?;
             if attempt.faulty.is_empty() {
                 kept = trial;
-                // Other fixes do not fit a text that was changed again; they are found anew in the next round.
+                // The remaining fixes refer to a text that has changed. The next round finds them again.
                 let ends_round = attempt.followed_up;
                 best = Some(attempt);
                 if ends_round {

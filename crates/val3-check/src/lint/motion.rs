@@ -48,7 +48,7 @@ pub(crate) enum Phase {
 }
 
 impl Phase {
-    /// What holds in both cases.
+    /// The facts that hold on both of two joining paths.
     fn join(self, other: Self) -> Self {
         match (self, other) {
             (Self::Stopped { by, pending }, Self::Stopped { by: other, pending: also }) if by == other => {
