@@ -74,6 +74,7 @@ const STEPS = {
 
   async "a CDATA section has no references, so its file becomes UTF-8 and says so"(user) {
     await user.openFile("section.pgx");
+    await user.sees("// thé");
     await user.goTo(5, 9);
     await user.type("中");
     await user.keys("Control+S");

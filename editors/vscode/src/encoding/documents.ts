@@ -8,7 +8,7 @@ import { readFile, writeFile } from "node:fs/promises";
 import * as vscode from "vscode";
 import { encodingsOf, isDeclaredAlike, isSameEncoding, isUtf8, LATIN1 } from "./declared";
 import type { Replacement } from "../codeView/projection";
-import { asReferences, asUtf8, restore } from "./rescue";
+import { asReferences, asUtf8, LOST, restore } from "./rescue";
 
 const LANGUAGES = new Set(["val3", "val3-data", "val3-project"]);
 
@@ -74,7 +74,8 @@ class Saves {
     if (!isSameEncoding(encoding, document.encoding)) {
       return restored(document, bytes, encoding);
     }
-    return this.fit(document, wanted);
+    const late = bytes === text ? undefined : await editedBeforeReread(document, bytes, encoding);
+    return late ?? this.fit(document, wanted);
   }
 
   /** Saves a file once more where VS Code could not save it as it should be. */
@@ -134,6 +135,18 @@ async function restored(document: vscode.TextDocument, bytes: Uint8Array, encodi
       + `${document.encoding}, but holds ${encoding}, and characters would have been lost. Make the change once more.`);
   }
   return [vscode.TextEdit.replace(whole(document), text ?? right)];
+}
+
+/**
+ * The edit for a document that was changed while VS Code read it again: VS Code has set the new encoding by then, but
+ * keeps the text that it had read as UTF-8. Nothing where no character was lost.
+ */
+async function editedBeforeReread(document: vscode.TextDocument, bytes: Uint8Array, encoding: string): Promise<vscode.TextEdit[] | undefined> {
+  if (isUtf8(encoding) || !document.getText().includes(LOST)) {
+    return undefined;
+  }
+  const text = restore(document.getText(), await decode(bytes, "utf8"), await decode(bytes, encoding));
+  return text === undefined ? undefined : [vscode.TextEdit.replace(whole(document), text)];
 }
 
 /** The letters of a text that an encoding does not have. */

@@ -2,7 +2,8 @@
 
 import type { Replacement } from "../codeView/projection";
 
-const LOST = "\ufffd";
+/** Stands for each byte sequence that could not be read. */
+export const LOST = "\ufffd";
 const CDATA = /<!\[CDATA\[[^]*?(?:\]\]>|$)/g;
 
 /**
