@@ -64,6 +64,19 @@ fn a_signal_leaves_the_terminal_as_it_was() {
     }
 }
 
+/// A loop of file accesses keeps its cycle for long; a signal ends it after the access that is under way.
+#[test]
+fn a_signal_ends_a_loop_of_file_accesses() {
+    let folder = Folder::with("  ? \"begun\"\n  while true\n    libSave()\n  endWhile\n");
+    let mut command = folder.command(&["run", "--time", "real", "usrapp/main"]);
+    let mut child = command.stdout(std::process::Stdio::piped()).spawn().unwrap();
+    let mut first = [0; 6];
+    child.stdout.take().unwrap().read_exact(&mut first).unwrap();
+    assert_eq!(&first, b"begun\n");
+    kill_process(Pid::from_child(&child), Signal::TERM).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(143));
+}
+
 /// A run that somebody ends from outside has written everything down, and how it ended.
 #[test]
 fn a_signal_leaves_a_whole_record() {
