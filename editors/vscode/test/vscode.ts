@@ -1,5 +1,7 @@
-// A stand-in for the part of `vscode` that the tests reach, as Theia has it: its `Uri` is a class of its own, which
-// neither `Uri.from` nor the arguments of commands are of.
+// A stand-in for the part of `vscode` that the tests reach. `Uri` is as in Theia: neither `Uri.from` nor the arguments of
+// commands are instances of it.
+
+export { holdDisk, Position, Range, takeMessages, TextEdit, window, workspace, WorkspaceEdit } from "./documents";
 
 interface Parts {
   scheme: string;
@@ -23,6 +25,10 @@ export class Uri extends BaseUri {
   static parse(text: string): Uri {
     const [, scheme = "", path = "", query = ""] = /^(\w[\w-]*):(?:\/\/)?([^?]*)\??(.*)$/.exec(text) ?? [];
     return new Uri(scheme, decodeURI(path), decodeURIComponent(query));
+  }
+
+  get fsPath(): string {
+    return this.path;
   }
 
   with(parts: Partial<Parts>): Uri {

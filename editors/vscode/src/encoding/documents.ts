@@ -1,8 +1,8 @@
-// Opens files in the encoding that they declare, and sees to it that saving one loses nothing.
+// Opens files in the encoding that they declare, and prevents that saving one loses characters.
 //
-// VS Code reads a file as its settings say, which know nothing of the XML declaration: in UTF-8, every accent of a file
-// in ISO-8859-1 is lost, and saving makes that final. So a file of VAL 3 is read again as it declares. One that changed
-// before that, as "Replace in Files" does it, gets its characters back when it is saved.
+// VS Code reads a file in the encoding of its settings and ignores the XML declaration. In UTF-8, every accent of a file
+// in ISO-8859-1 is lost, and saving would make that final. A file of VAL 3 is therefore read again in its declared
+// encoding. A file that is edited before that, for example by "Replace in Files", gets its characters back on save.
 
 import { readFile, writeFile } from "node:fs/promises";
 import * as vscode from "vscode";
@@ -12,14 +12,39 @@ import { asReferences, asUtf8, LOST, restore } from "./rescue";
 
 const LANGUAGES = new Set(["val3", "val3-data", "val3-project"]);
 
+/**
+ * Documents that VS Code reads again, or that were edited meanwhile and not saved since. The latter have the new encoding
+ * and still the text that was read as UTF-8.
+ */
+const rereads = new WeakMap<vscode.TextDocument, Promise<vscode.TextDocument>>();
+
 /** Opens a file in its own encoding. */
 export async function openDocument(uri: vscode.Uri): Promise<vscode.TextDocument> {
   const document = await vscode.workspace.openTextDocument(uri);
+  const { version } = document;
   const encoding = await missedEncoding(document);
-  return encoding === undefined || document.isDirty ? document : vscode.workspace.openTextDocument(uri, { encoding });
+  // A document that was edited and saved in the meantime has other bytes on the disk than those that were examined.
+  const isUntouched = !document.isDirty && document.version === version;
+  if (encoding !== undefined && isUntouched && !rereads.has(document)) {
+    rereads.set(document, readAgain(document, encoding));
+  }
+  return rereads.get(document) ?? document;
 }
 
-/** `report` is told what fails while nobody waits for it. */
+async function readAgain(document: vscode.TextDocument, encoding: string): Promise<vscode.TextDocument> {
+  let isEdited = false;
+  try {
+    const read = await vscode.workspace.openTextDocument(document.uri, { encoding });
+    isEdited = document.isDirty;
+    return read;
+  } finally {
+    if (!isEdited) {
+      rereads.delete(document);
+    }
+  }
+}
+
+/** `report` gets the errors of everything that runs in the background. */
 export function registerEncodings(report: (fault: unknown) => void): vscode.Disposable[] {
   const saves = new Saves();
   const correct = ({ uri }: vscode.TextDocument): void => void openDocument(uri).catch(report);
@@ -72,14 +97,17 @@ class Saves {
       this.pending.set(document.uri.toString(), wanted);
     }
     if (!isSameEncoding(encoding, document.encoding)) {
-      return restored(document, bytes, encoding);
+      return restored(document, bytes, document.encoding, encoding);
     }
-    const late = bytes === text ? undefined : await editedBeforeReread(document, bytes, encoding);
-    return late ?? this.fit(document, wanted);
+    if (rereads.has(document) && document.getText().includes(LOST)) {
+      return restored(document, bytes, "utf8", encoding);
+    }
+    return this.fit(document, wanted);
   }
 
   /** Saves a file once more where VS Code could not save it as it should be. */
   async finish(document: vscode.TextDocument): Promise<void> {
+    rereads.delete(document);
     const encoding = this.take(document) ?? document.encoding;
     if (document.isDirty || (isUtf8(document.encoding) && isUtf8(encoding))) {
       return;
@@ -117,7 +145,7 @@ class Saves {
   }
 }
 
-/** Makes edits that came too late for the save before, and saves them. */
+/** Applies edits that were not ready in time for the last save, and saves again. */
 async function replace(document: vscode.TextDocument, edits: vscode.TextEdit[]): Promise<void> {
   const edit = new vscode.WorkspaceEdit();
   edit.set(document.uri, edits);
@@ -126,27 +154,18 @@ async function replace(document: vscode.TextDocument, edits: vscode.TextEdit[]):
   }
 }
 
-/** The text of a document that was changed in the wrong encoding, or else what its file holds. */
-async function restored(document: vscode.TextDocument, bytes: Uint8Array, encoding: string): Promise<vscode.TextEdit[]> {
+/**
+ * The edit of a document that was read in the encoding `read` and changed, although its file is in `encoding`: the
+ * document with its characters again, or else the text of the file.
+ */
+async function restored(document: vscode.TextDocument, bytes: Uint8Array, read: string, encoding: string): Promise<vscode.TextEdit[]> {
   const right = await decode(bytes, encoding);
-  const text = restore(document.getText(), await decode(bytes, document.encoding), right);
+  const text = restore(document.getText(), await decode(bytes, read), right);
   if (text === undefined) {
     void vscode.window.showErrorMessage(`${vscode.workspace.asRelativePath(document.uri)} was not changed: it was opened as `
-      + `${document.encoding}, but holds ${encoding}, and characters would have been lost. Make the change once more.`);
+      + `${read}, but holds ${encoding}, and characters would have been lost. Make the change once more.`);
   }
   return [vscode.TextEdit.replace(whole(document), text ?? right)];
-}
-
-/**
- * The edit for a document that was changed while VS Code read it again: VS Code has set the new encoding by then, but
- * keeps the text that it had read as UTF-8. Nothing where no character was lost.
- */
-async function editedBeforeReread(document: vscode.TextDocument, bytes: Uint8Array, encoding: string): Promise<vscode.TextEdit[] | undefined> {
-  if (isUtf8(encoding) || !document.getText().includes(LOST)) {
-    return undefined;
-  }
-  const text = restore(document.getText(), await decode(bytes, "utf8"), await decode(bytes, encoding));
-  return text === undefined ? undefined : [vscode.TextEdit.replace(whole(document), text)];
 }
 
 /** The letters of a text that an encoding does not have. */
@@ -166,7 +185,7 @@ function whole(document: vscode.TextDocument): vscode.Range {
   return document.validateRange(new vscode.Range(0, 0, document.lineCount, 0));
 }
 
-// VS Code saves without the edits that it has to wait for too long, so the usual encodings are done here.
+// VS Code saves without edits that take too long, so the usual encodings are converted here.
 
 async function decode(bytes: Uint8Array, encoding: string): Promise<string> {
   if (isUtf8(encoding) || encoding === LATIN1) {
