@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use xtask::{codegen, dist, format, install, metrics, test, tidy, vsix, workspace};
+use xtask::{dist, format, install, metrics, test, tidy, vsix, workspace};
 
 /// The project's own tasks.
 #[derive(Parser)]
@@ -15,15 +15,13 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Task {
-    /// Write the typed syntax tree from crates/val3-syntax/val3.ungram
-    Codegen(codegen::Arguments),
     /// Format every Rust file, also those that a macro declares
     Fmt(format::Arguments),
     /// Look for what a formatter does not see, and list the largest files and functions
     Tidy,
     /// Run every check and every test of the project
     Test,
-    /// Pack the release into target/dist: the archive, and the VS Code extension with the server inside
+    /// Pack `val3` into target/packages: the archive, and the VS Code extension with the server inside
     Dist(vsix::Arguments),
     /// Pack the VS Code extension with the server inside
     Vsix(vsix::Arguments),
@@ -46,7 +44,6 @@ fn main() -> ExitCode {
 
 fn run(task: Task) -> anyhow::Result<()> {
     match task {
-        Task::Codegen(arguments) => codegen::run(&arguments),
         Task::Fmt(arguments) => format::run(&arguments),
         Task::Tidy => tidy::run(),
         Task::Test => test::run(),

@@ -21,7 +21,6 @@ enum Run {
 
 const STEPS: &[Step] = &[
     Step { name: "format", run: Run::Cargo(&["xtask", "fmt", "--check"]) },
-    Step { name: "generated code", run: Run::Cargo(&["xtask", "codegen", "--check"]) },
     Step { name: "tidy", run: Run::Cargo(&["xtask", "tidy"]) },
     Step {
         name: "clippy",

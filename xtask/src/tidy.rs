@@ -31,7 +31,7 @@ pub fn run() -> anyhow::Result<()> {
 }
 
 fn list_largest_files(files: &[TextFile]) {
-    let mut sources: Vec<_> = files.iter().filter(|file| file.is_written_source()).collect();
+    let mut sources: Vec<_> = files.iter().filter(|file| file.is_source()).collect();
     sources.sort_by_key(|file| std::cmp::Reverse(file.text.lines().count()));
     println!("Largest files (lines)");
     for file in sources.iter().take(SHOWN) {
@@ -40,7 +40,7 @@ fn list_largest_files(files: &[TextFile]) {
 }
 
 fn list_largest_functions(files: &[TextFile]) {
-    let sources = files.iter().filter(|file| file.is_written_source());
+    let sources = files.iter().filter(|file| file.is_source());
     let mut functions: Vec<_> = sources.flat_map(functions::of).collect();
     functions.sort_by_key(|function| std::cmp::Reverse(function.lines));
     println!("Largest functions (lines)");

@@ -15,8 +15,8 @@ pub fn linked_names(db: &dyn Db, file: File, offset: TextSize) -> Option<[TextRa
     let tokens = root.token_at_offset(offset);
     tokens.into_iter().find_map(|token| {
         let element = token.parent()?.ancestors().find_map(Element::cast)?;
-        let start = element.start_tag()?.xml_name_token()?;
-        let end = element.end_tag()?.xml_name_token()?;
+        let start = element.start_tag()?.name()?;
+        let end = element.end_tag()?.name()?;
         let inside = |name: &SyntaxToken| name.text_range().contains_inclusive(offset);
         let same = start.text() == end.text() && (inside(&start) || inside(&end));
         same.then(|| [start.text_range(), end.text_range()])

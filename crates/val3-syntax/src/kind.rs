@@ -180,10 +180,11 @@ syntax_kinds! {
     /// End of the token list; never in a tree.
     EOF,
 
+    // ---- nodes: `?` marks an optional part, `*` a repeated one ----
     // ---- XML nodes ----
-    /// The root: a whole file.
+    /// The root: a whole file. `Element*`
     XML_FILE,
-    /// An element with its tags and content.
+    /// An element with its tags and content. `StartTag Element* Code? EndTag?`
     ELEMENT,
     /// `<name attributes>` or `<name attributes />`
     START_TAG,
@@ -191,39 +192,39 @@ syntax_kinds! {
     END_TAG,
     /// `name="value"`
     ATTRIBUTE,
-    /// The content of `<Code>`.
+    /// The content of `<Code>`: `begin Block end`.
     CODE,
 
     // ---- code nodes ----
-    /// Statements in a row.
+    /// A sequence of statements. `Stmt*`
     BLOCK,
-    /// `if … endIf`
+    /// `if Expr Block ElseIfClause* ElseClause? endIf`
     IF_STMT,
-    /// `elseIf …`
+    /// `elseIf Expr Block`
     ELSE_IF_CLAUSE,
-    /// `else …`
+    /// `else Block`
     ELSE_CLAUSE,
-    /// `while … endWhile`
+    /// `while Expr Block endWhile`
     WHILE_STMT,
-    /// `do … until …`
+    /// `do Block until Expr`
     DO_STMT,
-    /// `for … endFor`
+    /// `for Expr = Expr to Expr (step Expr)? Block endFor`
     FOR_STMT,
-    /// `switch … endSwitch`
+    /// `switch Expr (CaseClause | DefaultClause | Stmt)* endSwitch`; a statement after a `break` is never executed.
     SWITCH_STMT,
-    /// `case … break`
+    /// `case Expr (, Expr)* Block break`
     CASE_CLAUSE,
-    /// `default … break`
+    /// `default Block break`
     DEFAULT_CLAUSE,
     /// `return`
     RETURN_STMT,
-    /// `call program(…)`
+    /// `call CallExpr`
     CALL_STMT,
-    /// `taskCreate …` and `taskCreateSync …`
+    /// `taskCreate Expr (, Expr)*`, also `taskCreateSync`.
     TASK_CREATE_STMT,
-    /// `? expression`
+    /// `? Expr`
     PRINT_STMT,
-    /// `a = b`, `a = b = c`
+    /// `Expr = Expr`; the right side may be an `AssignExpr`: `a = b = c`.
     ASSIGN_STMT,
     /// An expression alone on its line.
     EXPR_STMT,
@@ -245,7 +246,7 @@ syntax_kinds! {
     INDEX_EXPR,
     /// `a.field`
     FIELD_EXPR,
-    /// `name(arguments)`
+    /// `Expr ArgList`
     CALL_EXPR,
     /// `(a, b)`
     ARG_LIST,

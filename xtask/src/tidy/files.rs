@@ -7,7 +7,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 const SKIPPED_FOLDERS: &[&str] = &["target", ".git", "node_modules", "examples", "corpus", "artifacts", "snapshots"];
 
 /// Kinds of files that are looked at.
-const EXTENSIONS: &[&str] = &["rs", "md", "toml", "ungram"];
+const EXTENSIONS: &[&str] = &["rs", "md", "toml"];
 
 /// A file with its text.
 #[derive(Debug)]
@@ -18,14 +18,9 @@ pub(crate) struct TextFile {
 }
 
 impl TextFile {
-    /// A Rust source that no program has made.
-    pub(crate) fn is_written_source(&self) -> bool {
-        self.path.extension() == Some("rs") && !self.is_generated()
-    }
-
-    /// A file that `codegen` makes.
-    pub(crate) fn is_generated(&self) -> bool {
-        self.path.file_name() == Some("generated.rs")
+    /// A Rust source file.
+    pub(crate) fn is_source(&self) -> bool {
+        self.path.extension() == Some("rs")
     }
 }
 

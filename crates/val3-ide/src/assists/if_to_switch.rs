@@ -1,6 +1,6 @@
 //! Turns a chain of `if` that compares one value into a `switch`.
 
-use val3_syntax::ast::{AstNode, BinExpr, Block, Expr, IfStmt};
+use val3_syntax::ast::{AstNode, Block, Expr, IfStmt};
 use val3_syntax::{SyntaxKind, TextRange};
 
 use super::context::Context;
@@ -11,7 +11,7 @@ use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let chain = context.node::<IfStmt>().filter(|chain| is_at_head(context, chain))?;
-    chain.end_if_token()?;
+    chain.end_if()?;
     let mut arms = vec![(chain.condition()?, chain.block()?)];
     for clause in chain.else_if_clauses() {
         arms.push((clause.condition()?, clause.block()?));
@@ -58,14 +58,16 @@ fn compared(
     selector: &mut Option<Expr>,
     values: &mut Vec<TextRange>,
 ) -> Option<()> {
-    match condition {
-        Expr::ParenExpr(inner) => compared(context, inner.expr()?, selector, values),
-        Expr::BinExpr(or) if or.op_token()?.kind() == SyntaxKind::OR_KW => {
-            compared(context, or.lhs()?, selector, values)?;
-            compared(context, or.rhs()?, selector, values)
+    if condition.syntax().kind() == SyntaxKind::PAREN_EXPR {
+        return compared(context, condition.inner()?, selector, values);
+    }
+    match condition.binary()? {
+        (left, SyntaxKind::OR_KW, right) => {
+            compared(context, left, selector, values)?;
+            compared(context, right, selector, values)
         }
-        Expr::BinExpr(equal) if equal.op_token()?.kind() == SyntaxKind::EQ2 => {
-            let (value, constant) = sides(&equal)?;
+        (left, SyntaxKind::EQ2, right) => {
+            let (value, constant) = sides(left, right)?;
             let text = |expr: &Expr| context.slice(expr.syntax().text_range()).replace([' ', '\t'], "");
             let same = selector.as_ref().is_none_or(|known| text(known) == text(&value));
             if !same {
@@ -87,8 +89,7 @@ fn is_comparable(context: &Context<'_>, selector: &Expr) -> bool {
 }
 
 /// The value and the constant of a comparison.
-fn sides(equal: &BinExpr) -> Option<(Expr, Expr)> {
-    let (left, right) = (equal.lhs()?, equal.rhs()?);
+fn sides(left: Expr, right: Expr) -> Option<(Expr, Expr)> {
     match (is_constant(&left), is_constant(&right)) {
         (false, true) => Some((left, right)),
         (true, false) => Some((right, left)),
@@ -97,9 +98,9 @@ fn sides(equal: &BinExpr) -> Option<(Expr, Expr)> {
 }
 
 fn is_constant(expr: &Expr) -> bool {
-    match expr {
-        Expr::Literal(_) => true,
-        Expr::PrefixExpr(minus) => matches!(minus.expr(), Some(Expr::Literal(_))),
+    match expr.syntax().kind() {
+        SyntaxKind::LITERAL => true,
+        SyntaxKind::PREFIX_EXPR => expr.inner().is_some_and(|inner| inner.syntax().kind() == SyntaxKind::LITERAL),
         _ => false,
     }
 }

@@ -10,13 +10,13 @@ use crate::edit::SourceChange;
 
 pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<()> {
     let switch = context.node::<SwitchStmt>().filter(|switch| is_at_head(context, switch))?;
-    switch.end_switch_token()?;
+    switch.end_switch()?;
     let selector = switch.selector().filter(is_pure)?;
     let clauses: Vec<_> = switch.case_clauses().collect();
     let mut defaults = switch.default_clauses();
     let default = defaults.next();
-    let is_whole = clauses.iter().all(|clause| clause.break_token().is_some() && clause.values().next().is_some())
-        && default.as_ref().is_none_or(|clause| clause.break_token().is_some());
+    let is_whole = clauses.iter().all(|clause| clause.break_keyword().is_some() && clause.values().next().is_some())
+        && default.as_ref().is_none_or(|clause| clause.break_keyword().is_some());
     // `default` may stand in the middle only in code that is not taken anyway.
     let ends = default.as_ref().is_none_or(|default| {
         clauses.iter().all(|clause| clause.syntax().text_range().end() <= default.syntax().text_range().start())
@@ -86,7 +86,7 @@ fn equal(context: &Context<'_>, selector: &Expr, value: TextRange) -> String {
 }
 
 fn is_simple(expr: &Expr) -> bool {
-    !matches!(expr, Expr::BinExpr(_) | Expr::PrefixExpr(_) | Expr::AssignExpr(_))
+    !matches!(expr.syntax().kind(), SyntaxKind::BIN_EXPR | SyntaxKind::PREFIX_EXPR | SyntaxKind::ASSIGN_EXPR)
 }
 
 /// Computing it several times is computing it once: nothing is called, nothing assigned.
