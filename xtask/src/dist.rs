@@ -15,14 +15,14 @@ use crate::vsix::{self, Arguments};
 /// What lies beside the binary.
 const DOCUMENTS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
-/// Builds `val3`, and packs it as `target/dist/val3-VERSION-TARGET.tar.gz` and into the extension; what is built for tests
-/// lies in `target/editors`. The lines of the source are in an archive of their own, `…-debug.tar.gz`
+/// Builds `val3`, and packs it as `target/packages/val3-VERSION-TARGET.tar.gz` and into the extension; with `--debug` the
+/// output folder is `target/editors`. Line tables get a separate archive, `…-debug.tar.gz`
 /// (docs/adr/0011-debug-information.md).
 ///
 /// # Errors
 /// When the build fails or the archive cannot be written.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
-    let folder = project::target_folder()?.join(if arguments.debug { "editors" } else { "dist" });
+    let folder = project::target_folder()?.join(if arguments.debug { "editors" } else { "packages" });
     let parts = debug_info::split(&vsix::binary(arguments)?, &folder.join("parts"))?;
     let vsix = vsix::extension(&parts.binary, arguments)?;
     let name = format!("val3-{}-{}", env!("CARGO_PKG_VERSION"), project::host()?);

@@ -26,7 +26,7 @@ pub struct Arguments {
     /// Only measure how fast applications run, against Lua and Python
     #[arg(long)]
     run: bool,
-    /// Measure the release binary as it is
+    /// Measure the packed binary that is there, without building it
     #[arg(long)]
     no_build: bool,
 }
@@ -34,10 +34,17 @@ pub struct Arguments {
 /// Prints the sizes, then the speed of the check and of the language server.
 ///
 /// # Errors
-/// When a file cannot be read, or the release build or the check fails.
+/// When a file cannot be read, or the build or the check fails.
 pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     if !arguments.no_speed && !arguments.no_build {
-        project::succeed(&mut project::cargo(&["build", "--release", "--locked", "--package", "val3-cli"]))?;
+        project::succeed(&mut project::cargo(&[
+            "build",
+            "--profile",
+            project::DIST,
+            "--locked",
+            "--package",
+            "val3-cli",
+        ]))?;
     }
     if arguments.lsp {
         return latency::measure(arguments.lines);
@@ -63,7 +70,7 @@ struct Size {
 
 fn print_sizes(files: &[TextFile]) {
     let mut sizes: BTreeMap<String, Size> = BTreeMap::new();
-    for file in files.iter().filter(|file| file.is_written_source()) {
+    for file in files.iter().filter(|file| file.is_source()) {
         for owner in [owner(file), "all".to_owned()] {
             let size = sizes.entry(owner).or_default();
             size.files += 1;

@@ -50,6 +50,17 @@ pub fn target_folder() -> anyhow::Result<Utf8PathBuf> {
     Ok(metadata.target_directory)
 }
 
+/// The profile of what is packed and measured.
+pub const DIST: &str = "dist";
+
+/// The `val3` that cargo builds, in the folder of a profile: `debug` or [`DIST`].
+///
+/// # Errors
+/// When the workspace cannot be read.
+pub fn binary(profile: &str) -> anyhow::Result<Utf8PathBuf> {
+    Ok(target_folder()?.join(profile).join(format!("val3{}", std::env::consts::EXE_SUFFIX)))
+}
+
 /// The folder of the toolchain.
 ///
 /// # Errors

@@ -11,7 +11,7 @@ use crate::project;
 /// Options of `vsix`, `dist` and `install`.
 #[derive(clap::Args)]
 pub struct Arguments {
-    /// As tests build it, not the release
+    /// Build as for tests, without optimisation
     #[arg(long)]
     pub debug: bool,
 }
@@ -32,21 +32,21 @@ pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
 pub fn binary(arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
     // With the features of the whole workspace, so that what its tests have built is not built again.
     let of_tests = ["--workspace", "--bin", "val3"];
-    let which: &[&str] = if arguments.debug { &of_tests } else { &["--package", "val3-cli", "--release"] };
+    let packed = ["--package", "val3-cli", "--profile", project::DIST];
+    let which: &[&str] = if arguments.debug { &of_tests } else { &packed };
     project::succeed(&mut project::cargo(&[&["build", "--locked"], which].concat()))?;
-    let folder = if arguments.debug { "debug" } else { "release" };
-    Ok(project::target_folder()?.join(folder).join(format!("val3{}", std::env::consts::EXE_SUFFIX)))
+    project::binary(if arguments.debug { "debug" } else { project::DIST })
 }
 
-/// Packs the extension with `binary` as its server. The path of the release is `target/dist/val3-VERSION-PLATFORM.vsix`,
-/// of that of the tests `target/editors/val3.vsix`.
+/// Packs the extension with `binary` as its server into `target/packages/val3-VERSION-PLATFORM.vsix`, for tests into
+/// `target/editors/val3.vsix`.
 ///
 /// # Errors
 /// When npm is missing or a step of its build fails.
 pub fn extension(binary: &Utf8Path, arguments: &Arguments) -> anyhow::Result<Utf8PathBuf> {
     let name = match arguments.debug {
         true => "editors/val3.vsix".to_owned(),
-        false => format!("dist/val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&project::host()?)?),
+        false => format!("packages/val3-{}-{}.vsix", env!("CARGO_PKG_VERSION"), platform(&project::host()?)?),
     };
     pack(binary, &project::target_folder()?.join(name))
 }
@@ -67,7 +67,7 @@ fn pack(binary: &Utf8Path, vsix: &Utf8Path) -> anyhow::Result<Utf8PathBuf> {
 fn place_server(binary: &Utf8Path, folder: &Utf8Path) -> anyhow::Result<()> {
     fs::create_dir_all(folder).with_context(|| format!("cannot make {folder}"))?;
     let server = folder.join(binary.file_name().context("a binary has a name")?);
-    // Written anew: the old one may be running.
+    // A running server cannot be overwritten, but its file can be removed.
     if server.exists() {
         fs::remove_file(&server)?;
     }

@@ -46,11 +46,6 @@ use crate::args::{Args, Command};
 use crate::output::to_stderr;
 use crate::user_error::{EXIT_USAGE, UserError};
 
-/// Trees are many small allocations, made by several threads at once and given back in one go.
-#[cfg(not(target_env = "msvc"))]
-#[global_allocator]
-static ALLOCATOR: tikv_jemallocator::Jemalloc = tikv_jemallocator::Jemalloc;
-
 fn main() -> ExitCode {
     run(&Args::parse()).unwrap_or_else(|error| {
         to_stderr(|out| writeln!(out, "{error}"));

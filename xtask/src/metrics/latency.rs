@@ -1,4 +1,4 @@
-//! How fast the release binary answers an editor, over real pipes: `cargo xtask metrics --lsp`.
+//! How fast the packed binary answers an editor, over real pipes: `cargo xtask metrics --lsp`.
 //!
 //! On two cores, p50/p95 in milliseconds until the whole answer has arrived, on a program of 2,600 lines and on a
 //! workspace of 100,000 code lines:
@@ -72,7 +72,7 @@ fn largest_program(folder: &Utf8Path) -> anyhow::Result<camino::Utf8PathBuf> {
 /// One session in which everything is measured on one program.
 fn session(folder: &Utf8Path, program: &Utf8Path) -> anyhow::Result<()> {
     let started = Instant::now();
-    let mut editor = Editor::open(&project::root().join("target/release/val3"), folder)?;
+    let mut editor = Editor::open(&project::binary(project::DIST)?, folder)?;
     let mut open = Open::new(&mut editor, program)?;
     print("start to first findings", vec![started.elapsed()]);
     open.edits("edit to findings")?;

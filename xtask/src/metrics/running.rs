@@ -26,7 +26,7 @@ pub(super) fn measure() -> anyhow::Result<()> {
 
 fn row(name: &str) -> anyhow::Result<()> {
     let folder = project::root().join("benches/programs").join(name);
-    let (expected, val3) = fastest(&[project::root().join("target/release/val3").as_str(), "run", folder.as_str()])?;
+    let (expected, val3) = fastest(&[project::binary(project::DIST)?.as_str(), "run", folder.as_str()])?;
     print!("{name:16} {:8.3}", val3.as_secs_f64());
     let mut factors = String::new();
     for (interpreter, ending) in [("lua5.4", "lua"), ("python3", "py")] {

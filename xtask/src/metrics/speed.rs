@@ -1,4 +1,4 @@
-//! The release binary on a generated workspace: time and memory.
+//! The packed binary on a generated workspace: time and memory.
 
 use std::process::{Child, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
@@ -44,7 +44,7 @@ pub(super) fn write_workspace(folder: &Utf8Path, lines: usize) -> anyhow::Result
 
 fn check(folder: &Utf8Path) -> anyhow::Result<Run> {
     let started = Instant::now();
-    let mut child = std::process::Command::new(project::root().join("target/release/val3"))
+    let mut child = std::process::Command::new(project::binary(project::DIST)?)
         .args(["check", "--format", "concise", folder.as_str()])
         .stdout(Stdio::null())
         .stderr(Stdio::null())
