@@ -250,7 +250,7 @@ pub(crate) struct EvalArgs {
     /// The application whose data, programs and libraries the texts may use
     #[arg(long, value_name = "DIR")]
     pub(crate) app: Option<Utf8PathBuf>,
-    /// A variable of the texts: "num nVal", "point pA[3]"; may be repeated
+    /// A variable of the texts: `num nVal`, `point pA[3]`; may be repeated
     #[arg(long, value_name = "TYPE NAME")]
     pub(crate) local: Vec<String>,
     /// The controller that they run on

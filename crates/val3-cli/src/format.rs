@@ -30,7 +30,7 @@ use val3check::Template;
 pub(crate) enum Format {
     /// For people: the source line with the place marked, and what to write instead
     Human,
-    /// One line a finding: path:line:column: level[CODE] message
+    /// One line a finding: `path:line:column: level[CODE] message`
     Concise,
     /// One JSON document with a summary and all findings
     Json,

@@ -58,7 +58,7 @@ fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
     !faults.any(|error| error.range.intersect(code).is_some())
 }
 
-/// As [`format`], for the lines that `range` touches. A range that ends where a line starts does not touch it.
+/// As [`format()`], for the lines that `range` touches. A range that ends where a line starts does not touch it.
 pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) -> Vec<Edit> {
     let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);

@@ -178,6 +178,7 @@ mod tests {
             rule["fullDescription"]["text"] = "…".into();
         }
         log["runs"][0]["tool"]["driver"]["semanticVersion"] = "…".into();
+        log["runs"][0]["tool"]["driver"]["informationUri"] = "…".into();
         serde_json::to_string_pretty(&log).unwrap()
     }
 
