@@ -19,8 +19,8 @@ enum Task {
     Fmt(format::Arguments),
     /// Look for what a formatter does not see, and list the largest files and functions
     Tidy,
-    /// Run every check and every test of the project
-    Test,
+    /// Run every check and every test of the project, or the steps that are named
+    Test(test::Arguments),
     /// Pack `val3` into target/packages: the archive, and the VS Code extension with the server inside
     Dist(vsix::Arguments),
     /// Pack the VS Code extension with the server inside
@@ -46,7 +46,7 @@ fn run(task: Task) -> anyhow::Result<()> {
     match task {
         Task::Fmt(arguments) => format::run(&arguments),
         Task::Tidy => tidy::run(),
-        Task::Test => test::run(),
+        Task::Test(arguments) => test::run(&arguments),
         Task::Dist(arguments) => dist::run(&arguments),
         Task::Vsix(arguments) => vsix::run(&arguments),
         Task::Install(arguments) => install::run(&arguments),

@@ -4,19 +4,28 @@ use std::io::{BufRead as _, BufReader};
 use std::process::{Command, Stdio};
 
 use anyhow::Context;
+use clap::builder::PossibleValuesParser;
 
 use crate::project;
 
-/// One check; all run, also when an earlier one failed.
+/// Options of `test`.
+#[derive(clap::Args)]
+pub struct Arguments {
+    /// Only these steps; all of them if none is named
+    #[arg(value_name = "STEP", value_parser = PossibleValuesParser::new(STEPS.iter().map(|step| step.name)))]
+    steps: Vec<String>,
+}
+
+/// One check. Every step runs, also after one that failed.
 struct Step {
     name: &'static str,
-    /// A cargo command, or a script of the project.
     run: Run,
 }
 
 enum Run {
     Cargo(&'static [&'static str]),
-    Script(&'static str),
+    /// A script of the project and its arguments.
+    Script(&'static str, &'static [&'static str]),
 }
 
 const STEPS: &[Step] = &[
@@ -26,8 +35,17 @@ const STEPS: &[Step] = &[
         name: "clippy",
         run: Run::Cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--quiet", "--", "--deny", "warnings"]),
     },
+    Step {
+        name: "documentation",
+        run: Run::Cargo(&["doc", "--workspace", "--no-deps", "--document-private-items", "--locked", "--quiet"]),
+    },
+    Step {
+        name: "dependencies",
+        run: Run::Script("tests/tools/run", &["cargo-deny", "--locked", "check", "bans", "licenses", "sources"]),
+    },
+    Step { name: "workflows", run: Run::Script("tests/tools/workflows", &[]) },
     Step { name: "tests", run: Run::Cargo(&["test", "--workspace", "--locked", "--no-fail-fast"]) },
-    Step { name: "editors", run: Run::Script("tests/editors/run") },
+    Step { name: "editors", run: Run::Script("tests/editors/run", &[]) },
 ];
 
 /// How many checks and tests passed and failed.
@@ -37,14 +55,14 @@ struct Tally {
     failed: usize,
 }
 
-/// Runs everything; the last line is the count. The process ends with 1 when a check or a test failed.
+/// Runs the steps and prints the number of checks and tests as the last line. The process ends with 1 if one failed.
 ///
 /// # Errors
-/// When a step cannot be started.
-pub fn run() -> anyhow::Result<()> {
+/// If a step cannot be started.
+pub fn run(arguments: &Arguments) -> anyhow::Result<()> {
     let mut total = Tally::default();
     let mut failed = Vec::new();
-    for step in STEPS {
+    for step in STEPS.iter().filter(|step| arguments.wants(step)) {
         println!("==> {}", step.name);
         let tally = run_step(step)?;
         total.passed += tally.passed;
@@ -58,12 +76,23 @@ pub fn run() -> anyhow::Result<()> {
     if failed.is_empty() { Ok(()) } else { std::process::exit(1) }
 }
 
-/// Runs a step. It counts as the tests it reports, or as one check where it reports none.
+impl Arguments {
+    fn wants(&self, step: &Step) -> bool {
+        self.steps.is_empty() || self.steps.iter().any(|name| name == step.name)
+    }
+}
+
+/// Runs a step. It counts as the tests it reports, or as one check if it reports none.
 fn run_step(step: &Step) -> anyhow::Result<Tally> {
     let mut command = match step.run {
         Run::Cargo(arguments) => project::cargo(arguments),
-        Run::Script(path) => Command::new(project::root().join(path)),
+        Run::Script(path, arguments) => {
+            let mut script = Command::new(project::root().join(path));
+            script.args(arguments);
+            script
+        }
     };
+    command.env("RUSTDOCFLAGS", "--deny warnings");
     let mut child =
         command.stdout(Stdio::piped()).spawn().with_context(|| format!("cannot start the step {}", step.name))?;
     let mut tally = Tally::default();
@@ -98,7 +127,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn results_are_added() {
+    fn named_steps_run_alone() {
+        let only = Arguments { steps: vec!["tidy".to_owned()] };
+        let names: Vec<_> = STEPS.iter().filter(|step| only.wants(step)).map(|step| step.name).collect();
+        assert_eq!(names, ["tidy"]);
+        let all = Arguments { steps: Vec::new() };
+        assert!(STEPS.iter().all(|step| all.wants(step)));
+    }
+
+    #[test]
+    fn counts_are_added() {
         let mut tally = Tally::default();
         count("test result: ok. 12 passed; 0 failed; 1 ignored; 0 measured", &mut tally);
         count("test result: FAILED. 3 passed; 2 failed; 0 ignored; 0 measured", &mut tally);

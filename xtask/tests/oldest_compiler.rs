@@ -1,0 +1,13 @@
+//! The compiler that all tests run with is the oldest one that is supported.
+//!
+//! A newer feature therefore fails to compile here. Newer compilers are tested by `.github/workflows/scheduled.yml`.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
+
+#[test]
+fn the_toolchain_is_the_minimum_version() {
+    let toolchain = xtask::project::read("rust-toolchain.toml").unwrap();
+    let channel = toolchain.lines().find_map(|line| line.strip_prefix("channel = ")).unwrap().trim_matches('"');
+    let minimum = env!("CARGO_PKG_RUST_VERSION");
+    assert!(channel == minimum || channel.starts_with(&format!("{minimum}.")), "{channel} is not {minimum}");
+}
