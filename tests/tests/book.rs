@@ -32,6 +32,23 @@ fn it_can_be_built() {
 }
 
 #[test]
+fn pages_name_the_address_and_the_version_of_the_workspace() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = Utf8Path::from_path(folder.path()).unwrap();
+    val3_book::write_sources(&root().join("docs"), folder).unwrap();
+    let read = |path: &str| fs::read_to_string(folder.join(path)).unwrap();
+    let repository = env!("CARGO_PKG_REPOSITORY");
+    assert!(read("book.toml").contains(&format!("git-repository-url = \"{repository}\"")));
+    assert!(read("src/ci.md").contains(&format!("  - repo: {repository}\n    rev: v{}\n", env!("CARGO_PKG_VERSION"))));
+    for (page, _) in pages() {
+        let text = read(&format!("src/{page}"));
+        // GitHub's own expressions are `${{ … }}`.
+        let left = text.match_indices("{{").find(|&(at, _)| !text[..at].ends_with('$'));
+        assert_eq!(left, None, "{page}");
+    }
+}
+
+#[test]
 fn links_between_pages_lead_somewhere() {
     let folder = tempfile::tempdir().unwrap();
     let folder = Utf8Path::from_path(folder.path()).unwrap();

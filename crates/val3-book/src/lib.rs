@@ -1,4 +1,4 @@
-//! The book: pages written by hand, and one page for every rule, statement, instruction and error, from the code.
+//! Builds the book: hand-written pages, and a generated page for every rule, statement, instruction and error.
 
 #![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
 
@@ -22,7 +22,7 @@ pub fn build(root: &Utf8Path) -> Result<Utf8PathBuf> {
     Ok(folder.join("html"))
 }
 
-/// Writes all pages of the book below `folder`, in place of what was there.
+/// Writes all pages of the book below `folder`, replacing the previous ones.
 ///
 /// # Errors
 /// If a file cannot be read or written.
@@ -47,8 +47,18 @@ pub fn write_sources(docs: &Utf8Path, folder: &Utf8Path) -> Result<()> {
     write(&pages.join("SUMMARY.md"), &summary)
 }
 
+/// Copies a page or the settings of the book, with the values that `Cargo.toml` declares filled in.
 fn copy(from: &Utf8Path, to: &Utf8Path) -> Result<()> {
-    write(to, &read(from)?)
+    write(to, &filled(&read(from)?))
+}
+
+fn filled(text: &str) -> String {
+    let repository = env!("CARGO_PKG_REPOSITORY");
+    // GitHub names actions by owner and repository.
+    let action = repository.trim_start_matches("https://github.com/");
+    text.replace("{{repository}}", repository)
+        .replace("{{action}}", action)
+        .replace("{{version}}", env!("CARGO_PKG_VERSION"))
 }
 
 fn read(path: &Utf8Path) -> Result<String> {

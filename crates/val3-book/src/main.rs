@@ -1,4 +1,4 @@
-//! `cargo run -p val3-book`: builds the book and says where it is.
+//! `cargo run -p val3-book`: builds the book and prints the path of its first page.
 
 use std::process::ExitCode;
 

@@ -4,17 +4,17 @@ use val3_check::topics::{self, Kind, Topic};
 
 /// The pages of one kind, with a page that lists them.
 pub(crate) struct Section {
-    /// The list first, then each page.
+    /// The page with the list, then the pages in its order.
     pub(crate) pages: Vec<Page>,
 }
 
 /// A page of the book.
 pub(crate) struct Page {
-    /// Where it stands below `src`.
+    /// Path relative to `src`.
     pub(crate) path: String,
-    /// What the table of contents calls it.
+    /// Title in the table of contents.
     pub(crate) title: String,
-    /// The page in Markdown.
+    /// Markdown.
     pub(crate) text: String,
 }
 
@@ -50,7 +50,7 @@ fn title(topic: &Topic) -> String {
     topic.names.first().cloned().unwrap_or_default()
 }
 
-/// The line about a topic, without the padding of a list in a terminal.
+/// The summary of a topic, without the padding for terminals.
 fn summary(topic: &Topic) -> String {
     let words: Vec<&str> = topic.summary.split_whitespace().collect();
     words.join(" ").replace('|', "\\|")

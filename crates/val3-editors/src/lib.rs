@@ -1,5 +1,5 @@
-//! What editors know of the language without a server: grammars for colours, and the settings of the VS Code
-//! extension. All of it comes from the catalogue; the files below `editors/` are never written by hand.
+//! Generates the files of `editors/` that describe the language: the grammars for syntax colouring, and the settings in the
+//! manifest of the VS Code extension. They derive from the catalogue and the rules and are never edited by hand.
 
 #![allow(clippy::disallowed_methods, reason = "a tool of the project, not a part of the product")]
 
@@ -15,31 +15,32 @@ use anyhow::{Context as _, Result};
 use camino::Utf8Path;
 use serde_json::Value;
 
-/// The manifest of the VS Code extension; of its values only the settings are generated.
+/// The manifest of the VS Code extension. Only its settings, version, address and publisher are generated.
 const MANIFEST: &str = "editors/vscode/package.json";
 
-/// A file made from the catalogue.
+/// A generated file.
 #[derive(Debug)]
 pub struct GeneratedFile {
-    /// Below the project's folder.
+    /// Relative to the project's folder.
     pub path: &'static str,
-    /// All of its text.
+    /// The whole text.
     pub text: String,
 }
 
 /// Every generated file of the project at `root`.
 ///
 /// # Errors
-/// If the manifest of the extension cannot be read or has no place for the settings.
+/// If the manifest of the extension cannot be read or lacks a generated value.
 pub fn generated(root: &Utf8Path) -> Result<Vec<GeneratedFile>> {
-    let manifest = root.join(MANIFEST);
-    let text = fs::read_to_string(&manifest).with_context(|| format!("reading {manifest}"))?;
+    let path = root.join(MANIFEST);
+    let text = fs::read_to_string(&path).with_context(|| format!("reading {path}"))?;
+    let manifest = manifest::with_origin(&manifest::with_settings(&text, &settings::all())?)?;
     Ok(vec![
         json("editors/vscode/syntaxes/val3-code.tmLanguage.json", &grammar::code()),
         json("editors/vscode/syntaxes/val3.tmLanguage.json", &xml_grammar::program()),
         json("editors/vscode/syntaxes/val3-data.tmLanguage.json", &xml_grammar::data()),
         json("editors/vscode/syntaxes/val3-project.tmLanguage.json", &xml_grammar::project()),
-        GeneratedFile { path: MANIFEST, text: manifest::with_settings(&text, &settings::all())? },
+        GeneratedFile { path: MANIFEST, text: manifest },
     ])
 }
 

@@ -1,13 +1,13 @@
-//! The one generated value within the hand-written manifest of the VS Code extension.
+//! The generated values within the hand-written manifest of the VS Code extension.
 
 use anyhow::{Context as _, Result};
 use serde_json::Value;
 
-/// The line that opens the value, and the one that closes it: the file is laid out with two blanks a level.
+/// The line that opens the settings, and the one that closes them. The file is indented by two blanks a level.
 const OPEN: &str = "\n    \"configuration\": [";
 const CLOSE: &str = "\n    ]";
 
-/// The manifest with `settings` as its `contributes.configuration`; all else stays as it is.
+/// The manifest with `settings` as its `contributes.configuration`, everything else unchanged.
 ///
 /// # Errors
 /// If there is no such value.
@@ -18,6 +18,27 @@ pub(crate) fn with_settings(manifest: &str, settings: &Value) -> Result<String> 
     let (_, after) = rest.split_at(close + CLOSE.len());
     let value = format!("{settings:#}").replace('\n', "\n    ");
     Ok(format!("{before}\n    \"configuration\": {value}{after}"))
+}
+
+/// The manifest with the version, the address and the publisher that `Cargo.toml` declares. The publisher is the owner of
+/// the repository.
+///
+/// # Errors
+/// If the manifest has no such values, or the address has no owner.
+pub(crate) fn with_origin(manifest: &str) -> Result<String> {
+    let repository = env!("CARGO_PKG_REPOSITORY");
+    let publisher = repository.rsplit('/').nth(1).context("the address of the repository has no owner")?;
+    let manifest = with_text(manifest, "\n  \"version\": ", env!("CARGO_PKG_VERSION"))?;
+    let manifest = with_text(&manifest, "\n  \"publisher\": ", publisher)?;
+    with_text(&manifest, "\n    \"url\": ", repository)
+}
+
+/// The manifest with `text` as the string that follows `key`.
+fn with_text(manifest: &str, key: &str, text: &str) -> Result<String> {
+    let missing = || format!("the manifest has no line `{}\"…\"`", key.trim_start());
+    let (before, rest) = manifest.split_once(key).with_context(missing)?;
+    let (_, after) = rest.strip_prefix('"').and_then(|rest| rest.split_once('"')).with_context(missing)?;
+    Ok(format!("{before}{key}\"{text}\"{after}"))
 }
 
 #[cfg(test)]
@@ -40,5 +61,20 @@ mod tests {
     #[test]
     fn a_manifest_without_settings_is_refused() {
         assert!(with_settings("{}", &json!([])).is_err());
+    }
+
+    #[test]
+    fn the_version_and_the_address_are_those_of_the_workspace() {
+        let manifest = |version: &str, publisher: &str, url: &str| {
+            format!(
+                "{{\n  \"version\": {version},\n  \"publisher\": {publisher},\n  \"r\": {{\n    \"url\": {url}\n  }}\n}}\n"
+            )
+        };
+        let found: Value = serde_json::from_str(&with_origin(&manifest("\"\"", "\"a\"", "\"b\"")).unwrap()).unwrap();
+        assert_eq!(found["version"], env!("CARGO_PKG_VERSION"));
+        assert_eq!(found["r"]["url"], env!("CARGO_PKG_REPOSITORY"));
+        let owner = found["publisher"].as_str().unwrap();
+        assert!(env!("CARGO_PKG_REPOSITORY").contains(&format!("/{owner}/")));
+        assert!(with_origin(&manifest("1", "\"a\"", "\"b\"")).is_err());
     }
 }

@@ -5,6 +5,7 @@ const { tmpdir } = require("node:os");
 const { join } = require("node:path");
 const { runSteps } = require("./steps");
 
+const { publisher } = require(join(process.env.VAL3_ROOT, "editors/vscode/package.json"));
 const EXAMPLE = join(process.env.VAL3_ROOT, "examples/palletiser");
 const folder = mkdtempSync(join(tmpdir(), "val3-workbench-"));
 const cell = join(folder, "cell");
@@ -295,7 +296,7 @@ const STEPS = {
     await user.keys("F1");
     await user.choose("Preferences: Open Settings (UI)");
     await user.page.waitForSelector(".settings-editor .suggest-input-container .view-line");
-    await user.type("@ext:val3-tools.val3 inlay");
+    await user.type(`@ext:${publisher}.val3 inlay`);
     await user.page.waitForSelector('.setting-item:has-text("Point Frames")');
   },
 

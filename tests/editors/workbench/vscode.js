@@ -61,7 +61,7 @@ async function startVsCode(folder, vsix) {
 
 /** Puts a recorder in front of the server that came with the extension. */
 function record(extensions) {
-  const [extension] = readdirSync(extensions).filter((name) => name.startsWith("val3-tools.val3"));
+  const [extension] = readdirSync(extensions).filter((name) => /^[\w-]+\.val3-/.test(name));
   const server = join(extensions, extension, "server/val3");
   const recorded = `${server}.recorded`;
   renameSync(server, recorded);
