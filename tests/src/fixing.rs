@@ -3,14 +3,39 @@
 use std::collections::BTreeMap;
 
 use val3_check::rule::Severity;
-use val3_check::testing::{check_files, fixed_files};
+use val3_check::testing::{OfferedFix, check_files, fixed_files};
 
 use crate::cell::Cell;
 
 /// The errors that are there once all fixes are applied, safe or not, and were not there before.
 pub fn errors_of_fixes(files: &Cell) -> Vec<String> {
-    let before = errors(files);
-    let after = errors(&fixed_files(files));
+    added_errors(files, &fixed_files(files))
+}
+
+/// The errors that are there once one fix is applied, and were not there before.
+///
+/// # Panics
+/// If the fix edits a file that is missing or not in UTF-8.
+pub fn errors_of_fix(files: &Cell, fix: &OfferedFix) -> Vec<String> {
+    added_errors(files, &with_fix(files, fix))
+}
+
+fn with_fix(files: &Cell, fix: &OfferedFix) -> Cell {
+    let mut fixed = files.clone();
+    let mut edits = fix.edits.clone();
+    // From the end of a file to its start, so that the ranges of the others stay valid.
+    edits.sort_by_key(|(_, range, _)| std::cmp::Reverse(range.start));
+    for (file, range, text) in edits {
+        let (_, bytes) = fixed.iter_mut().find(|(path, _)| *path == file).expect("a fix edits a known file");
+        let mut new = String::from_utf8(std::mem::take(bytes)).expect("the files are in UTF-8");
+        new.replace_range(range, &text);
+        *bytes = new.into_bytes();
+    }
+    fixed
+}
+
+fn added_errors(before: &Cell, after: &Cell) -> Vec<String> {
+    let (before, after) = (errors(before), errors(after));
     after.into_iter().filter(|(error, count)| before.get(error).is_none_or(|it| it < count)).map(|(it, _)| it).collect()
 }
 

@@ -5,7 +5,7 @@ use val3_check::rules;
 use val3_check::testing::{CheckedFinding, OfferedFix, check_files, fixed_files, offered_fixes};
 use val3_lang::page;
 use val3_test::{Fixture, ROOT};
-use val3_tests::fixing::errors_of_fixes;
+use val3_tests::fixing::{errors_of_fix, errors_of_fixes};
 use val3_tests::{OF_WHOLE_PROJECTS, cell};
 
 type Files = Vec<(String, Vec<u8>)>;
@@ -100,6 +100,19 @@ fn has_mixed_line_ends(bytes: &[u8]) -> bool {
     let text = String::from_utf8_lossy(bytes);
     let of_windows = text.matches("\r\n").count();
     of_windows > 0 && of_windows < text.matches('\n').count()
+}
+
+#[test]
+fn a_fix_alone_adds_no_error() {
+    let mut faults = Vec::new();
+    let examples = rules::all().iter().flat_map(|rule| bad_examples(rule));
+    for files in examples.chain(["faulty", "palletiser"].map(cell::files)) {
+        for fix in offered_fixes(&files) {
+            let added = errors_of_fix(&files, &fix);
+            faults.extend(added.into_iter().map(|error| format!("{} ({}): {error}", fix.code, fix.title)));
+        }
+    }
+    assert!(faults.is_empty(), "{} faults\n{}", faults.len(), faults.join("\n"));
 }
 
 #[test]
