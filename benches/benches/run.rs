@@ -19,7 +19,7 @@ use val3_machine::event::What;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
 use xtask::metrics::running::PROGRAMS;
 
-/// What a line takes, in nanoseconds: as `val3 run` has it.
+/// Nanoseconds of controller time for each line, the default of `val3 run`.
 const LINE: u64 = 2000;
 
 fn main() {

@@ -1,4 +1,4 @@
-//! What `libSave` writes into a data file: `cargo bench --bench save`.
+//! Speed of `libSave`: `cargo bench --bench save`.
 //!
 //! To reach: the time of a value does not depend on how many there are.
 

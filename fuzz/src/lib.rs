@@ -18,7 +18,7 @@ pub fn parse(bytes: &[u8]) {
     touching(&root);
 }
 
-/// Neighbours touch: no byte stands between two elements of a node.
+/// Neighbours touch: no byte is between two elements of a node.
 fn touching(root: &SyntaxNode) {
     for node in root.descendants() {
         let mut at = node.text_range().start();

@@ -1,6 +1,6 @@
 //! A finding, as far as a suite judges it.
 
-/// What a check says about one place of a cell.
+/// A finding of a check.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Finding {
     /// The code of the rule.
@@ -9,7 +9,7 @@ pub struct Finding {
     pub file: String,
     /// The line it begins on, from 1.
     pub line: usize,
-    /// What is wrong.
+    /// The message.
     pub message: String,
 }
 

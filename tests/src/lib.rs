@@ -1,4 +1,4 @@
-//! What the suites in `tests/` share: the example cells as files in memory, and findings.
+//! Shared by the suites in `tests/`: the example cells as files in memory, and findings.
 
 #![allow(clippy::panic, reason = "a missing example is a fault of the test that asks for it")]
 

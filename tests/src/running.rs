@@ -23,7 +23,7 @@ const LIMIT: Time = 3600 * SECOND;
 pub struct Running {
     /// The controller.
     pub controller: Controller,
-    /// What has happened so far.
+    /// The events so far.
     pub events: Vec<Event>,
 }
 
@@ -98,7 +98,7 @@ impl Running {
         next.is_some()
     }
 
-    /// What `?` has printed, a line each, and the numbers of run-time errors.
+    /// The output of `?`, one line each, and the numbers of run-time errors.
     #[must_use]
     pub fn printed(&self) -> String {
         let line = |event: &Event| match &event.what {

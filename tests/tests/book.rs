@@ -1,4 +1,4 @@
-//! The book can be built, its links lead somewhere, and its examples do what it says.
+//! The book can be built, its links have targets, and its examples give the findings they name.
 
 #![allow(
     clippy::disallowed_methods,

@@ -1,4 +1,4 @@
-//! What completion is worth: every name in the code of the example cell, taken away but for its first letters.
+//! Quality of completion: each name in the code of the example cell is reduced to its first letters and completed.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, clippy::string_slice, reason = "a test may fail loudly")]
 

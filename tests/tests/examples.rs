@@ -18,7 +18,7 @@ const FAULTS: &[(&str, &str, &str)] = &[
     ("V0701", "sorter/stop.pgx", "  endif"),
 ];
 
-/// What introduces the comment on a fault, one word a family.
+/// The words that introduce the comment on a fault, one for each family.
 const FAMILIES: &[&str] =
     &["Syntax: ", "Names: ", "Types: ", "Flow: ", "Tasks: ", "Motion: ", "Project: ", "Data: ", "Library: ", "Style: "];
 

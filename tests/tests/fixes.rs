@@ -10,7 +10,7 @@ use val3_tests::{OF_WHOLE_PROJECTS, cell};
 
 type Files = Vec<(String, Vec<u8>)>;
 
-/// The files of the listings below `## Bad`: as they are, and with the code escaped as the old dialect has it.
+/// The files of the listings below `## Bad`: unchanged, and with the code escaped as in the old dialect.
 fn bad_examples(rule: &Rule) -> Vec<Files> {
     let section = format!("{}\n", page::section(rule.page, "Bad"));
     let listings = page::examples(&section);
@@ -159,7 +159,7 @@ fn bytes_outside_the_edits_stay() {
 fn fixing_ends() {
     for_each_fix(|files, _| {
         let mut fixed = fixed_files(files);
-        // What follows from the first fix may be mended by a second one.
+        // A second fix may repair a finding that follows from the first fix.
         for _ in 0..4 {
             let again = fixed_files(&fixed);
             if again == fixed {

@@ -1,4 +1,4 @@
-//! What instructions do, as programs see it: the examples and results of the manual, run on a controller.
+//! Instructions as programs use them: the examples and results of the manual, run on a controller.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 

@@ -81,7 +81,7 @@ impl Editor {
         }
     }
 
-    /// What `val3 check` says: code, file, start of the line, message.
+    /// A finding of `val3 check`: code, file, start of the line, message.
     fn findings(&self) -> Vec<String> {
         let db = self.db();
         let projects = &self.workspace.projects;

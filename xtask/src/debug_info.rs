@@ -1,4 +1,4 @@
-//! What lies in a binary for those who look for a fault: taken out of what people download, and kept.
+//! Splits the debug information off a binary: it is not part of the download, but kept for debugging.
 
 use std::fs;
 use std::process::Command;
@@ -10,14 +10,14 @@ use crate::project;
 
 /// A binary and what was taken out of it.
 pub struct Parts {
-    /// It runs alone. Backtraces name functions.
+    /// The binary without line tables. Backtraces name functions.
     pub binary: Utf8PathBuf,
-    /// The lines of the source. Beside the binary it is found by backtraces and debuggers. `None` where the linker
-    /// keeps it apart anyway (macOS, Windows).
+    /// The line tables. Backtraces and debuggers find the file next to the binary. `None` if the linker separates
+    /// them anyway (macOS, Windows).
     pub debug: Option<Utf8PathBuf>,
 }
 
-/// Takes the binary apart into `folder`; the one that was built stays as it is.
+/// Splits the binary into `folder`. The original file is not changed.
 ///
 /// # Errors
 /// When the toolchain's `rust-objcopy` is missing or fails, or a file cannot be written.

@@ -1,4 +1,4 @@
-//! `dist`: what people download, the archive and the VS Code extension.
+//! `dist`: packs the downloads, which are the archive and the VS Code extension.
 
 use std::fs::{self, File};
 use std::io::Read as _;
@@ -12,7 +12,7 @@ use crate::debug_info;
 use crate::project;
 use crate::vsix::{self, Arguments};
 
-/// What lies beside the binary.
+/// Documents packed with the binary.
 const DOCUMENTS: &[&str] = &["README.md", "CHANGELOG.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
 /// Builds `val3`, and packs it as `target/packages/val3-VERSION-TARGET.tar.gz` and into the extension; with `--debug` the

@@ -5,7 +5,7 @@ use std::process::Command;
 use crate::project;
 use crate::tidy::files;
 
-/// What `fmt` is asked for.
+/// Options of `fmt`.
 #[derive(clap::Args)]
 pub struct Arguments {
     /// Change nothing; fail where something is not formatted

@@ -1,4 +1,4 @@
-//! The project's own tasks, one a module. The benchmarks use [`workspace`] for their input.
+//! The project's own tasks, one in each module. The benchmarks use [`workspace`] for their input.
 //!
 //! The crate depends on no crate of the toolchain, so that it builds while one of them does not.
 #![allow(clippy::disallowed_methods, reason = "a build tool reads the clock and the environment")]

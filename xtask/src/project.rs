@@ -1,4 +1,4 @@
-//! Where the project lies, and how its commands are run.
+//! The folder of the project, and running its commands.
 
 use std::process::Command;
 
@@ -41,7 +41,7 @@ pub fn read(path: &str) -> anyhow::Result<String> {
     std::fs::read_to_string(&path).with_context(|| format!("cannot read {path}"))
 }
 
-/// Where cargo builds.
+/// The folder in which cargo builds.
 ///
 /// # Errors
 /// When the workspace cannot be read.

@@ -1,4 +1,4 @@
-//! `tidy`: what a formatter does not see, and how large files and functions have grown.
+//! `tidy`: checks that a formatter does not make, and the largest files and functions.
 
 mod faults;
 pub(crate) mod files;
@@ -9,10 +9,10 @@ use anyhow::bail;
 use self::files::TextFile;
 use crate::project;
 
-/// How many of the largest are listed.
+/// Number of files and functions that are listed.
 const SHOWN: usize = 10;
 
-/// Lists the largest files and functions, then what is untidy.
+/// Lists the largest files and functions, then everything untidy.
 ///
 /// # Errors
 /// When something is untidy or a file cannot be read.

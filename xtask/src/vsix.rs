@@ -94,7 +94,7 @@ fn npm(folder: &Utf8Path, arguments: &[&str]) -> anyhow::Result<()> {
     project::succeed(&mut npm)
 }
 
-/// What VS Code calls the platform that the compiler calls `host`.
+/// VS Code's name of the platform that the compiler calls `host`.
 fn platform(host: &str) -> anyhow::Result<&'static str> {
     let arm = host.starts_with("aarch64");
     Ok(match host {

@@ -1,4 +1,4 @@
-//! Nothing but `val3-lang` spells the name of an instruction.
+//! Only `val3-lang` spells the names of instructions.
 
 #![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
 

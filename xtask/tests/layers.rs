@@ -22,7 +22,7 @@ const BRIDGES: &[&str] = &["val3-compile", "val3-dap", "val3-cli"];
 /// Packages that speak a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] = &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio"];
 
-/// What each crate of the workspace depends on, tests aside, directly.
+/// The direct dependencies of each crate of the workspace, without those of tests.
 fn dependencies(metadata: &Metadata) -> BTreeMap<&str, BTreeSet<&str>> {
     let own = |package: &'_ Package| metadata.workspace_members.contains(&package.id);
     metadata

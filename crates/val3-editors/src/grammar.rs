@@ -1,30 +1,30 @@
 //! The TextMate grammar of VAL 3 code.
 //!
-//! Code stands alone in the code view, and in a program file within CDATA or as escaped text. The three differ in
-//! how a string is quoted and where a comment ends at the latest.
+//! Code occurs alone in the code view, and in a program file within CDATA or as escaped text. The three forms differ in
+//! the quotes of strings and the end of comments.
 
 use serde_json::{Value, json};
 
 use crate::words;
 
-/// How code is written down.
+/// The form of code in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// As it is.
+    /// Code alone.
     Plain,
-    /// In a CDATA section.
+    /// Code in a CDATA section.
     Cdata,
-    /// As XML text, with entities.
+    /// Code as XML text, with entities.
     Escaped,
 }
 
 impl Form {
-    /// What opens and closes a string.
+    /// The quote of strings.
     fn quote(self) -> &'static str {
         if self == Self::Escaped { "(?:\"|&quot;)" } else { "\"" }
     }
 
-    /// What ends the code within a line.
+    /// The end of the code within a line.
     fn end(self) -> &'static str {
         match self {
             Self::Plain => "$",
@@ -48,7 +48,7 @@ pub(crate) fn code() -> Value {
     })
 }
 
-/// The patterns that colour code. Strings stand before comments: a string may hold `//`.
+/// The patterns that colour code. Strings precede comments, because a string may contain `//`.
 pub(crate) fn patterns(form: Form) -> Vec<Value> {
     let mut patterns = vec![string(form), comment(form), number(), call()];
     patterns.extend([
@@ -116,12 +116,12 @@ fn call() -> Value {
     })
 }
 
-/// `run(…)` where it is no instruction: a program, behind `call` or in a task's creation.
+/// `run(…)` if it is no instruction: a program, after `call` or in `taskCreate`.
 fn program_name() -> Value {
     rule("entity.name.function", "[A-Za-z_]\\w*(?=\\()")
 }
 
-/// A name behind a dot is a field, whatever else it means elsewhere.
+/// A name after a dot is a field, even if it has another meaning elsewhere.
 fn member() -> Value {
     json!({
         "match": "(\\.)([A-Za-z_]\\w*)",

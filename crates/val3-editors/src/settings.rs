@@ -23,8 +23,8 @@ fn server() -> Value {
             "type": "string",
             "default": "",
             "scope": "machine-overridable",
-            "markdownDescription": "The command `val3` to use. When empty, the one that comes with the extension, \
-                else the one on the `PATH`.",
+            "markdownDescription": "The command `val3` to use. If empty, the one inside the extension, or else \
+                the one on the `PATH`.",
         },
         "val3.server.arguments": {
             "type": "array",
@@ -37,7 +37,7 @@ fn server() -> Value {
             "type": "string",
             "enum": ["off", "messages", "verbose"],
             "default": "off",
-            "description": "Shows what the editor and the server say to each other in the output channel \"VAL 3\".",
+            "description": "Shows the messages between the editor and the server in the output channel \"VAL 3\".",
         },
     })
 }
@@ -47,22 +47,22 @@ fn editor() -> Value {
         "val3.codeView.openByDefault": {
             "type": "boolean",
             "default": false,
-            "description": "Opens a program of the view VAL 3 as code without its XML instead of as its file.",
+            "description": "Opens programs from the view VAL 3 as code without XML instead of as files.",
         },
         "val3.codeView.follow": {
             "type": "boolean",
             "default": true,
-            "description": "A definition that is asked for in a code view opens the code view of the program it leads \
-                to, instead of its file.",
+            "description": "*Go to Definition* in a code view opens the code view of the target program instead of \
+                its file.",
         },
         "val3.inlayHints.parameterNames": switch("The names of parameters before literal arguments, and of fields before the values of braces."),
         "val3.inlayHints.literalTypes": switch("The types of literals in braces, such as `trsf`."),
-        "val3.inlayHints.pointFrames": switch("The frame behind the point that a move leads to."),
-        "val3.inlayHints.blends": switch("How a move blends into the next, behind its motion descriptor."),
+        "val3.inlayHints.pointFrames": switch("The frame of the target of a move, after the point."),
+        "val3.inlayHints.blends": switch("The blend of a move, after its motion descriptor."),
     })
 }
 
-/// A kind of inlay hints. What hints look like, and whether there are any, VS Code itself has settings for.
+/// A kind of inlay hints. VS Code's own settings decide how hints look, and whether they are shown at all.
 fn switch(description: &str) -> Value {
     json!({
         "type": "boolean",
@@ -71,7 +71,7 @@ fn switch(description: &str) -> Value {
     })
 }
 
-/// What belongs to the programs themselves, such as their layout, stands in a `val3.toml`.
+/// Settings of the check. Settings of the programs themselves, such as their layout, belong in a `val3.toml`.
 fn check() -> Value {
     json!({
         "val3.check.select": findings("The only findings that are shown; all when empty."),
@@ -80,7 +80,7 @@ fn check() -> Value {
             "type": "string",
             "enum": ["auto", "push", "pull"],
             "default": "auto",
-            "description": "Who begins: the server sends findings, the editor asks for them, or what suits the editor.",
+            "description": "Whether the server sends findings or the editor requests them. `auto` chooses what the editor supports.",
         },
     })
 }
@@ -97,8 +97,8 @@ fn findings(description: &str) -> Value {
             "anyOf": [{ "enum": names, "enumDescriptions": titles }, { "type": "string", "pattern": "^V\\d{0,4}$" }],
         },
         "markdownDescription": format!(
-            "{description} Names (`argument-type`), codes (`V0203`) or beginnings of codes (`V02`). Levels belong \
-             into a `val3.toml`, and the layout of code as well: CI and other editors read it too."
+            "{description} Names (`argument-type`), codes (`V0203`) or beginnings of codes (`V02`). Levels and the layout \
+             of code belong in a `val3.toml`, which CI and other editors read too."
         ),
     })
 }

@@ -14,11 +14,11 @@ import { encodingMiddleware, withOpenFiles } from "./encoding/middleware";
 import type { Findings } from "./findings";
 import { findServer } from "./server";
 
-/** What the server may ask for where it offers it: see commands/showReferences.ts. */
+/** Commands that the server may use in code lenses, see commands/showReferences.ts. */
 const COMMANDS = [SHOW_REFERENCES];
 const LANGUAGES = ["val3", "val3-data", "val3-project"];
 
-/** What goes wrong before the server runs is told by `Client`, in plain words. */
+/** `Client` reports errors before the server runs, in its own words. */
 class QuietClient extends LanguageClient {
   override error(message: string, data?: unknown, showNotification?: boolean | "force"): void {
     super.error(message, data, this.state === State.Running ? showNotification : false);
@@ -29,15 +29,15 @@ export class Client implements vscode.Disposable {
   private readonly states = new vscode.EventEmitter<State>();
   private readonly contents = new vscode.EventEmitter<void>();
   readonly onDidChangeState = this.states.event;
-  /** The server was told of a change, in an editor or on the disk. */
+  /** Fires when the server was notified of a change, in an editor or on the disk. */
   readonly onDidTellChange = this.contents.event;
   private running: LanguageClient | undefined;
-  /** Of the server that is to be running. */
+  /** The current run of the server. */
   private life: Life | undefined;
-  /** Starts and stops come one after the other. */
+  /** Serialises starts and stops. */
   private turns: Promise<void> = Promise.resolve();
   private readonly deaths = new Deaths();
-  /** The command in use, once it was found. */
+  /** The command in use, when it has been found. */
   command: string | undefined;
 
   constructor(
@@ -47,7 +47,7 @@ export class Client implements vscode.Disposable {
     private readonly findings: Findings,
   ) {}
 
-  /** Starts the server, anew when it runs. What goes wrong is told to the user, not to the caller. */
+  /** Starts or restarts the server. Errors are shown to the user, not thrown. */
   async restart(): Promise<void> {
     this.deaths.forget();
     await this.startAnew();
@@ -57,7 +57,7 @@ export class Client implements vscode.Disposable {
     await this.turn(() => this.halt());
   }
 
-  /** Sends a request of our own. Fails while there is no server. */
+  /** Sends a request that is not part of the protocol. Fails while no server runs. */
   async request<Answer>(method: string, params: unknown = null): Promise<Answer> {
     if (this.running === undefined) {
       throw new Error("The server is not running.");
@@ -69,7 +69,7 @@ export class Client implements vscode.Disposable {
     return this.running?.state ?? State.Stopped;
   }
 
-  /** The name and version that the server gives itself. */
+  /** The server's own name and version. */
   get version(): string {
     return this.running?.initializeResult?.serverInfo?.version ?? "";
   }
@@ -112,14 +112,14 @@ export class Client implements vscode.Disposable {
       this.states.fire(newState);
       life.hasRun ||= newState === State.Running;
     });
-    // Later, when the client has done what it does at the end of a connection.
+    // Later, when the client has handled the end of the connection.
     life.death.catch(() => setTimeout(() => life.hasRun && this.mourn(life)));
     try {
-      // The client waits for good where the server dies while it starts.
+      // The client waits for ever if the server dies during its start.
       await Promise.race([running.start(), life.death]);
     } catch (fault) {
       if (life.hasRun && (life.hasDied || isGone(fault))) {
-        // It died so soon that the client takes it for one that did not start.
+        // It died so early that the client regards it as not started.
         this.mourn(life);
         return;
       }
@@ -129,7 +129,7 @@ export class Client implements vscode.Disposable {
     }
   }
 
-  /** The server ran and died, which is noticed in more than one way. */
+  /** Handles the death of a running server, which is reported in several ways. */
   private mourn(life: Life): void {
     if (life.isMourned) {
       return;
@@ -154,7 +154,7 @@ export class Client implements vscode.Disposable {
     try {
       await running?.dispose();
     } catch (fault) {
-      // One that never started cannot be stopped, and one that hangs does not answer: the next one starts nevertheless.
+      // A server that never started or that hangs cannot be stopped. The next one starts nevertheless.
       this.output.warn(String(fault));
     }
   }
@@ -167,7 +167,7 @@ export class Client implements vscode.Disposable {
       synchronize: { configurationSection: "val3" },
       outputChannel: this.output,
       diagnosticCollectionProvider: this.findings,
-      // Told by `begin`, once.
+      // `begin` reports it, once.
       initializationFailedHandler: () => false,
       errorHandler: noteDeath(life),
       middleware: { ...codeViewMiddleware(this.views), ...encodingMiddleware, ...this.changeMiddleware(life) },
@@ -182,7 +182,7 @@ export class Client implements vscode.Disposable {
       },
       workspace: {
         didChangeConfiguration: async (sections, next) => {
-          // Some settings start another server, which reads them all: then there is nobody left to be told.
+          // Some settings start another server, which reads all of them, so that the old one needs no notification.
           await this.turns;
           if (this.life === life && this.state === State.Running) {
             await next(sections);
@@ -200,19 +200,19 @@ export class Client implements vscode.Disposable {
 
 /** One run of the server. */
 class Life {
-  /** The server answered. */
+  /** The server has answered. */
   hasRun = false;
-  /** It closed the connection, though nobody had asked for it. */
+  /** It closed the connection without being asked to. */
   hasDied = false;
-  /** The user was told of its death. */
+  /** Its death was reported to the user. */
   isMourned = false;
-  /** Fails when it dies. */
+  /** Rejects when the server dies. */
   readonly death: Promise<never>;
   private fail: (reason: Error) => void = () => undefined;
 
   constructor() {
     this.death = new Promise((_, fail) => (this.fail = fail));
-    // Who waits for it is told; else nobody needs to be.
+    // Only callers that wait for it handle the rejection.
     this.death.catch(() => undefined);
   }
 
@@ -222,7 +222,7 @@ class Life {
   }
 }
 
-/** Leaves it to the client here to start the server again and to tell the user. */
+/** Leaves restarts and messages to `Client`. */
 function noteDeath(life: Life): ErrorHandler {
   return {
     error: () => ({ action: ErrorAction.Continue, handled: true }),
@@ -233,13 +233,13 @@ function noteDeath(life: Life): ErrorHandler {
   };
 }
 
-/** Nobody reads, or nobody answers any more. */
+/** The other end of the connection is gone. */
 function isGone(fault: unknown): boolean {
   const codes: number[] = [ErrorCodes.MessageWriteError, ErrorCodes.PendingResponseRejected, ErrorCodes.ConnectionInactive];
   return fault instanceof ResponseError && codes.includes(fault.code);
 }
 
-/** A command that helps. */
+/** A command offered as a button of a message. */
 interface Help extends vscode.MessageItem {
   command: string;
   argument?: string;
@@ -249,12 +249,12 @@ const OPEN_SETTINGS: Help = { title: "Open Settings", command: "workbench.action
 const RESTART: Help = { title: "Restart", command: "val3.restartServer" };
 const SHOW_OUTPUT: Help = { title: "Show Output", command: "val3.showOutput" };
 
-/** Tells a fault and offers what helps. */
+/** Shows an error with commands that help. */
 function offer(fault: string, ...helps: Help[]): void {
   void vscode.window.showErrorMessage(fault, ...helps).then(take);
 }
 
-/** Tells what went wrong and is being mended. */
+/** Shows a problem that is already being solved. */
 function offerCalmly(fault: string, ...helps: Help[]): void {
   void vscode.window.showWarningMessage(fault, ...helps).then(take);
 }

@@ -1,19 +1,19 @@
-// How often the server died of late: one that dies again and again is not started any more.
+// Counts recent deaths of the server: one that dies repeatedly is not restarted.
 
-/** So many deaths within `PERIOD` milliseconds are no accident. */
+/** The number of deaths within `PERIOD` milliseconds after which the server is not restarted. */
 export const TOO_MANY = 4;
 export const PERIOD = 3 * 60 * 1000;
 
 export class Deaths {
   private times: number[] = [];
 
-  /** One more death, at a time in milliseconds. Says whether it is worth while to start the server again. */
+  /** Adds a death, at a time in milliseconds. Returns whether the server may be restarted. */
   add(now: number): "again" | "enough" {
     this.times = [...this.times.filter((time) => now - time < PERIOD), now];
     return this.times.length < TOO_MANY ? "again" : "enough";
   }
 
-  /** The user wants it anew. */
+  /** The user has restarted the server. */
   forget(): void {
     this.times = [];
   }

@@ -1,4 +1,4 @@
-// Which `val3` runs: the one of the settings, else the one inside the extension, else the one on the PATH.
+// Finds the `val3` to run: that of the settings, else the one inside the extension, else the one on the PATH.
 
 import { accessSync, constants, statSync } from "node:fs";
 import { homedir } from "node:os";
@@ -7,7 +7,7 @@ import { basename, delimiter, join } from "node:path";
 const COMMAND = process.platform === "win32" ? "val3.exe" : "val3";
 
 export interface Places {
-  /** What the user has set; may be empty, a path, or a command of the PATH. */
+  /** The user's setting: empty, a path, or a command on the PATH. */
   configured: string;
   /** The folder of the extension. */
   extension: string;
@@ -15,7 +15,7 @@ export interface Places {
   path: string;
 }
 
-/** The path of the server, or why there is none and what can be done. */
+/** The path of the server, or a message with the reason and the remedy. */
 export function findServer({ configured, extension, path }: Places): { command: string } | { fault: string } {
   const wanted = configured.trim().replace(/^~(?=[/\\])/, homedir());
   if (wanted !== "") {

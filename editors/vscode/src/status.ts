@@ -1,4 +1,4 @@
-// How the server is, in the language status of VAL 3 files.
+// The state of the server, in the language status of VAL 3 files.
 
 import * as vscode from "vscode";
 import { State } from "vscode-languageclient/node";

@@ -1,4 +1,4 @@
-// `val3 check` as a task: what CI would say. The server lists the same findings as problems, so that the task lists none.
+// `val3 check` as a task, with the same output as in CI. The server already lists the findings as problems.
 
 import * as vscode from "vscode";
 import type { Client } from "./client";

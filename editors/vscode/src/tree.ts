@@ -4,7 +4,7 @@ import * as vscode from "vscode";
 import { type Location, type Range, State } from "vscode-languageclient/node";
 import type { Client } from "./client";
 
-/** What the server answers to `val3/workspaceTree`: one of these for each `.pjx`. */
+/** An element of the response to `val3/workspaceTree`, one for each `.pjx`. */
 interface Project extends Record<Kind, Item[]> {
   name: string;
   uri: string;
@@ -18,7 +18,7 @@ interface Item {
 
 type Kind = "programs" | "data" | "libraries" | "types";
 
-/** What stands in a project, in this order, and how an item of it looks. */
+/** The groups of a project, in this order, with their icons. */
 const KINDS: [Kind, string, string][] = [
   ["programs", "Programs", "symbol-method"],
   ["data", "Data", "symbol-variable"],
@@ -26,14 +26,14 @@ const KINDS: [Kind, string, string][] = [
   ["types", "Types", "symbol-structure"],
 ];
 
-/** A line of the view. */
+/** An item of the view. */
 interface Node {
   label: string;
   item: vscode.TreeItem;
   children: Node[];
 }
 
-/** Milliseconds that the view waits for a pause in the typing. */
+/** Milliseconds without a change after which the view is updated. */
 const PAUSE = 300;
 
 export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disposable {
@@ -69,7 +69,7 @@ export class WorkspaceTree implements vscode.TreeDataProvider<Node>, vscode.Disp
       const projects = isRunning ? await this.client.request<Project[]>("val3/workspaceTree") : [];
       this.projects = projects.map(projectNode).sort(byLabel);
     } catch (fault) {
-      // What was known before is better than nothing.
+      // The previous content is better than none.
       this.output.warn(`val3/workspaceTree: ${String(fault)}`);
     }
     return this.projects;
@@ -105,12 +105,12 @@ function itemNode({ name, detail, location }: Item, icon: string, kind: Kind): N
   item.description = detail;
   item.contextValue = kind === "programs" ? "program" : kind;
   item.command = openCommand(kind, name, location);
-  // "Open Code" of the context menu gets the item, of which it wants the file and the program.
+  // "Open Code" of the context menu gets the item and uses its file and program.
   item.resourceUri = vscode.Uri.parse(location.uri);
   return { label: name, item, children: [] };
 }
 
-/** Lines with the same `id` stay open when the view is filled anew. */
+/** Items with the same `id` stay open when the view is filled again. */
 function collapsible(label: string, icon: string, context: string, id: string): vscode.TreeItem {
   const item = new vscode.TreeItem(label, vscode.TreeItemCollapsibleState.Collapsed);
   item.id = id;

@@ -1,7 +1,8 @@
-// Ticks the steps of the walkthrough, also those that were done before it was opened.
+// Ticks the steps of the walkthrough, including those completed before it was opened.
 //
-// VS Code sees what a step waits for only while the walkthrough is loaded, and it never ticks a step whose context holds
-// when it loads. So each step has a context that holds for a moment: when it is done, and again when a walkthrough opens.
+// VS Code notices the completion of a step only while the walkthrough is loaded, and never ticks a step whose context key
+// is already set at that time. So the context key of a step is set for a moment: when the step is completed, and again
+// when a walkthrough opens.
 
 import * as vscode from "vscode";
 
@@ -33,7 +34,7 @@ export class Walkthrough implements vscode.Disposable {
     await tick(step);
   }
 
-  /** A walkthrough is a tab of a kind that extensions are not told. */
+  /** A walkthrough is a tab whose kind extensions cannot see. */
   private show(tabs: readonly vscode.Tab[]): void {
     if (tabs.some(({ input }) => input === undefined)) {
       Promise.all(this.steps().map(tick)).catch(this.report);

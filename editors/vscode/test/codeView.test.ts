@@ -1,4 +1,4 @@
-// The code of a program file and the places it comes from.
+// The code of a program file, and its positions in the file.
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

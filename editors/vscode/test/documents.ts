@@ -56,7 +56,7 @@ const opened = new Emitter<TextDocument>();
 const willSave = new Emitter<WillSave>();
 const saved = new Emitter<TextDocument>();
 const open = new Map<string, TextDocument>();
-/** What a document waits for when it is read again. */
+/** Resolves when documents may be read again. */
 let disk = Promise.resolve();
 
 export class TextDocument {
@@ -80,7 +80,7 @@ export class TextDocument {
     return new Position(lines.length - 1, lines.at(-1)?.length ?? 0);
   }
 
-  /** The stand-in takes every range. */
+  /** Every range is valid here. */
   validateRange(range: Range): Range {
     return range;
   }
@@ -98,7 +98,7 @@ export class TextDocument {
     }
   }
 
-  /** What a user or "Replace in Files" does. */
+  /** An edit by a user or by "Replace in Files". */
   replace(before: string, now: string): void {
     this.change(this.text.replace(before, now));
   }
@@ -168,7 +168,7 @@ export const workspace = {
   encode: (text: string, { encoding }: { encoding: string }) => Promise.resolve(encodeAs(text, encoding)),
 };
 
-/** What was shown since the last call. */
+/** Messages shown since the last call of `takeMessages`. */
 const messages: string[] = [];
 export const takeMessages = (): string[] => messages.splice(0);
 const show = (text: string): Promise<void> => {
@@ -177,7 +177,7 @@ const show = (text: string): Promise<void> => {
 };
 export const window = { showErrorMessage: show, showInformationMessage: show };
 
-/** Holds up the reading of files until the result is called. */
+/** Delays the reading of documents until the returned function is called. */
 export function holdDisk(): () => void {
   let release = (): void => undefined;
   disk = new Promise((resolve) => (release = resolve));

@@ -25,7 +25,7 @@ test("a file that declares UTF-8 or nothing is in UTF-8 unless its bytes are not
   assert.deepEqual(encodingsOf(Buffer.from("<a>é</a>", "latin1")), ["iso88591"]);
 });
 
-test("a byte order mark says more than a declaration", () => {
+test("a byte order mark takes precedence over the declaration", () => {
   assert.deepEqual(encodingsOf(Buffer.concat([MARK, declared("iso-8859-1")])), ["utf8"]);
   assert.deepEqual(encodingsOf(Buffer.concat([MARK, Buffer.from([0xe9])])), ["iso88591"]);
   assert.deepEqual(encodingsOf(Buffer.from([0xff, 0xfe, 0x3c, 0])), []);
@@ -34,7 +34,7 @@ test("a byte order mark says more than a declaration", () => {
   assert.ok(isSameEncoding("utf8", "utf8bom") && !isSameEncoding("utf8", "iso88591"));
 });
 
-test("characters that were lost come back to where they were", () => {
+test("lost characters are restored in their places", () => {
   const right = "café, crème\r\n";
   const read = "caf\ufffd, cr\ufffdme\r\n";
   assert.equal(restore("// caf\ufffd, cold cr\ufffdme\n", read, right), "// café, cold crème\n");
@@ -44,7 +44,7 @@ test("characters that were lost come back to where they were", () => {
   assert.equal(restore("x \ufffdy", "\ufffdy", "é¦y"), "x é¦y");
 });
 
-test("nothing is said where it is not clear which character was which", () => {
+test("characters that can no longer be identified are not restored", () => {
   assert.equal(restore("caf", "caf\ufffd", "café"), undefined);
   assert.equal(restore("caf\ufffd", "caf\ufffd", "tea"), undefined);
   // Two bytes that happen to be a character of UTF-8.
@@ -55,14 +55,14 @@ const changed = (text: string, changes: Replacement[]): string =>
   [...changes].reverse().reduce((text, { start, end, text: now }) => text.slice(0, start) + now + text.slice(end), text);
 const isLatin = (letter: string): boolean => letter <= "\xff";
 
-test("what an encoding lacks is written as a reference, which a CDATA section does not have", () => {
+test("characters that an encoding lacks become references, except in CDATA sections", () => {
   const text = '<a b="é中">\u{1f600}<![CDATA[é]]></a>';
   assert.equal(changed(text, asReferences(text, isLatin) ?? []), '<a b="é&#20013;">&#128512;<![CDATA[é]]></a>');
   assert.equal(asReferences('<a><![CDATA[put("€")]]></a>', isLatin), undefined);
   assert.deepEqual(asReferences("<a>é</a>", isLatin), []);
 });
 
-test("a file in UTF-8 says so", () => {
+test("the declaration of a file becomes UTF-8", () => {
   const head = (name: string): string => `<?xml version='1.0' encoding = '${name}' ?><a/>`;
   assert.equal(changed(head("iso-8859-1"), asUtf8(head("iso-8859-1"))), head("utf-8"));
   assert.deepEqual(asUtf8(head("UTF-8")), []);

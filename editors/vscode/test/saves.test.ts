@@ -1,5 +1,5 @@
-// Saving a file that VS Code has read in the wrong encoding: its characters come back, or its content is kept and the user
-// is told.
+// Saving a file that VS Code has read in the wrong encoding: its characters are restored, or its content is kept and a
+// message is shown.
 
 import assert from "node:assert/strict";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -78,7 +78,7 @@ for (const order of ["before", "after"]) {
   });
 }
 
-test("the file keeps its content, and the user is told, where it is not clear which character was which", async () => {
+test("the file keeps its content, with a message, if its characters can no longer be identified", async () => {
   for (const text of [ESCAPED, SECTION]) {
     const { document, release } = await openSlowly(text);
     document.replace(`arr${LOST}t`, "arret");
@@ -88,13 +88,13 @@ test("the file keeps its content, and the user is told, where it is not clear wh
     await assertSaved(text);
     assert.equal(document.getText(), text);
     assert.deepEqual(takeMessages(), [
-      "cup.pgx was not changed: it was opened as utf8, but holds iso88591, and characters would have been lost. Make the change once more.",
+      "cup.pgx was not changed: it was opened as utf8, but its encoding is iso88591, and characters would have been lost. Make the change again.",
     ]);
     document.close();
   }
 });
 
-test("the change can be made once more", async () => {
+test("the change can be made again", async () => {
   const { document, release } = await openSlowly(ESCAPED);
   document.replace(`arr${LOST}t`, "arret");
   release();
@@ -115,7 +115,7 @@ test("a file that was not edited in the meantime is shown and saved in its encod
   await assertSaved(ESCAPED.replace("total", "thé"));
 });
 
-test("a replacement character that a user writes is a character like others", async () => {
+test("a replacement character that the user types is saved like other characters", async () => {
   const { document, release } = await openSlowly(ESCAPED);
   release();
   await until(() => document.getText() === ESCAPED);

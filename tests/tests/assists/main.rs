@@ -11,7 +11,7 @@ use val3_ide::{FileRange, SourceChange, assists, resolve_assist};
 use val3_syntax::{SyntaxKind, TextRange};
 use val3_tests::cell;
 
-/// Of all places, so many; the others are left out at equal distances.
+/// Number of positions that are tested, at equal distances.
 const PLACES: usize = 80;
 
 /// Every statement, every two neighbours, and every token of the code of the cell.

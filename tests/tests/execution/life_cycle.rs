@@ -6,7 +6,7 @@ use val3_tests::running::Running;
 
 use crate::check;
 
-/// What tasks do and `?` prints, a line each.
+/// The events of tasks and the output of `?`, one line each.
 fn story(running: &Running) -> String {
     let line = |what: &What| match what {
         What::Task { state, name, .. } => Some(format!("{name} {state}\n")),
@@ -178,7 +178,7 @@ fn stopped_behind_the_end_of_start_the_other_tasks_see_stop() {
     .assert_eq(&story(&running.to_the_end()));
 }
 
-/// What public programs do to end themselves.
+/// The way in which public programs end themselves.
 #[test]
 fn an_application_ends_where_it_kills_its_start_task() {
     let running = Running::start(

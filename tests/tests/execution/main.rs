@@ -24,8 +24,8 @@ mod turns;
 mod user_types;
 mod waiting;
 
-/// What an application prints until it has ended, and the numbers of the errors of its tasks. Whoever runs it again sees
-/// the same.
+/// The output of an application until its end, and the numbers of the errors of its tasks. A second run must give the
+/// same events.
 #[track_caller]
 fn run(listing: &str) -> String {
     let [first, second] = [(), ()].map(|()| Running::start(listing).to_the_end());
@@ -41,10 +41,10 @@ fn check(listing: &str, expected: Expect) {
     expected.assert_eq(&printed.lines().map(|line| format!("{}\n", line.trim_end())).collect::<String>());
 }
 
-/// What each line can use.
+/// Declarations for each line.
 const LOCALS: &str = "  num l_nValue\n  bool l_bFlag\n  string l_sText\n  point l_pPart\n  frame l_fPart\n  tool l_tPart\n  trsf l_trPart\n";
 
-/// What `taskStatus` tells of lines, each executed by a task of its own: -1 for one without error.
+/// `taskStatus` after each of the lines, which are executed by tasks of their own: -1 without an error.
 ///
 /// A line can use `LOCALS` and the programs `work`, `take` and `takeAll`.
 #[track_caller]

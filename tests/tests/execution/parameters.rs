@@ -194,7 +194,7 @@ fn a_reference_passed_on_is_the_same_variable() {
     );
 }
 
-/// A program with so many numbers that its frame is a wide one calls others with a narrow one, and is called by them.
+/// A program whose many numbers need a wide frame calls others with a narrow frame, and is called by them.
 #[test]
 fn frames_of_any_width_call_each_other() {
     let locals: String = (0..45).map(|number| format!("  trsf l_tr{number}\n")).collect();

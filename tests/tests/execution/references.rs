@@ -89,7 +89,7 @@ fn copies() {
     );
 }
 
-/// What the project of the type says of its fields is their value, not their reference (7.3).
+/// The project of a type declares the values of its fields, not their references (7.3).
 #[test]
 fn fields_have_no_reference_at_first() {
     let listing = r#"

@@ -67,7 +67,7 @@ fn locals_fill_the_stack() {
     );
 }
 
-/// How deep calls get with a stack of so many bytes.
+/// The depth of calls that a stack of this size allows.
 fn depth(bytes: u32) -> u32 {
     let listing = format!(
         r#"

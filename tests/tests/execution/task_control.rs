@@ -55,7 +55,7 @@ fn the_states_of_a_task() {
     );
 }
 
-/// A task stops in the third of five lines and goes on so many lines behind it.
+/// A task stops at the third of five lines and resumes this number of lines after it.
 #[track_caller]
 fn resumed(skip: &str, expected: Expect) {
     let listing = format!(

@@ -1,4 +1,4 @@
-//! What programs learn of an arm that stands still (9.2.3, 10.6, 11.1).
+//! Instructions that read the state of an arm at rest (9.2.3, 10.6, 11.1).
 
 use val3_tests::running::Running;
 

@@ -1,4 +1,4 @@
-//! What scripts do from outside.
+//! The effects of scripts.
 
 use expect_test::{Expect, expect};
 use val3_machine::script::Script;

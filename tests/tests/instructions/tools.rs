@@ -1,4 +1,4 @@
-//! Tools that open and close while the arm stands still (9.5.4).
+//! Opening and closing tools while the arm is at rest (9.5.4).
 
 use val3_lang::types::BaseType;
 use val3_machine::devices::Devices;

@@ -10,7 +10,7 @@ const MARK: &str = "$0";
 /// A cell with one slip in it.
 pub(crate) struct Mutated {
     pub(crate) cell: Cell,
-    /// Where the finding may stand: file and line, from 1.
+    /// Expected location of the finding: file and line, from 1.
     pub(crate) expected: Vec<(String, usize)>,
 }
 
@@ -35,7 +35,7 @@ pub(crate) fn apply(mutation: &Mutation, cell: &Cell) -> Result<Mutated, String>
     Ok(Mutated { cell, expected })
 }
 
-/// The text with `find` replaced, and the lines that the marks of `with` stand on.
+/// The text with `find` replaced, and the lines of the marks in `with`.
 fn replace(text: &str, find: &str, with: &str) -> Result<(String, Vec<usize>), String> {
     let (before, after) = text.split_once(find).ok_or_else(|| format!("{find:?} is not in the file"))?;
     if after.contains(find) {

@@ -58,7 +58,7 @@ fn all() -> impl Iterator<Item = &'static Mutation> {
     ALL.iter().copied().flatten()
 }
 
-/// What `check` makes of every slip.
+/// The results of the check for every mistake.
 fn judge_all(check: impl Fn(&Cell) -> Vec<Finding>) -> Vec<Verdict> {
     let cell = cell::files(CELL);
     let known = check(&cell);

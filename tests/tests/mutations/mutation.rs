@@ -6,24 +6,24 @@ pub(crate) const CELL: &str = "palletiser";
 /// One slip.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mutation {
-    /// What the person did.
+    /// The mistake, in words.
     pub(crate) name: &'static str,
     /// The file edited, below `usr/usrapp`.
     pub(crate) file: &'static str,
     pub(crate) edit: Edit,
     /// The code of the finding.
     pub(crate) code: &'static str,
-    /// Where else the finding may stand, as file and text of its line; empty where the edit tells.
+    /// Another expected location, as file and text of its line; empty if the edit gives it.
     pub(crate) places: &'static [(&'static str, &'static str)],
     /// The code of a second finding, where the slip shows from two sides that both need to know.
     pub(crate) also: Option<&'static str>,
 }
 
-/// What happens to the file.
+/// The change of the file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Edit {
-    /// `find`, which stands in the file once, becomes `with`. The finding stands on the lines that `$0` marks in
-    /// `with`, or else on the first one.
+    /// `find`, which occurs in the file once, becomes `with`. The finding is on the lines that `$0` marks in `with`,
+    /// or else on the first one.
     Replace { find: &'static str, with: &'static str },
     /// The file is gone.
     Remove,
@@ -46,7 +46,7 @@ pub(crate) const fn lost(name: &'static str, file: &'static str, code: &'static 
 }
 
 impl Mutation {
-    /// The finding stands on one of these lines instead of the edited one.
+    /// The finding is on one of these lines instead of the edited one.
     pub(crate) const fn at(mut self, places: &'static [(&'static str, &'static str)]) -> Mutation {
         self.places = places;
         self

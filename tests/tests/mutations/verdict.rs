@@ -8,12 +8,12 @@ use val3_tests::cell::Cell;
 use crate::edit::apply;
 use crate::mutation::Mutation;
 
-/// What a checker made of one slip.
+/// The result of the check for one mistake.
 #[derive(Debug)]
 pub(crate) struct Verdict {
     pub(crate) name: &'static str,
     pub(crate) code: &'static str,
-    /// Whether the finding of the right code stands on the right line.
+    /// Whether the finding has the right code and is on the right line.
     pub(crate) found: bool,
     /// Findings that neither the original cell had nor the slip deserves.
     pub(crate) others: Vec<Finding>,

@@ -111,7 +111,7 @@ impl<'e> Open<'e> {
 
     /// Types a faulty line and takes it back, at the beginning of the code.
     fn edits(&mut self, what: &str) -> anyhow::Result<()> {
-        // Let the first check of the rest come to its end.
+        // Wait until the first check of the other files has ended.
         std::thread::sleep(Duration::from_secs(2));
         let line = self.text.lines().position(|line| line.contains("begin")).context("no code")? + 1;
         let mut times = Vec::new();
@@ -129,7 +129,7 @@ impl<'e> Open<'e> {
             if found.to_string().contains("nUnknown") != (round % 2 == 0) {
                 bail!("version {} has the findings of another: {found}", self.version);
             }
-            // Nobody types faster.
+            // Faster than anyone types.
             std::thread::sleep(Duration::from_millis(30));
         }
         print(what, times);
@@ -154,7 +154,7 @@ impl<'e> Open<'e> {
         Ok(())
     }
 
-    /// Each time behind an edit, so that nothing is known beforehand.
+    /// Each time after an edit, so that no result is cached.
     fn repeat(&mut self, what: &str, method: &str, params: &Value, times: usize) -> anyhow::Result<()> {
         let end = self.text.lines().count() - 1;
         let mut durations = Vec::new();
@@ -179,7 +179,7 @@ impl<'e> Open<'e> {
         )
     }
 
-    /// The place behind the first of these texts that stands in the code.
+    /// The position after the first of these texts that occurs in the code.
     fn place(&self, parts: &[&str]) -> anyhow::Result<Value> {
         let begin = self.text.find("begin").context("no code")? + "begin".len();
         let code = self.text.get(begin..).unwrap_or("");
@@ -196,7 +196,7 @@ impl<'e> Open<'e> {
         for round in 0..TIMES / 2 {
             self.version += 1;
             let document = json!({ "uri": self.uri, "version": self.version });
-            // A text that is the same would leave nothing to search anew.
+            // An unchanged text would not be searched again.
             let changes = json!([{ "text": self.text.clone() + "\n".repeat(round % 2).as_str() }]);
             self.editor
                 .notify("textDocument/didChange", &json!({ "textDocument": document, "contentChanges": changes }))?;

@@ -43,7 +43,7 @@ fn row(name: &str) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// What a command prints, and how long it takes.
+/// The output of a command, and its duration.
 fn fastest(command: &[&str]) -> anyhow::Result<(String, Duration)> {
     let runs = (0..RUNS).map(|_| run(command)).collect::<anyhow::Result<Vec<_>>>()?;
     runs.into_iter().min_by_key(|(_, time)| *time).context("no run")

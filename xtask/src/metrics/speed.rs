@@ -14,7 +14,7 @@ const RUNS: usize = 5;
 /// Time and memory of one run.
 struct Run {
     duration: Duration,
-    /// Largest resident memory in kB, where the system tells it.
+    /// Largest resident memory in kB, if the system reports it.
     peak_kilobytes: Option<u64>,
 }
 

@@ -1,17 +1,17 @@
-//! What makes a text untidy.
+//! Finds what is untidy in a text.
 
 use super::files::TextFile;
 
-/// A source file beyond this is two files.
+/// Maximum number of lines of a source file.
 const MOST_LINES: usize = 600;
 
-/// Marks of unfinished work. Taken apart here, since this file is looked at as well.
+/// Marks of unfinished work, in parts because this file is examined too.
 const UNFINISHED: &[&str] = &[concat!("TO", "DO"), concat!("FIX", "ME"), concat!("XX", "X"), concat!("HA", "CK")];
 
-/// File names that say nothing about what is inside.
+/// File names that say nothing about the content.
 const EMPTY_NAMES: &[&str] = &["utils", "util", "common", "helpers", "helper", "manager", "misc", "mod"];
 
-/// What is wrong with a file, one line each: `path:line: what`.
+/// The faults of a file, one on each line: `path:line: fault`.
 pub(super) fn of(file: &TextFile) -> Vec<String> {
     let mut faults = name_faults(file);
     for (index, line) in file.text.split('\n').enumerate() {

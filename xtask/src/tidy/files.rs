@@ -1,12 +1,12 @@
-//! The texts that people write in this project.
+//! The hand-written texts of the project.
 
 use anyhow::Context;
 use camino::{Utf8Path, Utf8PathBuf};
 
-/// Folders that hold nothing written by hand, or files in the form another program gives them.
+/// Folders with generated files, or with files in another program's format.
 const SKIPPED_FOLDERS: &[&str] = &["target", ".git", "node_modules", "examples", "corpus", "artifacts", "snapshots"];
 
-/// Kinds of files that are looked at.
+/// Extensions of the files that are examined.
 const EXTENSIONS: &[&str] = &["rs", "md", "toml"];
 
 /// A file with its text.

@@ -51,7 +51,8 @@ fn indentation(line: &str) -> usize {
     line.len() - line.trim_start().len()
 }
 
-/// `line` ends a function whose head stands at `depth`: on a line of its own, or at once (`fn f() {}`, `fn f();`).
+/// Whether `line` ends a function whose head is at `depth`: on a line of its own, or on the same line (`fn f() {}`,
+/// `fn f();`).
 fn closes(line: &str, depth: usize) -> bool {
     let same_depth = indentation(line) == depth;
     same_depth && (line.trim() == "}" || line.ends_with("{}") || line.ends_with(';') || line.ends_with(" }"))

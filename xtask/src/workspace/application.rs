@@ -9,7 +9,7 @@ use super::scope::Scope;
 use super::shared;
 use super::words::{NOUNS, VERBS};
 
-/// What is asked of an application.
+/// The requested properties of an application.
 pub(super) struct ApplicationPlan {
     /// Its number, which makes its name.
     pub(super) number: usize,
@@ -93,7 +93,7 @@ struct Names {
 }
 
 impl Names {
-    /// A name of at most 15 characters that no other has.
+    /// A unique name of at most 15 characters.
     fn fresh(&mut self, prefix: &str, random: &mut Random) -> String {
         loop {
             let name = format!("{prefix}{}{}", random.word(NOUNS), random.word(NOUNS));

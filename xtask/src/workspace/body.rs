@@ -7,7 +7,7 @@ use super::random::Random;
 use super::scope::Scope;
 use super::words::COMMENTS;
 
-/// What a local of a position type holds before anything else happens to it: nothing that moves may do without.
+/// The first assignments to a local of a position type, without which moves are not possible.
 fn first_value(local: &Variable, scope: &Scope, random: &mut Random) -> Option<String> {
     match local.ty {
         Type::Trsf => Some("{0,0,0,0,0,0}".to_owned()),

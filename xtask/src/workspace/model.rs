@@ -100,7 +100,7 @@ pub(super) struct Parameter {
     pub(super) by_reference: bool,
 }
 
-/// What a caller sees of a program.
+/// The signature of a program.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Signature {
     /// `name`, or `library:name`.
@@ -126,7 +126,7 @@ pub(super) struct Project {
     pub(super) folder: String,
     pub(super) data: Vec<Data>,
     pub(super) programs: Vec<Program>,
-    /// Library identifiers and the folders below `usrapp` they stand for.
+    /// Library identifiers and their folders below `usrapp`.
     pub(super) libraries: Vec<(&'static str, &'static str)>,
     /// User types and their folders below `usrapp`.
     pub(super) types: Vec<(&'static str, &'static str)>,

@@ -47,7 +47,7 @@ impl Scope {
         }
     }
 
-    /// Adds a parameter. What is passed by value is only read.
+    /// Adds a parameter. One passed by value is only read.
     pub(super) fn add_parameter(&mut self, parameter: &Parameter) {
         let before = self.places.len();
         self.add(&parameter.variable);
@@ -56,7 +56,7 @@ impl Scope {
         }
     }
 
-    /// A counter may stand as an index from here on.
+    /// From here on, a counter may be used as an index.
     pub(super) fn push_counter(&mut self, counter: &str) {
         self.counters.push(counter.to_owned());
     }
@@ -123,7 +123,7 @@ impl Scope {
     }
 }
 
-/// What can be named in a variable of a type: itself, then fields.
+/// The paths into a variable of a type: the variable itself, then its fields.
 fn fields(ty: Type) -> &'static [(&'static str, Type)] {
     match ty {
         Type::Num => &[("", Type::Num)],

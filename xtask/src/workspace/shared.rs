@@ -1,4 +1,4 @@
-//! What every application uses: the inputs and outputs, a user type and a library with programs.
+//! The parts shared by all applications: inputs and outputs, a user type, and a library with programs.
 
 use super::model::{Container, Data, Parameter, Program, Project, Signature, Type, Variable};
 
@@ -55,7 +55,7 @@ fn logbook() -> Project {
     project(LOGBOOK, data, vec![note, count])
 }
 
-/// What an application can call.
+/// The programs that an application can call.
 pub(super) fn library_programs() -> Vec<Signature> {
     vec![note_signature("logbook:note"), count_signature("logbook:count")]
 }

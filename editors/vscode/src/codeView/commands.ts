@@ -22,12 +22,12 @@ export function registerCodeView(views: CodeFiles, walkthrough: Walkthrough): vs
   ];
 }
 
-/** A line of the view "VAL 3", which stands for the program of its name. */
+/** An item of the view "VAL 3" for a program. */
 interface TreeNode {
   item: vscode.TreeItem;
 }
 
-/** Says whether a code view was opened. */
+/** Returns whether a code view was opened. */
 async function openCode(target?: vscode.Uri | TreeNode): Promise<boolean> {
   const editor = vscode.window.activeTextEditor;
   const item = target !== undefined && "item" in target ? target.item : undefined;
@@ -48,7 +48,7 @@ async function openCode(target?: vscode.Uri | TreeNode): Promise<boolean> {
   return index !== undefined;
 }
 
-/** The program in the editor, else one that the user picks. */
+/** The program in the editor, or else one that the user picks. */
 async function programFile(editor: vscode.TextEditor | undefined): Promise<vscode.Uri | undefined> {
   if (editor?.document.languageId === "val3") {
     return editor.document.uri;
@@ -56,10 +56,10 @@ async function programFile(editor: vscode.TextEditor | undefined): Promise<vscod
   const files = await vscode.workspace.findFiles("**/*.{pgx,PGX}");
   const items = files.map((uri) => ({ label: vscode.workspace.asRelativePath(uri), uri }));
   items.sort((left, right) => left.label.localeCompare(right.label));
-  return (await vscode.window.showQuickPick(items, { placeHolder: "The program whose code is shown", ignoreFocusOut: true }))?.uri;
+  return (await vscode.window.showQuickPick(items, { placeHolder: "Program whose code is shown", ignoreFocusOut: true }))?.uri;
 }
 
-/** Which program of a file: the only one, the one that is wanted, else the one that the user picks. */
+/** The index of a program: the only one, the requested one, or else one that the user picks. */
 async function chooseProgram(programs: Program[], wanted: number, cursor?: number): Promise<number | undefined> {
   if (programs.length < 2 || wanted >= 0) {
     return programs.length === 1 ? 0 : wanted >= 0 ? wanted : undefined;
@@ -68,7 +68,7 @@ async function chooseProgram(programs: Program[], wanted: number, cursor?: numbe
   const items = programs.map(({ name }, index) => ({ label: name, index }));
   // The one with the cursor is the first, so that Enter takes it.
   items.sort((left, right) => Number(right.index === here) - Number(left.index === here));
-  return (await vscode.window.showQuickPick(items, { placeHolder: "The program of this file whose code is shown" }))?.index;
+  return (await vscode.window.showQuickPick(items, { placeHolder: "Program of this file whose code is shown" }))?.index;
 }
 
 async function openFile(views: CodeFiles): Promise<void> {

@@ -11,7 +11,7 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
   private readonly open = new Map<string, Link>();
   private readonly subscriptions: vscode.Disposable[];
 
-  /** `report` is told what fails while nobody waits for it. */
+  /** `report` gets the errors of everything that runs in the background. */
   constructor(private readonly report: (fault: unknown) => void) {
     this.subscriptions = [
       vscode.workspace.registerFileSystemProvider(SCHEME, this, { isCaseSensitive: true }),
@@ -62,7 +62,7 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
     await link.save();
   }
 
-  /** Changes are told whether they are watched for or not. */
+  /** Changes are reported for all files, watched or not. */
   watch(): vscode.Disposable {
     return vscode.Disposable.from();
   }
@@ -102,14 +102,14 @@ export class CodeFiles implements vscode.FileSystemProvider, vscode.Disposable {
     await Promise.all(this.of(uri).map((link) => (uri.scheme === SCHEME ? link.push() : link.pull())));
   }
 
-  /** A view whose changes were saved with its file has no changes of its own left. */
+  /** Saving a file also saves the changes of its views. */
   private async saved(document: vscode.TextDocument): Promise<void> {
     const views = document.uri.scheme === SCHEME ? [] : this.of(document.uri);
     const changed = views.flatMap((view) => view.document() ?? []).filter((view) => view.isDirty);
     await Promise.all(changed.map((view) => view.save()));
   }
 
-  /** VS Code closes the document of a file that no editor shows: the view then opens it anew. */
+  /** VS Code closes documents that no editor shows. The view then opens its file again. */
   private forget(uri: vscode.Uri): void {
     for (const link of this.of(uri)) {
       const key = link.code.toString();

@@ -1,4 +1,4 @@
-// A definition that was asked for in a code view leads to another code view, not to the XML around it.
+// *Go to Definition* in a code view opens another code view instead of the XML around the code.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -22,7 +22,7 @@ interface Target {
   targetSelectionRange?: Range;
 }
 
-/** The answer to one of those requests, with places in code views for those in files that have one. */
+/** The response to one of these requests, with locations in code views instead of files that have one. */
 export async function inCodeViews(answer: unknown): Promise<unknown> {
   if (answer === null || typeof answer !== "object" || !vscode.workspace.getConfiguration("val3").get<boolean>("codeView.follow", true)) {
     return answer;

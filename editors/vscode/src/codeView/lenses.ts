@@ -1,4 +1,4 @@
-// Lenses of a program stand above its name, which a code view does not show: there they stand above the first line.
+// Lenses of a program are above its name. A code view does not contain the name, so they are above its first line.
 
 import type { Range } from "./mapping";
 import type { Target } from "./requests";
@@ -12,7 +12,7 @@ export interface Lens {
   data?: object;
 }
 
-/** What a lens of a view keeps, so that the server can be asked about the one of the file. */
+/** Data of a lens in a view, from which the request about the lens of the file is made. */
 interface Origin {
   code: string;
   range: Range;
@@ -29,13 +29,13 @@ export function lensesToCode(lenses: Lens[] | null, target: Target): Lens[] {
   });
 }
 
-/** The lens of the file that a lens of a view stands for; nothing for any other lens. */
+/** The lens of the file for a lens of a view; nothing for any other lens. */
 export function lensOfFile(lens: Lens): Lens | undefined {
   const origin = originOf(lens);
   return origin && { ...lens, range: origin.range };
 }
 
-/** The answer of the server for the view: its places are listed at the first line of the view. */
+/** The server's response for the view, whose locations are listed at the view's first line. */
 export async function lensToCode(resolved: Lens, asked: Lens, follow: (places: unknown) => Promise<unknown>): Promise<Lens> {
   const [, , places] = resolved.command?.arguments ?? [];
   const origin = originOf(asked);

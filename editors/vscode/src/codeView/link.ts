@@ -1,7 +1,7 @@
 // Keeps the document of a code view and the document of its file in step.
 //
-// Edits run one after the other. While an edit of the code is on its way to the file, what the file says is older than
-// what the user sees, so the code wins; at every other time the file does.
+// Edits run one after the other. While an edit of the code is being applied to the file, the file is older than the code
+// on the screen, so the code takes precedence. At every other time the file does.
 
 import * as vscode from "vscode";
 import { openDocument } from "../encoding/documents";
@@ -13,7 +13,7 @@ export class Link {
   private readonly index: number;
   private pending = 0;
   private queue: Promise<unknown> = Promise.resolve();
-  /** Milliseconds; grows with each change that VS Code has to read. */
+  /** In milliseconds; increases with each change that VS Code has to read. */
   changed = Date.now();
 
   private constructor(
@@ -24,12 +24,12 @@ export class Link {
     this.index = programIndex(code);
   }
 
-  /** Opens the file of a code view. Fails where there is no such file. */
+  /** Opens the file of a code view. Fails if it does not exist. */
   static async open(code: vscode.Uri, reload: (code: vscode.Uri) => void): Promise<Link> {
     return new Link(code, await openDocument(fileUri(code)), reload);
   }
 
-  /** The code as the file has it; nothing where it has none. */
+  /** The code of the file; nothing if it has none. */
   text(): string | undefined {
     return Projection.of(this.file.getText(), this.index)?.code;
   }
@@ -38,12 +38,12 @@ export class Link {
     return Mapping.of(this.file.getText(), this.index);
   }
 
-  /** Ends when all edits of the code so far are in the file. */
+  /** Resolves when all previous edits of the code are in the file. */
   async settled(): Promise<void> {
     await this.queue;
   }
 
-  /** Brings the code, as its document has it when its turn comes, into the file. */
+  /** Queues an edit that writes the current code of the document into the file. */
   async push(text?: string): Promise<void> {
     this.pending += 1;
     const run = this.queue.then(() => this.write(text ?? this.document()?.getText())).finally(() => (this.pending -= 1));
@@ -59,7 +59,7 @@ export class Link {
     this.changed = Math.max(Date.now(), this.changed + 1);
   }
 
-  /** The file has changed. A clean view is read again; a view with changes of its own gets the difference. */
+  /** Follows a change of the file. A clean view is read again; a view with changes of its own gets the difference. */
   async pull(): Promise<void> {
     const document = this.document();
     const text = this.text();

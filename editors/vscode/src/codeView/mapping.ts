@@ -2,7 +2,7 @@
 
 import { Projection } from "./projection";
 
-/** As the protocol and VS Code both spell it; characters are UTF-16 units. */
+/** The form that the protocol and VS Code share. Characters are UTF-16 units. */
 export interface Position {
   line: number;
   character: number;
@@ -22,7 +22,7 @@ export class Mapping {
     this.file = new Lines(fileText);
   }
 
-  /** Nothing where the file has no code. */
+  /** Nothing if the file has no code. */
   static of(file: string, index: number): Mapping | undefined {
     const projection = Projection.of(file, index);
     return projection && new Mapping(projection, file);
@@ -40,12 +40,12 @@ export class Mapping {
     return this.file.offsetAt(position);
   }
 
-  /** A position of the file lies in what comes before the code of the program and belongs to it. */
+  /** Whether a position of the file is in the head of the program, before its code. */
   isHead(position: Position): boolean {
     return this.projection.isHead(this.file.offsetAt(position));
   }
 
-  /** An offset of the code as a position of it. */
+  /** The position of an offset in the code. */
   inCode(offset: number): Position {
     return this.code.positionAt(Math.min(offset, this.projection.code.length));
   }
@@ -60,7 +60,7 @@ export class Mapping {
     return offset === undefined ? undefined : this.code.positionAt(offset);
   }
 
-  /** The part of a range that lies in the code; nothing where it only touches or misses it. */
+  /** The part of a range that is in the code; nothing if the range only touches it. */
   rangeToCode(range: Range): Range | undefined {
     const start = this.toCode(range.start);
     const end = this.toCode(range.end);

@@ -1,4 +1,4 @@
-// Leads the messages about code views to their files. See requests.ts.
+// Redirects messages about code views to their files. See requests.ts.
 
 import * as vscode from "vscode";
 import type { Middleware } from "vscode-languageclient/node";
@@ -37,7 +37,7 @@ export function codeViewMiddleware(views: CodeFiles): Middleware {
       if (target === undefined) {
         return null as never;
       }
-      // The server's previous tokens are those of the whole file, so that a difference to them says nothing here.
+      // The server's previous tokens are those of the whole file, so that a difference to them is useless here.
       const asked = method === DELTA ? FULL : type;
       const answer: unknown = await next(asked, toFile(params, target) as typeof params, token);
       const mapped = toCode(method, answer, target);

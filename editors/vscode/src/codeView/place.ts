@@ -1,4 +1,4 @@
-// Where a place of a program file is seen in its code views. Knows text alone.
+// Finds the code view that shows a position of a program file. Pure functions of texts.
 
 import { Mapping, type Range } from "./mapping";
 import { programsOf } from "./projection";
@@ -8,7 +8,7 @@ export interface Place {
   range: Range;
 }
 
-/** Where a place of a file is seen in its code views: in the code, or at its beginning for the program itself. */
+/** The position in a code view for one in the file: in the code, or at its beginning for the head of the program. */
 export function placeInCode(text: string, range: Range): Place | undefined {
   for (const [index, { tagStart, tagEnd }] of programsOf(text).entries()) {
     const mapping = Mapping.of(text, index);

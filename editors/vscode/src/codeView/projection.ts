@@ -1,9 +1,9 @@
-// The code of a program file and where each of its characters stands in the file. Knows text alone.
+// The code of a program file, and the position of each of its characters in the file. Pure functions of texts.
 //
 // The code is the content of a <Code> element: of its CDATA sections, or, in the old dialect, its text with entities.
-// A place of the code and the place of the file that it came from are offsets in UTF-16 units.
+// Positions in the code and in the file are offsets in UTF-16 units.
 
-/** A stretch of code and of the file that stand for each other: verbatim when both are equally long. */
+/** Corresponding ranges of the code and the file; the texts are equal if the lengths are. */
 interface Chunk {
   code: number;
   file: number;
@@ -26,7 +26,7 @@ export interface Program {
   codeStart: number;
 }
 
-/** What may speak of code without being any, and the tags that lead to it. */
+/** Comments and sections that may mention code, and the tags around code. */
 const OUTSIDE = /<!--[^]*?(?:-->|$)|<!\[CDATA\[[^]*?(?:\]\]>|$)|<(?:Program|program)\s[^>]*>|<(?:Code|code)(?:\s[^>]*)?>/g;
 const PIECE = /<!\[CDATA\[([^]*?)(?:\]\]>|$)|<!--[^]*?-->|&(?:#[xX][0-9a-fA-F]+|#\d+|\w+);|<\/(?:Code|code)\s*>|[^<&]+|[^]/g;
 const CDATA_OPEN = "<![CDATA[";
@@ -35,7 +35,7 @@ const ENTITIES: Record<string, string> = { "&lt;": "<", "&gt;": ">", "&amp;": "&
 /** The code of a file. */
 export class Projection {
   private constructor(
-    /** The code as the programmer thinks of it. */
+    /** The code without XML and entities. */
     readonly code: string,
     /** The name of its program; may be empty. */
     readonly program: string,
@@ -45,7 +45,7 @@ export class Projection {
     private readonly headStart: number,
   ) {}
 
-  /** The code of the program that is number `index` in its file; nothing where it has none. */
+  /** The code of program number `index` in its file; nothing if it has none. */
   static of(file: string, index = 0): Projection | undefined {
     const program = programsOf(file)[index];
     if (program === undefined) {
@@ -64,7 +64,7 @@ export class Projection {
     return new Projection(code, program.name, chunks, isCdata, start, program.tagStart);
   }
 
-  /** Where an offset of the code stands in the file. */
+  /** The offset in the file for an offset in the code. */
   toFile(offset: number): number {
     const chunk = this.chunks.findLast((chunk) => chunk.code <= offset) ?? this.chunks[0];
     if (chunk === undefined) {
@@ -74,7 +74,7 @@ export class Projection {
     return chunk.file + (within >= chunk.codeLength ? chunk.fileLength : isVerbatim(chunk) ? within : 0);
   }
 
-  /** Where an offset of the file stands in the code; nothing outside of the code. */
+  /** The offset in the code for an offset in the file; nothing outside of the code. */
   toCode(offset: number): number | undefined {
     const first = this.chunks[0];
     const last = this.chunks[this.chunks.length - 1];
@@ -89,12 +89,12 @@ export class Projection {
     return chunk.code + (isVerbatim(chunk) ? Math.min(within, chunk.codeLength) : within >= chunk.fileLength ? chunk.codeLength : 0);
   }
 
-  /** An offset of the file lies in what comes before the code of the program and belongs to it. */
+  /** Whether an offset of the file is in the head of the program, before its code. */
   isHead(offset: number): boolean {
     return this.headStart <= offset && offset < this.fileStart;
   }
 
-  /** The replacement in the file that makes its code `code`; nothing when it is so already. */
+  /** The replacement in the file that makes its code `code`; nothing if the code is equal. */
   replacement(code: string): Replacement | undefined {
     const change = difference(this.code, code);
     if (change === undefined) {
@@ -105,7 +105,7 @@ export class Projection {
     return { start: this.toFile(whole.start), end: this.endInFile(whole), text };
   }
 
-  /** Text of the file, such as the new text of an edit, as code. */
+  /** Converts text of the file, such as the new text of an edit, to code. */
   decode(text: string): string {
     return this.isCdata ? text.replaceAll("]]]]><![CDATA[>", "]]>") : unescape(text);
   }
@@ -121,7 +121,7 @@ export class Projection {
   }
 }
 
-/** The shortest replacement of one stretch that turns `before` into `after`. */
+/** The shortest single replacement that turns `before` into `after`. */
 export function difference(before: string, after: string): Replacement | undefined {
   if (before === after) {
     return undefined;
@@ -149,7 +149,7 @@ function isVerbatim(chunk: Chunk): boolean {
   return chunk.codeLength === chunk.fileLength;
 }
 
-/** The programs of a file that have code. Comments and descriptions may speak of code as well. */
+/** The programs of a file that have code. Comments and descriptions may also contain the word. */
 export function programsOf(file: string): Program[] {
   const programs: Program[] = [];
   let tag = { name: "", tagStart: 0, tagEnd: 0 };
@@ -180,7 +180,7 @@ function readPieces(file: string, start: number): Piece[] {
   return pieces;
 }
 
-/** A change beside `]` or `>` may make or break the text `]]>`, which ends a section: it takes them in. */
+/** Extends a change next to `]` or `>`, because it may create or destroy `]]>`, which ends a section. */
 function aroundSectionEnd(change: Replacement, code: string): Replacement {
   let { start, end } = change;
   while (start > 0 && code[start - 1] === "]") {

@@ -1,7 +1,7 @@
 // The features of the language server in code views.
 //
-// The server knows files alone. A request about a view becomes one about its file, and the ranges of the answer become
-// ranges of the view. Edits of the whole workspace stay edits of files, from which the views follow.
+// The server only knows files. A request about a view becomes one about its file, and the ranges of the response become
+// ranges of the view. Edits of the whole workspace stay edits of files, and the views follow them.
 
 import { type Lens, LENSES, lensesToCode } from "./lenses";
 import type { Mapping, Position, Range } from "./mapping";
@@ -18,7 +18,7 @@ export interface Target {
 type Json = unknown;
 type JsonObject = Record<string, Json>;
 
-/** Parts that are for the server alone, or that speak of files. */
+/** Properties that only the server reads, or that are about files. */
 const OPAQUE = new Set(["data", "command", "edit", "changes", "documentChanges", "legend"]);
 
 /** The parameters of a request about the view, as parameters about its file. */
@@ -35,7 +35,7 @@ export function toFile(params: Json, target: Target): Json {
   return mapValues(params, (key, value) => (OPAQUE.has(key) ? value : toFile(value, target)));
 }
 
-/** The answer to a request about the file, as an answer about the view. What is not in its code is left out. */
+/** The response about the file, converted for the view. Ranges outside of its code are left out. */
 export function toCode(method: string, answer: Json, target: Target): Json {
   if (method.startsWith("textDocument/semanticTokens/")) {
     return toCodeTokens(answer, target.mapping);
@@ -69,7 +69,7 @@ function toCodeValue(value: Json, target: Target): Json {
   return toCodeObject(value, target);
 }
 
-/** An object with a range outside of the code is nothing; nested ones (a parent) are merely left out. */
+/** An object with a range outside of the code becomes nothing; of a nested one (a parent) only the property is left out. */
 function toCodeObject(value: JsonObject, target: Target): JsonObject | undefined {
   const result: JsonObject = {};
   for (const [key, part] of Object.entries(value)) {
@@ -83,7 +83,7 @@ function toCodeObject(value: JsonObject, target: Target): JsonObject | undefined
   return result;
 }
 
-/** A place in the code is one of the view; any other one, in this file or elsewhere, stays one of a file. */
+/** A location in the code becomes one of the view. Any other, in this file or elsewhere, stays one of a file. */
 function toCodeLocation(value: JsonObject, target: Target): JsonObject {
   const inFile = (value.uri ?? value.targetUri) === target.file;
   const mapped = inFile ? toCodeObject(value, target) : undefined;

@@ -1,4 +1,4 @@
-// The outline of a code view: its program, with the parameters and locals, though all of them are declared in the XML.
+// The outline of a code view: its program with parameters and locals, although these are declared in the XML.
 
 import type { Range } from "./mapping";
 import type { Target } from "./requests";
@@ -18,7 +18,7 @@ export interface Symbol {
   children?: Symbol[];
 }
 
-/** The symbol of the program that the view shows. Its parameters and locals are where the code uses them first. */
+/** The symbol of the view's program. Parameters and locals are located at their first use. */
 export function symbolsToCode(symbols: Symbol[] | null, { mapping }: Target): Symbol[] {
   const { code, program } = mapping.projection;
   const range = mapping.wholeCode();
@@ -33,7 +33,7 @@ export function symbolsToCode(symbols: Symbol[] | null, { mapping }: Target): Sy
   return [{ name: program || "(no name)", kind: FUNCTION, ...found, range, selectionRange: head, children }];
 }
 
-/** Where each name is in the code at first. */
+/** The first occurrence of each name in the code. */
 function firstUses(code: string): Map<string, number> {
   const uses = new Map<string, number>();
   for (const { 1: name, index } of code.matchAll(WORD)) {

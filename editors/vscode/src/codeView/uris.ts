@@ -1,4 +1,4 @@
-// A code view and its program file name each other.
+// The URIs of code views and of their program files.
 
 import * as vscode from "vscode";
 
@@ -11,12 +11,12 @@ export const SCHEME = "val3-code";
 export function codeUri(file: vscode.Uri, index = 0, program = "code"): vscode.Uri {
   const path = file.path.replace(/^\/?/, "/");
   const name = `${path.slice(path.lastIndexOf("/") + 1)} (${program})`;
-  // Theia shows no `Uri.from`, which is of another class there.
+  // Theia cannot show the result of `Uri.from`, which is of another class there.
   const view = vscode.Uri.parse(`${SCHEME}:/`);
   return view.with({ path: `${path}/${name}`, query: file.with({ query: index === 0 ? "" : String(index) }).toString() });
 }
 
-/** A file that a command was given. Other editors give values that only look like `vscode.Uri`. */
+/** The file in a command's argument. Other editors pass objects that only look like `vscode.Uri`. */
 export function uriOf(value: unknown): vscode.Uri | undefined {
   const isUri = typeof value === "object" && value !== null && "scheme" in value && "path" in value;
   return isUri ? vscode.Uri.parse((value as vscode.Uri).toString()) : undefined;

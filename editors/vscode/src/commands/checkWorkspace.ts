@@ -1,4 +1,4 @@
-// "Check Workspace": runs `val3 check` over each folder and shows what it says.
+// "Check Workspace": runs `val3 check` over each folder and shows its output.
 
 import * as vscode from "vscode";
 import type { Walkthrough } from "../walkthrough";
@@ -10,7 +10,7 @@ export function registerCheckWorkspace(walkthrough: Walkthrough): vscode.Disposa
 async function checkWorkspace(walkthrough: Walkthrough): Promise<void> {
   const tasks = (await vscode.tasks.fetchTasks({ type: "val3" })).filter((task) => task.name === "check");
   if (tasks.length === 0) {
-    void vscode.window.showInformationMessage("Open a folder first: there is nothing to check.");
+    void vscode.window.showInformationMessage("There is no folder to check. Open one first.");
     return;
   }
   await Promise.all(tasks.map((task) => vscode.tasks.executeTask(task)));

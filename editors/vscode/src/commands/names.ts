@@ -1,6 +1,6 @@
-// Names that VAL 3 takes, and what programs are to be called before they exist.
+// Names that VAL 3 allows for new programs and applications.
 
-/** Why `name` cannot be the name of a program or an application; nothing when it can. */
+/** The reason why `name` cannot name a program or an application; nothing if it can. */
 export function nameFault(name: string, taken: (name: string) => boolean): string | undefined {
   if (!/^[A-Za-z_]\w*$/.test(name)) {
     return "A name begins with a letter and has letters, digits and underscores only.";

@@ -1,4 +1,4 @@
-// "New Application": copies the template under the name that is asked for.
+// "New Application": asks for a name and copies the template.
 
 import * as vscode from "vscode";
 import type { Walkthrough } from "../walkthrough";
@@ -31,7 +31,7 @@ async function newApplication(template: vscode.Uri, walkthrough: Walkthrough): P
   await vscode.commands.executeCommand("vscode.open", vscode.Uri.joinPath(folder, "start.pgx"));
 }
 
-/** The `usrapp` of a cell, else the workspace folder, else one that the user picks. */
+/** The `usrapp` of a cell, the workspace folder, or a folder that the user picks. */
 async function chooseFolder(): Promise<vscode.Uri | undefined> {
   const projects = await vscode.workspace.findFiles("**/usrapp/**/*.pjx", undefined, 1000);
   const roots = projects.map((uri) => uri.with({ path: uri.path.replace(/(\/usrapp)\/.*$/, "$1") }));

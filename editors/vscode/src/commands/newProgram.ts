@@ -25,7 +25,7 @@ async function newProgram(): Promise<void> {
   }
 }
 
-/** The project of the active file, else the one that the user picks. */
+/** The project of the active file, or else one that the user picks. */
 async function chooseProject(): Promise<vscode.Uri | undefined> {
   const projects = await vscode.workspace.findFiles("**/*.pjx", undefined, 1000);
   const active = vscode.window.activeTextEditor?.document.uri;

@@ -1,4 +1,4 @@
-// The page of a finding, an instruction or an error, which the server knows.
+// Opens the page of a finding, an instruction or an error, which the server provides.
 
 import * as vscode from "vscode";
 import type { Client } from "../client";
@@ -23,7 +23,7 @@ async function page(client: Client, uri: vscode.Uri): Promise<string> {
   return page?.markdown ?? `There is no page about \`${topic}\`.`;
 }
 
-/** Opens the page of `code`, or of a finding under the cursor, or of the one that is chosen. */
+/** Opens the page of `code`, of a finding under the cursor, or of a topic that the user enters. */
 async function openPage(code?: string): Promise<void> {
   const topic = code ?? (await chosen());
   if (topic !== undefined) {

@@ -1,15 +1,15 @@
-// The entry of a program in the list of its project. Knows text alone.
+// The entry of a program in the list of its project. Pure functions of texts.
 
 import type { Replacement } from "../codeView/projection";
 
-/** The project is of the dialect that controllers of the s6 series and older write. */
+/** Whether the project is in the dialect of s6 and older controllers. */
 export function isOld(project: string): boolean {
   return project.includes("ProjectNameSpace");
 }
 
 /**
- * The edit that lists `name`, in front of the first program that follows by name, else behind the last. Nothing where
- * it is listed already, or where there is no list.
+ * The edit that lists `name` before the first program that follows by name, or else after the last. Nothing if it is
+ * listed already, or if there is no list.
  */
 export function entry(project: string, name: string): Replacement | undefined {
   const eol = project.includes("\r\n") ? "\r\n" : "\n";

@@ -1,16 +1,16 @@
-// The encodings in which a file may be read, from its bytes. Knows bytes and text alone.
+// Finds the encodings in which a file can be read, from its bytes. Pure functions of bytes and texts.
 
 const UTF8_MARK = [0xef, 0xbb, 0xbf];
 const UTF16_MARKS = [[0xff, 0xfe], [0xfe, 0xff]];
-/** Takes every byte, so that any file survives in it. */
+/** Decodes every byte, so that any file can be read and saved without a change. */
 export const LATIN1 = "iso88591";
 const DECLARATION = /^<\?xml[^>]*?\sencoding\s*=\s*["']([\w.:-]+)["']/i;
-/** A declaration is short. */
+/** Number of bytes that contain the declaration. */
 const HEAD = 200;
-/** Names of encodings that VS Code knows by another name. */
+/** Names of encodings that differ in VS Code. */
 const NAMES: Record<string, string> = { latin1: LATIN1, l1: LATIN1, cp1252: "windows1252" };
 
-/** The encodings for these bytes as VS Code names them, the declared one first. None where a mark names it. */
+/** The encodings for these bytes, by VS Code's names, the declared one first. None if a byte order mark decides. */
 export function encodingsOf(bytes: Uint8Array): string[] {
   if (UTF16_MARKS.some((mark) => startsWith(bytes, mark))) {
     return [];
@@ -22,7 +22,7 @@ export function encodingsOf(bytes: Uint8Array): string[] {
   return [isValidUtf8(bytes) ? "utf8" : LATIN1];
 }
 
-/** Both names stand for the same bytes of the same text, apart from a byte order mark. */
+/** Whether both encodings give the same bytes for a text, apart from a byte order mark. */
 export function isSameEncoding(left: string, right: string): boolean {
   return left === right || (isUtf8(left) && isUtf8(right));
 }
@@ -31,12 +31,12 @@ export function isUtf8(encoding: string): boolean {
   return encoding === "utf8" || encoding === "utf8bom";
 }
 
-/** Both texts begin with the same encoding in their XML declaration, or with none. */
+/** Whether both texts declare the same encoding, or none. */
 export function isDeclaredAlike(left: Uint8Array, right: Uint8Array): boolean {
   return declaredEncoding(left) === declaredEncoding(right);
 }
 
-/** The encoding of the XML declaration. ASCII is a part of UTF-8, and UTF-16 that can be read as ASCII is none. */
+/** The encoding of the XML declaration. ASCII is a part of UTF-8. A declaration that is readable as ASCII is not UTF-16. */
 function declaredEncoding(bytes: Uint8Array): string | undefined {
   const text = startsWith(bytes, UTF8_MARK) ? bytes.subarray(UTF8_MARK.length) : bytes;
   const head = Buffer.from(text.subarray(0, HEAD)).toString("latin1");

@@ -60,7 +60,7 @@ function isOwn({ uri, languageId, encoding }: vscode.TextDocument): boolean {
   return uri.scheme === "file" && LANGUAGES.has(languageId) && !encoding.startsWith("utf16");
 }
 
-/** The encoding of a file, where its document has another. */
+/** The encoding of a file, if its document has another one. */
 async function missedEncoding(document: vscode.TextDocument): Promise<string | undefined> {
   if (!isOwn(document)) {
     return undefined;
@@ -80,7 +80,7 @@ async function encodingOf(bytes: Uint8Array): Promise<string | undefined> {
 }
 
 class Saves {
-  /** Encodings of files that VS Code is about to save in another one, by their addresses. */
+  /** The right encodings of files that VS Code is about to save in another one, by URI. */
   private readonly pending = new Map<string, string>();
 
   /** The edits without which saving would lose characters. */
@@ -105,7 +105,7 @@ class Saves {
     return this.fit(document, wanted);
   }
 
-  /** Saves a file once more where VS Code could not save it as it should be. */
+  /** Saves a file again if VS Code has saved it in the wrong encoding. */
   async finish(document: vscode.TextDocument): Promise<void> {
     rereads.delete(document);
     const encoding = this.take(document) ?? document.encoding;
@@ -128,7 +128,7 @@ class Saves {
     return encoding;
   }
 
-  /** The edits for characters that an encoding does not have: references, or else another encoding for the file. */
+  /** The edits for characters that an encoding lacks: references, or else UTF-8 as the encoding of the file. */
   private async fit(document: vscode.TextDocument, encoding: string): Promise<vscode.TextEdit[]> {
     const text = document.getText();
     if (isUtf8(encoding)) {
@@ -163,12 +163,12 @@ async function restored(document: vscode.TextDocument, bytes: Uint8Array, read: 
   const text = restore(document.getText(), await decode(bytes, read), right);
   if (text === undefined) {
     void vscode.window.showErrorMessage(`${vscode.workspace.asRelativePath(document.uri)} was not changed: it was opened as `
-      + `${read}, but holds ${encoding}, and characters would have been lost. Make the change once more.`);
+      + `${read}, but its encoding is ${encoding}, and characters would have been lost. Make the change again.`);
   }
   return [vscode.TextEdit.replace(whole(document), text ?? right)];
 }
 
-/** The letters of a text that an encoding does not have. */
+/** The letters of a text that an encoding lacks. */
 async function missingLetters(text: string, encoding: string): Promise<Set<string>> {
   const letters = [...new Set(text)].filter((letter) => letter > "\x7f");
   const kept = (await decode(await encode(letters.join("\n"), encoding), encoding)).split("\n");

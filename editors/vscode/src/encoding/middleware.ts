@@ -1,4 +1,4 @@
-// Edits of several files: each file is opened in its own encoding before VS Code opens it in another to change it.
+// Opens the files of an edit in their own encodings, before VS Code opens them in another one to apply the edit.
 
 import type * as vscode from "vscode";
 import type { Middleware } from "vscode-languageclient/node";
@@ -13,9 +13,9 @@ export const encodingMiddleware: Middleware = {
   },
 };
 
-/** The edit, once all files that it changes are open. */
+/** Returns the edit when all files that it changes are open. */
 export async function withOpenFiles<Edit extends vscode.WorkspaceEdit | null | undefined>(edit: Edit): Promise<Edit> {
-  // A file that the edit makes cannot be opened yet.
+  // A file that the edit creates cannot be opened yet.
   await Promise.allSettled((edit?.entries() ?? []).map(([uri]) => openDocument(uri)));
   return edit;
 }

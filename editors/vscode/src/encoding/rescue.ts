@@ -1,15 +1,15 @@
-// Texts of files as they must be saved, so that no character is lost. Knows text alone.
+// Computes the text with which a file must be saved so that no character is lost. Pure functions of texts.
 
 import type { Replacement } from "../codeView/projection";
 
-/** Stands for each byte sequence that could not be read. */
+/** Replaces each byte sequence that could not be decoded. */
 export const LOST = "\ufffd";
 const CDATA = /<!\[CDATA\[[^]*?(?:\]\]>|$)/g;
 
 /**
- * A text that was read in the wrong encoding and then edited, with its lost characters again. `read` is the text as it
- * was read, `right` the text of the same bytes in the right encoding. Nothing where it is no longer clear which
- * character was which.
+ * Restores the lost characters of a text that was read in the wrong encoding and then edited. `read` is the text before the
+ * edits, `right` the text of the same bytes in the right encoding. Returns nothing if the characters can no longer be
+ * identified.
  */
 export function restore(edited: string, read: string, right: string): string | undefined {
   const lost = lostCharacters(read, right);
@@ -20,7 +20,7 @@ export function restore(edited: string, read: string, right: string): string | u
   return edited.replaceAll(LOST, () => lost[next++] ?? LOST);
 }
 
-/** What stands in `right` for each lost character of `read`: the texts between them are the same. */
+/** The characters of `right` at each lost character of `read`. The texts between them are equal. */
 function lostCharacters(read: string, right: string): string[] | undefined {
   const [first = "", ...between] = read.split(LOST);
   if (!right.startsWith(first)) {
@@ -41,8 +41,8 @@ function lostCharacters(read: string, right: string): string[] | undefined {
 }
 
 /**
- * The edits that write as references what an encoding does not have. `has` says whether it has a character. Nothing where
- * such a character is in a CDATA section, in which there are no references.
+ * The edits that replace characters missing from an encoding by references; `has` returns whether it has a character.
+ * Nothing if such a character is in a CDATA section, where references are not possible.
  */
 export function asReferences(text: string, has: (character: string) => boolean): Replacement[] | undefined {
   const sections = Array.from(text.matchAll(CDATA), ({ 0: section, index }) => ({ start: index, end: index + section.length }));
@@ -54,7 +54,7 @@ export function asReferences(text: string, has: (character: string) => boolean):
   });
 }
 
-/** The edit that makes the XML declaration say UTF-8. */
+/** The edit that declares UTF-8 in the XML declaration. */
 export function asUtf8(text: string): Replacement[] {
   const [, before, name] = /^(<\?xml[^>]*?\sencoding\s*=\s*["'])([^"']*)/i.exec(text) ?? [];
   const isChanged = before !== undefined && name !== undefined && name.toLowerCase() !== "utf-8";
