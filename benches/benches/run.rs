@@ -13,7 +13,7 @@ use divan::Bencher;
 use val3_analysis::load;
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::What;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -66,10 +66,10 @@ fn run(image: Arc<Image>) -> Option<String> {
             }
         }
         match step {
-            Step::Finished => return logged,
-            Step::Idle(Some(wake)) => controller.jump(wake),
-            Step::Idle(None) | Step::Stuck | Step::Lacking => panic!("the application does not end"),
-            Step::Busy => {}
+            Outcome::Finished => return logged,
+            Outcome::Waiting(Some(wake)) => controller.jump(wake),
+            Outcome::Waiting(None) | Outcome::Stuck | Outcome::Lacking => panic!("the application does not end"),
+            _ => {}
         }
     }
 }

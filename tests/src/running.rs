@@ -7,7 +7,7 @@ use val3_analysis::load;
 use val3_analysis::system::Memory;
 use val3_bytecode::Image;
 use val3_lang::ports::{SECOND, Time};
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, What};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -88,10 +88,9 @@ impl Running {
         let step = self.controller.step();
         self.events.append(&mut self.controller.devices.take_events());
         let wake = match step {
-            Step::Busy => return true,
-            Step::Finished | Step::Lacking => return false,
-            Step::Stuck => None,
-            Step::Idle(wake) => wake,
+            Outcome::Waiting(wake) => wake,
+            Outcome::Stuck => None,
+            outcome => return !outcome.is_final(),
         };
         let next = wake.into_iter().chain(self.controller.next_due()).min();
         next.into_iter().for_each(|next| self.controller.jump(next));

@@ -16,7 +16,7 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use val3_lang::ports::nanoseconds;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::{EndReason, Event, What};
 
 use crate::application::Pace;
@@ -35,20 +35,14 @@ const EXIT_LIMIT: u8 = 3;
 /// Exit code of a run that the operator has broken off, as shells give it for Ctrl-C.
 const EXIT_BROKEN_OFF: u8 = 130;
 
-/// How a run has ended.
+/// What has ended a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum End {
-    /// The application has ended.
-    Finished,
-    /// No task can go on.
-    Stuck,
-    /// An instruction is not there.
-    Lacking,
-    /// `--until`
-    Limit,
-    /// The recording that it replays has ended, for this reason.
+    /// The controller, with its last outcome.
+    Controller(Outcome),
+    /// The recording that the run replays has ended, for this reason.
     Recorded(EndReason),
-    /// Nobody reads what it writes any more.
+    /// The reader of the output has gone.
     Unread,
     /// The operator did not want to wait for `stop`, or a signal came. With the exit code.
     BrokenOff(u8),
@@ -78,7 +72,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
 /// The record of a run that has not begun consists of its end.
 fn refuse(args: &RunArgs, code: ExitCode) -> Result<ExitCode, UserError> {
     let mut record = Record::open(args.events.as_deref())?;
-    record.write(&Event { t: 0.0, task: None, what: What::End { reason: EndReason::Refused } })?;
+    record.write(&Event { t: 0.0, task: None, what: What::End { reason: Outcome::Refused.into() } })?;
     record.flush()?;
     Ok(code)
 }
@@ -87,12 +81,12 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audie
     let has_failed = audience.has_unhandled_errors() || audience.has_diverged();
     match end {
         End::BrokenOff(code) => ExitCode::from(code),
-        End::Stuck | End::Lacking => ExitCode::FAILURE,
         End::Unread => ExitCode::SUCCESS,
-        End::Finished if has_failed => ExitCode::FAILURE,
-        End::Limit | End::Recorded(_) if has_failed || controller.has_failed_tasks() => ExitCode::FAILURE,
-        End::Limit if !args.until_ok => ExitCode::from(EXIT_LIMIT),
-        End::Finished | End::Limit | End::Recorded(_) => ExitCode::SUCCESS,
+        End::Controller(Outcome::Stuck | Outcome::Lacking) => ExitCode::FAILURE,
+        _ if has_failed => ExitCode::FAILURE,
+        End::Controller(Outcome::Limit) | End::Recorded(_) if controller.has_failed_tasks() => ExitCode::FAILURE,
+        End::Controller(Outcome::Limit) if !args.until_ok => ExitCode::from(EXIT_LIMIT),
+        End::Controller(_) | End::Recorded(_) => ExitCode::SUCCESS,
     }
 }
 
@@ -100,13 +94,13 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audie
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
     let (pace, signals) = (pace(args, audience), Signals::catch()?);
     controller.devices.interrupt = signals.flag();
+    controller.set_limit(pace.until);
     let end = loop {
-        let step = controller.step();
+        let outcome = controller.step();
         audience.tell(&controller.devices.take_events())?;
         let wish = audience.attend(controller)?;
-        let end = match step {
-            Step::Finished => Some(End::Finished),
-            Step::Lacking => Some(End::Lacking),
+        let end = match outcome {
+            Outcome::Finished | Outcome::Stopped | Outcome::Lacking => Some(End::Controller(outcome)),
             _ if wish == Wish::End => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
             _ if audience.has_left() => Some(End::Unread),
             _ => signals.exit_code().map(End::BrokenOff),
@@ -114,27 +108,25 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
         if pace.keeps_time(controller) {
             audience.flush(controller.now())?;
         }
-        if let Some(end) = end.or_else(|| wait(args, &pace, controller, audience, step)) {
+        if let Some(end) = end.or_else(|| wait(args, &pace, controller, audience, outcome)) {
             break end;
         }
     };
-    if end == End::Stuck {
+    controller.break_off();
+    if end == End::Controller(Outcome::Stuck) {
         controller.record_stuck_tasks();
     }
-    controller.devices.record_outside(controller.now(), What::End { reason: reason(end, controller) });
+    controller.devices.record_outside(controller.now(), What::End { reason: reason(end) });
     audience.tell_end(end, &controller.devices.take_events())?;
     Ok(end)
 }
 
 /// Why the run has ended, for the record.
-fn reason(end: End, controller: &Controller) -> EndReason {
+fn reason(end: End) -> EndReason {
     match end {
-        End::Finished if controller.was_stopped() => EndReason::Stopped,
-        End::Finished => EndReason::Finished,
-        End::Stuck | End::Lacking => EndReason::Error,
-        End::Limit => EndReason::Limit,
+        End::Controller(outcome) => outcome.into(),
         End::Recorded(reason) => reason,
-        End::Unread | End::BrokenOff(_) => EndReason::Stopped,
+        End::Unread | End::BrokenOff(_) => Outcome::Stopped.into(),
     }
 }
 
@@ -147,19 +139,25 @@ fn pace(args: &RunArgs, audience: &Audience) -> Pace {
 }
 
 /// Lets the time pass until something can happen; how the run ends, if nothing can.
-fn wait(args: &RunArgs, pace: &Pace, controller: &mut Controller, audience: &Audience, step: Step) -> Option<End> {
-    let goes_on = match step {
-        Step::Idle(wake) => pace.wait(controller, wake),
-        Step::Stuck => pace.wait_for_operator(controller),
-        Step::Busy | Step::Finished | Step::Lacking => {
+fn wait(
+    args: &RunArgs,
+    pace: &Pace,
+    controller: &mut Controller,
+    audience: &Audience,
+    outcome: Outcome,
+) -> Option<End> {
+    let can_continue = match outcome {
+        Outcome::Waiting(wake) => pace.wait(controller, wake),
+        Outcome::Stuck => pace.wait_for_operator(controller),
+        _ => {
             pace.follow(controller);
             true
         }
     };
     let now = controller.now();
     match audience.recording() {
-        _ if !goes_on => Some(End::Stuck),
-        _ if args.until.is_some_and(|until| now >= nanoseconds(until)) => Some(End::Limit),
+        _ if !can_continue => Some(End::Controller(Outcome::Stuck)),
+        _ if args.until.is_some_and(|until| now >= nanoseconds(until)) => Some(End::Controller(Outcome::Limit)),
         Some(recording) if recording.is_over(now) => Some(End::Recorded(recording.reason())),
         _ => None,
     }

@@ -7,10 +7,12 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_lang::fault::Fault;
 use val3_lang::ports::{CodePlace, Origin, Ports, TaskNumber, Time};
-use val3_vm::{CYCLE, Cycle, Host as _, InstanceId, Schedule, TaskState, Vm};
+use val3_vm::{CYCLE, Host as _, InstanceId, Schedule, TaskState, Vm};
 
 use crate::devices::Devices;
 use crate::script::Script;
+
+pub use val3_vm::Outcome;
 
 pub use positions::{Activity, TaskPosition};
 
@@ -43,21 +45,6 @@ enum Phase {
     Stopping,
     /// It has no tasks any more.
     Stopped,
-}
-
-/// What a step came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
-    /// Tasks have run, or may in the next cycle.
-    Busy,
-    /// All tasks wait until this time, or for what comes from outside.
-    Idle(Option<Time>),
-    /// Every task has ended, and so has `stop`.
-    Finished,
-    /// No task can go on: each is halted or in error.
-    Stuck,
-    /// A task is at an instruction that this controller does not have: what would happen from here on is not known.
-    Lacking,
 }
 
 /// Why a program cannot be started.
@@ -136,12 +123,6 @@ impl Controller {
         }
     }
 
-    /// It was stopped from outside.
-    #[must_use]
-    pub fn was_stopped(&self) -> bool {
-        self.stopped
-    }
-
     /// Kills a task from outside. One that is not there any more is none.
     pub fn kill(&mut self, id: TaskNumber) {
         self.devices.origin(self.outside());
@@ -182,40 +163,69 @@ impl Controller {
         }
     }
 
-    /// As [`step`](Self::step); the application does not stop when its tasks have ended.
-    pub fn step_tasks(&mut self) -> Step {
-        let cycle = self.cycle();
-        let lacks = std::mem::take(&mut self.devices.lacks);
-        match cycle {
-            _ if lacks => Step::Lacking,
-            _ if self.vm.tasks().is_empty() => Step::Finished,
-            _ if self.is_stuck() => Step::Stuck,
-            Cycle::Idle { wake, watches_clock: false } => Step::Idle(wake),
-            _ => Step::Busy,
-        }
-    }
-
     /// Runs a cycle of 4 ms: inputs, synchronous tasks, asynchronous tasks, outputs.
-    pub fn step(&mut self) -> Step {
-        let cycle = self.cycle();
-        let lacks = std::mem::take(&mut self.devices.lacks);
+    ///
+    /// After [`Suspended`](Outcome::Suspended) and [`Limit`](Outcome::Limit) the cycle is not over, and the next call
+    /// resumes it.
+    pub fn step(&mut self) -> Outcome {
+        let outcome = self.cycle();
+        if self.schedule.is_within_cycle() {
+            return outcome;
+        }
         self.advance_phase();
-        match (self.phase, cycle) {
-            _ if lacks => Step::Lacking,
-            (Phase::Stopped, _) => Step::Finished,
-            _ if self.is_stuck() => Step::Stuck,
-            (_, Cycle::Idle { wake, watches_clock: false }) => Step::Idle(wake),
-            _ => Step::Busy,
+        let is_over = (self.phase == Phase::Stopped).then_some(self.end_of_application());
+        self.outcome(outcome, is_over)
+    }
+
+    /// As [`step`](Self::step), but the application does not stop when its tasks have ended.
+    pub fn step_tasks(&mut self) -> Outcome {
+        let outcome = self.cycle();
+        if self.schedule.is_within_cycle() {
+            return outcome;
+        }
+        let is_over = self.vm.tasks().is_empty().then_some(Outcome::Finished);
+        self.outcome(outcome, is_over)
+    }
+
+    /// The outcome of a cycle that is over, for the application as a whole.
+    fn outcome(&mut self, cycle: Outcome, is_over: Option<Outcome>) -> Outcome {
+        match is_over {
+            _ if std::mem::take(&mut self.devices.lacks) => Outcome::Lacking,
+            Some(outcome) => outcome,
+            None if self.is_stuck() => Outcome::Stuck,
+            None => cycle,
         }
     }
 
-    fn cycle(&mut self) -> Cycle {
-        let start = self.schedule.now;
-        self.follow_script(start);
-        self.devices.begin_cycle(start);
-        let (cycle, end) = self.schedule.cycle(&mut self.vm, &mut self.devices);
-        self.devices.end_cycle(end);
-        cycle
+    fn end_of_application(&self) -> Outcome {
+        if self.stopped { Outcome::Stopped } else { Outcome::Finished }
+    }
+
+    /// Begins a cycle or resumes the one that is not over.
+    fn cycle(&mut self) -> Outcome {
+        if !self.schedule.is_within_cycle() {
+            let start = self.schedule.now;
+            self.follow_script(start);
+            self.devices.begin_cycle(start);
+        }
+        let end = self.schedule.cycle_end();
+        let outcome = self.schedule.cycle(&mut self.vm, &mut self.devices);
+        if !self.schedule.is_within_cycle() {
+            self.devices.end_cycle(end);
+        }
+        outcome
+    }
+
+    /// Ends the run in the middle of a cycle: outputs and answers of lines up to now are recorded.
+    pub fn break_off(&mut self) {
+        if self.schedule.is_within_cycle() {
+            self.devices.end_cycle(self.schedule.now);
+        }
+    }
+
+    /// Sets the time at which the run stops, also in the middle of a cycle.
+    pub fn set_limit(&mut self, limit: Option<Time>) {
+        self.schedule.limit = limit;
     }
 
     /// Leaves out the time until the cycle of `time`: nothing can happen before.

@@ -5,6 +5,7 @@ mod cycle;
 mod instances;
 mod io;
 mod libraries;
+mod limits;
 mod lines;
 mod media;
 mod motion;
@@ -28,13 +29,11 @@ use crate::io::IoTable;
 use crate::screen::{Pendant, ReadingId};
 
 pub use io::NoSignal;
+pub use limits::Limits;
 
 use instances::Held;
 pub use lines::Lines;
 pub use motion::StandingArm;
-
-/// Bytes of events after which a cycle is broken off, so that they are taken.
-const MOST_RECORDED: usize = 64 << 20;
 
 /// Everything of the controller but its programs.
 pub struct Devices {
@@ -69,6 +68,8 @@ pub struct Devices {
     /// While set, each cycle ends after the current instruction, so that the caller can end the run even in a loop of
     /// slow instructions.
     pub interrupt: Arc<AtomicBool>,
+    /// How much the devices hold for programs.
+    pub limits: Limits,
     /// What the last instruction has taken outside the program.
     elapsed: Time,
     /// What has happened and was not taken yet.
@@ -120,6 +121,7 @@ impl Devices {
             files: OpenFiles::default(),
             libraries,
             interrupt: Arc::default(),
+            limits: Limits::default(),
             elapsed: 0,
             events: Vec::new(),
             recorded: 0,

@@ -4,6 +4,7 @@
 
 use serde::{Deserialize, Serialize};
 use val3_lang::ports::{SECOND, Time};
+use val3_vm::Outcome;
 
 use crate::sio::Entry;
 
@@ -186,7 +187,7 @@ pub enum What {
     },
 }
 
-/// Why a run is over.
+/// Why a run is over, as the record of a run has it: the serialised form of an [`Outcome`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {
@@ -200,6 +201,20 @@ pub enum EndReason {
     Error,
     /// The application was not started because of its faults.
     Refused,
+}
+
+impl From<Outcome> for EndReason {
+    fn from(outcome: Outcome) -> Self {
+        match outcome {
+            Outcome::Finished => Self::Finished,
+            Outcome::Limit => Self::Limit,
+            Outcome::Stopped | Outcome::Suspended => Self::Stopped,
+            Outcome::Refused => Self::Refused,
+            Outcome::Stuck | Outcome::Lacking | Outcome::Failed(_) | Outcome::Halted => Self::Error,
+            // The caller has ended a run that could continue.
+            Outcome::Busy | Outcome::Waiting(_) | Outcome::Pausing(_) => Self::Stopped,
+        }
+    }
 }
 
 /// Seconds of a time.

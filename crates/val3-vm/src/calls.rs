@@ -8,11 +8,11 @@ use val3_lang::fault::{Fault, Result};
 use crate::arguments::place;
 use crate::enter::{enter, enter_plain, get, leave, pass, write};
 use crate::instance::Imported;
-use crate::machine::Machine;
 use crate::task::Base;
+use crate::turn_context::TurnContext;
 use crate::{Frame, InstanceId};
 
-impl Machine<'_> {
+impl TurnContext<'_> {
     /// The frame of a program that is called, with its arguments; it returns to the step and line at `back`.
     ///
     /// The frame is made in registers: one that is written and read again at once costs more than all of the rest.

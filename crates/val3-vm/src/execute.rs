@@ -15,10 +15,10 @@ use crate::arithmetic::{is_beyond, remainder, truth};
 use crate::calls::program_of;
 use crate::enter::leave;
 use crate::instance::Imported;
-use crate::machine::Machine;
 use crate::task::Thread;
+use crate::turn_context::TurnContext;
 use crate::window::{Narrow, Window};
-use crate::{Frame, Instance, Stop};
+use crate::{Frame, Instance, Outcome};
 
 /// Where the interpreter is, and the lines that it may still begin.
 pub(crate) struct Cursor {
@@ -34,7 +34,7 @@ pub(crate) enum Leave {
     /// The task goes on in a program of another application, or with a frame of another width.
     Elsewhere,
     /// The turn is over.
-    Turn(Stop),
+    Turn(Outcome),
 }
 
 /// A container of the frame or of a library, where there is one: parts, views and applications are those of the
@@ -58,9 +58,9 @@ fn container(
     }
 }
 
-impl Machine<'_> {
+impl TurnContext<'_> {
     /// Executes lines until the budget is used up or the turn ends.
-    pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<Stop> {
+    pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<Outcome> {
         loop {
             let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
             let instance = self.instance(frame.instance)?;
@@ -171,7 +171,7 @@ impl Machine<'_> {
             if step.line {
                 match at.budget.checked_sub(1) {
                     Some(left) => at.budget = left,
-                    None => return Ok(Leave::Turn(Stop::Budget)),
+                    None => return Ok(Leave::Turn(Outcome::Busy)),
                 }
                 #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more steps")]
                 (at.line = at.next as u32);
@@ -312,7 +312,7 @@ impl Machine<'_> {
                     leave(&mut self.space.memory, &frame.base);
                     let [.., caller, _] = thread.frames.as_slice() else {
                         // The frame stays: it tells where the task has ended.
-                        return Ok(Leave::Turn(Stop::Ended));
+                        return Ok(Leave::Turn(Outcome::Finished));
                     };
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
                     let caller = *caller;
@@ -322,7 +322,7 @@ impl Machine<'_> {
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
                     if let Some(stop) = outside!(self.instruction(thread, image, (&frame, at.line), site))? {
-                        at.next -= usize::from(stop == Stop::Waits);
+                        at.next -= usize::from(matches!(stop, Outcome::Waiting(_)));
                         return Ok(Leave::Turn(stop));
                     }
                 }
@@ -334,14 +334,14 @@ impl Machine<'_> {
                     if nums.get(condition)? == 0.0 {
                         thread.wait = Some(Wait::default());
                         at.next = retry as usize;
-                        return Ok(Leave::Turn(Stop::Waits));
+                        return Ok(Leave::Turn(Outcome::Waiting(None)));
                     }
                 }
                 Op::Watch { to, condition, seconds, retry } => {
                     let (holds, seconds) = (nums.get(condition)? != 0.0, nums.get(seconds)?);
                     let Some(answer) = outside!(self.watch(thread, holds, seconds)) else {
                         at.next = retry as usize;
-                        return Ok(Leave::Turn(Stop::Waits));
+                        return Ok(Leave::Turn(Outcome::Waiting(thread.wait.and_then(|wait| wait.wake))));
                     };
                     nums.set(to, truth(answer))?;
                 }

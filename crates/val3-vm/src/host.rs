@@ -13,8 +13,8 @@ pub trait Host: Ports {
     /// The time that the last instruction has taken outside the program, such as on a medium; 0 when asked again.
     fn take_elapsed(&mut self) -> Time;
 
-    /// Whether the cycle has to end after the current instruction: the run is to end, or the caller has to take the
-    /// recorded events first.
+    /// The cycle has to stop after the current instruction: the run is to end, or the caller has to take the recorded
+    /// events first. The cycle resumes with the next call.
     fn is_interrupted(&self) -> bool;
 
     /// The task that runs is at an instruction that this controller does not have.

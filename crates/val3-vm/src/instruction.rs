@@ -8,12 +8,12 @@ use val3_lang::memory::Memory;
 use val3_lang::ports::{Ports, Tasks, Time, nanoseconds};
 
 use crate::arguments::place;
-use crate::machine::Machine;
 use crate::services::{Changes, Services};
 use crate::task::Thread;
-use crate::{Frame, Stop, TaskState};
+use crate::turn_context::TurnContext;
+use crate::{Frame, Outcome, TaskState};
 
-impl Machine<'_> {
+impl TurnContext<'_> {
     /// Executes an instruction; `Some` if the turn ends with it.
     pub(crate) fn instruction(
         &mut self,
@@ -21,12 +21,12 @@ impl Machine<'_> {
         image: &Image,
         (frame, line): (&Frame, u32),
         site: &InstructionSite,
-    ) -> Result<Option<Stop>> {
+    ) -> Result<Option<Outcome>> {
         let now = self.now();
         self.ports.origin(self.origin(now, frame, line));
         let Some(Handler(run)) = site.run else {
             self.ports.lacking(&site.name);
-            return Ok(Some(Stop::Lacking));
+            return Ok(Some(Outcome::Lacking));
         };
         let scope = self.scope(frame)?;
         let mut arguments = SmallVec::<[Argument; 4]>::new();
@@ -60,22 +60,21 @@ impl Machine<'_> {
             Flow::Wait(wait) => {
                 thread.waiting = Some(Waiting::then(thread.waiting, wait, now));
                 thread.wait = Some(wait);
-                return Ok(Some(Stop::Waits));
+                return Ok(Some(Outcome::Waiting(wait.wake)));
             }
         }
-        Ok(if is_stopped { Some(Stop::Halted) } else { self.pause(thread, now) })
+        Ok(if is_stopped { Some(Outcome::Halted) } else { self.pause(thread, now) })
     }
 
-    /// Lets the task pause as long as the instruction that it has executed takes outside the program. Where the run is
-    /// interrupted, the turn is over too.
-    fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<Stop> {
+    /// Ends the turn after an instruction that takes time outside the program, and suspends it where the host interrupts.
+    fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<Outcome> {
         let elapsed = self.ports.take_elapsed();
-        if elapsed == 0 && !self.ports.is_interrupted() {
-            return None;
+        if elapsed == 0 {
+            return self.ports.is_interrupted().then_some(Outcome::Suspended);
         }
         let wake = now.saturating_add(elapsed);
         thread.wait = Some(Wait { wake: Some(wake), sleeps: true, part: 0 });
-        Some(Stop::Pauses(wake))
+        Some(Outcome::Pausing(wake))
     }
 
     /// The task has halted or killed itself.

@@ -1,7 +1,7 @@
 //! Runs images: tasks, frames of programs, data, scheduling.
 //!
-//! The machine knows no clock, no input and no arm: instructions reach them through ports. One run of the same images
-//! with the same answers of the ports gives the same steps.
+//! This crate has no clock, no input and no arm: instructions reach them through ports. Runs of the same images with the
+//! same answers of the ports execute the same operations.
 
 mod arguments;
 mod arithmetic;
@@ -13,7 +13,7 @@ mod instance;
 mod instruction;
 mod interface;
 mod libraries;
-mod machine;
+mod outcome;
 mod resume;
 mod roster;
 mod schedule;
@@ -21,6 +21,7 @@ mod services;
 mod space;
 mod task;
 mod turn;
+mod turn_context;
 mod usage;
 mod values;
 mod vm;
@@ -28,8 +29,9 @@ mod window;
 
 pub use host::{Host, LibraryOp, Loaded};
 pub use instance::{Imported, Instance, InstanceId};
-pub use schedule::{CYCLE, Cycle, Schedule};
+pub use outcome::Outcome;
+pub use schedule::{CYCLE, Schedule};
 pub use space::Space;
 pub use task::{Base, Frame, Rate, Task, TaskState, Thread};
-pub use turn::{Grant, Stop, Turn};
+pub use turn::{Grant, TurnReport};
 pub use vm::Vm;

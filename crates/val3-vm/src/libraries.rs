@@ -6,14 +6,14 @@ use val3_lang::fault::Fault;
 use val3_lang::library_errors as code;
 use val3_lang::ports::Request;
 
-use crate::machine::Machine;
 use crate::task::Thread;
+use crate::turn_context::TurnContext;
 use crate::{Host, InstanceId, LibraryOp, Space};
 
 /// The application, which is the first in memory and never leaves it.
 const APPLICATION: InstanceId = InstanceId(0);
 
-impl Machine<'_> {
+impl TurnContext<'_> {
     /// Does what an instruction has asked for; the code it comes to.
     pub(crate) fn fulfil(&mut self, thread: &Thread, owner: InstanceId, request: Request) -> f64 {
         let (op, library, path) = match request {

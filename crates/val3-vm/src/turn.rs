@@ -10,76 +10,58 @@ use val3_lang::tasks::{period_steps, priority};
 
 use crate::arguments::{Given, on_frame, place};
 use crate::enter::enter_with;
-use crate::machine::Machine;
 use crate::task::{Base, NewThread, Thread};
-use crate::{CYCLE, Frame, InstanceId, Rate};
+use crate::turn_context::TurnContext;
+use crate::{CYCLE, Frame, InstanceId, Outcome, Rate};
 
-/// Why a turn has ended.
+/// The result of a turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stop {
-    /// Its lines are used up.
-    Budget,
-    /// It waits.
-    Waits,
-    /// It pauses after an instruction until this time, while an access outside the program takes its time.
-    Pauses(Time),
-    /// Its program has ended.
-    Ended,
-    /// It has halted or killed itself.
-    Halted,
-    /// An error has stopped it.
-    Failed(Fault),
-    /// It is at an instruction that the controller lacks: it cannot go on.
-    Lacking,
-}
-
-/// What a turn came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Turn {
-    /// Why it has ended.
-    pub stop: Stop,
-    /// The lines it has executed.
+pub struct TurnReport {
+    /// Why it has stopped.
+    pub outcome: Outcome,
+    /// The number of lines that were executed.
     pub lines: u32,
-    /// The lines that are left, where it was interrupted.
+    /// The number of lines that are left of a turn that is [`Busy`](Outcome::Busy) or
+    /// [`Suspended`](Outcome::Suspended); 0 for any other.
     pub left: u32,
-    /// Something asked for the time.
+    /// The task has read the clock.
     pub reads_clock: bool,
 }
 
-/// The lines that a task may execute.
+/// The lines that a task may execute before it returns to the scheduler.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Grant {
-    /// In the turn that begins or goes on.
+    /// In the current turn.
     pub first: u32,
-    /// In each of the turns that follow at once, as long as no other task can run; 0 where one can.
-    pub each: u32,
-    /// In all.
-    pub most: u32,
+    /// In each turn that follows immediately while no other task can run; 0 where another one can.
+    pub per_turn: u32,
+    /// In total.
+    pub limit: u32,
 }
 
 impl Grant {
-    /// One turn.
+    /// A single turn.
     #[must_use]
     pub const fn once(lines: u32) -> Self {
-        Self { first: lines, each: 0, most: lines }
+        Self { first: lines, per_turn: 0, limit: lines }
     }
 
     /// The lines that may be executed if no other task becomes able to run.
     pub(crate) fn budget(self) -> u32 {
-        if self.each == 0 { self.most.min(self.first) } else { self.most }
+        if self.per_turn == 0 { self.limit.min(self.first) } else { self.limit }
     }
 
-    /// What is left of the turn that the last of `lines` lines is in.
+    /// The number of lines left of the turn that contains the last of `lines` lines.
     pub(crate) fn left(self, lines: u32) -> u32 {
         match lines.checked_sub(self.first) {
-            Some(more) if self.each > 0 => more.next_multiple_of(self.each) - more,
+            Some(more) if self.per_turn > 0 => more.next_multiple_of(self.per_turn) - more,
             _ => self.first.saturating_sub(lines),
         }
     }
 }
 
-impl Machine<'_> {
-    /// Another task may be able to run: it has its turn when this one is over.
+impl TurnContext<'_> {
+    /// Ends the grant with the current turn, because another task may be able to run after it.
     pub(crate) fn end_with_turn(&mut self) {
         let left = self.budget.min(self.grant.left(self.granted - self.budget));
         let cut = self.budget - left;
@@ -175,12 +157,12 @@ mod tests {
 
     #[test]
     fn turns_that_follow_one_another_end_where_single_ones_do() {
-        let alone = Grant { first: 3, each: 10, most: 2000 };
+        let alone = Grant { first: 3, per_turn: 10, limit: 2000 };
         assert_eq!(alone.budget(), 2000);
         assert_eq!([0, 1, 3, 4, 13, 14, 23].map(|lines| alone.left(lines)), [3, 2, 0, 9, 0, 9, 0]);
-        let among_others = Grant { each: 0, ..alone };
+        let among_others = Grant { per_turn: 0, ..alone };
         assert_eq!(among_others.budget(), 3);
         assert_eq!([0, 1, 3].map(|lines| among_others.left(lines)), [3, 2, 0]);
-        assert_eq!(Grant { most: 2, ..among_others }.budget(), 2);
+        assert_eq!(Grant { limit: 2, ..among_others }.budget(), 2);
     }
 }

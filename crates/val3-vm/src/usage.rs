@@ -3,11 +3,11 @@
 use val3_bytecode::Passing;
 use val3_lang::memory::{Stack, StoreId};
 
-use crate::machine::Machine;
 use crate::task::Thread;
+use crate::turn_context::TurnContext;
 use crate::{Frame, InstanceId, Rate};
 
-impl Machine<'_> {
+impl TurnContext<'_> {
     /// A program that some task is in was called with data of a library by reference, or a synchronous task tells of its
     /// overruns there. The task that runs has lent its stack to the memory.
     pub(crate) fn is_referred_to(&self, running: &Thread, library: InstanceId) -> bool {

@@ -8,9 +8,9 @@ use val3_lang::values::Text;
 use crate::Frame;
 use crate::arguments::{located, place};
 use crate::arithmetic::{concatenate, truth};
-use crate::machine::Machine;
+use crate::turn_context::TurnContext;
 
-impl Machine<'_> {
+impl TurnContext<'_> {
     /// Executes an operation that does more than compute numbers.
     #[inline(never)]
     pub(crate) fn on_values(&mut self, op: Op, frame: &Frame, program: &Program) -> Result<()> {

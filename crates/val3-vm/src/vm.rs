@@ -4,10 +4,10 @@ use val3_lang::fault::Fault;
 use val3_lang::ports::{TaskChange, TaskNumber, Time};
 
 use crate::enter::leave;
-use crate::machine::Machine;
 use crate::roster::Roster;
 use crate::task::{Base, NewThread, Thread};
-use crate::{Grant, Host, InstanceId, Rate, Space, Stop, Task, TaskState, Turn};
+use crate::turn_context::TurnContext;
+use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, TurnReport};
 
 /// Applications and libraries in memory, and the tasks that run.
 #[derive(Debug, Clone, Default)]
@@ -39,44 +39,51 @@ impl Vm {
     ) -> Result<TaskNumber, Fault> {
         let id = self.roster.new_id();
         let stack_size = self.space.instance(instance).map_or(0, |instance| instance.image.stack_size);
-        let mut machine = self.machine(id, Grant::once(0), (0, 0), stack_size, host);
-        let thread = machine.new_thread((instance, program), &[])?;
+        let mut context = self.turn_context(id, Grant::once(0), (0, 0), stack_size, host);
+        let thread = context.new_thread((instance, program), &[])?;
         host.task(id, name, TaskChange::Created, thread.place());
         self.roster.add(id, name, instance, Rate::Priority(priority), NewThread { thread, stack_size });
         Ok(id)
     }
 
     /// Gives a task its turn: lines of `line_cost` nanoseconds each, from `now` on.
-    pub fn turn(&mut self, id: TaskNumber, grant: Grant, (now, line_cost): (Time, Time), host: &mut dyn Host) -> Turn {
-        let nothing = Turn { stop: Stop::Waits, lines: 0, left: 0, reads_clock: false };
+    pub fn turn(
+        &mut self,
+        id: TaskNumber,
+        grant: Grant,
+        (now, line_cost): (Time, Time),
+        host: &mut dyn Host,
+    ) -> TurnReport {
+        let nothing = TurnReport { outcome: Outcome::Waiting(None), lines: 0, left: 0, reads_clock: false };
         let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) else { return nothing };
         let stack_size = task.stack_size;
         let mut thread = std::mem::replace(&mut task.thread, self.idle.take().unwrap_or_default());
         thread.wait = None;
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
-        let mut machine = self.machine(id, grant, (now, line_cost), stack_size, host);
-        let stop = machine.interpret(&mut thread).unwrap_or_else(Stop::Failed);
+        let mut context = self.turn_context(id, grant, (now, line_cost), stack_size, host);
+        let outcome = context.interpret(&mut thread).unwrap_or_else(Outcome::Failed);
         if let Some(frame) = thread.frames.last() {
-            machine.ports.origin(machine.origin(machine.now(), frame, thread.line));
+            context.ports.origin(context.origin(context.now(), frame, thread.line));
         }
-        let lines = machine.granted - machine.budget;
-        let left = if stop == Stop::Budget { grant.left(lines) } else { 0 };
-        let turn = Turn { stop, lines, left, reads_clock: machine.reads_clock };
+        let lines = context.granted - context.budget;
+        let is_unfinished = matches!(outcome, Outcome::Busy | Outcome::Suspended);
+        let left = if is_unfinished { grant.left(lines) } else { 0 };
+        let report = TurnReport { outcome, lines, left, reads_clock: context.reads_clock };
         std::mem::swap(&mut self.space.memory.stack, &mut thread.stack);
-        self.settle(id, thread, stop, host);
-        turn
+        self.settle(id, thread, outcome, host);
+        report
     }
 
-    fn machine<'v>(
+    fn turn_context<'v>(
         &'v mut self,
         task: TaskNumber,
         grant: Grant,
         (now, line_cost): (Time, Time),
         stack_size: u32,
         host: &'v mut dyn Host,
-    ) -> Machine<'v> {
+    ) -> TurnContext<'v> {
         let budget = grant.budget();
-        Machine {
+        TurnContext {
             space: &mut self.space,
             roster: &mut self.roster,
             ports: host,
@@ -92,20 +99,20 @@ impl Vm {
     }
 
     /// Puts the thread of a task back after its turn.
-    fn settle(&mut self, id: TaskNumber, mut thread: Box<Thread>, stop: Stop, host: &mut dyn Host) {
+    fn settle(&mut self, id: TaskNumber, mut thread: Box<Thread>, outcome: Outcome, host: &mut dyn Host) {
         let Some(at) = self.roster.position(id) else { return };
         let Some(task) = self.roster.tasks.get_mut(at) else { return };
-        match stop {
-            Stop::Failed(fault) => {
+        match outcome {
+            Outcome::Failed(fault) => {
                 task.state = TaskState::Failed(fault);
                 thread.go_to_line(thread.line);
                 host.task(id, &task.name, TaskChange::Failed(fault), None);
             }
-            Stop::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
-            Stop::Ended | Stop::Budget | Stop::Waits | Stop::Pauses(_) | Stop::Halted => {}
+            Outcome::Lacking => task.state = TaskState::Failed(Fault::INTERPRETER),
+            _ => {}
         }
         self.idle = Some(std::mem::replace(&mut task.thread, thread));
-        if stop == Stop::Ended
+        if outcome == Outcome::Finished
             && let Some(task) = self.roster.end(at)
         {
             host.task(id, &task.name, TaskChange::Ended, None);
@@ -129,7 +136,7 @@ impl Vm {
         self.roster.tasks.get_mut(at).map(|task| &mut task.rate)
     }
 
-    /// The lines that a task has left of a turn that the end of a cycle has interrupted.
+    /// Keeps the number of lines that an unfinished turn has left.
     pub(crate) fn set_left(&mut self, id: TaskNumber, left: u32) {
         if let Some(task) = self.roster.position(id).and_then(|at| self.roster.tasks.get_mut(at)) {
             task.left = left;

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use val3_bytecode::Image;
 use val3_lang::ports::TaskNumber;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_vm::TaskState;
 
 use super::answer::Answer;
@@ -67,18 +67,18 @@ impl Execution {
 
     /// Whether the text has ended, with what has kept it from its own end; else lets the time pass until something can
     /// happen.
-    fn end(&mut self, task: TaskNumber, step: Step) -> Option<Option<&'static str>> {
+    fn end(&mut self, task: TaskNumber, step: Outcome) -> Option<Option<&'static str>> {
         let state = self.controller.vm.tasks().iter().find(|known| known.id == task).map(|task| task.state);
         let goes_on = match (state, step) {
             (None | Some(TaskState::Failed(_)), _) => return Some(None),
             _ if self.interrupt.take() => return Some(Some("interrupted")),
-            (_, Step::Lacking) => {
+            (_, Outcome::Lacking) => {
                 self.controller.kill_tasks();
                 return Some(None);
             }
-            (_, Step::Idle(wake)) => self.pace.wait(&mut self.controller, wake),
-            (_, Step::Stuck | Step::Finished) => false,
-            (_, Step::Busy) => {
+            (_, Outcome::Waiting(wake)) => self.pace.wait(&mut self.controller, wake),
+            (_, outcome) if outcome.is_final() => false,
+            _ => {
                 self.pace.follow(&self.controller);
                 true
             }

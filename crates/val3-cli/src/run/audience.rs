@@ -1,7 +1,7 @@
 //! Who follows a run: the record, and people.
 
 use val3_lang::ports::Time;
-use val3_machine::controller::Controller;
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::{Event, seconds};
 
 use super::End;
@@ -45,7 +45,7 @@ impl Audience {
 
     /// Tells the last events of a run. A recording that goes beyond `--until` is not compared any further.
     pub(super) fn tell_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
-        if matches!(end, End::Limit | End::BrokenOff(_) | End::Unread) {
+        if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread) {
             let recording = self.recording.take();
             self.tell(events)?;
             self.recording = recording;

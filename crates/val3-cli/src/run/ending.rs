@@ -3,7 +3,7 @@
 use std::fs;
 use std::io::{self, Write};
 
-use val3_machine::controller::{Controller, TaskPosition};
+use val3_machine::controller::{Controller, Outcome, TaskPosition};
 use val3_machine::event::seconds;
 use val3_syntax::encoding::decode;
 
@@ -31,17 +31,17 @@ impl Console {
         let now = seconds(controller.now());
         match end {
             // The errors of tasks are shown with their lines.
-            End::Stuck if controller.has_only_failed_tasks() => {}
-            End::Stuck => {
+            End::Controller(Outcome::Stuck) if controller.has_only_failed_tasks() => {}
+            End::Controller(Outcome::Stuck) => {
                 self.list(&format!("error: no task can continue after {now} s"), UNSTICK, controller);
             }
-            End::Limit if !args.until_ok => {
+            End::Controller(Outcome::Limit) if !args.until_ok => {
                 self.list(&format!("note: the run was ended after {now} s (--until)"), EXPECTED, controller);
             }
             End::BrokenOff(_) if !args.interactive => {
                 self.list(&format!("note: the run was interrupted after {now} s"), RECORDED, controller);
             }
-            End::Limit | End::Finished | End::Lacking | End::Recorded(_) | End::Unread | End::BrokenOff(_) => {}
+            End::Controller(_) | End::Recorded(_) | End::Unread | End::BrokenOff(_) => {}
         }
     }
 

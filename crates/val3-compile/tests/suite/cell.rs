@@ -11,7 +11,7 @@ use val3_analysis::problem::ProblemKind;
 use val3_analysis::system::Memory;
 use val3_bytecode::Image;
 use val3_lang::ports::Time;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, What};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -126,9 +126,9 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
         let step = controller.step();
         events.extend(controller.devices.take_events());
         match step {
-            Step::Finished | Step::Stuck | Step::Lacking => return events,
-            Step::Idle(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
-            Step::Idle(_) | Step::Busy => {}
+            outcome if outcome.is_final() => return events,
+            Outcome::Waiting(Some(wake)) if !controller.hears_outside() => controller.jump(wake),
+            _ => {}
         }
     }
     panic!("goes on: {}", shown(&events));

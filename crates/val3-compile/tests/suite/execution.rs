@@ -5,7 +5,7 @@ use std::sync::Arc;
 use expect_test::{Expect, expect};
 use val3_bytecode::Image;
 use val3_lang::ports::Time;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, What};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -42,9 +42,9 @@ pub(crate) fn events(image: &Arc<Image>, line_cost: Time) -> Vec<Event> {
         let step = controller.step();
         events.extend(controller.devices.take_events());
         match step {
-            Step::Finished | Step::Stuck | Step::Lacking => return events,
-            Step::Idle(Some(wake)) => controller.jump(wake),
-            Step::Idle(None) | Step::Busy => {}
+            outcome if outcome.is_final() => return events,
+            Outcome::Waiting(Some(wake)) => controller.jump(wake),
+            _ => {}
         }
     }
     panic!("goes on: {events:?}");

@@ -170,6 +170,38 @@ fn other_tasks_run_while_one_waits() {
     assert_eq!(shown(&events), "five 5\n");
 }
 
+/// Two tasks send while the peer takes nothing: the one that exceeds the limit fails.
+#[test]
+fn the_bytes_that_tasks_have_to_send_are_limited() {
+    let lines = |bytes: usize| {
+        let cell = Cell::new(&format!(
+            "program other()\nbegin\nsiHost=\"123456789\"\nend\nprogram start()\nbegin\n\
+             taskCreate \"o\",10,other()\ndelay(0)\nsiHost=\"123456789\"\nend\n{DATA}"
+        ));
+        let (mut controller, peer) = connected(&cell, LineKind::Client);
+        controller.devices.limits.pending = bytes;
+        peer.stall_after(0);
+        (0..10).for_each(|_| _ = controller.step());
+        shown(&controller.devices.take_events())
+    };
+    assert_eq!(lines(20), "");
+    assert!(lines(19).starts_with("error 40"), "{}", lines(19));
+}
+
+/// A cycle whose events need too much memory stops until the caller has taken them, and the events are the same.
+#[test]
+fn a_cycle_with_too_many_events_is_suspended() {
+    let cell = cell("while nByte<100\nnByte=nByte+1\n? nByte\nendWhile");
+    let whole = run(&mut cell.controller(), |_| {});
+    let mut controller = cell.controller();
+    controller.devices.limits.recorded = 1000;
+    controller.step();
+    assert!(controller.devices.take_events().len() < 20);
+    let mut controller = cell.controller();
+    controller.devices.limits.recorded = 1000;
+    assert_eq!(run(&mut controller, |_| {}), whole);
+}
+
 #[test]
 fn what_goes_over_a_line_is_told() {
     let (mut controller, peer) = connected(&cell("sText=siHost\nsiHost=sText\nnByte=siHost"), LineKind::Client);

@@ -2,6 +2,9 @@
 
 use expect_test::expect;
 
+use val3_machine::controller::Outcome;
+use val3_machine::event::What;
+
 use crate::cell::Cell;
 
 #[test]
@@ -234,6 +237,48 @@ fn an_interrupt_ends_the_cycle_after_the_instruction() {
         assert_eq!(controller.devices.take_events().len(), 1);
         assert!(controller.now() > before && controller.now() - before < 10_000);
     }
+}
+
+/// A loop that writes to an open file, 40 times in a cycle.
+const WRITING: &str = r#"
+    num nFile
+    string sLines[1]
+    bool bLate
+    program write()
+    begin
+      nFile=$fileOpen("./log.txt","w")
+      while true
+        $fileSet(nFile,sLines,1)
+        ? "written"
+      endWhile
+    end
+    "#;
+
+/// The limit of a run ends it after the access that reaches the limit, not at the end of the cycle.
+#[track_caller]
+fn stops_at_its_limit(start: &str) {
+    const LIMIT: u64 = 9_000_000;
+    let cell = Cell::new(&format!("{WRITING}program start()\nbegin\n{start}\nend\n"));
+    let mut controller = cell.controller();
+    controller.set_limit(Some(LIMIT));
+    while controller.step() != Outcome::Limit {}
+    let written =
+        controller.devices.take_events().iter().filter(|event| matches!(event.what, What::Print { .. })).count();
+    assert!((LIMIT..LIMIT + 200_000).contains(&controller.now()), "{}", controller.now());
+    assert!((9..50).contains(&written), "{written}");
+    controller.set_limit(Some(2 * LIMIT));
+    while controller.step() != Outcome::Limit {}
+    assert!(controller.now() >= 2 * LIMIT);
+}
+
+#[test]
+fn the_limit_of_a_run_ends_a_loop_of_file_accesses() {
+    stops_at_its_limit("call write()");
+}
+
+#[test]
+fn the_limit_of_a_run_ends_a_synchronous_task() {
+    stops_at_its_limit("taskCreateSync \"sync\",0.004,bLate,write()");
 }
 
 /// The lines of a synchronous task wait for a medium, and its cycle is too short then.

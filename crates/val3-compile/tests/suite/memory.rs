@@ -5,7 +5,7 @@ use std::sync::Arc;
 use val3_bytecode::Image;
 use val3_compile::Limit;
 use val3_lang::memory::MEMORY;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::What;
 
 use crate::execution::{LINE_COST, started};
@@ -34,9 +34,9 @@ fn run(controller: &mut Controller) -> String {
             }
         }
         match step {
-            Step::Finished | Step::Stuck | Step::Lacking => return shown,
-            Step::Idle(Some(wake)) => controller.jump(wake),
-            Step::Idle(None) | Step::Busy => {}
+            outcome if outcome.is_final() => return shown,
+            Outcome::Waiting(Some(wake)) => controller.jump(wake),
+            _ => {}
         }
     }
 }

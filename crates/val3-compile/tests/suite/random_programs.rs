@@ -1,10 +1,14 @@
 //! Laws of running programs, over random programs.
 
 use std::fmt::Write as _;
+use std::sync::Arc;
+use std::sync::atomic::Ordering::Relaxed;
 
 use proptest::prelude::*;
+use val3_machine::controller::Outcome;
 
-use crate::execution::{LINE_COST, run_at};
+use crate::execution::{LINE_COST, events, run_at, started};
+use crate::show::image;
 
 /// What a statement is made of, by numbers: the same for the same numbers.
 #[derive(Debug, Clone)]
@@ -176,6 +180,15 @@ fn application(statements: &[Statement]) -> String {
     )
 }
 
+/// Lets a synchronous and two asynchronous tasks take turns in an application of [`application`].
+fn with_tasks(application: &str) -> String {
+    application.replace(
+        "begin\ncall rounds()\nend\n",
+        "begin\ntaskCreate \"a\",3,rounds()\ntaskCreate \"b\",10,rounds()\ntaskCreateSync \"s\",0.004,bOverrun,tick()\nend\n\
+         program tick()\nbegin\nwhile nTicks<9\nnTicks=nTicks+1\n? nX+power(nTicks,2)\ndelay(0)\nendWhile\nend\n",
+    ) + "bool bOverrun\nnum nTicks\n"
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
@@ -185,5 +198,32 @@ proptest! {
     fn results_do_not_depend_on_where_cycles_end(statements in statements(), line_cost in 20_000_u64..400_000) {
         let listing = application(&statements);
         prop_assert_eq!(run_at(&listing, LINE_COST), run_at(&listing, line_cost));
+    }
+
+    /// A suspended cycle resumes where it stopped: the events are those of a run without a stop.
+    #[test]
+    fn suspended_cycles_resume(
+        statements in statements(),
+        line_cost in 2_000_u64..400_000,
+        stops in prop::collection::vec((1_u64..2_000_000, any::<bool>()), 1..40),
+    ) {
+        let image = Arc::new(image(&with_tasks(&application(&statements))));
+        let whole = events(&image, line_cost);
+        let mut stops = stops.into_iter().cycle();
+        let mut controller = started(&image, line_cost);
+        let mut resumed = Vec::new();
+        loop {
+            let (time, is_interrupted) = stops.next().unwrap();
+            controller.set_limit(Some(controller.now() + time));
+            controller.devices.interrupt.store(is_interrupted, Relaxed);
+            let outcome = controller.step();
+            resumed.append(&mut controller.devices.take_events());
+            match outcome {
+                Outcome::Waiting(Some(wake)) => controller.jump(wake),
+                outcome if outcome.is_final() => break,
+                _ => {}
+            }
+        }
+        prop_assert_eq!(resumed, whole);
     }
 }

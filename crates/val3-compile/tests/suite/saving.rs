@@ -2,7 +2,7 @@
 
 use expect_test::expect;
 
-use crate::cell::Cell;
+use crate::cell::{Cell, run, shown};
 
 /// A library with data of every type and container, and a program for each of two runs.
 const EVERYTHING: &str = r#"
@@ -318,6 +318,17 @@ fn the_second_save_of_the_same_values_changes_nothing() {
     );
     cell.run();
     assert_eq!(cell.read("usrapp/all/all.dtx"), cell.read("usrapp/changed/all.dtx"));
+}
+
+#[test]
+fn too_much_data_for_a_medium_are_not_saved() {
+    let code = |bytes: u64| {
+        let cell = Cell::new("num nA[100]\nprogram start()\nbegin\n? libSave()\nend\n");
+        let mut controller = cell.controller();
+        controller.devices.limits.saved = bytes;
+        shown(&run(&mut controller, |_| {}))
+    };
+    assert_eq!((code(100_000), code(500)), ("0\n".to_owned(), "38\n".to_owned()));
 }
 
 #[test]

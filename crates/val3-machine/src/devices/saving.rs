@@ -14,9 +14,6 @@ use crate::files::{FileFault, LibraryFiles, LibraryPath, Uninterrupted};
 use links::Links;
 use values::Saver;
 
-/// Bytes of data that a medium takes of one application or library. As text they need many times that.
-const MOST_SAVED: u64 = 64 << 20;
-
 /// Bytes of the global data of an application or library.
 fn data_bytes(space: &Space, saved: InstanceId) -> u64 {
     let data = space.instance(saved).map(|instance| instance.data.iter());
@@ -43,7 +40,7 @@ impl Devices {
         let path = |id| space.instance(id).map_or("", |instance| instance.path.as_str());
         let origin = LibraryPath::new(&controller_path("", path(saved))?)?;
         let loaded = self.sources.get(&saved.0).ok_or(FileFault::NotFound)?;
-        if data_bytes(space, saved) > MOST_SAVED {
+        if data_bytes(space, saved) > self.limits.saved {
             return Err(FileFault::DiskFull);
         }
         let new = loaded.with_data(&self.saver(space, saved).ok_or(FileFault::NoLibrary)?.all());

@@ -49,7 +49,7 @@ impl Serial for Devices {
             Outgoing::Text(text) => channel.text(text),
             Outgoing::Numbers(numbers) => Sending::bytes(numbers.iter().copied().map(byte_of).collect()),
         });
-        if self.lines.pending() + sending.total() > MOST_PENDING {
+        if self.lines.pending() + sending.total() > self.limits.pending {
             return Err(Fault::NO_MEMORY);
         }
         let reply = self.ask(port, |channel| channel.send(&mut sending, seconds(waited)))?;
@@ -82,9 +82,6 @@ impl Serial for Devices {
         })
     }
 }
-
-/// Bytes that all tasks together may have to send.
-const MOST_PENDING: usize = 64 << 20;
 
 impl Devices {
     /// Asks a channel, which is in use from then on.

@@ -11,7 +11,7 @@ use val3_lang::runtime_errors;
 use val3_lang::types::BaseType;
 use val3_vm::{Host, InstanceId, LibraryOp, Loaded, Space};
 
-use super::{Devices, MOST_RECORDED};
+use super::Devices;
 use crate::controller_state::Severity;
 use crate::event::What;
 use crate::files::FileFault;
@@ -61,7 +61,7 @@ impl Host for Devices {
     }
 
     fn is_interrupted(&self) -> bool {
-        self.interrupt.load(Ordering::Relaxed) || self.recorded > MOST_RECORDED
+        self.interrupt.load(Ordering::Relaxed) || self.recorded > self.limits.recorded
     }
 
     fn lacking(&mut self, instruction: &str) {

@@ -1,0 +1,18 @@
+//! Limits that keep a program from filling the memory of the computer.
+
+/// The largest amounts of data that the devices hold for programs, in bytes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Limits {
+    /// Events of a cycle. The cycle is then suspended, so that the caller can take the events.
+    pub recorded: usize,
+    /// Data that all tasks together have to send over lines. Beyond it, sending raises error 40.
+    pub pending: usize,
+    /// Data of an application or library that `libSave` writes. Beyond it, the instruction returns code 38.
+    pub saved: u64,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self { recorded: 64 << 20, pending: 64 << 20, saved: 64 << 20 }
+    }
+}

@@ -1,0 +1,140 @@
+//! Asynchronous tasks: the second part of a cycle (5.4).
+
+use val3_lang::ports::{TaskNumber, Time};
+
+use super::{Flow, Schedule};
+use crate::{Grant, Host, Outcome, Rate, Task, Vm};
+
+/// The rounds of a cycle. In a round each task that can run has one turn.
+#[derive(Debug, Clone)]
+pub(super) struct Rounds {
+    /// A task has run in this cycle.
+    any: bool,
+    round: Round,
+    /// The task whose turn was suspended in the middle of a line.
+    suspended: Option<TaskNumber>,
+}
+
+/// What the tasks have done since each had its last turn.
+#[derive(Debug, Clone, Copy, Default)]
+struct Round {
+    has_run: bool,
+    reads_clock: bool,
+}
+
+impl Schedule {
+    /// The first round of a cycle. One that the end of the last cycle has interrupted does not show that all tasks wait.
+    pub(super) fn first_round(&self) -> Rounds {
+        let round = Round { has_run: self.next != TaskNumber(0), reads_clock: false };
+        Rounds { any: false, round, suspended: None }
+    }
+
+    /// Gives tasks turns until the cycle ends or all of them wait.
+    pub(super) fn asynchronous(&mut self, rounds: &mut Rounds, end: Time, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+        if let Some(id) = rounds.suspended.take()
+            && let Some((id, grant)) = self.suspended_turn(id, vm, end)
+        {
+            self.asynchronous_turn(rounds, (id, grant), vm, host)?;
+        }
+        while self.now < end {
+            self.check_limit()?;
+            match self.next_turn(vm, end) {
+                Some(turn) => self.asynchronous_turn(rounds, turn, vm, host)?,
+                None => self.end_round(rounds, end, vm)?,
+            }
+        }
+        Flow::Continue(())
+    }
+
+    fn asynchronous_turn(
+        &mut self,
+        rounds: &mut Rounds,
+        (id, grant): (TaskNumber, Grant),
+        vm: &mut Vm,
+        host: &mut dyn Host,
+    ) -> Flow {
+        let turn = vm.turn(id, grant, (self.now, self.line_cost), host);
+        self.now += Time::from(turn.lines) * self.line_cost;
+        vm.set_left(id, turn.left);
+        let is_suspended = turn.outcome == Outcome::Suspended;
+        rounds.suspended = is_suspended.then_some(id);
+        self.next = if turn.left > 0 || is_suspended { id } else { TaskNumber(id.0 + 1) };
+        // A task that ends right after what it waited for executes no line, but others can see that it has ended.
+        let has_run = turn.lines > 0 || !matches!(turn.outcome, Outcome::Waiting(_) | Outcome::Suspended);
+        rounds.round.has_run |= has_run;
+        rounds.round.reads_clock |= turn.reads_clock;
+        rounds.any |= has_run;
+        if is_suspended || host.is_interrupted() {
+            return Flow::Break(Outcome::Suspended);
+        }
+        Flow::Continue(())
+    }
+
+    /// Begins another round, at the next time that a task waits for if all of them wait.
+    fn end_round(&mut self, rounds: &mut Rounds, end: Time, vm: &Vm) -> Flow {
+        self.next = TaskNumber(0);
+        let round = std::mem::take(&mut rounds.round);
+        if round.has_run {
+            return Flow::Continue(());
+        }
+        let wake = self.wake(vm);
+        match wake.filter(|wake| *wake < end) {
+            Some(wake) => self.now = self.now.max(wake),
+            // No time may be left out while a task looks at the clock.
+            None if rounds.any || round.reads_clock => return Flow::Break(Outcome::Busy),
+            None => return Flow::Break(Outcome::Waiting(wake)),
+        }
+        Flow::Continue(())
+    }
+
+    /// The rest of a suspended turn; `None` if the task no longer exists.
+    fn suspended_turn(&self, id: TaskNumber, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
+        let task = vm.tasks().iter().find(|task| task.id == id && task.is_running())?;
+        let lines = self.lines(task)?;
+        Some((id, self.grant(task, (task.left, lines), vm.tasks(), end)))
+    }
+
+    /// The next asynchronous task that can run, with the lines of its turn.
+    fn next_turn(&self, vm: &Vm, end: Time) -> Option<(TaskNumber, Grant)> {
+        let tasks = vm.tasks();
+        let from = vm.roster.first_from(self.next);
+        let (task, lines) = tasks.iter().skip(from).find_map(|task| Some((task, self.lines(task)?)))?;
+        let first = if task.left > 0 { task.left } else { lines };
+        Some((task.id, self.grant(task, (first, lines), tasks, end)))
+    }
+
+    fn grant(&self, task: &Task, (first, lines): (u32, u32), tasks: &[Box<Task>], end: Time) -> Grant {
+        let limit = self.lines_until(end).min(self.lines_until_limit());
+        let per_turn = if self.is_alone(task, tasks, end) { lines } else { 0 };
+        Grant { first, per_turn, limit }
+    }
+
+    /// The lines of a turn of an asynchronous task that can run.
+    fn lines(&self, task: &Task) -> Option<u32> {
+        match task.rate {
+            Rate::Priority(lines) if task.is_running() && !self.sleeps(task) => Some(lines),
+            _ => None,
+        }
+    }
+
+    /// No other asynchronous task can run before `end` unless this one enables it: its turns follow one another.
+    fn is_alone(&self, task: &Task, tasks: &[Box<Task>], end: Time) -> bool {
+        let wakes = |other: &Task| other.thread.wait.and_then(|wait| wait.wake).is_some_and(|wake| wake < end);
+        let is_other = |other: &Task| other.id != task.id && matches!(other.rate, Rate::Priority(_));
+        !tasks.iter().any(|other| is_other(other) && other.is_running() && (!self.sleeps(other) || wakes(other)))
+    }
+
+    fn sleeps(&self, task: &Task) -> bool {
+        task.thread.wait.is_some_and(|wait| wait.sleeps && wait.wake.is_some_and(|wake| wake > self.now))
+    }
+
+    /// The earliest time after now that a task waits for, or at which a period begins.
+    fn wake(&self, vm: &Vm) -> Option<Time> {
+        let running = vm.tasks().iter().filter(|task| task.is_running());
+        let times = running.filter_map(|task| match task.rate {
+            Rate::Period { next, .. } => Some(next),
+            Rate::Priority(_) => task.thread.wait.and_then(|wait| wait.wake),
+        });
+        times.filter(|time| *time > self.now).min()
+    }
+}

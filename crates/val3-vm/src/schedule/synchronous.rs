@@ -1,0 +1,127 @@
+//! Synchronous tasks: the first part of a cycle (5.5, 5.6).
+
+use std::collections::VecDeque;
+
+use val3_lang::ports::{TaskNumber, Time};
+
+use super::{Flow, Schedule};
+use crate::{Grant, Host, Outcome, Rate, Task, Vm};
+
+/// The maximum number of lines of a synchronous task in a cycle (5.5).
+const SYNCHRONOUS_LINES: u32 = 3000;
+
+/// The synchronous tasks that are due in a cycle and have not had their turn.
+#[derive(Debug, Clone)]
+pub(super) struct DueTasks {
+    /// Tasks with their periods, the next one first.
+    tasks: VecDeque<(Time, TaskNumber)>,
+    /// The turn that has begun and is not over.
+    turn: Option<SynchronousTurn>,
+}
+
+/// A turn of a synchronous task that has begun.
+#[derive(Debug, Clone, Copy)]
+struct SynchronousTurn {
+    id: TaskNumber,
+    period: Time,
+    start: Time,
+    /// The number of lines that may still be executed.
+    lines: u32,
+}
+
+impl DueTasks {
+    pub(super) fn is_empty(&self) -> bool {
+        self.tasks.is_empty()
+    }
+}
+
+impl Schedule {
+    /// The synchronous tasks whose time has come: short periods first, then in the order of creation.
+    pub(super) fn due_tasks(&self, vm: &Vm) -> DueTasks {
+        let mut due: Vec<(Time, TaskNumber)> = vm.tasks().iter().filter_map(|task| self.due(task)).collect();
+        due.sort_unstable();
+        DueTasks { tasks: due.into(), turn: None }
+    }
+
+    fn due(&self, task: &Task) -> Option<(Time, TaskNumber)> {
+        match task.rate {
+            Rate::Period { period, next, .. } if next <= self.now && task.is_running() => Some((period, task.id)),
+            _ => None,
+        }
+    }
+
+    /// Gives each due task its turn.
+    pub(super) fn synchronous(&mut self, due: &mut DueTasks, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+        loop {
+            if due.turn.is_none() {
+                due.turn = self.begin_turn(&mut due.tasks, vm);
+            }
+            let Some(turn) = &mut due.turn else { return Flow::Continue(()) };
+            self.synchronous_turn(turn, vm, host)?;
+            if self.now - turn.start > turn.period {
+                self.skip_period(vm, turn.id);
+            }
+            due.turn = None;
+        }
+    }
+
+    /// The turn of the next task that is not halted or killed by those before it.
+    fn begin_turn(&self, due: &mut VecDeque<(Time, TaskNumber)>, vm: &mut Vm) -> Option<SynchronousTurn> {
+        while let Some((period, id)) = due.pop_front() {
+            if vm.tasks().iter().any(|task| task.id == id && task.is_running()) {
+                self.begin_period(vm, id);
+                return Some(SynchronousTurn { id, period, start: self.now, lines: SYNCHRONOUS_LINES });
+            }
+        }
+        None
+    }
+
+    /// Executes the lines of a turn. An instruction that takes time outside the program delays the rest of the cycle.
+    fn synchronous_turn(&mut self, turn: &mut SynchronousTurn, vm: &mut Vm, host: &mut dyn Host) -> Flow {
+        loop {
+            self.check_limit()?;
+            let lines = turn.lines.min(self.lines_until_limit());
+            let report = vm.turn(turn.id, Grant::once(lines), (self.now, self.line_cost), host);
+            self.now += Time::from(report.lines) * self.line_cost;
+            turn.lines = turn.lines.saturating_sub(report.lines);
+            match report.outcome {
+                Outcome::Suspended => return Flow::Break(Outcome::Suspended),
+                Outcome::Busy if turn.lines > 0 => {}
+                Outcome::Pausing(wake) => {
+                    self.now = self.now.max(wake);
+                    self.check_interrupts(host)?;
+                }
+                _ => return Flow::Continue(()),
+            }
+        }
+    }
+
+    /// Tells the task whether its last period was too short (5.6), and sets the beginning of the next one.
+    fn begin_period(&self, vm: &mut Vm, id: TaskNumber) {
+        let Some(Rate::Period { period, next, overrun, late }) = vm.rate_mut(id) else { return };
+        let (overrun, was_late) = (*overrun, std::mem::take(late));
+        *next = (self.now / *period + 1) * *period;
+        // Writing fails if the variable was in a library that has left memory.
+        let _ = vm.space.memory.set_num(overrun, 0, f64::from(u8::from(was_late)));
+    }
+
+    /// Leaves out the next period of a task that has overrun (5.6).
+    fn skip_period(&self, vm: &mut Vm, id: TaskNumber) {
+        if let Some(Rate::Period { period, next, late, .. }) = vm.rate_mut(id) {
+            *late = true;
+            *next = (self.now / *period + 1) * *period;
+        }
+    }
+
+    /// Lets the periods of halted tasks pass, so that a resumed task continues at the beginning of a period.
+    pub(super) fn pass_periods(&self, vm: &mut Vm) {
+        let halted = vm.tasks().iter().filter(|task| !task.is_running());
+        let is_passed = |task: &Task| matches!(task.rate, Rate::Period { next, .. } if next <= self.now);
+        let passed: Vec<TaskNumber> = halted.filter(|task| is_passed(task)).map(|task| task.id).collect();
+        for id in passed {
+            if let Some(Rate::Period { period, next, .. }) = vm.rate_mut(id) {
+                *next = (self.now / *period + 1) * *period;
+            }
+        }
+    }
+}
