@@ -24,7 +24,7 @@ fn pages() -> Vec<(String, String)> {
 }
 
 #[test]
-fn it_can_be_built() {
+fn the_book_can_be_built() {
     let html = val3_book::build(&root()).unwrap();
     for page in ["index.html", "ci.html", "rules/V0203.html", "instructions/movej.html", "errors/80.html"] {
         assert!(html.join(page).is_file(), "{page}");
@@ -49,7 +49,7 @@ fn pages_name_the_address_and_the_version_of_the_workspace() {
 }
 
 #[test]
-fn links_between_pages_lead_somewhere() {
+fn links_between_pages_have_targets() {
     let folder = tempfile::tempdir().unwrap();
     let folder = Utf8Path::from_path(folder.path()).unwrap();
     val3_book::write_sources(&root().join("docs"), folder).unwrap();
@@ -67,7 +67,7 @@ fn links_between_pages_lead_somewhere() {
 
 /// A block marked `val3` shows no finding; one marked `val3 V0101 V0201` shows these and no others.
 #[test]
-fn its_examples_show_what_they_are_said_to() {
+fn examples_have_the_findings_they_name() {
     for (page, text) in pages() {
         for block in text.split("\n```val3").skip(1) {
             let (codes, rest) = block.split_once('\n').unwrap();

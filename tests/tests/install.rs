@@ -86,7 +86,7 @@ fn a_released_archive_is_taken() {
 }
 
 #[test]
-fn what_has_no_archive_is_built() {
+fn a_version_without_an_archive_is_built() {
     for tag in ["v9.9.9", "main", "", "v"] {
         let scratch = Scratch::new();
         scratch.release();

@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_left_runs_and_is_smaller() {
+    fn the_stripped_binary_runs_and_is_smaller() {
         let folder = tempfile::tempdir().unwrap();
         let folder = Utf8Path::from_path(folder.path()).unwrap();
         let built = Utf8PathBuf::from_path_buf(std::env::current_exe().unwrap()).unwrap();

@@ -91,7 +91,7 @@ fn config_knows_the_language_alone() {
 }
 
 #[test]
-fn analysis_stands_on_syntax_lang_and_config() {
+fn analysis_depends_on_syntax_lang_and_config() {
     let below = ["val3-syntax", "val3-lang", "val3-config"];
     check_only("val3-analysis", &below, &["clap", "serde_json", "toml", "tokio"]);
     let below = [&below[..], &["val3-analysis"]].concat();
@@ -110,7 +110,7 @@ fn vm_and_motion_do_not_know_each_other() {
 }
 
 #[test]
-fn the_machine_stands_on_the_vm_and_the_arm() {
+fn the_machine_depends_on_the_vm_and_the_arm() {
     let below =
         ["val3-syntax", "val3-lang", "val3-geometry", "val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion"];
     check_only("val3-machine", &below, &["salsa", "clap", "tokio"]);

@@ -97,7 +97,7 @@ fn every_change_can_be_read() {
 }
 
 #[test]
-fn what_is_created_is_known() {
+fn created_items_are_found() {
     let cell = cell::files("palletiser");
     let editor = Editor::open(&cell);
     let mut created = 0;

@@ -126,7 +126,7 @@ fn sizes() {
 }
 
 #[test]
-fn what_is_defined() {
+fn is_defined_of_elements_and_keys() {
     check(
         r#"
         num nArray[3]

@@ -142,7 +142,7 @@ fn equal_applications_have_equal_records() {
 }
 
 #[test]
-fn stopped_behind_the_end_of_start_the_other_tasks_see_stop() {
+fn a_stop_after_the_end_of_start_is_seen_by_other_tasks() {
     let mut running = Running::start(
         r#"
         bool bEnd

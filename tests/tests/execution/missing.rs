@@ -81,7 +81,7 @@ fn an_item_that_the_interface_lacks() {
 }
 
 #[test]
-fn conditions_are_missed_when_they_are_asked() {
+fn a_missing_condition_stops_when_it_is_evaluated() {
     check(
         r#"
         num nCount

@@ -139,7 +139,7 @@ fn a_cycle_has_3000_lines() {
 
 /// 3,000 lines of 2 microseconds take 6 ms.
 #[test]
-fn a_cycle_behind_an_overrun_is_left_out() {
+fn the_cycle_after_an_overrun_is_skipped() {
     check(
         r#"
         bool bLate
@@ -290,7 +290,7 @@ fn it_waits_in_steps_of_its_period() {
 }
 
 #[test]
-fn an_error_stops_it_and_it_goes_on_in_a_period() {
+fn after_an_error_it_resumes_in_a_later_period() {
     check(
         r#"
         bool bLate

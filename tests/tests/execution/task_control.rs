@@ -98,7 +98,7 @@ end
 }
 
 #[test]
-fn a_task_goes_on_at_its_line() {
+fn a_task_resumes_at_its_line() {
     resumed(
         "0",
         expect![[r#"
@@ -111,7 +111,7 @@ fn a_task_goes_on_at_its_line() {
 }
 
 #[test]
-fn a_task_goes_on_further_down() {
+fn a_task_resumes_further_down() {
     resumed(
         "1",
         expect![[r#"
@@ -133,7 +133,7 @@ fn a_task_goes_on_further_down() {
 }
 
 #[test]
-fn a_task_goes_on_further_up() {
+fn a_task_resumes_further_up() {
     resumed(
         "-1",
         expect![[r#"

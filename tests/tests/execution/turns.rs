@@ -147,7 +147,7 @@ end
 }
 
 #[test]
-fn what_cannot_end_at_once_passes_the_turn() {
+fn instructions_that_wait_end_the_turn() {
     let lines = [
         "delay(0)",
         "delay(-1)",
@@ -166,7 +166,7 @@ fn what_cannot_end_at_once_passes_the_turn() {
 }
 
 #[test]
-fn what_ends_at_once_keeps_the_turn() {
+fn instructions_that_do_not_wait_keep_the_turn() {
     for line in ["wait(true)", "bDone=watch(true,1)", "setMutex(bDone)", "bDone=true", "taskSuspend(\"c\")"] {
         assert!(!passes_the_turn("bool bDone", line), "{line}");
     }

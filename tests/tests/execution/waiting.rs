@@ -103,7 +103,7 @@ fn a_wait_sees_every_change() {
 }
 
 #[test]
-fn a_wait_sees_that_a_task_ends_behind_what_it_waited_for() {
+fn a_wait_sees_the_end_of_a_task_after_its_condition() {
     check(
         r#"
         bool bMutex

@@ -83,7 +83,7 @@ fn the_monitor_speed_has_every_result() {
 }
 
 #[test]
-fn versions_and_licences_are_told() {
+fn versions_and_licences_are_returned() {
     let body = r#"
           ? getVersion("VAL 3")
           ? getVersion("ArmType")
@@ -121,7 +121,7 @@ fn versions_and_licences_are_told() {
 }
 
 #[test]
-fn additions_give_what_the_outside_has_set() {
+fn additions_return_values_set_from_outside() {
     let body = r#"
         version s8.10
         joint jSafe

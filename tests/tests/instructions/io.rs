@@ -88,7 +88,7 @@ fn outputs_stand_in_the_record_when_the_cycle_ends() {
 }
 
 #[test]
-fn an_analog_output_tells_the_value_that_it_has() {
+fn an_analog_output_returns_its_value() {
     check(
         "  ? aioSet(aiFloat,-12.3)\n  ? aioGet(aiFloat)\n  ? aioSet(aiByte,12.3)\n  ? aioSet(aiByte,300)\n  ? aioGet(aiByte)",
         expect![[r#"
@@ -145,7 +145,7 @@ fn a_variable_takes_the_link_of_another() {
 }
 
 #[test]
-fn the_status_tells_whether_a_signal_works() {
+fn the_status_shows_whether_a_signal_works() {
     check(
         "  ? ioStatus(diInput)\n  ? ioStatus(diNone)\n  ? ioStatus(diMissing)\n  ? ioStatus(aiNone)\n  ? ioStatus(aiFloat)",
         expect![[r#"

@@ -22,7 +22,7 @@ fn check_typed(keys: &[u16], listing: &str, expected: Expect) {
 }
 
 #[test]
-fn put_goes_on_behind_what_it_has_written() {
+fn put_continues_after_its_last_text() {
     check_page(
         r#"
           put("parts: ")
@@ -150,7 +150,7 @@ fn wide_characters_take_two_columns() {
 }
 
 #[test]
-fn get_gives_the_key_and_what_was_entered() {
+fn get_gives_the_key_and_the_entered_text() {
     // 1 2 Return, a menu key for a text, any key.
     check_typed(
         &[51, 270, 98, 271, 97],
@@ -215,7 +215,7 @@ fn the_example_of_get_waits_for_return() {
 }
 
 #[test]
-fn get_shows_what_is_edited_and_the_cursor_stays() {
+fn get_shows_the_edited_text_and_keeps_the_cursor() {
     let mut running = Running::start("num nSpeed = 50\n  put(\"speed: \")\n  get(nSpeed)\n  put(\"!\")");
     running.controller.devices.pendant.type_when_asked([263, 263, 55, 270]);
     let running = running.to_the_end();

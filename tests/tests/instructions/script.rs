@@ -45,7 +45,7 @@ fn variables_are_set_at_their_time() {
 }
 
 #[test]
-fn what_cannot_be_done_stands_in_the_log() {
+fn impossible_entries_are_logged() {
     check(
         r#"
             [[at]]

@@ -11,7 +11,7 @@ fn the_same_seed_gives_the_same_bytes() {
 }
 
 #[test]
-fn the_size_is_as_asked() {
+fn the_size_is_the_requested_one() {
     for lines in [100, 2_000, 10_000] {
         let workspace = generate(lines, 1);
         assert!((lines..lines + 300).contains(&workspace.code_lines), "{lines}: {}", workspace.code_lines);
