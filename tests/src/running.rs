@@ -123,7 +123,7 @@ impl Running {
     /// The lines of the page that the pendant shows, without those that are empty at its end.
     #[must_use]
     pub fn page(&self) -> String {
-        let pendant = &self.controller.devices.pendant;
+        let pendant = &self.controller.devices.state.pendant;
         let lines: Vec<String> = pendant.page(pendant.shown()).into_iter().flat_map(|page| page.lines()).collect();
         lines.join("\n").trim_end().to_owned()
     }

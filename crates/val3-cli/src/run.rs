@@ -63,7 +63,7 @@ pub(crate) fn run(args: &RunArgs, color: Color) -> Result<ExitCode, UserError> {
     let exit_code = exit_code(args, end, &controller, &audience);
     let console = audience.close()?;
     if args.screen {
-        console.page(&controller.devices.pendant)?;
+        console.page(&controller.devices.state.pendant)?;
     }
     console.explain(end, args, &controller);
     Ok(exit_code)

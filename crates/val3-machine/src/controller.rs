@@ -1,6 +1,8 @@
 //! The controller: an application with its tasks, cycle by cycle (5.2, 5.4 to 5.7).
 
+mod operator;
 mod positions;
+mod snapshot;
 
 use std::sync::Arc;
 
@@ -14,7 +16,11 @@ use crate::script::Script;
 
 pub use val3_vm::Outcome;
 
+pub use operator::Operation;
 pub use positions::{Activity, TaskPosition};
+pub use snapshot::Snapshot;
+
+use operator::Operations;
 
 /// The priority of the tasks that execute `start` and `stop` (5.2).
 const PRIORITY: u32 = 10;
@@ -32,8 +38,9 @@ pub struct Controller {
     /// The task that executes `start`, later the one that executes `stop`.
     lead: Option<TaskNumber>,
     stopped: bool,
-    /// What happens from outside.
+    /// The script that the outside follows.
     pub(crate) script: Script,
+    operations: Operations,
 }
 
 /// Where an application is in its life.
@@ -52,7 +59,7 @@ enum Phase {
 pub enum NotStarted {
     /// The application has none of this name.
     NoProgram,
-    /// Nobody gives its parameters values.
+    /// It has parameters, which would have no values.
     HasParameters,
     /// The run-time error with which its task would begin.
     Fault(Fault),
@@ -80,6 +87,7 @@ impl Controller {
             lead: None,
             stopped: false,
             script: Script::default(),
+            operations: Operations::default(),
         })
     }
 
@@ -129,7 +137,7 @@ impl Controller {
         self.vm.kill(id, &mut self.devices);
     }
 
-    /// What happens now does so in no task.
+    /// The origin of events that belong to no task.
     fn outside(&self) -> Origin {
         Origin { time: self.schedule.now, task: TaskNumber::default(), at: CodePlace::default() }
     }
@@ -190,7 +198,7 @@ impl Controller {
     /// The outcome of a cycle that is over, for the application as a whole.
     fn outcome(&mut self, cycle: Outcome, is_over: Option<Outcome>) -> Outcome {
         match is_over {
-            _ if std::mem::take(&mut self.devices.lacks) => Outcome::Lacking,
+            _ if self.devices.take_lacks() => Outcome::Lacking,
             Some(outcome) => outcome,
             None if self.is_stuck() => Outcome::Stuck,
             None => cycle,
@@ -205,6 +213,7 @@ impl Controller {
     fn cycle(&mut self) -> Outcome {
         if !self.schedule.is_within_cycle() {
             let start = self.schedule.now;
+            self.follow_operator(start);
             self.follow_script(start);
             self.devices.begin_cycle(start);
         }
@@ -238,14 +247,15 @@ impl Controller {
         self.application
     }
 
-    /// When something happens by itself, outside of tasks: a key is released, power comes, a script goes on.
+    /// The time of the next event outside of tasks: a key is released, the power changes, a script entry is due.
     #[must_use]
     pub fn next_due(&self) -> Option<Time> {
         let now = self.schedule.now;
-        self.devices.next_due(now).into_iter().chain(self.script.next_due()).min()
+        let outside = self.script.next_due().into_iter().chain(self.operations.next_due());
+        self.devices.next_due(now).into_iter().chain(outside).min()
     }
 
-    /// When the script goes on: the one thing that can still happen where no task can.
+    /// The time of the next script entry: the only thing that can still happen where no task can run.
     #[must_use]
     pub fn next_scripted(&self) -> Option<Time> {
         self.script.next_due()
@@ -282,7 +292,7 @@ impl Controller {
         self.vm.tasks().iter().any(|task| Some(task.id) == self.lead)
     }
 
-    /// The application has tasks. Those of its libraries do not keep it alive: they are killed behind `stop` (2.1.3).
+    /// The application has tasks. Those of its libraries do not keep it alive: they are killed after `stop` (2.1.3).
     fn has_tasks(&self) -> bool {
         self.vm.tasks().iter().any(|task| task.owner == self.application)
     }

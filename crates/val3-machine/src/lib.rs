@@ -5,6 +5,7 @@ pub mod controller_state;
 pub mod devices;
 pub mod event;
 pub mod files;
+pub mod inputs;
 pub mod io;
 pub mod screen;
 pub mod script;

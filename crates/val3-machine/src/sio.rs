@@ -17,12 +17,12 @@ mod tcp_client;
 mod tcp_server;
 mod udp;
 
-pub use channel::{Channel, Sending, SioFault, Turn, byte_of};
+pub use channel::{Channel, ChannelState, Sending, SioFault, Turn, byte_of};
 pub use configuration::{ChannelConfig, channels};
 pub use line::{Connection, Line, LineKind, Received, Refused, Sent};
 pub use memory::{MemoryLine, Peer};
 pub use reach::Reach;
-pub use recording::{Answer, Entry, Recorder, Replay, replay};
+pub use recording::{Answer, Entry, Recorder, RecorderState, Replay, replay};
 #[cfg(unix)]
 pub use serial::SerialLine;
 pub use setting::{Parity, Setting, SettingValue};

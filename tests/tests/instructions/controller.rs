@@ -13,7 +13,7 @@ fn run(prepare: impl FnOnce(&mut Devices), listing: &str) -> String {
 }
 
 fn mode(number: u8) -> impl FnOnce(&mut Devices) {
-    move |devices| devices.robot.set_mode(WorkingMode::from_number(number).unwrap(), 0)
+    move |devices| devices.state.robot.set_mode(WorkingMode::from_number(number).unwrap(), 0)
 }
 
 #[test]
@@ -52,10 +52,10 @@ fn the_mode_comes_with_its_state() {
 fn the_emergency_stop_has_three_states() {
     let body = "  ? esStatus()";
     assert_eq!(run(|_| {}, body), "0\n");
-    assert_eq!(run(|devices| devices.robot.press_emergency_stop(), body), "2\n");
+    assert_eq!(run(|devices| devices.state.robot.press_emergency_stop(), body), "2\n");
     let released = |devices: &mut Devices| {
-        devices.robot.press_emergency_stop();
-        devices.robot.release_emergency_stop();
+        devices.state.robot.press_emergency_stop();
+        devices.state.robot.release_emergency_stop();
     };
     assert_eq!(run(released, body), "1\n");
 }
@@ -65,8 +65,8 @@ fn a_safety_fault_names_its_signal() {
     let body = "string sSignal = \"none\"\n  ? safetyFault(sSignal)\n  ? sSignal\n  ? esStatus()\n  ? isCalibrated()";
     assert_eq!(run(|_| {}, body), "false\nnone\n0\ntrue\n");
     let faulty = |devices: &mut Devices| {
-        devices.robot.set_safety_fault(Some("USEREN1".to_owned()));
-        devices.robot.set_calibrated(false);
+        devices.state.robot.set_safety_fault(Some("USEREN1".to_owned()));
+        devices.state.robot.set_calibrated(false);
     };
     assert_eq!(run(faulty, body), "true\nUSEREN1\n2\nfalse\n");
 }
@@ -77,7 +77,7 @@ fn the_monitor_speed_has_every_result() {
     assert_eq!(run(|_| {}, body), "0\n0\n-3\n-3\n30\n");
     assert_eq!(run(mode(3), body), "0\n-1\n-3\n-3\n20\n");
     let operator = |devices: &mut Devices| {
-        devices.profiles.change("maintenance", "");
+        devices.state.profiles.change("maintenance", "");
     };
     assert_eq!(run(operator, body), "0\n-2\n-3\n-3\n20\n");
 }
@@ -109,13 +109,13 @@ fn versions_and_licences_are_returned() {
     .assert_eq(&run(|_| {}, body));
     let licence = "  ? \"[\"+getVersion(\"alter\")+\"]\"\n  ? getLicence(\"vision\",\"secret\")\n  ? \"[\"+getLicence(\"vision\",\"x\")+\"]\"";
     let demo = |devices: &mut Devices| {
-        devices.versions.set_licence("alter", Some(Licence::Demo));
-        devices.versions.set_oem_licence("vision", "secret", Licence::Enabled);
+        devices.state.versions.set_licence("alter", Some(Licence::Demo));
+        devices.state.versions.set_oem_licence("vision", "secret", Licence::Enabled);
     };
     assert_eq!(run(demo, licence), "[demo]\nenabled\n[]\n");
     let without = |devices: &mut Devices| {
-        devices.versions.set_licence("alter", None);
-        devices.versions.set_licence("oemLicence", None);
+        devices.state.versions.set_licence("alter", None);
+        devices.state.versions.set_licence("oemLicence", None);
     };
     assert_eq!(run(without, licence), "[]\noemLicenceDisabled\n[oemLicenceDisabled]\n");
 }
@@ -136,11 +136,11 @@ fn additions_return_values_set_from_outside() {
         "#;
     assert_eq!(run(|_| {}, body), "0\nfalse\nfalse\n0\n0\n");
     let set = |devices: &mut Devices| {
-        devices.cs9.safe_reference = 3.0;
-        devices.cs9.external_supply = true;
-        devices.cs9.accepts_restart = true;
-        devices.cs9.wake_up = -1.0;
-        devices.cs9.references.insert("safeRef".to_owned(), vec![1.0, 2.5]);
+        devices.state.cs9.safe_reference = 3.0;
+        devices.state.cs9.external_supply = true;
+        devices.state.cs9.accepts_restart = true;
+        devices.state.cs9.wake_up = -1.0;
+        devices.state.cs9.references.insert("safeRef".to_owned(), vec![1.0, 2.5]);
     };
     assert_eq!(run(set, body), "3\ntrue\ntrue\n-1\n2.5\n");
     assert_eq!(run(|_| {}, "version s5.4\n  ? speedScale()"), "100\n");

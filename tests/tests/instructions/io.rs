@@ -36,10 +36,10 @@ fn signal(path: &str, kind: Kind, direction: Direction, protected: bool) -> Sign
 fn devices() -> Devices {
     let mut devices = Running::devices();
     devices.declare_io("Io", ["%Q0", "%Q1", "%Q2", "%Q3", "%I0"].map(|name| (name, BaseType::Dio)));
-    devices.io.declare(signal("Io\\system", Kind::Digital, Direction::Output, true));
-    devices.io.declare(signal("Io\\float", Kind::Analog(Format::Float), Direction::Output, false));
+    devices.state.io.declare(signal("Io\\system", Kind::Digital, Direction::Output, true));
+    devices.state.io.declare(signal("Io\\float", Kind::Analog(Format::Float), Direction::Output, false));
     let byte = Format::Whole { lowest: 0.0, highest: 255.0 };
-    devices.io.declare(signal("Io\\byte", Kind::Analog(byte), Direction::Output, false));
+    devices.state.io.declare(signal("Io\\byte", Kind::Analog(byte), Direction::Output, false));
     devices
 }
 
@@ -112,7 +112,7 @@ fn every_misuse_has_its_error() {
     assert_eq!(error("  ? dioSet(doSystem,1)"), "error 124\n");
     assert_eq!(error("  ? aioGet(aiNone)"), "error 123\n");
     assert_eq!(error("  ? aioSet(aiNone,1)"), "error 123\n");
-    let failed = |line: &str| run(|devices| devices.io.set_device_fault("Io", Some(5)), line).printed();
+    let failed = |line: &str| run(|devices| devices.state.io.set_device_fault("Io", Some(5)), line).printed();
     assert_eq!(failed("  ? aioGet(aiFloat)"), "error 125\n");
     assert_eq!(failed("  ? dioSet(doBits,1)"), "error 125\n");
 }
@@ -158,10 +158,10 @@ fn the_status_shows_whether_a_signal_works() {
     );
     let id = |devices: &Devices| devices.known_signal("Io\\float").unwrap();
     let status = |prepare: &dyn Fn(&mut Devices)| run(prepare, "  ? ioStatus(aiFloat)").printed();
-    assert_eq!(status(&|devices| devices.io.lock(id(devices), None)), "1\n");
-    assert_eq!(status(&|devices| devices.io.simulate(id(devices), true)), "2\n");
-    assert_eq!(status(&|devices| devices.io.set_fault(id(devices), Some(Fault::Absent))), "-2\n");
-    assert_eq!(status(&|devices| devices.io.set_fault(id(devices), Some(Fault::Failed))), "-3\n");
+    assert_eq!(status(&|devices| devices.state.io.lock(id(devices), None)), "1\n");
+    assert_eq!(status(&|devices| devices.state.io.simulate(id(devices), true)), "2\n");
+    assert_eq!(status(&|devices| devices.state.io.set_fault(id(devices), Some(Fault::Absent))), "-2\n");
+    assert_eq!(status(&|devices| devices.state.io.set_fault(id(devices), Some(Fault::Failed))), "-3\n");
 }
 
 #[test]
@@ -183,9 +183,9 @@ fn the_status_comes_with_description_and_path() {
 fn a_locked_output_keeps_its_value_and_a_locked_input_hides_the_hardware() {
     let lock = |devices: &mut Devices| {
         let [output, input] = ["Io\\float", "Io\\%I0"].map(|path| devices.known_signal(path).unwrap());
-        devices.io.lock(output, Some(7.0));
-        devices.io.lock(input, Some(1.0));
-        devices.io.set(input, 0.0);
+        devices.state.io.lock(output, Some(7.0));
+        devices.state.io.lock(input, Some(1.0));
+        devices.state.io.set(input, 0.0);
     };
     assert_eq!(run(lock, "  ? aioSet(aiFloat,3)\n  ? diInput==true").printed(), "7\ntrue\n");
 }
@@ -194,8 +194,8 @@ fn a_locked_output_keeps_its_value_and_a_locked_input_hides_the_hardware() {
 fn failed_devices_are_counted_and_described() {
     assert_eq!(run(|_| {}, "  ? ioBusStatus(sFaults)").printed(), "0\n");
     let fail = |devices: &mut Devices| {
-        devices.io.set_device_fault("J207\\Box1", Some(12));
-        devices.io.set_device_fault("Io", Some(5));
+        devices.state.io.set_device_fault("J207\\Box1", Some(12));
+        devices.state.io.set_device_fault("Io", Some(5));
     };
     let body = "  ? ioBusStatus(sFaults)\n  ? size(sFaults)\n  ? sFaults[0]\n  ? sFaults[1]";
     expect![[r#"

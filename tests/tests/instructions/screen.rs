@@ -17,7 +17,7 @@ fn check_record(listing: &str, expected: Expect) {
 #[track_caller]
 fn check_typed(keys: &[u16], listing: &str, expected: Expect) {
     let mut running = Running::start(listing);
-    running.controller.devices.pendant.type_when_asked(keys.iter().copied());
+    running.controller.devices.state.pendant.type_when_asked(keys.iter().copied());
     expected.assert_eq(&running.to_the_end().printed());
 }
 
@@ -217,7 +217,7 @@ fn the_example_of_get_waits_for_return() {
 #[test]
 fn get_shows_the_edited_text_and_keeps_the_cursor() {
     let mut running = Running::start("num nSpeed = 50\n  put(\"speed: \")\n  get(nSpeed)\n  put(\"!\")");
-    running.controller.devices.pendant.type_when_asked([263, 263, 55, 270]);
+    running.controller.devices.state.pendant.type_when_asked([263, 263, 55, 270]);
     let running = running.to_the_end();
     expect![[r#"
         {"t":2e-6,"task":"main~","kind":"put","screen":"","x":0,"y":0,"text":"speed: "}
@@ -283,8 +283,8 @@ fn a_task_that_is_killed_no_longer_waits_for_a_key() {
 #[test]
 fn get_key_gives_the_last_key_once() {
     let mut running = Running::start("  ? getKey()\n  delay(1)\n  ? getKey()\n  ? getKey()");
-    running.controller.devices.pendant.tap(97, 0);
-    running.controller.devices.pendant.tap(271, 0);
+    running.controller.devices.state.pendant.tap(97, 0);
+    running.controller.devices.state.pendant.tap(271, 0);
     assert_eq!(running.to_the_end().printed(), "271\n-1\n-1\n");
 }
 
@@ -321,8 +321,8 @@ fn keys_are_pressed_for_a_while_and_some_whatever_is_shown() {
           ? isKeyPressed(281)
         "#,
     );
-    running.controller.devices.pendant.tap(97, 0);
-    running.controller.devices.pendant.press(281);
+    running.controller.devices.state.pendant.tap(97, 0);
+    running.controller.devices.state.pendant.press(281);
     expect![[r#"
         true
         false
@@ -394,7 +394,7 @@ fn profiles_change_with_every_result() {
         "#,
     );
     let known = vec![profile("default", ""), profile("setter", "1234")];
-    running.controller.devices.profiles = Profiles::new(known, profile("default", ""));
+    running.controller.devices.state.profiles = Profiles::new(known, profile("default", ""));
     expect![[r#"
         default
         1
@@ -405,7 +405,7 @@ fn profiles_change_with_every_result() {
     "#]]
     .assert_eq(&running.to_the_end().printed());
     let mut running = Running::start("  ? setProfile(\"default\",\"\")\n  ? getProfile()");
-    running.controller.devices.profiles = Profiles::new(vec![profile("default", "")], profile("staubli", "x"));
+    running.controller.devices.state.profiles = Profiles::new(vec![profile("default", "")], profile("staubli", "x"));
     assert_eq!(running.to_the_end().printed(), "4\nstaubli\n");
 }
 
@@ -443,7 +443,7 @@ fn the_date_is_that_of_the_clock() {
         "#;
     let mut running = Running::start(listing);
     let new_year = DateTime { year: 2007, month: 1, day: 1, hour: 13, minute: 45, second: 23 };
-    running.controller.devices.calendar = Calendar::starting_at(new_year).unwrap();
+    running.controller.devices.state.calendar = Calendar::starting_at(new_year).unwrap();
     assert_eq!(running.to_the_end().printed(), "January 01, 2007 13:45:23\n07-01-01 01:46:23 PM\n");
     let fixed = Running::start("  ? getDate(\"%Y-%m-%d %H:%M:%S\")").to_the_end().printed();
     assert_eq!(fixed, "2024-01-01 00:00:00\n");
@@ -487,7 +487,7 @@ fn pages_of_html_are_set_and_shown() {
           userPageSet("main","lblDone","hidden",nDone>2)
         "#,
     );
-    running.controller.devices.pendant.add_html_page("main");
+    running.controller.devices.state.pendant.add_html_page("main");
     let running = running.to_the_end();
     assert_eq!(running.printed(), "0\n-1\n");
     expect![[r#"

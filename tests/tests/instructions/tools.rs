@@ -34,7 +34,7 @@ fn devices() -> Devices {
     devices.declare_io("Io", ["valve1"].map(|name| (name, BaseType::Dio)));
     for (path, direction, protected) in [("Io\\in", Direction::Input, false), ("Io\\system", Direction::Output, true)] {
         let (path, description) = (path.to_owned(), String::new());
-        devices.io.declare(Signal { path, description, kind: Kind::Digital, direction, protected });
+        devices.state.io.declare(Signal { path, description, kind: Kind::Digital, direction, protected });
     }
     devices
 }

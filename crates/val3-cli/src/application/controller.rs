@@ -36,7 +36,7 @@ pub(crate) fn controller(
     cell::declare_io(&mut devices, db, project);
     if items(db, project).arm.is_some_and(|arm| arm != Arm::from_model(FIRST_ARM)) {
         // The limits of the first arm are those of another kind.
-        devices.arm.limits = JointLimits::NONE;
+        devices.state.arm.limits = JointLimits::NONE;
     }
     cell::describe(&mut devices, &disk);
     describe(&mut devices, args);
@@ -56,6 +56,6 @@ fn describe(devices: &mut Devices, args: &ControllerArgs) {
         devices.set_arm(model);
     }
     if let Some(date) = args.date {
-        devices.calendar = date;
+        devices.state.calendar = date;
     }
 }

@@ -52,7 +52,7 @@ impl Settings {
     /// Gives the controller its users, licences and speed.
     pub(super) fn apply(&self, devices: &mut Devices) {
         if self.run.profile.is_some() || !self.run.profiles.is_empty() {
-            devices.profiles = profiles(&self.run);
+            devices.state.profiles = profiles(&self.run);
         }
         for (name, state) in &self.run.licences {
             let licence = match state {
@@ -60,10 +60,10 @@ impl Settings {
                 Licence::Demo => Some(controller_state::Licence::Demo),
                 Licence::Missing => None,
             };
-            devices.versions.set_licence(name, licence);
+            devices.state.versions.set_licence(name, licence);
         }
         if let Some(speed) = self.monitor_speed {
-            devices.robot.turn_speed(speed.into());
+            devices.state.robot.turn_speed(speed.into());
         }
     }
 }

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
 use ratatui::crossterm::event::{self, Event as Input};
-use val3_machine::controller::Controller;
+use val3_machine::controller::{Controller, Operation};
 use val3_machine::event::Event;
 
 use crate::user_error::UserError;
@@ -103,15 +103,14 @@ impl Live {
 
     /// The first interruption stops the application, so that its program `stop` runs; the second one ends the run.
     fn obey(&mut self, command: Option<Command>, controller: &mut Controller) -> Wish {
-        let now = controller.now();
         match command {
-            Some(Command::Tap(code)) => controller.devices.pendant.tap(code, now),
-            Some(Command::NextPage) => controller.devices.pendant.show_next(),
-            Some(Command::PreviousPage) => controller.devices.pendant.show_previous(),
+            Some(Command::Tap(code)) => controller.operate(Operation::Tap(code)),
+            Some(Command::NextPage) => controller.operate(Operation::NextPage),
+            Some(Command::PreviousPage) => controller.operate(Operation::PreviousPage),
             Some(Command::Interrupt) if self.interrupted => return Wish::End,
             Some(Command::Interrupt) => {
                 self.interrupted = true;
-                controller.stop();
+                controller.operate(Operation::Stop);
             }
             None => return Wish::GoOn,
         }
@@ -122,7 +121,13 @@ impl Live {
     fn draw(&mut self, controller: &Controller) -> io::Result<()> {
         let devices = &controller.devices;
         let (now, stopping) = (controller.now(), self.interrupted);
-        let view = View { pendant: &devices.pendant, robot: &devices.robot, journal: &self.journal, now, stopping };
+        let view = View {
+            pendant: &devices.state.pendant,
+            robot: &devices.state.robot,
+            journal: &self.journal,
+            now,
+            stopping,
+        };
         self.terminal.draw(|frame| view.draw(frame))?;
         self.drawn = Some(Instant::now());
         Ok(())

@@ -30,9 +30,9 @@ pub(super) fn arrange(
         }
         controller.follow(script);
     }
-    controller.devices.pendant.type_when_asked(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
+    controller.devices.state.pendant.type_when_asked(args.keys.iter().flat_map(|keys| keys.0.iter().copied()));
     if args.follows_wall() && args.controller.date.is_none() {
-        controller.devices.calendar = today();
+        controller.devices.state.calendar = today();
     }
     Ok(())
 }

@@ -125,10 +125,10 @@ fn connect(devices: &mut Devices) {
         direction: Direction::Output,
         protected,
     };
-    devices.io.declare(Signal { direction: Direction::Input, ..output("Io\\in", false) });
-    devices.io.declare(output("Io\\system", true));
-    devices.io.declare(output("Bus\\out", false));
-    devices.io.set_device_fault("Bus", Some(5));
+    devices.state.io.declare(Signal { direction: Direction::Input, ..output("Io\\in", false) });
+    devices.state.io.declare(output("Io\\system", true));
+    devices.state.io.declare(output("Bus\\out", false));
+    devices.state.io.set_device_fault("Bus", Some(5));
 }
 
 /// The first error of a program with these lines.

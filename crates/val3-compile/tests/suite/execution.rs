@@ -36,7 +36,11 @@ pub(crate) fn started(image: &Arc<Image>, line_cost: Time) -> Controller {
 
 /// What happens while an application runs, until it has ended.
 pub(crate) fn events(image: &Arc<Image>, line_cost: Time) -> Vec<Event> {
-    let mut controller = started(image, line_cost);
+    rest(&mut started(image, line_cost))
+}
+
+/// What happens from now on until an application has ended.
+pub(crate) fn rest(controller: &mut Controller) -> Vec<Event> {
     let mut events = Vec::new();
     while controller.now() < LONGEST {
         let step = controller.step();

@@ -21,3 +21,4 @@ mod random_programs;
 mod references;
 mod saving;
 mod show;
+mod snapshots;

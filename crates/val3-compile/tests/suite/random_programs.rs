@@ -6,8 +6,9 @@ use std::sync::atomic::Ordering::Relaxed;
 
 use proptest::prelude::*;
 use val3_machine::controller::Outcome;
+use val3_machine::event::Event;
 
-use crate::execution::{LINE_COST, events, run_at, started};
+use crate::execution::{LINE_COST, events, rest, run_at, started};
 use crate::show::image;
 
 /// What a statement is made of, by numbers: the same for the same numbers.
@@ -226,4 +227,27 @@ proptest! {
         }
         prop_assert_eq!(resumed, whole);
     }
+
+    /// A controller that returns to a snapshot, taken anywhere in a cycle, does the same again to the byte.
+    #[test]
+    fn restored_controllers_repeat_their_events(
+        statements in statements(),
+        line_cost in 2_000_u64..400_000,
+        time in 1_u64..60_000_000,
+    ) {
+        let mut controller = started(&Arc::new(image(&with_tasks(&application(&statements)))), line_cost);
+        controller.set_limit(Some(time));
+        while controller.now() < time && !controller.step().is_final() {}
+        controller.devices.take_events();
+        controller.set_limit(None);
+        let snapshot = controller.snapshot();
+        let first = record(&rest(&mut controller));
+        controller.restore(&snapshot);
+        prop_assert_eq!(record(&rest(&mut controller)), first);
+    }
+}
+
+/// Events as the record of a run has them.
+fn record(events: &[Event]) -> String {
+    events.iter().map(|event| serde_json::to_string(event).unwrap() + "\n").collect()
 }

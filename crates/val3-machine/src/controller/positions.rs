@@ -17,7 +17,7 @@ use crate::event::What;
 pub struct TaskPosition {
     /// The name of the task.
     pub name: String,
-    /// What it does there.
+    /// Its activity there.
     pub activity: Activity,
     /// The program.
     pub program: String,
@@ -27,7 +27,7 @@ pub struct TaskPosition {
     pub file: String,
 }
 
-/// What a task does at its line.
+/// The activity of a task at its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Activity {
     /// It executes lines.
@@ -56,7 +56,7 @@ impl Activity {
         }
     }
 
-    /// What the task waits for; `None` where it does not wait.
+    /// The thing that the task waits for; `None` where it does not wait.
     #[must_use]
     pub fn awaited(&self) -> Option<String> {
         match self {
@@ -68,7 +68,7 @@ impl Activity {
     }
 }
 
-/// What a task waits for in an instruction.
+/// The thing that a task waits for in an instruction.
 fn awaited_in(instruction: &str) -> String {
     let subject = match instructions::find(instruction).map(|found| found.family) {
         Some(Family::Screen | Family::Additions) => "the operator",

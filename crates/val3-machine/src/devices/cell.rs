@@ -1,4 +1,4 @@
-//! What the configuration files of a cell say of its controller.
+//! The settings of the controller in the configuration files of a cell.
 
 use val3_lang::components::Component;
 use val3_syntax::xml::{self, Element};
@@ -22,17 +22,17 @@ impl Devices {
         }
         for list in entries() {
             match list.value("name").as_deref() {
-                Some("minArmJointPos") => self.arm.limits.raise(axes(list, f64::NEG_INFINITY)),
-                Some("maxArmJointPos") => self.arm.limits.lower(axes(list, f64::INFINITY)),
+                Some("minArmJointPos") => self.state.arm.limits.raise(axes(list, f64::NEG_INFINITY)),
+                Some("maxArmJointPos") => self.state.arm.limits.lower(axes(list, f64::INFINITY)),
                 _ => {}
             }
         }
     }
 
-    /// Lets the controller have an arm of this model, with its limits as far as they are known.
+    /// Gives the controller an arm of this model, with the known limits of its axes.
     pub fn set_arm(&mut self, model: &str) {
-        self.versions.set(Component::ArmType, model);
-        self.arm.limits = JointLimits::of_model(model);
+        self.state.versions.set(Component::ArmType, model);
+        self.state.arm.limits = JointLimits::of_model(model);
     }
 
     fn entry(&mut self, name: &str, value: &str) {
@@ -40,12 +40,12 @@ impl Devices {
             return;
         }
         if name == "language" {
-            self.languages.install(value);
-            self.languages.change(value);
+            self.state.languages.install(value);
+            self.state.languages.change(value);
         } else if name == "arm" {
             self.set_arm(value);
         } else if let Some((_, part)) = PARTS.iter().find(|(known, _)| *known == name) {
-            self.versions.set(*part, value);
+            self.state.versions.set(*part, value);
         }
     }
 }

@@ -10,44 +10,47 @@ use crate::io::{IoError, LinkId, Signal, SignalId};
 
 impl Io for Devices {
     fn read_digital(&mut self, port: Option<u32>) -> Result<bool> {
-        self.io.read_digital(link(port)).map_err(fault)
+        self.state.io.read_digital(link(port)).map_err(fault)
     }
 
     fn write_digital(&mut self, port: Option<u32>, value: bool) -> Result<()> {
-        self.io.write_digital(link(port), value).map_err(fault)
+        self.state.io.write_digital(link(port), value).map_err(fault)
     }
 
     fn read_bits(&mut self, ports: &[Option<u32>]) -> Result<f64> {
-        self.io.read_bits(&links(ports)).map_err(fault)
+        self.state.io.read_bits(&links(ports)).map_err(fault)
     }
 
     fn write_bits(&mut self, ports: &[Option<u32>], value: f64) -> Result<f64> {
-        self.io.write_bits(&links(ports), value).map_err(fault)
+        self.state.io.write_bits(&links(ports), value).map_err(fault)
     }
 
     fn read_analog(&mut self, port: Option<u32>) -> Result<f64> {
-        self.io.read_analog(link(port)).map_err(fault)
+        self.state.io.read_analog(link(port)).map_err(fault)
     }
 
     fn write_analog(&mut self, port: Option<u32>, value: f64) -> Result<f64> {
-        self.io.write_analog(link(port), value).map_err(fault)
+        self.state.io.write_analog(link(port), value).map_err(fault)
     }
 
     fn io_status(&mut self, base: BaseType, port: Option<u32>) -> i8 {
         let status = match base {
-            BaseType::Dio => self.io.digital_status(link(port)),
-            _ => self.io.analog_status(link(port)),
+            BaseType::Dio => self.state.io.digital_status(link(port)),
+            _ => self.state.io.analog_status(link(port)),
         };
         status.number()
     }
 
     fn io_texts(&mut self, port: Option<u32>) -> Described {
         let link = link(port);
-        Described { description: Text::from(self.io.description(link)), path: Text::from(self.io.text(link)) }
+        Described {
+            description: Text::from(self.state.io.description(link)),
+            path: Text::from(self.state.io.text(link)),
+        }
     }
 
     fn failed_devices(&mut self) -> Vec<Text> {
-        self.io.bus_faults().iter().map(|fault| Text::from(fault.as_str())).collect()
+        self.state.io.bus_faults().iter().map(|fault| Text::from(fault.as_str())).collect()
     }
 }
 
@@ -63,14 +66,14 @@ fn fault(error: IoError) -> Fault {
     Fault(error.number())
 }
 
-/// What the outside says of inputs and outputs.
+/// Declarations of inputs and outputs.
 impl Devices {
     /// The signals of a device as the configuration of the cell has them: the last part of the path, and the type of
     /// variable, `dio` or `aio`. Signals of other types are lines, which are no inputs or outputs.
     pub fn declare_io<'s>(&mut self, device: &str, signals: impl IntoIterator<Item = (&'s str, BaseType)>) {
         let io = |base: &BaseType| matches!(base, BaseType::Dio | BaseType::Aio);
         for (name, base) in signals.into_iter().filter(|(_, base)| io(base)) {
-            self.io.declare(Signal::from_path(&format!("{device}\\{name}"), base == BaseType::Dio));
+            self.state.io.declare(Signal::from_path(&format!("{device}\\{name}"), base == BaseType::Dio));
         }
     }
 
@@ -80,7 +83,7 @@ impl Devices {
     /// # Errors
     /// Its device has no such signal.
     pub fn signal(&mut self, path: &str, digital: bool) -> std::result::Result<SignalId, NoSignal> {
-        self.io.adopt(path, digital);
+        self.state.io.adopt(path, digital);
         self.known_signal(path)
     }
 
@@ -89,7 +92,7 @@ impl Devices {
     /// # Errors
     /// There is none.
     pub fn known_signal(&self, path: &str) -> std::result::Result<SignalId, NoSignal> {
-        self.io.find(path).ok_or_else(|| NoSignal(path.to_owned()))
+        self.state.io.find(path).ok_or_else(|| NoSignal(path.to_owned()))
     }
 }
 

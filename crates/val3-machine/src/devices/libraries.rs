@@ -1,7 +1,5 @@
 //! Libraries on the media (6.6, 6.7).
 
-use std::sync::Arc;
-
 use val3_vm::Loaded;
 
 use super::Devices;
@@ -12,16 +10,18 @@ use crate::files::{FileFault, LibraryPath};
 impl Devices {
     /// Finds and compiles the library that a program of `from` names.
     pub(super) fn find_library(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, FileFault> {
-        let library = LibraryPath::new(&self.roots.spelled(&controller_path(from, path)?)?)?;
+        let path = controller_path(from, path)?;
+        let library = LibraryPath::new(&self.outside.ask(|media| media.roots.spelled(&path))?)?;
         self.access(0);
-        let files = library.read(&self.roots, password)?;
+        let files = self.outside.ask(|media| library.read(&media.roots, password))?;
         self.access(files.size());
-        let image = self.libraries.image(library.folder(), files.clone()).map_err(|reason| {
-            self.log.report(&reason, Severity::Error, self.origin.time);
-            self.record_log();
-            FileFault::CannotLoad
-        })?;
-        self.read = Some((Arc::clone(&image), files));
+        let image =
+            self.outside.ask(|media| media.libraries.image(library.folder(), files.clone())).map_err(|reason| {
+                self.state.log.report(&reason, Severity::Error, self.now());
+                self.record_log();
+                FileFault::CannotLoad
+            })?;
+        self.state.loaded.keep_read(&image, files);
         Ok(Loaded { image, path: library.path().to_string() })
     }
 }

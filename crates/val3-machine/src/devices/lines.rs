@@ -1,42 +1,114 @@
 //! The serial lines and sockets of the controller, by the texts that variables link to (3.7).
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use val3_lang::ports::TaskNumber;
 
-use crate::sio::{Channel, ChannelConfig, Entry, Line, LineKind, Reach, Recorder, Refused, Replay, Sending};
+use crate::inputs::Inputs;
+use crate::sio::{
+    Channel, ChannelConfig, ChannelState, Entry, Line, LineKind, Reach, Recorder, RecorderState, Refused, Replay,
+    Sending,
+};
 
 /// Every line that variables link to or that is configured.
 #[derive(Default)]
 pub struct Lines {
-    lines: Vec<Known>,
-    /// What tasks are sending.
-    pub(super) sending: BTreeMap<TaskNumber, Sending>,
-    /// What lines have answered since it was taken, if they are recorded.
-    told: Option<Told>,
-    /// Some line was in use when it was last asked.
+    lines: Vec<NamedLine>,
+    /// The bytes that tasks are sending.
+    sending: BTreeMap<TaskNumber, Sending>,
+    /// The answers of lines since they were taken, if they are recorded.
+    answers: Option<Answers>,
+    /// Some line was in use at the last check.
     was_in_use: bool,
-    /// What lines answer instead of those outside.
+    /// The answers that lines give instead of those outside.
     replay: Option<BTreeMap<String, Vec<Entry>>>,
+    inputs: Inputs,
 }
 
 /// Answers with the links of the lines that gave them; each recorder holds it too.
-type Told = Rc<RefCell<Vec<(String, Entry)>>>;
+type Answers = Rc<RefCell<Vec<(String, Entry)>>>;
 
 /// A line by the text of its link.
-struct Known {
+struct NamedLine {
     link: String,
-    /// `None` for a link that nothing is configured of.
-    channel: Option<Channel>,
+    /// `None` for a link that is not configured.
+    channel: Option<RecordedChannel>,
     /// A program has used it, and it was not closed since.
     in_use: bool,
-    /// What comes in does so by the clock on the wall.
+    /// Its input arrives by the clock on the wall.
     is_outside: bool,
 }
 
+struct RecordedChannel {
+    channel: Channel,
+    recorder: Rc<Cell<RecorderState>>,
+}
+
+/// The state of all lines, as a snapshot has it.
+#[derive(Debug, Clone)]
+pub struct LinesState {
+    lines: Vec<(Option<(ChannelState, RecorderState)>, bool)>,
+    sending: BTreeMap<TaskNumber, Sending>,
+    answers: Option<Vec<(String, Entry)>>,
+    was_in_use: bool,
+}
+
 impl Lines {
+    /// No lines yet; those that come are asked through this recorder.
+    pub(super) fn new(inputs: Inputs) -> Self {
+        Self { inputs, ..Self::default() }
+    }
+
+    /// The recorder through which lines are asked.
+    pub(crate) fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// A copy of the state of all lines.
+    pub(crate) fn state(&self) -> LinesState {
+        let channel = |line: &RecordedChannel| (line.channel.state(), line.recorder.get());
+        LinesState {
+            lines: self.lines.iter().map(|line| (line.channel.as_ref().map(channel), line.in_use)).collect(),
+            sending: self.sending.clone(),
+            answers: self.answers.as_ref().map(|answers| answers.borrow().clone()),
+            was_in_use: self.was_in_use,
+        }
+    }
+
+    /// Returns to a state. Links that are newer than it are forgotten; those outside hear nothing of it.
+    pub(crate) fn restore(&mut self, state: &LinesState) {
+        self.lines.truncate(state.lines.len());
+        for (line, (channel, in_use)) in self.lines.iter_mut().zip(&state.lines) {
+            line.in_use = *in_use;
+            if let (Some(line), Some((channel, recorder))) = (&mut line.channel, channel) {
+                line.channel.restore(channel.clone());
+                line.recorder.set(*recorder);
+            }
+        }
+        self.sending = state.sending.clone();
+        if let (Some(answers), Some(saved)) = (&self.answers, &state.answers) {
+            answers.borrow_mut().clone_from(saved);
+        }
+        self.was_in_use = state.was_in_use;
+    }
+
+    /// The rest of what a task is sending.
+    pub(super) fn take_sending(&mut self, task: TaskNumber) -> Option<Sending> {
+        self.sending.remove(&task)
+    }
+
+    /// Keeps what a task is sending until its next turn.
+    pub(super) fn keep_sending(&mut self, task: TaskNumber, sending: Sending) {
+        self.sending.insert(task, sending);
+    }
+
+    /// A task is over.
+    pub(super) fn forget_sending(&mut self, task: TaskNumber) {
+        self.sending.remove(&task);
+    }
+
     /// Opens the lines of a configuration that reach outside, within `reach`. A serial line stays without a device
     /// until one is [attached](Self::attach).
     ///
@@ -45,27 +117,26 @@ impl Lines {
     pub fn configure(&mut self, configs: &[ChannelConfig], reach: Reach) -> Result<(), String> {
         for config in configs {
             if let Some(line) = self.line(config, reach) {
-                let channel = config.channel(line).map_err(|_| config.link.clone())?;
+                let channel = self.recorded(config, line).map_err(|_| config.link.clone())?;
                 self.put(&config.link, channel, self.replay.is_none());
             }
         }
         Ok(())
     }
 
-    /// Lets a link lead to a line. `config` may give its parameters.
+    /// Connects a link to a line. `config` may have parameters for it.
     ///
     /// # Errors
     /// If the line cannot do what is configured.
     pub fn attach(&mut self, config: &ChannelConfig, line: Box<dyn Line>, is_outside: bool) -> Result<(), Refused> {
-        let line = self.recorded(&config.link, line);
-        let channel = config.channel(line)?;
+        let channel = self.recorded(config, line)?;
         self.put(&config.link, channel, is_outside);
         Ok(())
     }
 
     /// Writes down what the lines answer that are configured from now on.
     pub fn record(&mut self) {
-        self.told = Some(Rc::default());
+        self.answers = Some(Rc::default());
     }
 
     /// Lets the lines that are configured from now on answer as recorded ones did, by their links; a line without
@@ -74,29 +145,34 @@ impl Lines {
         self.replay = Some(entries);
     }
 
-    /// What recorded lines have answered since this was asked before.
-    pub(super) fn take_told(&mut self) -> Vec<(String, Entry)> {
-        self.told.as_ref().map(|told| std::mem::take(&mut *told.borrow_mut())).unwrap_or_default()
+    /// The answers of recorded lines since the last call.
+    pub(super) fn take_answers(&mut self) -> Vec<(String, Entry)> {
+        self.answers.as_ref().map(|answers| std::mem::take(&mut *answers.borrow_mut())).unwrap_or_default()
     }
 
     fn line(&mut self, config: &ChannelConfig, reach: Reach) -> Option<Box<dyn Line>> {
-        let line = match &mut self.replay {
+        match &mut self.replay {
             Some(entries) => {
                 let entries = entries.remove(&config.link).unwrap_or_default();
-                Box::new(Replay::new(config.kind, entries))
+                Some(Box::new(Replay::new(config.kind, entries)))
             }
-            None => config.socket(reach)?,
-        };
-        Some(self.recorded(&config.link, line))
+            None => config.socket(reach),
+        }
     }
 
-    fn recorded(&self, link: &str, line: Box<dyn Line>) -> Box<dyn Line> {
-        let Some(told) = &self.told else { return line };
-        let (told, link) = (Rc::clone(told), link.to_owned());
-        Box::new(Recorder::new(line, move |entry| told.borrow_mut().push((link.clone(), entry))))
+    /// A channel on a line that is asked through the recorder of inputs.
+    fn recorded(&self, config: &ChannelConfig, line: Box<dyn Line>) -> Result<RecordedChannel, Refused> {
+        let (answers, link) = (self.answers.clone(), config.link.clone());
+        let recorder = Recorder::new(line, self.inputs.clone(), move |entry| {
+            if let Some(answers) = &answers {
+                answers.borrow_mut().push((link.clone(), entry));
+            }
+        });
+        let state = recorder.state();
+        Ok(RecordedChannel { channel: config.channel(Box::new(recorder))?, recorder: state })
     }
 
-    fn put(&mut self, link: &str, channel: Channel, is_outside: bool) {
+    fn put(&mut self, link: &str, channel: RecordedChannel, is_outside: bool) {
         let number = self.number(link) as usize;
         if let Some(known) = self.lines.get_mut(number) {
             (known.channel, known.is_outside, known.in_use) = (Some(channel), is_outside, false);
@@ -106,13 +182,13 @@ impl Lines {
     /// The number of a link, which variables hold.
     pub(super) fn number(&mut self, link: &str) -> u32 {
         let at = self.lines.iter().position(|known| known.link.eq_ignore_ascii_case(link)).unwrap_or_else(|| {
-            self.lines.push(Known { link: link.to_owned(), channel: None, in_use: false, is_outside: false });
+            self.lines.push(NamedLine { link: link.to_owned(), channel: None, in_use: false, is_outside: false });
             self.lines.len() - 1
         });
         u32::try_from(at).unwrap_or(u32::MAX)
     }
 
-    /// Bytes that tasks have to send and wait with.
+    /// The number of bytes that waiting tasks have to send.
     pub(super) fn pending(&self) -> usize {
         self.sending.values().map(Sending::total).sum()
     }
@@ -124,7 +200,7 @@ impl Lines {
 
     /// The channel of a number.
     pub(super) fn channel(&mut self, number: Option<u32>) -> Option<&mut Channel> {
-        self.lines.get_mut(number? as usize)?.channel.as_mut()
+        Some(&mut self.lines.get_mut(number? as usize)?.channel.as_mut()?.channel)
     }
 
     /// A program has used the line, or has closed it.
@@ -137,7 +213,7 @@ impl Lines {
     /// Looks after the lines that programs use: accepts callers, and takes in what has come.
     pub(crate) fn attend(&mut self) {
         for known in self.lines.iter_mut().filter(|known| known.in_use) {
-            if let Some(channel) = &mut known.channel {
+            if let Some(RecordedChannel { channel, .. }) = &mut known.channel {
                 channel.attend();
             }
         }
@@ -166,7 +242,7 @@ impl Lines {
         self.sending.clear();
         for known in &mut self.lines {
             known.in_use = false;
-            if let Some(channel) = &mut known.channel {
+            if let Some(RecordedChannel { channel, .. }) = &mut known.channel {
                 channel.shut_down();
             }
         }
@@ -174,6 +250,6 @@ impl Lines {
 
     /// The kinds of the lines, by their links.
     pub fn kinds(&self) -> impl Iterator<Item = (&str, LineKind)> {
-        self.lines.iter().filter_map(|known| Some((known.link.as_str(), known.channel.as_ref()?.kind())))
+        self.lines.iter().filter_map(|known| Some((known.link.as_str(), known.channel.as_ref()?.channel.kind())))
     }
 }

@@ -5,8 +5,9 @@ use val3_lang::values::Text;
 use val3_vm::CYCLE;
 
 use super::Devices;
+use super::outside::Media as OutsideMedia;
 use crate::event::What;
-use crate::files::{self, ControllerPath, FileFault, LibraryPath, OpenMode, list};
+use crate::files::{self, ControllerPath, FileFault, LibraryPath, OpenFiles, OpenMode, list};
 use crate::sio::byte_of;
 
 /// Time to find, create or delete something on a medium: a cycle, after which the run can be ended.
@@ -29,9 +30,21 @@ impl Devices {
         self.spend(TRANSFER, bytes);
     }
 
+    /// Does something with an open file; the default answer for a number of no file.
+    fn of_file<T: Clone + Default + 'static>(&mut self, file: f64, act: impl FnOnce(&mut OpenFiles, usize) -> T) -> T {
+        number(file).map(|file| self.outside.ask(|media| act(&mut media.files, file))).unwrap_or_default()
+    }
+
+    fn on_media<T: Clone + 'static>(
+        &mut self,
+        act: impl FnOnce(&mut OutsideMedia) -> Result<T, FileFault>,
+    ) -> Result<T, FileFault> {
+        self.outside.ask(act)
+    }
+
     fn spend(&mut self, time: Time, bytes: usize) {
         let bytes = PER_BYTE.saturating_mul(bytes as Time);
-        self.elapsed = self.elapsed.saturating_add(time).saturating_add(bytes);
+        self.state.elapsed = self.state.elapsed.saturating_add(time).saturating_add(bytes);
     }
 }
 
@@ -39,71 +52,73 @@ impl Media for Devices {
     fn delete_library(&mut self, from: &str, path: &str) -> u16 {
         self.access(0);
         let library = controller_path(from, path).and_then(|path| LibraryPath::new(&path));
-        let code = library.and_then(|library| library.delete(&self.roots)).err().map_or(0, FileFault::code);
+        let deleted = library.and_then(|library| self.outside.ask(|media| library.delete(&media.roots)));
+        let code = deleted.err().map_or(0, FileFault::code);
         self.record(What::Lib { op: "delete", alias: String::new(), path: path.to_owned(), code });
         code
     }
 
     fn list(&mut self, from: &str, path: &str) -> Option<Vec<String>> {
         self.access(0);
-        list(&self.roots, &controller_path(from, path).ok()?).ok()
+        let path = controller_path(from, path).ok()?;
+        self.outside.ask(|media| list(&media.roots, &path).ok())
     }
 
     fn open_file(&mut self, from: &str, path: &str, mode: &str) -> Option<u8> {
         self.access(0);
         let (path, mode) = (controller_path(from, path).ok()?, OpenMode::parse(mode)?);
-        let number = self.files.open(&self.roots, &path, mode).ok()?;
+        let number = self.outside.ask(|media| media.files.open(&media.roots, &path, mode)).ok()?;
         u8::try_from(number).ok()
     }
 
     fn read_lines(&mut self, file: f64, most: usize) -> Vec<String> {
-        let lines = number(file).map(|file| self.files.lines(file, most)).unwrap_or_default();
+        let lines = self.of_file(file, |files, file| files.lines(file, most));
         self.transfer(lines.iter().map(String::len).sum());
         lines
     }
 
     fn read_bytes(&mut self, file: f64, most: usize) -> Vec<u8> {
-        let bytes = number(file).map(|file| self.files.bytes(file, most)).unwrap_or_default();
+        let bytes = self.of_file(file, |files, file| files.bytes(file, most));
         self.transfer(bytes.len());
         bytes
     }
 
     fn write_lines(&mut self, file: f64, lines: &[Text]) -> usize {
         self.transfer(lines.iter().map(|line| line.as_str().len()).sum());
-        number(file).map_or(0, |file| self.files.write_lines(file, lines.iter().map(Text::as_str)))
+        self.of_file(file, |files, file| files.write_lines(file, lines.iter().map(Text::as_str)))
     }
 
     fn write_bytes(&mut self, file: f64, numbers: &[f64]) -> usize {
         let bytes: Vec<u8> = numbers.iter().copied().map(byte_of).collect();
         self.transfer(bytes.len());
-        number(file).map_or(0, |file| self.files.write_bytes(file, &bytes))
+        self.of_file(file, |files, file| files.write_bytes(file, &bytes))
     }
 
     fn close_file(&mut self, file: f64) -> bool {
         self.transfer(0);
-        number(file).is_some_and(|file| self.files.close(file).is_ok())
+        self.of_file(file, |files, file| files.close(file).is_ok())
     }
 
     fn file_exists(&mut self, from: &str, path: &str) -> bool {
         self.access(0);
-        controller_path(from, path).and_then(|path| files::file_exists(&self.roots, &path)).unwrap_or(false)
+        self.on_media(|media| files::file_exists(&media.roots, &controller_path(from, path)?)).unwrap_or(false)
     }
 
     fn delete_file(&mut self, from: &str, path: &str) -> bool {
         self.access(0);
-        controller_path(from, path).and_then(|path| files::delete(&self.roots, &path)).is_ok()
+        self.on_media(|media| files::delete(&media.roots, &controller_path(from, path)?)).is_ok()
     }
 
     fn copy_file(&mut self, from: &str, source: &str, target: &str) -> bool {
         self.access(0);
-        let (source, target) = (controller_path(from, source), controller_path(from, target));
-        source.and_then(|source| files::copy(&self.roots, &source, &target?)).is_ok()
+        let path = |path| controller_path(from, path);
+        self.on_media(|media| files::copy(&media.roots, &path(source)?, &path(target)?)).is_ok()
     }
 
     fn rename_file(&mut self, from: &str, old: &str, new: &str) -> bool {
         self.access(0);
-        let (old, new) = (controller_path(from, old), controller_path(from, new));
-        old.and_then(|old| files::rename(&self.roots, &old, &new?)).is_ok()
+        let path = |path| controller_path(from, path);
+        self.on_media(|media| files::rename(&media.roots, &path(old)?, &path(new)?)).is_ok()
     }
 }
 

@@ -6,7 +6,7 @@ use val3_lang::ports::Motion;
 use super::Devices;
 use crate::controller_state::JointLimits;
 
-/// An arm that stands still at joint position zero: no move is ever recorded.
+/// An arm that does not move: it is at joint position zero, and no move is ever recorded.
 #[derive(Debug, Clone, Default)]
 pub struct StandingArm {
     /// `stopMove` holds it.
@@ -21,7 +21,7 @@ pub struct StandingArm {
 }
 
 impl StandingArm {
-    /// An arm of this model, with its limits as far as they are known.
+    /// An arm of this model, with the known limits of its axes.
     #[must_use]
     pub fn new(model: &str) -> Self {
         Self { limits: JointLimits::of_model(model), ..Self::default() }
@@ -38,7 +38,7 @@ impl Motion for Devices {
     }
 
     fn is_in_range(&mut self, joint: [f64; 6]) -> bool {
-        self.arm.limits.contain(joint)
+        self.state.arm.limits.contain(joint)
     }
 
     fn speed(&mut self, _: &[Trsf]) -> f64 {
@@ -62,30 +62,30 @@ impl Motion for Devices {
     }
 
     fn stop_move(&mut self) {
-        self.arm.is_stopped = true;
+        self.state.arm.is_stopped = true;
     }
 
     fn restart_move(&mut self) {
-        self.arm.is_stopped = false;
+        self.state.arm.is_stopped = false;
     }
 
     fn reset_motion(&mut self, start: Option<[f64; 6]>) {
-        (self.arm.is_stopped, self.arm.start, self.arm.next_move) = (false, start, 0.0);
+        (self.state.arm.is_stopped, self.state.arm.start, self.state.arm.next_move) = (false, start, 0.0);
     }
 
     fn move_id(&mut self) -> f64 {
-        self.arm.next_move
+        self.state.arm.next_move
     }
 
     fn set_move_id(&mut self, id: f64) {
-        self.arm.next_move = id;
+        self.state.arm.next_move = id;
     }
 
     fn connects_by_itself(&mut self) -> bool {
-        self.arm.connects_by_itself
+        self.state.arm.connects_by_itself
     }
 
     fn connect_by_itself(&mut self, active: bool) {
-        self.arm.connects_by_itself = active;
+        self.state.arm.connects_by_itself = active;
     }
 }

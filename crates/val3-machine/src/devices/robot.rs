@@ -10,104 +10,104 @@ use crate::event::What;
 
 impl Robot for Devices {
     fn enable_power(&mut self) {
-        let now = self.origin.time;
-        let request = self.robot.enable_power(now);
+        let now = self.now();
+        let request = self.state.robot.enable_power(now);
         if let Some(refusal) = request.refusal() {
-            self.log.report(refusal, Severity::Warning, now);
+            self.state.log.report(refusal, Severity::Warning, now);
             self.record_log();
         }
     }
 
     fn disable_power(&mut self) {
-        self.robot.disable_power(self.origin.time);
+        self.state.robot.disable_power(self.now());
     }
 
     fn is_power_off(&mut self) -> bool {
-        self.robot.is_power_off()
+        self.state.robot.is_power_off()
     }
 
     fn is_powered(&mut self) -> bool {
-        self.robot.is_powered()
+        self.state.robot.is_powered()
     }
 
     fn is_calibrated(&mut self) -> bool {
-        self.robot.is_calibrated()
+        self.state.robot.is_calibrated()
     }
 
     fn working_mode(&mut self) -> (u8, u8) {
-        (self.robot.working_mode().number(), self.robot.mode_state())
+        (self.state.robot.working_mode().number(), self.state.robot.mode_state())
     }
 
     fn es_status(&mut self) -> u8 {
-        self.robot.es_status() as u8
+        self.state.robot.es_status() as u8
     }
 
     fn safety_fault(&mut self) -> Option<Text> {
-        self.robot.safety_fault().map(Text::from)
+        self.state.robot.safety_fault().map(Text::from)
     }
 
     fn monitor_speed(&mut self) -> f64 {
-        self.robot.monitor_speed()
+        self.state.robot.monitor_speed()
     }
 
     fn set_monitor_speed(&mut self, speed: f64) -> i8 {
-        let operator_controls = self.profiles.active().controls_speed;
-        self.robot.set_monitor_speed(speed, operator_controls) as i8
+        let operator_controls = self.state.profiles.active().controls_speed;
+        self.state.robot.set_monitor_speed(speed, operator_controls) as i8
     }
 
     fn version(&mut self, component: &str) -> Text {
-        Text::from(self.versions.version(component))
+        Text::from(self.state.versions.version(component))
     }
 
     fn oem_licence(&mut self, name: &str, password: &str) -> Text {
-        Text::from(self.versions.oem_licence(name, password))
+        Text::from(self.state.versions.oem_licence(name, password))
     }
 
     fn date(&mut self, now: Time) -> DateTime {
-        self.calendar.after(now)
+        self.state.calendar.after(now)
     }
 
     fn log(&mut self, text: &str, level: f64) -> bool {
-        let written = self.log.log(text, Severity::from_number(level), self.origin.time);
+        let written = self.state.log.log(text, Severity::from_number(level), self.now());
         self.record_log();
         written
     }
 
     fn profile(&mut self) -> Text {
-        Text::from(self.profiles.active().name.as_str())
+        Text::from(self.state.profiles.active().name.as_str())
     }
 
     fn set_profile(&mut self, login: &str, password: &str) -> u8 {
-        self.profiles.change(login, password) as u8
+        self.state.profiles.change(login, password) as u8
     }
 
     fn language(&mut self) -> Text {
-        Text::from(self.languages.active())
+        Text::from(self.state.languages.active())
     }
 
     fn set_language(&mut self, language: &str) -> bool {
-        self.languages.change(language)
+        self.state.languages.change(language)
     }
 
     fn safe_reference(&mut self) -> f64 {
-        self.cs9.safe_reference
+        self.state.cs9.safe_reference
     }
 
     fn has_external_supply(&mut self) -> bool {
-        self.cs9.external_supply
+        self.state.cs9.external_supply
     }
 
     fn restart_safety(&mut self) -> bool {
-        self.cs9.accepts_restart
+        self.state.cs9.accepts_restart
     }
 
     fn wake_up(&mut self) -> f64 {
-        self.cs9.wake_up
+        self.state.cs9.wake_up
     }
 
     fn reference_position(&mut self, name: &str) -> [f64; 6] {
         let mut joint = [0.0; 6];
-        let known = self.cs9.references.get(name).into_iter().flatten();
+        let known = self.state.cs9.references.get(name).into_iter().flatten();
         joint.iter_mut().zip(known).for_each(|(axis, position)| *axis = *position);
         joint
     }
@@ -116,7 +116,7 @@ impl Robot for Devices {
 impl Devices {
     /// Writes a line of the controller itself to the event log, where nothing is lost.
     pub fn report(&mut self, text: &str, severity: Severity, now: Time) {
-        self.log.report(text, severity, now);
+        self.state.log.report(text, severity, now);
         let logged = self.take_log();
         logged.into_iter().for_each(|what| self.record_outside(now, what));
     }
@@ -128,13 +128,13 @@ impl Devices {
     }
 
     fn take_log(&mut self) -> Vec<What> {
-        let entries = self.log.take_entries();
+        let entries = self.state.log.take_entries();
         entries.iter().map(|entry| What::Log { level: entry.severity.name(), text: entry.line() }).collect()
     }
 
     /// Records what has become of power and mode.
     pub(super) fn record_robot(&mut self, now: Time) {
-        for event in self.robot.take_events() {
+        for event in self.state.robot.take_events() {
             match event {
                 RobotEvent::Power(on) => self.record_outside(now, What::Power { on }),
                 RobotEvent::Mode(mode) => self.record_outside(now, What::Mode { mode: mode.number() }),

@@ -1,7 +1,7 @@
 //! `libSave` (6.7).
 //!
 //! The files of an application or library stay in memory as they were loaded, so that it can be saved where its files
-//! were deleted or changed. Values that are as they were loaded leave the bytes of their file as they are.
+//! were deleted or changed. Unchanged values leave the bytes of their file unchanged.
 
 mod links;
 mod values;
@@ -24,8 +24,8 @@ impl Devices {
     /// Keeps the files of what was loaded, as the place to write its data to.
     pub fn keep_files(&mut self, instance: InstanceId, path: &str) {
         let library = controller_path("", path).and_then(|path| LibraryPath::new(&path));
-        if let Ok(files) = library.and_then(|library| library.read(&self.roots, "")) {
-            self.sources.insert(instance.0, files);
+        if let Ok(files) = library.and_then(|library| self.outside.ask(|media| library.read(&media.roots, ""))) {
+            self.state.loaded.keep_files(instance.0, files);
         }
     }
 
@@ -39,7 +39,7 @@ impl Devices {
         self.access(0);
         let path = |id| space.instance(id).map_or("", |instance| instance.path.as_str());
         let origin = LibraryPath::new(&controller_path("", path(saved))?)?;
-        let loaded = self.sources.get(&saved.0).ok_or(FileFault::NotFound)?;
+        let loaded = self.state.loaded.files(saved.0).ok_or(FileFault::NotFound)?;
         if data_bytes(space, saved) > self.limits.saved {
             return Err(FileFault::DiskFull);
         }
@@ -48,14 +48,14 @@ impl Devices {
         match to {
             Some(to) => {
                 let target = LibraryPath::new(&controller_path(path(from), to)?)?;
-                target.save_as(&self.roots, &new, &mut Uninterrupted)
+                self.outside.ask(|media| target.save_as(&media.roots, &new, &mut Uninterrupted))
             }
-            None => {
-                // What is no longer on the medium is written anew.
+            None => self.outside.ask(|media| {
+                // Files that are no longer on the medium are written again.
                 let nothing = LibraryFiles { files: Vec::new(), encrypted: new.encrypted };
-                let old = if new.encrypted { nothing } else { origin.read(&self.roots, "").unwrap_or(nothing) };
-                origin.save(&self.roots, &old, &new, &mut Uninterrupted)
-            }
+                let old = if new.encrypted { nothing } else { origin.read(&media.roots, "").unwrap_or(nothing) };
+                origin.save(&media.roots, &old, &new, &mut Uninterrupted)
+            }),
         }
     }
 

@@ -16,7 +16,7 @@ impl Screen for Devices {
 
     fn create_page(&mut self, variable: Place) -> u32 {
         let name = self.name_of_screen(variable);
-        self.pendant.create(&name).number()
+        self.state.pendant.create(&name).number()
     }
 
     fn show_page(&mut self, page: u32) {
@@ -28,7 +28,7 @@ impl Screen for Devices {
     }
 
     fn go_to(&mut self, page: u32, x: f64, y: f64) {
-        self.pendant.go_to(PageId::from_number(page), x, y);
+        self.state.pendant.go_to(PageId::from_number(page), x, y);
     }
 
     fn clear(&mut self, page: u32) {
@@ -37,7 +37,7 @@ impl Screen for Devices {
 
     fn set_text_mode(&mut self, page: u32, mode: f64) -> Result<()> {
         let mode = TextMode::from_number(mode).ok_or(Fault::INVALID_PARAMETER)?;
-        self.pendant.set_text_mode(PageId::from_number(page), mode);
+        self.state.pendant.set_text_mode(PageId::from_number(page), mode);
         Ok(())
     }
 
@@ -56,24 +56,24 @@ impl Screen for Devices {
     fn begin_reading(&mut self, page: u32, asked: Asked) {
         self.give_up_reading();
         let reading = self.on_pendant(|pendant| pendant.begin_reading(PageId::from_number(page), asked));
-        self.readings.insert(self.origin.task, reading);
+        self.state.readings.insert(self.state.record.origin().task, reading);
     }
 
     fn begin_question(&mut self, text: &str, asked: Asked) {
         self.give_up_reading();
         let reading = self.on_pendant(|pendant| pendant.ask(text, asked));
-        self.readings.insert(self.origin.task, reading);
+        self.state.readings.insert(self.state.record.origin().task, reading);
     }
 
     fn take_answer(&mut self) -> Option<Answer> {
         let reading = self.reading()?;
-        let answer = self.pendant.take_answer(reading)?;
-        self.readings.remove(&self.origin.task);
+        let answer = self.state.pendant.take_answer(reading)?;
+        self.state.readings.remove(&self.state.record.origin().task);
         Some(answer)
     }
 
     fn take_key(&mut self, page: u32) -> Option<u16> {
-        self.pendant.take_key(PageId::from_number(page))
+        self.state.pendant.take_key(PageId::from_number(page))
     }
 
     fn is_key_pressed(&mut self, page: u32, code: f64) -> bool {
@@ -81,7 +81,7 @@ impl Screen for Devices {
         (0.0..=f64::from(u16::MAX)).contains(&code) && {
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "within the range")]
             let code = code as u16;
-            self.pendant.is_key_pressed(PageId::from_number(page), code)
+            self.state.pendant.is_key_pressed(PageId::from_number(page), code)
         }
     }
 
@@ -101,7 +101,7 @@ impl Screen for Devices {
 impl Devices {
     /// Does something on the pendant for the task that runs, and records what is seen of it.
     fn on_pendant<T>(&mut self, act: impl FnOnce(&mut crate::screen::Pendant) -> T) -> T {
-        let result = act(&mut self.pendant);
+        let result = act(&mut self.state.pendant);
         let seen = self.take_seen();
         seen.into_iter().for_each(|what| self.record(what));
         result
@@ -114,13 +114,13 @@ impl Devices {
     }
 
     fn take_seen(&mut self) -> Vec<What> {
-        let events = self.pendant.take_events();
+        let events = self.state.pendant.take_events();
         events.into_iter().filter_map(|event| self.seen(event)).collect()
     }
 
-    /// What the record says of an event. A question comes up as a message does.
+    /// The form of an event in the record. A question has the form of a message.
     fn seen(&self, event: ScreenEvent) -> Option<What> {
-        let screen = |page| self.pendant.name(page).to_owned();
+        let screen = |page| self.state.pendant.name(page).to_owned();
         let cell = |number| u8::try_from(number).unwrap_or(u8::MAX);
         Some(match event {
             ScreenEvent::Put { page, at, text, .. } => {
@@ -135,26 +135,25 @@ impl Devices {
         })
     }
 
-    /// What the task that runs has asked the operator.
+    /// The question of the task that runs to the operator.
     fn reading(&self) -> Option<ReadingId> {
-        self.readings.get(&self.origin.task).copied()
+        self.state.readings.get(&self.state.record.origin().task).copied()
     }
 
     fn give_up_reading(&mut self) {
-        self.cancel_reading(self.origin.task);
+        self.cancel_reading(self.state.record.origin().task);
     }
 
-    /// Nobody waits for an answer any more.
+    /// Cancels the question of a task.
     pub(super) fn cancel_reading(&mut self, task: val3_lang::ports::TaskNumber) {
-        if let Some(reading) = self.readings.remove(&task) {
-            self.pendant.cancel_reading(reading);
+        if let Some(reading) = self.state.readings.remove(&task) {
+            self.state.pendant.cancel_reading(reading);
         }
     }
 
     /// The name of a screen in the record: that of the global variable, with its index or key if it has several
     /// values; `screen` and a number for a local one and for a field.
     fn name_of_screen(&self, variable: Place) -> String {
-        let global = self.instances.iter().flatten().find_map(|instance| instance.name_of(variable));
-        global.unwrap_or_else(|| format!("screen{}", self.pendant.pages().count()))
+        self.state.loaded.screen(variable).unwrap_or_else(|| format!("screen{}", self.state.pendant.pages().count()))
     }
 }

@@ -42,8 +42,8 @@ impl Serial for Devices {
         first: bool,
         waited: Time,
     ) -> Result<Reply<Option<usize>>> {
-        let task = self.origin.task;
-        let begun = self.lines.sending.remove(&task).filter(|_| !first);
+        let task = self.state.record.origin().task;
+        let begun = self.lines.take_sending(task).filter(|_| !first);
         let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
         let mut sending = begun.unwrap_or_else(|| match what {
             Outgoing::Text(text) => channel.text(text),
@@ -56,7 +56,7 @@ impl Serial for Devices {
         let reply = reply.map(|sent| sent.ok());
         match reply {
             Reply::Wait(_) => {
-                self.lines.sending.insert(task, sending);
+                self.lines.keep_sending(task, sending);
             }
             Reply::Done(_) => self.record_line(port, "out", sending.gone()),
         }
@@ -99,7 +99,6 @@ impl Devices {
     fn record_line(&mut self, port: Option<u32>, dir: &'static str, bytes: &[u8]) {
         let link = port.and_then(|port| self.lines.link(port)).unwrap_or_default().to_owned();
         if !bytes.is_empty() {
-            self.recorded += bytes.len();
             self.record(What::Sio { link, dir, bytes: bytes.to_vec() });
         }
     }

@@ -1,4 +1,4 @@
-//! What tasks do, and what the run time asks of the controller.
+//! Events of tasks, and the services of the controller for the run time.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -18,7 +18,7 @@ use crate::files::FileFault;
 
 impl Ports for Devices {
     fn origin(&mut self, origin: Origin) {
-        self.origin = origin;
+        self.state.record.set_origin(origin);
     }
 
     fn task(&mut self, task: TaskNumber, name: &str, change: TaskChange, at: Option<CodePlace>) {
@@ -31,24 +31,24 @@ impl Ports for Devices {
             TaskChange::Failed(Fault(code)) => ("error", Some(code)),
         };
         if change == TaskChange::Created {
-            self.names.insert(task, name.to_owned());
+            self.state.record.name(task, name);
         }
-        let (program, line, file) = self.place(at.unwrap_or(self.origin.at));
+        let (program, line, file) = self.place(at.unwrap_or(self.state.record.origin().at));
         self.record(What::Task { state, name: name.to_owned(), program: program.clone(), line, code });
         if let Some(code) = code {
             let message = runtime_errors::find(code).map_or("", |error| error.short);
             self.record(What::Error { code, message, program, line, file });
         }
         if matches!(change, TaskChange::Ended | TaskChange::Killed) {
-            self.names.remove(&task);
+            self.state.record.forget(task);
             self.cancel_reading(task);
-            self.lines.sending.remove(&task);
+            self.lines.forget_sending(task);
         }
     }
 
     fn port(&mut self, base: BaseType, path: &str) -> Option<u32> {
         match base {
-            BaseType::Dio | BaseType::Aio => Some(self.io.adopt(path, base == BaseType::Dio).number()),
+            BaseType::Dio | BaseType::Aio => Some(self.state.io.adopt(path, base == BaseType::Dio).number()),
             BaseType::Sio => Some(self.lines.number(path)),
             _ => None,
         }
@@ -57,29 +57,25 @@ impl Ports for Devices {
 
 impl Host for Devices {
     fn take_elapsed(&mut self) -> Time {
-        std::mem::take(&mut self.elapsed)
+        std::mem::take(&mut self.state.elapsed)
     }
 
     fn is_interrupted(&self) -> bool {
-        self.interrupt.load(Ordering::Relaxed) || self.recorded > self.limits.recorded
+        self.interrupt.load(Ordering::Relaxed) || self.state.record.bytes() > self.limits.recorded
     }
 
     fn lacking(&mut self, instruction: &str) {
-        let (program, line, file) = self.place(self.origin.at);
+        let (program, line, file) = self.place(self.state.record.origin().at);
         self.record(What::Lacking { instruction: instruction.to_owned(), program, line, file });
-        self.lacks = true;
+        self.state.lacks = true;
     }
 
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
-        self.hold(instance, image, data);
-        self.sources.remove(&instance);
-        if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
-            self.sources.insert(instance, files);
-        }
+        self.state.loaded.add(instance, image, data);
     }
 
     fn no_memory_for(&mut self, path: &str) {
-        self.report(&format!("`{path}`: no memory is left for the library"), Severity::Error, self.origin.time);
+        self.report(&format!("`{path}`: no memory is left for the library"), Severity::Error, self.now());
     }
 
     fn load(&mut self, from: &str, path: &str, password: &str) -> Result<Loaded, u16> {

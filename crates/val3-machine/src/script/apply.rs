@@ -1,4 +1,4 @@
-//! Lets what a script says happen to a controller.
+//! Applies the entries of a script to a controller.
 
 use val3_lang::call::Stored;
 use val3_lang::memory::{Place, StoreId};
@@ -15,12 +15,12 @@ use crate::devices::{Devices, NoSignal};
 use crate::io::Fault;
 
 impl Controller {
-    /// What is to happen from outside; what was to happen before is forgotten.
+    /// Sets the script, in place of the previous one.
     pub fn follow(&mut self, script: Script) {
         self.script = script;
     }
 
-    /// Lets happen what is due. What a script says in vain stands in the event log as an error.
+    /// Applies the script entries that are due. An entry without effect is an error in the event log.
     pub(crate) fn follow_script(&mut self, now: Time) {
         while let Some(entry) = self.script.take_due(now) {
             for problem in self.apply(&entry, now) {
@@ -30,7 +30,7 @@ impl Controller {
         }
     }
 
-    /// Lets an entry happen; what cannot.
+    /// Applies an entry, and returns the problems with it.
     fn apply(&mut self, entry: &Entry, now: Time) -> Vec<String> {
         let mut problems = entry.apply_io(&mut self.devices);
         for (name, value) in &entry.set {
@@ -38,10 +38,10 @@ impl Controller {
         }
         entry.apply_robot(&mut self.devices, now);
         if let Some(key) = &entry.key {
-            self.devices.pendant.tap(key.0, now);
+            self.devices.state.pendant.tap(key.0, now);
         }
         if let Some(keys) = &entry.keys {
-            self.devices.pendant.type_when_asked(keys.0.iter().copied());
+            self.devices.state.pendant.type_when_asked(keys.0.iter().copied());
         }
         if entry.stop {
             self.stop();
@@ -127,24 +127,24 @@ impl Entry {
 
     fn apply_robot(&self, devices: &mut Devices, now: Time) {
         match self.estop {
-            Some(true) => devices.robot.press_emergency_stop(),
-            Some(false) => devices.robot.release_emergency_stop(),
+            Some(true) => devices.state.robot.press_emergency_stop(),
+            Some(false) => devices.state.robot.release_emergency_stop(),
             None => {}
         }
         if let Some(fault) = &self.safety_fault {
-            devices.robot.set_safety_fault(fault.signal());
+            devices.state.robot.set_safety_fault(fault.signal());
         }
         if let Some(calibrated) = self.calibrated {
-            devices.robot.set_calibrated(calibrated);
+            devices.state.robot.set_calibrated(calibrated);
         }
         if let Some(mode) = self.mode {
-            devices.robot.set_mode(mode.0, now);
+            devices.state.robot.set_mode(mode.0, now);
         }
         if let Some(on) = self.power {
-            devices.robot.set_power(on);
+            devices.state.robot.set_power(on);
         }
         if let Some(speed) = self.monitor_speed {
-            devices.robot.turn_speed(speed.0);
+            devices.state.robot.turn_speed(speed.0);
         }
     }
 }
@@ -152,45 +152,45 @@ impl Entry {
 impl Devices {
     fn set_io(&mut self, link: &str, level: Level) -> Result<(), NoSignal> {
         let signal = self.signal(link, matches!(level, Level::Digital(_)))?;
-        self.io.set(signal, level.number());
+        self.state.io.set(signal, level.number());
         Ok(())
     }
 
     fn lock_io(&mut self, link: &str, level: Option<Level>) -> Result<(), NoSignal> {
         let signal = self.known_signal(link)?;
-        self.io.lock(signal, level.map(Level::number));
+        self.state.io.lock(signal, level.map(Level::number));
         Ok(())
     }
 
     fn unlock_io(&mut self, link: &str) -> Result<(), NoSignal> {
         let signal = self.known_signal(link)?;
-        self.io.unlock(signal);
+        self.state.io.unlock(signal);
         Ok(())
     }
 
     fn simulate_io(&mut self, link: &str, simulated: bool) -> Result<(), NoSignal> {
         let signal = self.known_signal(link)?;
-        self.io.simulate(signal, simulated);
+        self.state.io.simulate(signal, simulated);
         Ok(())
     }
 
     fn protect_io(&mut self, link: &str, protected: bool) -> Result<(), NoSignal> {
         let signal = self.known_signal(link)?;
-        self.io.protect(signal, protected);
+        self.state.io.protect(signal, protected);
         Ok(())
     }
 
     /// A path of no signal is that of a device, whose faults have numbers of their own.
     fn fail(&mut self, FaultEntry { link, code }: &FaultEntry) -> Result<(), String> {
-        let Some(signal) = self.io.find(link) else {
-            self.io.set_device_fault(link, Some(*code).filter(|code| *code != 0));
+        let Some(signal) = self.state.io.find(link) else {
+            self.state.io.set_device_fault(link, Some(*code).filter(|code| *code != 0));
             return Ok(());
         };
         let fault = i8::try_from(*code).ok().and_then(Fault::from_number);
         if fault.is_none() && *code != 0 {
             return Err(no_fault(link, *code));
         }
-        self.io.set_fault(signal, fault);
+        self.state.io.set_fault(signal, fault);
         Ok(())
     }
 }

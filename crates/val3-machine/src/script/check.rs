@@ -15,13 +15,13 @@ use crate::io::Fault;
 pub struct ScriptFault {
     /// The time of the entry, in seconds.
     pub seconds: f64,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
     /// The name that is not known, with those that are; empty where the name is not at fault.
     pub unknown: Option<(String, Vec<String>)>,
 }
 
-/// What is wrong with a part of an entry.
+/// A problem with a part of an entry.
 struct Problem {
     message: String,
     unknown: Option<(String, Vec<String>)>,
@@ -35,7 +35,7 @@ impl From<String> for Problem {
 
 impl Controller {
     /// The parts of a script that name no variable or no signal of the application, or give one a value that it does
-    /// not take. `is_resized` tells which data of the application change their size: they may have an index later.
+    /// not take. `is_resized` is true for data of the application that change their size: they may have an index later.
     ///
     /// Data and signals of libraries that are loaded while the application runs are not judged.
     #[must_use]
@@ -94,7 +94,7 @@ impl Controller {
     }
 
     fn judge_signal(&self, path: &str) -> Result<(), Problem> {
-        let io = &self.devices.io;
+        let io = &self.devices.state.io;
         let may_exist = !io.is_configured(path) && self.loads_libraries();
         if may_exist || io.find(path).is_some() {
             return Ok(());
@@ -105,7 +105,7 @@ impl Controller {
 
     /// A device may fail although the application uses none of its signals.
     fn judge_fault(&self, FaultEntry { link, code }: &FaultEntry) -> Result<(), Problem> {
-        let io = &self.devices.io;
+        let io = &self.devices.state.io;
         let is_of_known_device = link.split_once('\\').is_some_and(|(device, _)| io.has_device(device));
         if io.has_device(link) || io.find(link).is_none() && !is_of_known_device {
             return Ok(());

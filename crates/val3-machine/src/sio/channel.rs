@@ -11,7 +11,7 @@ use super::setting::SettingFault;
 use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting, SettingValue};
 use input::Input;
 
-/// What an instruction gets: a result, or the task waits and asks again.
+/// The answer to an instruction: a result, or the task waits and asks again.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Turn<T> {
     /// Nothing yet.
@@ -37,6 +37,12 @@ pub struct Sending {
 /// A line or socket with its parameters and what it has received.
 pub struct Channel {
     line: Box<dyn Line>,
+    state: ChannelState,
+}
+
+/// What a channel has received, and its parameters.
+#[derive(Debug, Clone)]
+pub struct ChannelState {
     input: Input,
     /// The peer of what is in `input` has gone.
     ended: bool,
@@ -78,11 +84,23 @@ impl Sending {
 }
 
 impl Channel {
-    /// A channel behind `line`. Strings end with a carriage return and nothing limits a wait, until the configuration
+    /// A channel on `line`. Strings end with a carriage return and nothing limits a wait, until the configuration
     /// or a program says otherwise.
     #[must_use]
     pub fn new(line: Box<dyn Line>) -> Self {
-        Self { line, input: Input::default(), ended: false, end_of_string: b'\r', timeout: 0.0 }
+        let state = ChannelState { input: Input::default(), ended: false, end_of_string: b'\r', timeout: 0.0 };
+        Self { line, state }
+    }
+
+    /// A copy of its state.
+    #[must_use]
+    pub fn state(&self) -> ChannelState {
+        self.state.clone()
+    }
+
+    /// Replaces its state. The line stays as it is.
+    pub fn restore(&mut self, state: ChannelState) {
+        self.state = state;
     }
 
     /// The kind of the line.
@@ -94,26 +112,26 @@ impl Channel {
     /// How long an instruction waits, in seconds: 0 without limit, negative not at all.
     #[must_use]
     pub fn timeout(&self) -> f64 {
-        self.timeout
+        self.state.timeout
     }
 
     /// Looks after the line without reading: accepts and turns down callers, and takes in what has come.
     pub fn attend(&mut self) -> Connection {
-        if self.ended && self.input.is_empty() {
-            self.ended = false;
+        if self.state.ended && self.state.input.is_empty() {
+            self.state.ended = false;
         }
         let connection = self.line.open();
-        if self.ended || self.input.room() == 0 {
+        if self.state.ended || self.state.input.room() == 0 {
             return connection;
         }
-        match self.line.receive(self.input.room(), self.input.is_empty()) {
+        match self.line.receive(self.state.input.room(), self.state.input.is_empty()) {
             Received::Nothing => connection,
             Received::Bytes(bytes) => {
-                self.input.extend(&bytes);
+                self.state.input.extend(&bytes);
                 Connection::Open
             }
             Received::Ended => {
-                self.ended = true;
+                self.state.ended = true;
                 Connection::Closed
             }
         }
@@ -122,7 +140,7 @@ impl Channel {
     /// `sText = siInput`: a string, complete when its end has come or when it is as long as a string can be. The end
     /// is taken out and not given; what is no character of a string is passed over.
     ///
-    /// What a peer has left unfinished when it went is lost. A string that the limit has cut goes on in the next
+    /// The unfinished string of a peer that has gone is lost. A string that the limit has cut continues in the next
     /// one; one of exactly 128 bytes is followed by an empty one, as its end is still to be read.
     pub fn read_text(&mut self, waited: f64) -> Turn<Result<String, SioFault>> {
         if let Some(text) = self.next_text() {
@@ -136,9 +154,9 @@ impl Channel {
     }
 
     fn next_text(&mut self) -> Option<String> {
-        let text = self.input.take_text(self.end_of_string);
-        if text.is_none() && self.ended {
-            self.input.clear();
+        let text = self.state.input.take_text(self.state.end_of_string);
+        if text.is_none() && self.state.ended {
+            self.state.input.clear();
         }
         text
     }
@@ -146,7 +164,7 @@ impl Channel {
     /// `nData = siInput`: one byte.
     pub fn read_byte(&mut self, waited: f64) -> Turn<Result<u8, SioFault>> {
         self.attend();
-        match self.input.take(1).first() {
+        match self.state.input.take(1).first() {
             Some(byte) => Turn::Done(Ok(*byte)),
             None => self.wait(waited),
         }
@@ -156,11 +174,11 @@ impl Channel {
     /// gives as -1, after the timeout.
     ///
     /// A serial line does not wait (3.7.3 says so of sockets alone). With a negative timeout a socket does not either:
-    /// nothing is received while it is connected, and -1 tells that it is not.
+    /// nothing is received while it is connected, and -1 means that it is not.
     pub fn read_bytes(&mut self, most: usize, waited: f64) -> Turn<Option<Vec<u8>>> {
         let connection = self.attend();
-        let bytes = self.input.take(most);
-        let at_once = self.kind() == LineKind::Serial || (self.timeout < 0.0 && connection == Connection::Open);
+        let bytes = self.state.input.take(most);
+        let at_once = self.kind() == LineKind::Serial || (self.state.timeout < 0.0 && connection == Connection::Open);
         if !bytes.is_empty() || at_once {
             return Turn::Done(Some(bytes));
         }
@@ -171,14 +189,14 @@ impl Channel {
     #[must_use]
     pub fn text(&self, text: &str) -> Sending {
         let mut bytes = text.as_bytes().to_vec();
-        bytes.push(self.end_of_string);
+        bytes.push(self.state.end_of_string);
         Sending::bytes(bytes)
     }
 
     /// `siOutput = …` and `sioSet`: sends what is left. Gives how many bytes are gone in all, which are fewer than
     /// there were if the connection failed half way.
     ///
-    /// A connection that fails before anything is gone is opened anew, until the timeout.
+    /// A connection that fails before any byte is sent is opened again, until the timeout.
     pub fn send(&mut self, sending: &mut Sending, waited: f64) -> Turn<Result<usize, SioFault>> {
         let mut lost = self.attend() == Connection::Closed;
         while !lost && sending.sent < sending.total() {
@@ -188,7 +206,7 @@ impl Channel {
                 Sent::Lost => lost = true,
             }
         }
-        let partly = sending.sent > 0 && (lost || self.timeout < 0.0);
+        let partly = sending.sent > 0 && (lost || self.state.timeout < 0.0);
         if sending.sent >= sending.total() || partly {
             return Turn::Done(Ok(sending.sent));
         }
@@ -198,13 +216,13 @@ impl Channel {
     /// `clearBuffer`: how many bytes were thrown away. A socket is closed as well; `None`, which the instruction
     /// gives as -1, if it was closed already.
     pub fn clear(&mut self) -> Option<usize> {
-        let mut count = self.input.len();
-        self.input.clear();
-        while !self.ended && count < MOST_CLEARED {
+        let mut count = self.state.input.len();
+        self.state.input.clear();
+        while !self.state.ended && count < MOST_CLEARED {
             let Received::Bytes(bytes) = self.line.receive(input::CAPACITY, true) else { break };
             count += bytes.len();
         }
-        self.ended = false;
+        self.state.ended = false;
         let closed = self.line.kind() == LineKind::Serial || self.line.close();
         closed.then_some(count)
     }
@@ -224,17 +242,17 @@ impl Channel {
     /// If the line cannot, or not now.
     pub fn set(&mut self, setting: &Setting) -> Result<(), Refused> {
         match setting {
-            Setting::EndOfString(byte) => self.end_of_string = *byte,
-            Setting::Timeout(seconds) => self.timeout = *seconds,
+            Setting::EndOfString(byte) => self.state.end_of_string = *byte,
+            Setting::Timeout(seconds) => self.state.timeout = *seconds,
             _ => return self.line.apply(setting),
         }
         Ok(())
     }
 
-    /// Closes the channel at the end of the application (3.7.1). What was not read is lost.
+    /// Closes the channel at the end of the application (3.7.1). Unread bytes are lost.
     pub fn shut_down(&mut self) {
-        self.input.clear();
-        self.ended = false;
+        self.state.input.clear();
+        self.state.ended = false;
         self.line.shut_down();
     }
 
@@ -244,7 +262,7 @@ impl Channel {
 
     /// An instruction that has waited so long, in seconds, waits no more.
     fn is_over(&self, waited: f64) -> bool {
-        self.timeout < 0.0 || (self.timeout > 0.0 && waited >= self.timeout)
+        self.state.timeout < 0.0 || (self.state.timeout > 0.0 && waited >= self.state.timeout)
     }
 }
 

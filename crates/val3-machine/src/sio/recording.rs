@@ -1,14 +1,17 @@
-//! What a line told, written down so that the same run can be had without it.
+//! The recorded answers of lines, from which a run can be repeated without them.
 //!
 //! The calls to a line are numbered. Only an answer that is not the usual one is written: a connection that opens or
 //! ends, bytes that came in, a send that did not take everything. So a line that is asked a million times and stays
 //! silent leaves nothing, and the program that asks in the same order hears the same.
 
+use std::cell::Cell;
 use std::collections::{BTreeMap, VecDeque};
+use std::rc::Rc;
 
 use serde::{Deserialize, Serialize};
 
 use super::{Connection, Line, LineKind, Received, Refused, Sent, Setting};
+use crate::inputs::Inputs;
 
 /// An answer of a line that was not the usual one.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -35,26 +38,41 @@ pub enum Answer {
     Refused(Refused),
 }
 
-/// A line that tells `tell` what it answers.
-pub struct Recorder<L, F> {
-    line: L,
-    tell: F,
+/// The state of a recorder: the number of the next call and the connection at the last one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RecorderState {
     call: u64,
     connection: Connection,
 }
 
+/// A line that is asked through a recorder of inputs, and whose unusual answers go to `tell`.
+pub struct Recorder<L, F> {
+    line: L,
+    inputs: Inputs,
+    tell: F,
+    state: Rc<Cell<RecorderState>>,
+}
+
 impl<L: Line, F: FnMut(Entry)> Recorder<L, F> {
     /// Records `line` from its first call on.
-    pub fn new(line: L, tell: F) -> Self {
-        Self { line, tell, call: 0, connection: Connection::Closed }
+    pub fn new(line: L, inputs: Inputs, tell: F) -> Self {
+        let state = RecorderState { call: 0, connection: Connection::Closed };
+        Self { line, inputs, tell, state: Rc::new(Cell::new(state)) }
+    }
+
+    /// The state, which others can save and restore.
+    #[must_use]
+    pub fn state(&self) -> Rc<Cell<RecorderState>> {
+        Rc::clone(&self.state)
     }
 
     /// Ends a call; `answer` is what was unusual about it.
     fn ended(&mut self, answer: Option<Answer>) {
+        let RecorderState { call, connection } = self.state.get();
         if let Some(answer) = answer {
-            (self.tell)(Entry { call: self.call, answer });
+            (self.tell)(Entry { call, answer });
         }
-        self.call += 1;
+        self.state.set(RecorderState { call: call + 1, connection });
     }
 }
 
@@ -64,37 +82,39 @@ impl<L: Line, F: FnMut(Entry)> Line for Recorder<L, F> {
     }
 
     fn open(&mut self) -> Connection {
-        let connection = self.line.open();
-        let before = std::mem::replace(&mut self.connection, connection);
+        let RecorderState { call, connection: before } = self.state.get();
+        let connection = self.inputs.ask_usual(&before, || self.line.open());
+        self.state.set(RecorderState { call, connection });
         self.ended((connection != before).then_some(Answer::Connection(connection)));
         connection
     }
 
     fn receive(&mut self, room: usize, fresh: bool) -> Received {
-        let received = self.line.receive(room, fresh);
+        let received = self.inputs.ask_usual(&Received::Nothing, || self.line.receive(room, fresh));
         self.ended((received != Received::Nothing).then(|| Answer::Received(received.clone())));
         received
     }
 
     fn send(&mut self, bytes: &[u8]) -> Sent {
-        let sent = self.line.send(bytes);
-        self.ended((sent != Sent::Taken(bytes.len())).then_some(Answer::Sent(sent)));
+        let usual = Sent::Taken(bytes.len());
+        let sent = self.inputs.ask_usual(&usual, || self.line.send(bytes));
+        self.ended((sent != usual).then_some(Answer::Sent(sent)));
         sent
     }
 
     fn close(&mut self) -> bool {
-        let closed = self.line.close();
+        let closed = self.inputs.ask_usual(&false, || self.line.close());
         self.ended(closed.then_some(Answer::Closed));
         closed
     }
 
     fn shut_down(&mut self) {
-        self.line.shut_down();
+        self.inputs.ask_usual(&(), || self.line.shut_down());
         self.ended(None);
     }
 
     fn apply(&mut self, setting: &Setting) -> Result<(), Refused> {
-        let applied = self.line.apply(setting);
+        let applied = self.inputs.ask_usual(&Ok(()), || self.line.apply(setting));
         self.ended(applied.err().map(Answer::Refused));
         applied
     }
@@ -197,7 +217,6 @@ impl Line for Replay {
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
-    use std::rc::Rc;
 
     use super::*;
     use crate::sio::{Channel, MemoryLine, Peer, SettingValue};
@@ -235,7 +254,7 @@ mod tests {
         let (line, peer) = MemoryLine::pair(LineKind::Server);
         let log = Rc::new(RefCell::new(Vec::new()));
         let sink = Rc::clone(&log);
-        let recorder = Recorder::new(line, move |entry| sink.borrow_mut().push(entry));
+        let recorder = Recorder::new(line, Inputs::default(), move |entry| sink.borrow_mut().push(entry));
         let seen = run(&mut Channel::new(Box::new(recorder)), |turn| outside(&peer, turn));
         let entries = log.borrow().clone();
         assert_eq!(entries.len(), 9, "{entries:#?}");
@@ -249,8 +268,9 @@ mod tests {
         let (line, _peer) = MemoryLine::pair(LineKind::Client);
         let log = Rc::new(RefCell::new(Vec::new()));
         let sink = Rc::clone(&log);
-        let mut channel =
-            Channel::new(Box::new(Recorder::new(line, move |entry: Entry| sink.borrow_mut().push(entry))));
+        let mut channel = Channel::new(Box::new(Recorder::new(line, Inputs::default(), move |entry: Entry| {
+            sink.borrow_mut().push(entry)
+        })));
         for _ in 0..100 {
             assert_eq!(channel.read_text(1.0), crate::sio::Turn::Wait);
         }

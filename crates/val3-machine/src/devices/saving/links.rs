@@ -94,7 +94,7 @@ impl<'s> Links<'s> {
         match link {
             Link::None => None,
             Link::Port(number) if base == BaseType::Sio => self.devices.lines.link(number).map(str::to_owned),
-            Link::Port(number) => Some(self.devices.io.text(LinkId::from_number(number)).to_owned()),
+            Link::Port(number) => Some(self.devices.state.io.text(LinkId::from_number(number)).to_owned()),
             Link::Data(place) => {
                 let store = self.memory.store(place.store).ok()?;
                 let number = place.num.checked_div(store.kind.size.num)?;
@@ -173,7 +173,7 @@ fn reference(father: &FatherLink) -> String {
     format!("{library}{}[{}]{}", father.name, quoted(&father.at), fields.collect::<String>())
 }
 
-/// Keys stand in quotation marks, indexes do not.
+/// Keys have quotation marks, indexes do not.
 fn quoted(at: &str) -> String {
     let is_index = at.chars().all(|character| character.is_ascii_digit() || matches!(character, ',' | ' '));
     if is_index { at.to_owned() } else { format!("\"{at}\"") }

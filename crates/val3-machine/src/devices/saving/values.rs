@@ -27,7 +27,7 @@ struct Loaded<'l> {
 }
 
 impl Saver<'_> {
-    /// All data. What is gone is left out, so that the file keeps what it has.
+    /// All data. Data that no longer exist are left out, so that the file keeps its text for them.
     pub(super) fn all(&self) -> Vec<SavedData> {
         let data = self.instance.image.data.iter().zip(self.instance.data.iter()).zip(0u32..);
         data.filter_map(|((data, store), number)| self.data(data, *store, number).ok()).collect()

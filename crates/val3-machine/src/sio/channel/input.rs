@@ -1,4 +1,4 @@
-//! What has come in and nobody has read: never more than a fixed number of bytes, so that a peer that floods the
+//! Received bytes that were not read: never more than a fixed number, so that a peer that floods the
 //! channel is held back by its own side.
 
 use std::collections::VecDeque;
@@ -8,7 +8,7 @@ use crate::string_bytes::fill;
 /// The most that waits to be read, in bytes: as much as one datagram can hold.
 pub(super) const CAPACITY: usize = 65_536;
 
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Input {
     bytes: VecDeque<u8>,
 }

@@ -93,7 +93,7 @@ fn a_flood_of_nothing_takes_no_memory() {
     for _ in 0..40 {
         peer.send(vec![0xff; 10_000]);
         assert_eq!(text(&mut channel), Turn::Wait);
-        assert!(channel.input.len() <= input::CAPACITY);
+        assert!(channel.state.input.len() <= input::CAPACITY);
     }
     peer.send("ed\r");
     let heard = (0..40).map(|_| text(&mut channel)).find(|turn| *turn != Turn::Wait);

@@ -1,0 +1,64 @@
+//! What an operator does while the application runs.
+
+use val3_lang::ports::Time;
+
+use super::Controller;
+
+/// An action of the operator.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operation {
+    /// Taps a key of the pendant.
+    Tap(u16),
+    /// Shows the next user page.
+    NextPage,
+    /// Shows the previous user page.
+    PreviousPage,
+    /// Stops the application.
+    Stop,
+}
+
+/// The actions of the operator with the times of the cycles that they precede, so that a restored controller repeats them.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Operations {
+    recorded: Vec<(Time, Operation)>,
+    /// The number of actions that have taken effect.
+    done: usize,
+}
+
+impl Operations {
+    /// Takes the next action whose time has come.
+    fn take_due(&mut self, now: Time) -> Option<Operation> {
+        let (_, operation) = self.recorded.get(self.done).filter(|(time, _)| *time <= now)?;
+        self.done += 1;
+        Some(*operation)
+    }
+
+    pub(super) fn next_due(&self) -> Option<Time> {
+        self.recorded.get(self.done).map(|(time, _)| *time)
+    }
+
+    /// Returns to an earlier position. The actions after it take effect again.
+    pub(super) fn rewind(&mut self, earlier: &Self) {
+        self.done = earlier.done;
+    }
+}
+
+impl Controller {
+    /// Lets the operator do something before the next cycle.
+    pub fn operate(&mut self, operation: Operation) {
+        let time = if self.schedule.is_within_cycle() { self.schedule.cycle_end() } else { self.schedule.now };
+        self.operations.recorded.push((time, operation));
+    }
+
+    pub(super) fn follow_operator(&mut self, now: Time) {
+        while let Some(operation) = self.operations.take_due(now) {
+            let pendant = &mut self.devices.state.pendant;
+            match operation {
+                Operation::Tap(code) => pendant.tap(code, now),
+                Operation::NextPage => pendant.show_next(),
+                Operation::PreviousPage => pendant.show_previous(),
+                Operation::Stop => self.stop(),
+            }
+        }
+    }
+}

@@ -1,0 +1,66 @@
+//! Snapshots: the controller at one moment, to which it can return.
+
+use val3_lang::ports::TaskNumber;
+use val3_vm::{Schedule, Vm};
+
+use super::operator::Operations;
+use super::{Controller, Phase};
+use crate::devices::{LinesState, State};
+use crate::script::Script;
+
+/// A controller at one moment.
+#[derive(Debug, Clone)]
+pub struct Snapshot {
+    vm: Vm,
+    state: State,
+    lines: LinesState,
+    schedule: Schedule,
+    phase: Phase,
+    lead: Option<TaskNumber>,
+    stopped: bool,
+    script: Script,
+    operations: Operations,
+    /// The position in the recording of inputs.
+    inputs: u64,
+}
+
+impl Controller {
+    /// Takes a snapshot, also in the middle of a cycle. From the first one on, all inputs are recorded.
+    pub fn snapshot(&mut self) -> Snapshot {
+        Snapshot {
+            vm: self.vm.clone(),
+            state: self.devices.state.clone(),
+            lines: self.devices.lines.state(),
+            schedule: self.schedule.clone(),
+            phase: self.phase,
+            lead: self.lead,
+            stopped: self.stopped,
+            script: self.script.clone(),
+            operations: self.operations.clone(),
+            inputs: self.devices.lines.inputs().mark(),
+        }
+    }
+
+    /// Returns to a snapshot of this controller. The limit of the run stays.
+    ///
+    /// The inputs that were recorded after the snapshot are given again, so the controller does the same as before until
+    /// the moment at which this was called. The outside is neither read nor changed in that time.
+    pub fn restore(&mut self, snapshot: &Snapshot) {
+        let Snapshot { vm, state, lines, schedule, phase, lead, stopped, script, operations, inputs } =
+            snapshot.clone();
+        self.vm = vm;
+        self.devices.state = state;
+        self.devices.lines.restore(&lines);
+        let limit = self.schedule.limit;
+        self.schedule = schedule;
+        self.schedule.limit = limit;
+        (self.phase, self.lead, self.stopped, self.script) = (phase, lead, stopped, script);
+        self.operations.rewind(&operations);
+        self.devices.lines.inputs().rewind(inputs);
+    }
+
+    /// Drops the inputs that were recorded before a snapshot: the controller returns to no earlier one.
+    pub fn forget_inputs_before(&mut self, snapshot: &Snapshot) {
+        self.devices.lines.inputs().forget_before(snapshot.inputs);
+    }
+}

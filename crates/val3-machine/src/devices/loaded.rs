@@ -1,0 +1,102 @@
+//! The applications and libraries in memory: their names in the record of a run, and their files.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use val3_bytecode::{DataDef, Image, Program};
+use val3_lang::memory::{Place, Shape, StoreId};
+use val3_lang::ports::CodePlace;
+
+use crate::files::LibraryFiles;
+
+/// The applications and libraries in memory.
+#[derive(Debug, Clone, Default)]
+pub(super) struct LoadedProjects {
+    /// By the numbers of their instances.
+    instances: Vec<Option<LoadedInstance>>,
+    /// Their files as they were loaded, by the numbers of their instances.
+    sources: BTreeMap<u16, Arc<LibraryFiles>>,
+    /// The library that was read last, until it comes into memory.
+    read: Option<(Arc<Image>, Arc<LibraryFiles>)>,
+}
+
+/// An application or library in memory.
+#[derive(Debug, Clone)]
+struct LoadedInstance {
+    image: Arc<Image>,
+    data: Arc<[StoreId]>,
+}
+
+impl LoadedProjects {
+    /// Keeps the files of a library that comes into memory next.
+    pub(super) fn keep_read(&mut self, image: &Arc<Image>, files: LibraryFiles) {
+        self.read = Some((Arc::clone(image), Arc::new(files)));
+    }
+
+    /// Keeps the files of an instance.
+    pub(super) fn keep_files(&mut self, instance: u16, files: LibraryFiles) {
+        self.sources.insert(instance, Arc::new(files));
+    }
+
+    /// The files of an instance as they were loaded.
+    pub(super) fn files(&self, instance: u16) -> Option<Arc<LibraryFiles>> {
+        self.sources.get(&instance).map(Arc::clone)
+    }
+
+    /// Adds an application or library under the number of its instance.
+    pub(super) fn add(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>) {
+        let at = usize::from(instance);
+        if self.instances.len() <= at {
+            self.instances.resize_with(at + 1, || None);
+        }
+        if let Some(slot) = self.instances.get_mut(at) {
+            *slot = Some(LoadedInstance { image: Arc::clone(image), data: Arc::clone(data) });
+        }
+        self.sources.remove(&instance);
+        if let Some((_, files)) = self.read.take().filter(|(read, _)| Arc::ptr_eq(read, image)) {
+            self.sources.insert(instance, files);
+        }
+    }
+
+    /// The program, the line of the file and the file of a position in the code.
+    pub(super) fn position(&self, at: CodePlace) -> (String, u32, String) {
+        let instance = self.instances.get(usize::from(at.instance)).and_then(Option::as_ref);
+        let found = instance.and_then(|LoadedInstance { image, .. }| {
+            let program: &Program = image.programs.get(usize::from(at.program))?;
+            let line = program.line_of(at.line).and_then(|number| program.lines.get(number));
+            let file = image.files.get(program.file as usize).cloned().unwrap_or_default();
+            Some((program.name.clone(), line.map_or(0, |line| line.row), file))
+        });
+        found.unwrap_or_default()
+    }
+
+    /// The name of the global `screen` variable at a place, with its index or key if it has several values.
+    pub(super) fn screen(&self, screen: Place) -> Option<String> {
+        self.instances.iter().flatten().find_map(|instance| instance.screen(screen))
+    }
+}
+
+impl LoadedInstance {
+    fn screen(&self, screen: Place) -> Option<String> {
+        let number = self.data.iter().position(|store| *store == screen.store)?;
+        self.image.data.get(number).map(|data| named(data, screen.link))
+    }
+}
+
+fn named(data: &DataDef, number: u32) -> String {
+    let name = &data.name;
+    match &data.init.shape {
+        Shape::Array { dims, sizes } if data.init.shape.len() > 1 => {
+            let [_, rows, columns] = *sizes;
+            let indexes = [number / (rows * columns), number / columns % rows, number % columns];
+            let indexes: Vec<String> = indexes.iter().take(usize::from(*dims)).map(u32::to_string).collect();
+            format!("{name}[{}]", indexes.join(","))
+        }
+        Shape::Array { .. } if number == 0 => name.clone(),
+        Shape::Array { .. } => format!("{name}[{number}]"),
+        Shape::Collection(keys) => {
+            let key = keys.iter().find(|(_, at)| **at == number).map(|(key, _)| key);
+            key.map_or_else(|| name.clone(), |key| format!("{name}[\"{key}\"]"))
+        }
+    }
+}

@@ -1,0 +1,69 @@
+//! The state of the devices: plain data that a snapshot copies.
+
+use std::collections::BTreeMap;
+
+use val3_lang::ports::{TaskNumber, Time};
+
+use super::loaded::LoadedProjects;
+use super::motion::StandingArm;
+use super::record::Record;
+use crate::controller_state::{Calendar, Cs9, EventLog, FIRST_ARM, Languages, Profiles, Robot, Versions};
+use crate::io::IoTable;
+use crate::screen::{Pendant, ReadingId};
+
+/// The state of the devices.
+#[derive(Debug, Clone)]
+pub struct State {
+    /// Digital and analog inputs and outputs.
+    pub io: IoTable,
+    /// The pendant.
+    pub pendant: Pendant,
+    /// Power, modes and speed.
+    pub robot: Robot,
+    /// The arm.
+    pub arm: StandingArm,
+    /// The event log.
+    pub log: EventLog,
+    /// Users.
+    pub profiles: Profiles,
+    /// Languages.
+    pub languages: Languages,
+    /// Versions and licences.
+    pub versions: Versions,
+    /// Date and time.
+    pub calendar: Calendar,
+    /// What CS9 controllers add.
+    pub cs9: Cs9,
+    /// Events that the caller has not taken.
+    pub(super) record: Record,
+    /// The applications and libraries in memory.
+    pub(super) loaded: LoadedProjects,
+    /// The questions on the pendant that tasks wait for.
+    pub(super) readings: BTreeMap<TaskNumber, ReadingId>,
+    /// The time that the last instruction has taken outside the program.
+    pub(super) elapsed: Time,
+    /// A task is at an instruction that this controller lacks.
+    pub(super) lacks: bool,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        Self {
+            io: IoTable::default(),
+            pendant: Pendant::default(),
+            robot: Robot::default(),
+            arm: StandingArm::new(FIRST_ARM),
+            log: EventLog::default(),
+            profiles: Profiles::default(),
+            languages: Languages::default(),
+            versions: Versions::default(),
+            calendar: Calendar::default(),
+            cs9: Cs9::default(),
+            record: Record::default(),
+            loaded: LoadedProjects::default(),
+            readings: BTreeMap::new(),
+            elapsed: 0,
+            lacks: false,
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! The recorder of everything that comes from outside the controller.
+//!
+//! Lines, media and libraries are asked through it, in the same order in every execution. While it records, each answer
+//! gets the number of its question. After a snapshot is restored, the recorded answers are given again, and the outside
+//! is only asked for what comes after them: it is neither read nor changed twice.
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use std::fmt;
+use std::rc::Rc;
+
+/// The recorder of inputs. Clones share one recording.
+#[derive(Clone, Default)]
+pub struct Inputs(Rc<RefCell<Recording>>);
+
+#[derive(Default)]
+struct Recording {
+    is_on: bool,
+    /// The number of the next question.
+    next: u64,
+    /// The number of recorded questions.
+    recorded: u64,
+    /// Answers by the numbers of their questions. Usual ones are left out.
+    answers: BTreeMap<u64, Rc<dyn Any>>,
+}
+
+impl Inputs {
+    /// Begins to record, if it does not yet, and returns the number of the next question.
+    pub fn mark(&self) -> u64 {
+        let mut recording = self.0.borrow_mut();
+        recording.is_on = true;
+        recording.next
+    }
+
+    /// Returns to a mark: the answers that were recorded after it are given again.
+    pub fn rewind(&self, mark: u64) {
+        let mut recording = self.0.borrow_mut();
+        recording.next = mark.min(recording.recorded);
+    }
+
+    /// Forgets the answers before a mark, to which nothing can return any more.
+    pub fn forget_before(&self, mark: u64) {
+        let mut recording = self.0.borrow_mut();
+        recording.answers = recording.answers.split_off(&mark);
+    }
+
+    /// The answer of the outside to a question.
+    pub fn ask<T: Clone + 'static>(&self, question: impl FnOnce() -> T) -> T {
+        self.answer(|recorded| recorded, question, |_| false)
+    }
+
+    /// As [`ask`](Self::ask), where `usual` is the frequent answer, which takes no memory.
+    pub fn ask_usual<T: Clone + PartialEq + 'static>(&self, usual: &T, question: impl FnOnce() -> T) -> T {
+        self.answer(|recorded| recorded.or_else(|| Some(usual.clone())), question, |answer| answer == usual)
+    }
+
+    fn answer<T: Clone + 'static>(
+        &self,
+        recorded: impl FnOnce(Option<T>) -> Option<T>,
+        question: impl FnOnce() -> T,
+        is_usual: impl FnOnce(&T) -> bool,
+    ) -> T {
+        if let Some(answer) = self.0.borrow_mut().replay(recorded) {
+            return answer;
+        }
+        let answer = question();
+        self.0.borrow_mut().record(|| (!is_usual(&answer)).then(|| Rc::new(answer.clone()) as Rc<dyn Any>));
+        answer
+    }
+}
+
+impl Recording {
+    /// The recorded answer to the next question; `None` at the end of the recording.
+    ///
+    /// An execution that asks another question than the recorded one has left the recording, whose rest is dropped.
+    fn replay<T: Clone + 'static>(&mut self, recorded: impl FnOnce(Option<T>) -> Option<T>) -> Option<T> {
+        if self.next >= self.recorded {
+            return None;
+        }
+        let stored = self.answers.get(&self.next);
+        let answer = stored.and_then(|answer| answer.downcast_ref::<T>()).cloned();
+        let is_other = stored.is_some() && answer.is_none();
+        match recorded(answer).filter(|_| !is_other) {
+            Some(answer) => {
+                self.next += 1;
+                Some(answer)
+            }
+            None => {
+                self.recorded = self.next;
+                _ = self.answers.split_off(&self.next);
+                None
+            }
+        }
+    }
+
+    fn record(&mut self, answer: impl FnOnce() -> Option<Rc<dyn Any>>) {
+        if self.is_on {
+            if let Some(answer) = answer() {
+                self.answers.insert(self.next, answer);
+            }
+            self.next += 1;
+            self.recorded = self.next;
+        }
+    }
+}
+
+impl fmt::Debug for Inputs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Recording { is_on, next, recorded, .. } = &*self.0.borrow();
+        f.debug_struct("Inputs").field("is_on", is_on).field("next", next).field("recorded", recorded).finish()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Inputs;
+
+    #[test]
+    fn recorded_answers_are_given_again() {
+        let inputs = Inputs::default();
+        inputs.ask(|| "not recorded");
+        let mark = inputs.mark();
+        assert_eq!((inputs.ask(|| 1), inputs.ask_usual(&0, || 0), inputs.ask_usual(&0, || 2)), (1, 0, 2));
+        inputs.rewind(mark);
+        let live = || 9;
+        assert_eq!((inputs.ask(live), inputs.ask_usual(&0, live), inputs.ask_usual(&0, live)), (1, 0, 2));
+        assert_eq!(inputs.ask(live), 9, "the recording is used up");
+    }
+
+    #[test]
+    fn an_execution_that_asks_something_else_leaves_the_recording() {
+        let inputs = Inputs::default();
+        let mark = inputs.mark();
+        (0..3).for_each(|number| _ = inputs.ask(|| number));
+        inputs.rewind(mark);
+        assert_eq!((inputs.ask(|| 7), inputs.ask(|| "live"), inputs.ask(|| 8)), (0, "live", 8));
+    }
+
+    #[test]
+    fn answers_before_a_mark_can_be_forgotten() {
+        let inputs = Inputs::default();
+        inputs.mark();
+        inputs.ask(|| 1);
+        let mark = inputs.mark();
+        inputs.ask(|| 2);
+        inputs.forget_before(mark);
+        inputs.rewind(mark);
+        assert_eq!(inputs.ask(|| 3), 2);
+    }
+}
