@@ -1,6 +1,6 @@
-//! What happens in the controller, in order: the record of a run.
+//! The events of a run, in order: its record.
 //!
-//! An event is one JSON object a line in the record; docs/events.md describes them, and what stands there stays.
+//! An event is one JSON object a line in the record. docs/events.md describes the stable format.
 
 use serde::{Deserialize, Serialize};
 use val3_lang::ports::{SECOND, Time};
@@ -16,12 +16,12 @@ pub struct Event {
     /// The task in whose turn it has happened; none for what comes from outside.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub task: Option<String>,
-    /// What has happened.
+    /// The kind of an event, with its data.
     #[serde(flatten)]
     pub what: What,
 }
 
-/// What has happened.
+/// The kind of an event, with its data.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum What {
@@ -94,7 +94,7 @@ pub enum What {
     Error {
         /// Its number.
         code: u16,
-        /// What it means.
+        /// Its meaning.
         message: &'static str,
         /// The program.
         program: String,
@@ -170,7 +170,7 @@ pub enum What {
         name: String,
         /// `waiting`, `suspended` or `error`.
         state: &'static str,
-        /// What the task waits for.
+        /// The thing that the task waits for.
         #[serde(skip_serializing_if = "Option::is_none")]
         awaits: Option<String>,
         /// The program.

@@ -1,4 +1,4 @@
-//! What happens from outside during a run, written down beforehand: the script of `val3 run --script`.
+//! A script of events from outside during a run: `val3 run --script`.
 //!
 //! A script is a TOML file. Each `[[at]]` says with `t` when something happens, in seconds since the start, and what:
 //!
@@ -38,7 +38,7 @@ pub use check::ScriptFault;
 pub use keys::{key_codes, typed_keys};
 use values::{Fault, Key, Keys, Level, Links, Locks, Mode, Percent, SafetyFault, Seconds, Value};
 
-/// What happens from outside, in the order of its times.
+/// The entries of a script, in the order of their times.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Script {
     entries: VecDeque<Entry>,
@@ -52,7 +52,7 @@ struct File {
     at: Vec<Entry>,
 }
 
-/// What happens at one time.
+/// The events at one time.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Entry {
@@ -69,7 +69,7 @@ pub(crate) struct Entry {
     /// Inputs and outputs that the controller simulates, or no longer.
     #[serde(default)]
     simulate: BTreeMap<String, bool>,
-    /// Outputs that the system keeps for itself, or no longer.
+    /// Outputs to reserve for the system or to free.
     #[serde(default)]
     protect: BTreeMap<String, bool>,
     /// An input, output or device that fails, or works again.
@@ -92,7 +92,7 @@ pub(crate) struct Entry {
     stop: bool,
 }
 
-/// Why a script cannot be used: the place in the file, what stands there, and what may.
+/// The reason why a script cannot be used: the place in the file, its text, and the possible texts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ScriptError(toml::de::Error);
 

@@ -1,6 +1,6 @@
 //! A process that is killed while it saves a library loses nothing.
 //!
-//! The test starts itself anew as that process, which ends itself with a signal that it cannot catch, before each
+//! The test starts itself again as that process, which ends itself with a signal that it cannot catch, before each
 //! step in turn.
 
 #![cfg(unix)]

@@ -1,4 +1,4 @@
-//! What CS9 controllers add (s8). It is not in the manual: plain values that the outside sets.
+//! The additions of CS9 controllers (s8). They are not in the manual: plain values that are set from outside.
 
 use std::collections::BTreeMap;
 

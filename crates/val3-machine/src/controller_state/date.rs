@@ -32,7 +32,7 @@ impl Calendar {
         Some(Self { start: PrimitiveDateTime::new(day, time) })
     }
 
-    /// The controller is started so many seconds after 1970 (UTC).
+    /// The controller is started this number of seconds after 1970 (UTC).
     #[must_use]
     pub fn starting_at_unix(seconds: u64) -> Self {
         let seconds = Duration::seconds(i64::try_from(seconds).unwrap_or(i64::MAX));

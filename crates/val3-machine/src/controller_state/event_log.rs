@@ -2,7 +2,7 @@
 
 use super::severity::Severity;
 
-/// What one message takes beside its text: date, time and mark.
+/// The size of the date, the time and the mark of a message.
 const STAMP: u64 = 32;
 
 /// The bytes that can wait to be written.
@@ -62,7 +62,7 @@ impl EventLog {
         self.entries.push(LogEntry { at: now, severity, text: text.to_owned(), from_program: false });
     }
 
-    /// What was logged since the last call.
+    /// The entries since the last call.
     pub fn take_entries(&mut self) -> Vec<LogEntry> {
         std::mem::take(&mut self.entries)
     }

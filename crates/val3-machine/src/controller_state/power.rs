@@ -3,7 +3,7 @@
 /// How long it takes to come on, in nanoseconds: a second, well below the five of the manual's example.
 pub const POWER_ON_TIME: u64 = 1_000_000_000;
 
-/// How long it takes to be cut once the arm stands, in nanoseconds: 100 ms.
+/// The time from the standstill of the arm until the power is cut, in nanoseconds: 100 ms.
 pub const POWER_OFF_TIME: u64 = 100_000_000;
 
 /// The power of the arm; it changes with time alone, see [`Power::after`].
@@ -19,9 +19,9 @@ pub enum Power {
     },
     /// On.
     On,
-    /// It is cut as soon as the arm stands.
+    /// It is cut as soon as the arm has stopped.
     BeingCut {
-        /// When it is off, if the arm stands by then.
+        /// The time at which it is off, if the arm has stopped by then.
         at: u64,
     },
 }
@@ -33,7 +33,7 @@ impl Power {
         matches!(self, Self::On | Self::BeingCut { .. })
     }
 
-    /// What it is at `now`.
+    /// Its state at `now`.
     pub(super) fn after(self, now: u64, arm_stands: bool) -> Self {
         match self {
             Self::ComingOn { at } if at <= now => Self::On,
@@ -51,7 +51,7 @@ impl Power {
         }
     }
 
-    /// When it changes by itself.
+    /// The time of the next change without a request.
     pub(super) fn due(self) -> Option<u64> {
         match self {
             Self::ComingOn { at } | Self::BeingCut { at } => Some(at),

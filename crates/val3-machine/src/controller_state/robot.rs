@@ -103,7 +103,7 @@ impl Robot {
         if self.safety_fault.is_some() { EmergencyStop::Open } else { self.emergency_stop }
     }
 
-    /// `safetyFault`: the name of the faulty signal; `None` stands for `false`.
+    /// `safetyFault`: the name of the faulty signal; `None` for `false`.
     #[must_use]
     pub fn safety_fault(&self) -> Option<&str> {
         self.safety_fault.as_deref()
@@ -134,20 +134,20 @@ impl Robot {
     }
 }
 
-/// What happens around the robot. Times count nanoseconds.
+/// Effects from outside on the robot. Times are in nanoseconds.
 impl Robot {
-    /// Time goes on; `arm_stands` holds back the end of the power until the arm has stopped.
+    /// Advances the time. The power is cut only when `arm_stands`.
     pub fn advance(&mut self, now: u64, arm_stands: bool) {
         self.change_power(self.power.after(now, arm_stands));
     }
 
-    /// When the power changes by itself; a moving arm can delay it.
+    /// The time of the next change of the power. A moving arm can delay it.
     #[must_use]
     pub fn next_due(&self) -> Option<u64> {
         self.power.due()
     }
 
-    /// What happened since the last call.
+    /// The events since the last call.
     pub fn take_events(&mut self) -> Vec<RobotEvent> {
         std::mem::take(&mut self.events)
     }
@@ -173,7 +173,7 @@ impl Robot {
         }
     }
 
-    /// What the arm does now.
+    /// The current activity of the arm.
     pub fn set_activity(&mut self, activity: Activity) {
         self.activity = activity;
     }

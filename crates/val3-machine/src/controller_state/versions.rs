@@ -14,7 +14,7 @@ pub enum Licence {
 }
 
 impl Licence {
-    /// What programs see.
+    /// The value that programs see.
     #[must_use]
     pub fn text(self) -> &'static str {
         match self {
@@ -24,7 +24,7 @@ impl Licence {
     }
 }
 
-/// What `getLicence` gives where no licence of a machine builder can be tested.
+/// The result of `getLicence` where no licence of a machine builder can be tested.
 const OEM_DISABLED: &str = "oemLicenceDisabled";
 
 /// A licence that a machine builder made.
@@ -37,7 +37,7 @@ struct OemLicence {
 /// The model of the arm where nothing says which it is.
 pub const FIRST_ARM: &str = "tx90-S1";
 
-/// What a part is at first: a controller of the language of the manual with an arm from its examples, and no board.
+/// The first version of a component: a controller of the manual's language with an arm from its examples, and no board.
 const AT_FIRST: [(Component, &str); 7] = [
     (Component::Val3, "s7.11.0 - Jan 01 2024 - 00:00:00"),
     (Component::System, "s7.11.0"),

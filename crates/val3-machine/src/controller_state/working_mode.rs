@@ -17,7 +17,7 @@ pub enum WorkingMode {
     Remote = 4,
 }
 
-/// What the arm does.
+/// The activity of the arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Activity {
     /// It follows the moves of programs; in test mode below 250 mm/s.
@@ -64,7 +64,7 @@ impl WorkingMode {
         }
     }
 
-    /// What the arm can do in this mode; its place is the state that `workingMode` gives.
+    /// The activities that are possible in this mode. Their indexes are the states that `workingMode` returns.
     fn activities(self) -> &'static [Activity] {
         use Activity::{Connection, FastProgrammed, FrameJog, Hold, JointJog, PointJog, Programmed, ToolJog};
         match self {
@@ -84,7 +84,7 @@ impl WorkingMode {
         state.and_then(|state| u8::try_from(state).ok()).unwrap_or(0)
     }
 
-    /// What the arm does when this mode is entered: in remote mode nobody holds it.
+    /// The activity when this mode is entered. In remote mode no enabling device is held.
     pub(super) fn first_activity(self) -> Activity {
         if self == Self::Remote { Activity::Programmed } else { Activity::Hold }
     }

@@ -1,4 +1,4 @@
-//! What can go wrong with a path, a library or a medium.
+//! Faults of paths, libraries and media.
 
 use std::io;
 

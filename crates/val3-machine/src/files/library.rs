@@ -1,5 +1,5 @@
 //! Libraries on their media: where a path leads, what belongs to a library, and the storage half of the instructions
-//! of 6.7. What a library means is not known here: it is files.
+//! of 6.7. This module handles files and does not know the meaning of a library.
 
 mod archive;
 mod store;
@@ -56,7 +56,7 @@ impl LibraryPath {
         Ok(Self { folder: path.clone(), manifest: Some(format!("{name}.pjx").into()) })
     }
 
-    /// The path as `libPath` gives it, and by which libraries are told apart: the folder, or the archive; the project
+    /// The path as `libPath` returns it, which identifies a library: the folder, or the archive; the project
     /// file where it is not named as its folder.
     #[must_use]
     pub fn path(&self) -> ControllerPath {
@@ -96,7 +96,7 @@ impl LibraryPath {
 
     /// Reads all files of the library; of an archive with its password, which is the ZIP password here.
     ///
-    /// A file that the project names and that is missing is left out: loading tells.
+    /// A missing file that the project names is left out; loading reports it.
     ///
     /// # Errors
     /// [`FileFault::NotFound`] if there is none, [`FileFault::BadPath`] if not even the folder it would be in,

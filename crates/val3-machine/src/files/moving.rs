@@ -63,7 +63,7 @@ pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Resu
     if to.parent().kind()? != EntryKind::Folder {
         return Err(FileFault::BadPath);
     }
-    // What differs in letter case alone gets the new spelling.
+    // A name that differs only in letter case gets the new spelling.
     let target = to.parent().path.join(name);
     match from.dir.rename(from.relative(), to.dir, target) {
         Err(error) if error.kind() == io::ErrorKind::CrossesDevices => {

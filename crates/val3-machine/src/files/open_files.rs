@@ -11,7 +11,7 @@ use crate::string_bytes::fill;
 /// The most files that are open at a time.
 const MOST: usize = 10;
 
-/// What is passed over at once in a line that holds no text.
+/// The number of bytes that are skipped at once in a line without text.
 const PASSED: usize = 4_096;
 
 /// The files that a controller has open, by number.
@@ -20,14 +20,14 @@ pub struct OpenFiles {
     files: [Option<OpenFile>; MOST],
 }
 
-/// What a file is opened for.
+/// The access that a file is opened for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum OpenMode {
     /// `"r"`.
     Read,
-    /// `"w"`: what was in it is gone.
+    /// `"w"`: the previous content is lost.
     Write,
-    /// `"a"`: what is written comes behind what was in it.
+    /// `"a"`: text is written after the previous content.
     Append,
 }
 
@@ -45,7 +45,7 @@ struct Reading {
 }
 
 impl OpenMode {
-    /// The mode that a program writes, in any letter case; a `b` or `t` behind it changes nothing.
+    /// The mode in a program, in any letter case; a final `b` or `t` changes nothing.
     #[must_use]
     pub fn parse(text: &str) -> Option<Self> {
         match text.trim().to_ascii_lowercase().trim_end_matches(['b', 't']) {
@@ -86,7 +86,7 @@ impl OpenFiles {
     }
 
     /// Reads at most `most` lines; fewer at the end of the file, none of a file that is not open for reading
-    /// (`$fileGet`). A line that is longer than a string goes on in the next one.
+    /// (`$fileGet`). A line that is longer than a string continues in the next one.
     pub fn lines(&mut self, number: usize, most: usize) -> Vec<String> {
         let Some(reading) = self.reading(number) else { return Vec::new() };
         std::iter::from_fn(|| reading.line()).take(most).collect()

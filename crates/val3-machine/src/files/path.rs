@@ -10,7 +10,7 @@ use super::FileFault;
 /// The root that a path without one means.
 pub(super) const DISK: &str = "Disk";
 
-/// A path of the controller in its normal form: a root and names. Steps up stand only at its start, where a medium may
+/// A path of the controller in its normal form: a root and names. Steps up are only at its start, where a medium may
 /// know a folder above its own.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub struct ControllerPath {
@@ -25,7 +25,7 @@ impl ControllerPath {
         Self { root: name.into(), parts: Vec::new() }
     }
 
-    /// Reads a path. What starts with `./` or `../` starts at `application`, everything else at a root, which is
+    /// Reads a path. A path with `./` or `../` starts at `application`, every other at a root, which is
     /// `Disk` unless the path names one. `\` separates as `/` does.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl ControllerPath {
         Ok(())
     }
 
-    /// The path with `name` behind it.
+    /// The path with `name` appended.
     ///
     /// # Errors
     /// As [`Self::parse`].
@@ -86,7 +86,7 @@ impl ControllerPath {
         &self.root
     }
 
-    /// The names behind the root.
+    /// The names after the root.
     #[must_use]
     pub fn parts(&self) -> &[SmolStr] {
         &self.parts

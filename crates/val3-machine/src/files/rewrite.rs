@@ -1,4 +1,4 @@
-//! New values into a data file, in the style it has: only what changed is written anew, every other byte stays.
+//! Writes new values into a data file in its style: only changed elements are written, every other byte stays.
 //!
 //! A value that has become the default leaves an array, as the tools write it (formats of s7 and s8); the lists of s5
 //! and s6 spell every value.
@@ -16,7 +16,7 @@ use super::SavedData;
 use edits::Edits;
 use layout::Layout;
 
-/// The text of a data file with the values of `data`. What the file does not declare is passed over, and what `data`
+/// The text of a data file with the values of `data`. Data that the file does not declare are skipped, and what `data`
 /// does not name stays. Takes time in proportion to the text and the data.
 #[must_use]
 pub fn rewrite(text: &str, data: &[SavedData]) -> String {

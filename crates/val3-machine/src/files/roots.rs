@@ -1,4 +1,4 @@
-//! The media and the folders they stand for. A [`Place`] is inside of its folder whatever the path was: steps up,
+//! The media and their folders. A [`Place`] is inside of its folder whatever the path was: steps up,
 //! links and absolute paths end at the folder, which the operating system itself holds (`cap-std`).
 
 use std::io;
@@ -10,7 +10,7 @@ use cap_std::fs_utf8::Dir;
 use super::path::DISK;
 use super::{ControllerPath, FileFault};
 
-/// What is mounted: `Disk`, `USB0`, `Floppy`, and whatever else the outside names.
+/// The mounted media: `Disk`, `USB0`, `Floppy`, and any other name from outside.
 #[derive(Debug, Default)]
 pub struct Roots {
     media: Vec<Medium>,
@@ -19,7 +19,7 @@ pub struct Roots {
 #[derive(Debug)]
 struct Medium {
     name: String,
-    /// What no path can leave.
+    /// The folder that no path can leave.
     dir: Dir,
     /// Where paths start in it; each part may be left by one step up.
     start: Vec<String>,
@@ -28,16 +28,16 @@ struct Medium {
 /// A file or folder, there or not yet, inside of a mounted folder.
 #[derive(Debug, Clone)]
 pub struct Place<'r> {
-    /// What no path can leave.
+    /// The folder that no path can leave.
     pub(super) dir: &'r Dir,
-    /// From there on, with the letter case that stands on the medium; never absolute and without steps up.
+    /// From there on, with the letter case on the medium; never absolute and without steps up.
     pub(super) path: Utf8PathBuf,
 }
 
 /// The most bytes of a file that is read whole.
 const LARGEST: u64 = 256 << 20;
 
-/// What stands at a place.
+/// The kind of entry at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EntryKind {
     /// Nothing.
@@ -49,7 +49,7 @@ pub enum EntryKind {
 }
 
 impl Roots {
-    /// Lets `name` stand for `folder`; what it stood for before is gone.
+    /// Mounts `folder` as `name`, in place of any other.
     ///
     /// # Errors
     /// If the folder cannot be opened.
@@ -57,7 +57,7 @@ impl Roots {
         self.mount_inside(name, folder, Utf8Path::new(""))
     }
 
-    /// Lets `Disk` stand for the folder of the applications. That of a cell is `usr/usrapp`: its paths can go up to
+    /// Mounts the folder of the applications as `Disk`. That of a cell is `usr/usrapp`: its paths can go up to
     /// `usr`, where the templates are, and no further.
     ///
     /// # Errors
@@ -72,7 +72,7 @@ impl Roots {
         }
     }
 
-    /// Lets `name` stand for the folder `start` inside of `outer`. Its paths can go up to `outer`, as those of a cell
+    /// Mounts the folder `start` inside of `outer` as `name`. Its paths can go up to `outer`, as those of a cell
     /// do that say `Disk://../templates`.
     ///
     /// # Errors
@@ -105,7 +105,7 @@ impl Roots {
         Ok(place)
     }
 
-    /// The path with the letter case that stands on the medium.
+    /// The path with the letter case on the medium.
     ///
     /// # Errors
     /// As [`Self::place`].
@@ -129,7 +129,7 @@ impl<'r> Place<'r> {
         if self.path.as_str().is_empty() { Utf8Path::new(".") } else { &self.path }
     }
 
-    /// What stands here.
+    /// The kind of entry here.
     ///
     /// # Errors
     /// [`FileFault::BadPath`] if a link leads out of the medium or the place cannot be looked at.
@@ -145,10 +145,10 @@ impl<'r> Place<'r> {
         }
     }
 
-    /// The place called `name` in this folder, in any letter case; as it is written where there is none.
+    /// The place called `name` in this folder, in any letter case. A name that does not exist keeps its spelling.
     ///
     /// # Errors
-    /// [`FileFault::BadPath`] if a file stands here, or a link leads out of the medium.
+    /// [`FileFault::BadPath`] if this is a file, or a link leads out of the medium.
     pub fn child(&self, name: &str) -> Result<Self, FileFault> {
         let exact = Self { dir: self.dir, path: self.path.join(name) };
         if exact.kind()? != EntryKind::Missing || self.kind()? == EntryKind::Missing {
@@ -184,7 +184,7 @@ impl<'r> Place<'r> {
         Ok(names)
     }
 
-    /// The folder around; the medium itself for what stands directly in it.
+    /// The parent folder; the medium itself for its direct entries.
     #[must_use]
     pub fn parent(&self) -> Self {
         Self { dir: self.dir, path: self.path.parent().unwrap_or(Utf8Path::new("")).to_owned() }

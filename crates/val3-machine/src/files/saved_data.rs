@@ -8,7 +8,7 @@ use val3_lang::types::{Attribute, AttributeValue, BaseType, DefaultValue, attrib
 /// One global variable, or one field of a user type.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SavedData {
-    /// Its name, as it is declared.
+    /// Its declared name.
     pub name: SmolStr,
     /// Its type, as the file spells it: `num`, `pointRx`, `Slot`.
     pub type_name: SmolStr,
@@ -32,11 +32,11 @@ pub enum Shape {
 pub struct SavedValue {
     /// The key, or the index: `7`, `2,1`.
     pub key: String,
-    /// What it holds.
+    /// Its content.
     pub content: Content,
 }
 
-/// What a value holds.
+/// The content of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Content {
     /// A value of a built-in type: its attributes (`val3_lang::types::attributes`) with their texts. One that is left
@@ -55,7 +55,7 @@ pub struct SavedField {
     pub data: SavedData,
 }
 
-/// A number as files spell it: as many digits as tell it from all others, with an exponent where that is shorter.
+/// A number as files spell it: the fewest digits that identify it, with an exponent where that is shorter.
 #[must_use]
 pub fn number_text(number: f64) -> String {
     let size = number.abs();

@@ -1,4 +1,4 @@
-//! What happens to inputs and outputs around the programs: hardware, operator, faults.
+//! Effects on inputs and outputs from outside the programs: hardware, operator, faults.
 
 use super::signal::Direction;
 use super::status::Fault;
@@ -18,13 +18,13 @@ impl IoTable {
         });
     }
 
-    /// What the hardware has: of an input what was set, of an output what the last cycle has written.
+    /// The value at the terminal: an input's forced value, an output's last written value.
     #[must_use]
     pub fn hardware(&self, id: SignalId) -> Option<f64> {
         self.channel(id).map(|channel| channel.hardware)
     }
 
-    /// What programs see.
+    /// The value that programs see.
     #[must_use]
     pub fn image(&self, id: SignalId) -> Option<f64> {
         self.channel(id).map(|channel| channel.image)
@@ -54,7 +54,7 @@ impl IoTable {
         self.change(id, |channel| channel.simulated = simulated);
     }
 
-    /// The system keeps an output for itself, or no longer: programs that write it come to run-time error 124.
+    /// Reserves an output for the system, or frees it. Programs that write a reserved output get run-time error 124.
     pub fn protect(&mut self, id: SignalId, protected: bool) {
         self.change(id, |channel| channel.signal.protected = protected);
     }

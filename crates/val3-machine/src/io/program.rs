@@ -1,4 +1,4 @@
-//! What programs do with inputs and outputs (3.5.3, 3.6.2).
+//! Inputs and outputs as programs read and write them (3.5.3, 3.6.2).
 
 use super::signal::{Direction, Format, Kind};
 use super::status::{Fault, IoError, IoStatus};
@@ -84,7 +84,7 @@ impl IoTable {
         self.status(link, ANALOG)
     }
 
-    /// The description that `ioStatus` gives beside the status; empty where the link leads nowhere. The physical path
+    /// The description that `ioStatus` returns with the status; empty where the link leads nowhere. The physical path
     /// is [`IoTable::text`].
     #[must_use]
     pub fn description(&self, link: LinkId) -> &str {

@@ -1,4 +1,4 @@
-//! What is configured of an input or output.
+//! The configuration of an input or output.
 
 /// Whether programs may write it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,20 +67,20 @@ pub struct Signal {
     pub path: String,
     /// A free text, which `ioStatus` gives.
     pub description: String,
-    /// What values it takes.
+    /// The values it takes.
     pub kind: Kind,
     /// Whether programs may write it.
     pub direction: Direction,
-    /// An output that the system keeps for itself: writing it is run-time error 124.
+    /// An output that is reserved for the system: writing it is run-time error 124.
     pub protected: bool,
 }
 
 impl Signal {
     /// The signal of a path of which nothing else is known.
     ///
-    /// The address, the last part of the path, tells the direction: `%I…`, `usrIn…` and `fIn…` are inputs. All others
-    /// are outputs; the outside can set those too. It also tells which analog signals are whole numbers: `B` has 8
-    /// bits, `W` 16, `DW` 32 (`%QW4`). It does not tell whether they have a sign, so the range is that of both.
+    /// The address, the last part of the path, gives the direction: `%I…`, `usrIn…` and `fIn…` are inputs. All others
+    /// are outputs; they can also be set from outside. It also shows which analog signals are whole numbers: `B` has 8
+    /// bits, `W` 16, `DW` 32 (`%QW4`). It does not show whether they have a sign, so the range is that of both.
     #[must_use]
     pub fn from_path(path: &str, digital: bool) -> Self {
         let address = path.rsplit('\\').next().unwrap_or(path);

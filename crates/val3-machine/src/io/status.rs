@@ -10,7 +10,7 @@ pub enum IoStatus {
     Works = 0,
     /// It works; the operator holds it at a value.
     Locked = 1,
-    /// It is simulated: no hardware is behind it.
+    /// It is simulated: it has no hardware.
     Simulated = 2,
     /// The variable has no link.
     Unlinked = -1,
@@ -28,7 +28,7 @@ impl IoStatus {
     }
 }
 
-/// What keeps an input or output from working.
+/// The fault of an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fault {
     /// Its device is not installed, or could not be initialised: status -2.

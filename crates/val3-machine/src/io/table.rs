@@ -10,7 +10,7 @@ use super::status::Fault;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct SignalId(u32);
 
-/// What a `dio` or `aio` variable holds: the text of its link. Copying it is `dioLink` and `aioLink`.
+/// The value of a `dio` or `aio` variable: the text of its link. Copying it is `dioLink` and `aioLink`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub struct LinkId(u32);
 
@@ -44,11 +44,11 @@ pub struct IoChange {
 #[derive(Debug, Clone)]
 pub(super) struct Channel {
     pub(super) signal: Signal,
-    /// What programs read and write.
+    /// The value that programs read and write.
     pub(super) image: f64,
-    /// What the hardware has.
+    /// The value at the terminal.
     pub(super) hardware: f64,
-    /// The value that was told last.
+    /// The last reported value.
     told: f64,
     /// The value at which the operator holds it.
     pub(super) lock: Option<f64>,
@@ -112,7 +112,7 @@ impl IoTable {
     }
 
     /// The link of a variable of an application. If nothing is configured of its device, the application knows best:
-    /// the signal is declared as [`Signal::from_path`] tells.
+    /// the signal is declared by [`Signal::from_path`].
     pub fn adopt(&mut self, text: &str, digital: bool) -> LinkId {
         if !text.is_empty() && self.find(text).is_none() && !self.knows_device_of(text) {
             self.add(Signal::from_path(text, digital));
@@ -127,7 +127,7 @@ impl IoTable {
         exact.or_else(|| if path.contains('\\') { None } else { self.find_address(path) })
     }
 
-    /// What is configured of a signal.
+    /// The configuration of a signal.
     #[must_use]
     pub fn signal(&self, id: SignalId) -> Option<&Signal> {
         self.channel(id).map(|channel| &channel.signal)
@@ -144,7 +144,7 @@ impl IoTable {
         self.known_link(link).map_or("", |link| link.text.as_str())
     }
 
-    /// What is configured where a link leads.
+    /// The configuration of the signal of a link.
     pub(super) fn signal_of(&self, link: LinkId) -> Option<&Signal> {
         self.signal(self.known_link(link)?.target?)
     }
@@ -163,7 +163,7 @@ impl IoTable {
         self.channels.get_mut(id.0 as usize)
     }
 
-    /// The cycle begins: programs see the inputs as they are now.
+    /// Begins a cycle: programs see the current inputs.
     pub fn refresh_inputs(&mut self) -> Vec<IoChange> {
         self.refresh(Direction::Input, Channel::refresh_input)
     }

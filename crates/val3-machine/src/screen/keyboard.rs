@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 /// How long a key that is only tapped is held down, in nanoseconds: 100 ms.
 pub const TAP: u64 = 100_000_000;
 
-/// The keys that are down, each with the time at which it comes up by itself.
+/// The keys that are down, each with the time of its release.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Keyboard {
     down: BTreeMap<u16, Option<u64>>,

@@ -27,7 +27,7 @@ impl LineEditor {
         format!("{}{}", self.before, self.after)
     }
 
-    /// What a key does; `true` if the text has changed.
+    /// Applies a key; `true` if the text has changed.
     pub(super) fn press(&mut self, code: u16) -> bool {
         match code {
             keys::BACKSPACE => self.before.pop().is_some(),

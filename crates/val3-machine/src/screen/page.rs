@@ -14,13 +14,13 @@ pub const ROWS: usize = 14;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Position {
     /// Column, 0 to 39. The cursor is at 40 after the last column was written: only what is written next goes to the
-    /// next line. So a menu of 40 columns can stand in the last line, and `putln` of a full line leaves no empty one.
+    /// next line. So a menu of 40 columns fits the last line, and `putln` of a full line leaves no empty one.
     pub column: usize,
     /// Line, 0 to 13.
     pub row: usize,
 }
 
-/// What one `screen` variable holds: text, cursor, text mode and title.
+/// The content of a `screen` variable: text, cursor, text mode and title.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Page {
     rows: [Row; ROWS],
@@ -53,7 +53,7 @@ impl Page {
         self.rows.iter().map(Row::text)
     }
 
-    /// The 14 lines as cells. A line ends where nothing was written behind; the rest is [`Cell::BLANK`].
+    /// The 14 lines as cells. A line ends after the last written cell; the rest is [`Cell::BLANK`].
     pub fn cells(&self) -> impl Iterator<Item = &[Cell]> {
         self.rows.iter().map(Row::cells)
     }
@@ -81,7 +81,7 @@ impl Page {
         self.cursor = Position::default();
     }
 
-    /// Writes `text` at the cursor, goes on in the next line at the end of each, and scrolls at the end of the page
+    /// Writes `text` at the cursor, continues in the next line at the end of each, and scrolls at the end of the page
     /// (`put`). Returns where it began.
     pub(super) fn put(&mut self, text: &str) -> Position {
         if let Some(first) = text.chars().next() {

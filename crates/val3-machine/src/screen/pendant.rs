@@ -138,7 +138,7 @@ impl Pendant {
         self.pop_up.as_ref()
     }
 
-    /// What happened since the last call.
+    /// The events since the last call.
     pub fn take_events(&mut self) -> Vec<ScreenEvent> {
         std::mem::take(&mut self.events)
     }
@@ -211,7 +211,7 @@ impl Pendant {
 
 /// Instructions that read.
 impl Pendant {
-    /// `get` begins; [`Self::take_answer`] tells when it has ended.
+    /// Begins a `get`, which ends when [`Self::take_answer`] returns an answer.
     pub fn begin_reading(&mut self, page: PageId, asked: Asked) -> ReadingId {
         let id = self.new_reading();
         let echo = self.pages.get_mut(&page).and_then(|user| user.begin(id, asked));
@@ -233,7 +233,7 @@ impl Pendant {
         }
     }
 
-    /// `getKey`: the last key pressed while the page was shown, since the last call; `None` stands for -1. A key that
+    /// `getKey`: the last key pressed while the page was shown, since the last call; `None` for -1. A key that
     /// ended a `get` counts as well.
     pub fn take_key(&mut self, page: PageId) -> Option<u16> {
         let key = self.pages.get_mut(&page).and_then(|user| user.last_key.take());

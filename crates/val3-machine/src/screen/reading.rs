@@ -1,4 +1,4 @@
-//! What a `get` waits for, and how it ends (4.3).
+//! The input that a `get` waits for, and its end (4.3).
 
 use val3_lang::keys;
 use val3_lang::ports::{Answer, Asked, Entry};
@@ -12,7 +12,7 @@ pub(super) struct Reading {
     editor: Option<LineEditor>,
 }
 
-/// What a key did to a `get`.
+/// The effect of a key on a `get`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Step {
     /// Nothing that can be seen.
@@ -33,7 +33,7 @@ impl Reading {
         Self { asked, editor }
     }
 
-    /// What the page shows for it, if it is an entry.
+    /// The text on the page, if it is an entry.
     pub(super) fn shown(&self) -> Option<String> {
         self.editor.as_ref().map(LineEditor::text)
     }
@@ -63,7 +63,7 @@ impl Reading {
         if editor.press(key) { Step::Edited } else { Step::Nothing }
     }
 
-    /// What is accepted. A number that was not edited keeps the digits that are not shown; what is no number, such as
+    /// The accepted value. An unedited number keeps the digits that are not shown; a text that is no number, such as
     /// an empty entry, leaves the variable as it was.
     fn entry(&self) -> Entry {
         let text = self.shown().unwrap_or_default();

@@ -8,7 +8,7 @@ use super::text_mode::TextMode;
 /// The bytes of a character with its combining marks from which on no mark is added.
 const LONGEST_CELL: usize = 16;
 
-/// What stands in one column.
+/// The content of one column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Cell {
     /// The character with its combining marks; empty for the right half of a wide character.
@@ -18,7 +18,7 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// What an unwritten column shows.
+    /// The content of an unwritten column.
     pub const BLANK: Self = Self { text: SmolStr::new_inline(" "), mode: TextMode::Standard };
 
     /// The right half of a wide character.
@@ -38,7 +38,7 @@ pub(super) struct Row {
 }
 
 impl Row {
-    /// The cells up to the last one that was ever written; those behind are blank.
+    /// The cells up to the last one that was ever written; those after it are blank.
     pub(super) fn cells(&self) -> &[Cell] {
         &self.cells
     }
@@ -49,7 +49,7 @@ impl Row {
         text.trim_end_matches(' ').to_owned()
     }
 
-    /// Writes a character of `columns` columns at `column`. What is left of a wide character that it cuts becomes
+    /// Writes a character of `columns` columns at `column`. The rest of a wide character that it cuts becomes
     /// blank.
     pub(super) fn write(&mut self, column: usize, character: char, columns: usize, mode: TextMode) {
         if self.cells.len() < column + columns {
@@ -74,7 +74,7 @@ impl Row {
         }
     }
 
-    /// Blanks the wide character that reaches from before `column` to behind it.
+    /// Blanks the wide character that covers the boundary before `column`.
     fn split(&mut self, column: usize) {
         if !self.cells.get(column).is_some_and(Cell::is_right_half) {
             return;

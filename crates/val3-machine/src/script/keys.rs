@@ -12,7 +12,7 @@ pub fn key_codes(list: &str) -> Result<Vec<u16>, String> {
 }
 
 /// The keys that type a text. A list of codes and names, as [`key_codes`] reads it, is taken as one where it has a
-/// comma; within a text, names stand in braces: `12.5{Return}`.
+/// comma; within a text, names are in braces: `12.5{Return}`.
 ///
 /// # Errors
 /// The character that no key writes, or the name that no key has.

@@ -1,4 +1,4 @@
-//! What the entries of a script hold, each with what may be written instead of a wrong value.
+//! The values in the entries of a script. Each error lists the values that are possible.
 
 use std::collections::BTreeMap;
 

@@ -9,10 +9,10 @@ use super::{
     setting::SettingFault,
 };
 
-/// A channel as it is configured.
+/// The configuration of a channel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChannelConfig {
-    /// What data link to: `Socket\<name>`, `UdpSocket\<name>`, `Serial\<name>`.
+    /// The text that data link to: `Socket\<name>`, `UdpSocket\<name>`, `Serial\<name>`.
     pub link: String,
     /// The kind of channel.
     pub kind: LineKind,
@@ -56,7 +56,7 @@ fn setting(key: &str, value: &str, kind: LineKind) -> Option<Setting> {
     read.find_map(Result::<_, SettingFault>::ok)
 }
 
-/// What the file calls otherwise than a program does.
+/// Parameters whose names in the file differ from those in programs.
 const NAMES: [(&str, &str); 4] =
     [("portnumber", "port"), ("serverip", "target"), ("nbclients", "clients"), ("maxclients", "clients")];
 
@@ -85,7 +85,7 @@ impl ChannelConfig {
         self.settings.splice(0..0, taken);
     }
 
-    /// The channel behind `line`, with the parameters of the configuration.
+    /// The channel on `line`, with the parameters of the configuration.
     ///
     /// # Errors
     /// If the line cannot do what is configured.

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Setting;
 
-/// What kind of channel a line is; each has parameters of its own (3.7.3).
+/// The kind of a line; each has parameters of its own (3.7.3).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum LineKind {
@@ -24,11 +24,11 @@ pub enum LineKind {
 pub enum Connection {
     /// They can.
     Open,
-    /// Nobody is at the other end yet, or no more.
+    /// No peer is connected.
     Closed,
 }
 
-/// What came in.
+/// Received input.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Received {
@@ -40,11 +40,11 @@ pub enum Received {
     Ended,
 }
 
-/// What went out.
+/// The result of sending.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Sent {
-    /// So many bytes; fewer than given, or none, if the other end does not take more for now.
+    /// This number of bytes; fewer than given, or none, if the other end does not take more for now.
     Taken(usize),
     /// The connection has failed.
     Lost,
@@ -65,7 +65,7 @@ pub trait Line {
     /// Its kind, which never changes.
     fn kind(&self) -> LineKind;
 
-    /// Opens the line where it is closed, as far as that goes now, and looks after those who call.
+    /// Opens the line where it is closed, if possible now, and accepts callers.
     fn open(&mut self) -> Connection;
 
     /// Takes at most `room` bytes that have come in. `fresh` says that nothing received before is left unread: only
@@ -78,7 +78,7 @@ pub trait Line {
     /// Ends the connection; `false` if there was none.
     fn close(&mut self) -> bool;
 
-    /// Stops altogether, as at the end of the application: nobody can call any more.
+    /// Stops completely, as at the end of the application: no peer can connect any more.
     fn shut_down(&mut self);
 
     /// Changes a parameter of the line.

@@ -22,7 +22,7 @@ pub struct Peer {
 #[derive(Debug, Default)]
 struct Wire {
     connected: bool,
-    /// The peer has gone, which the line has not told yet.
+    /// The peer has gone, and the line has not reported it.
     ended: bool,
     to_line: VecDeque<u8>,
     to_peer: Vec<u8>,
@@ -32,7 +32,7 @@ struct Wire {
 }
 
 impl MemoryLine {
-    /// Both ends; nobody is connected.
+    /// Both ends; no peer is connected.
     #[must_use]
     pub fn pair(kind: LineKind) -> (Self, Peer) {
         let wire = Rc::new(RefCell::new(Wire::default()));
@@ -120,13 +120,13 @@ impl Peer {
         self.wire.borrow_mut().window = Some(bytes);
     }
 
-    /// What the controller has set.
+    /// The parameters that the controller has set.
     #[must_use]
     pub fn settings(&self) -> Vec<Setting> {
         self.wire.borrow().settings.clone()
     }
 
-    /// The connection stands.
+    /// The connection is open.
     #[must_use]
     pub fn is_connected(&self) -> bool {
         self.wire.borrow().connected

@@ -5,15 +5,15 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr};
 /// Whom the sockets of a run may talk to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Reach {
-    /// Programs on this machine alone: whatever address a program or configuration names stands for this machine.
+    /// Programs on this machine alone: every address in a program or configuration means this machine.
     #[default]
     Loopback,
-    /// Whoever has the address.
+    /// Any machine with the address.
     Network,
 }
 
 impl Reach {
-    /// The address that one which a program names stands for.
+    /// The address to use for one in a program.
     #[must_use]
     pub fn address(self, named: SocketAddr) -> SocketAddr {
         match (self, named.ip()) {

@@ -16,7 +16,7 @@ pub struct SerialLine {
 }
 
 impl SerialLine {
-    /// Opens the device, with bytes as they are: no echo, no line ends changed.
+    /// Opens the device for unchanged bytes: no echo, no conversion of line ends.
     ///
     /// # Errors
     /// If there is no such device, or it is none of a serial line.
@@ -78,7 +78,7 @@ impl Line for SerialLine {
         Connection::Open
     }
 
-    /// A line with nobody at the other end is silent.
+    /// A line without a peer is silent.
     fn receive(&mut self, room: usize, _fresh: bool) -> Received {
         let mut bytes = vec![0; room.min(4_096)];
         match self.port.read(&mut bytes) {

@@ -28,7 +28,7 @@ impl Stream {
         Some(stream)
     }
 
-    /// A connection that does not take the option has failed, which the next read tells.
+    /// A connection that refuses the option has failed, which the next read reports.
     pub(super) fn set_nagle(&mut self, on: bool) {
         self.gone |= self.tcp.set_nodelay(!on).is_err();
     }
@@ -51,7 +51,7 @@ impl Stream {
         !self.input.is_empty()
     }
 
-    /// The other end has closed, or the connection has failed. What had come in before can still be read.
+    /// The other end has closed, or the connection has failed. Bytes received before can still be read.
     pub(super) fn is_gone(&self) -> bool {
         self.gone
     }
@@ -77,7 +77,7 @@ impl Stream {
 }
 
 impl Drop for Stream {
-    /// What was sent still arrives. Nobody is left to tell that the other end closed first.
+    /// Sent bytes still arrive. The task no longer learns that the other end has closed first.
     fn drop(&mut self) {
         drop(self.tcp.shutdown(Shutdown::Write));
     }

@@ -1,4 +1,4 @@
-//! A socket that calls a server, and calls again when the connection has ended and the program goes on.
+//! A socket that connects to a server, and connects again when the connection has ended and the program continues.
 
 use std::net::SocketAddr;
 
@@ -43,7 +43,7 @@ impl TcpClient {
         }
     }
 
-    /// Looks whether somebody has answered.
+    /// Checks whether a server has answered.
     fn answer(&self, socket: Socket) -> State {
         match socket.take_error() {
             Ok(None) if socket.peer_addr().is_err() => State::Calling(socket),
@@ -64,7 +64,7 @@ fn is_under_way(error: &std::io::Error) -> bool {
     error.kind() == std::io::ErrorKind::WouldBlock
 }
 
-/// A port that nobody serves can answer a call that happens to come from it.
+/// A call to an unused port can reach itself if it has the same local port.
 fn calls_itself(socket: &Socket) -> bool {
     match (socket.local_addr(), socket.peer_addr()) {
         (Ok(local), Ok(peer)) => local.as_socket() == peer.as_socket(),

@@ -16,7 +16,7 @@ pub struct TcpServer {
     limit: usize,
     nagle: bool,
     listener: Option<TcpListener>,
-    /// The one it talks with stands first.
+    /// The client it talks with is first.
     clients: Vec<Stream>,
 }
 
@@ -47,7 +47,7 @@ impl TcpServer {
         }
     }
 
-    /// Hears all clients; those behind the first that have gone and left nothing are forgotten.
+    /// Reads from all clients. Those after the first that have gone without unread bytes are dropped.
     fn hear(&mut self) {
         self.clients.iter_mut().for_each(Stream::listen);
         let mut first = true;
@@ -61,7 +61,7 @@ impl TcpServer {
             let gone = self.clients.iter().filter(|client| client.is_gone()).count();
             if self.clients.len() - gone < self.limit && gone < LEFT {
                 self.clients.extend(Stream::new(tcp, self.nagle));
-                // Who has called, spoken and gone leaves the place to the next call.
+                // A client that has connected, sent and gone leaves its place to the next one.
                 self.hear();
             }
         }
@@ -111,7 +111,7 @@ impl Line for TcpServer {
         self.clients.first_mut().map_or(Sent::Lost, |client| client.send(bytes))
     }
 
-    /// The port stays open: who calls next is heard at the next read or write.
+    /// The port stays open: the next client is heard at the next read or write.
     fn close(&mut self) -> bool {
         let connected = self.is_connected();
         self.clients.clear();

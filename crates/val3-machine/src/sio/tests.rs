@@ -50,7 +50,7 @@ fn send(channel: &mut Channel, text: &str) {
     assert_eq!(until(|| channel.send(&mut sending, 0.0)), Ok(total));
 }
 
-/// What a client gets until the server's end, or `count` bytes.
+/// The bytes that a client receives until the server's end, or `count` bytes.
 fn heard(stream: &mut TcpStream, count: usize) -> String {
     let mut bytes = vec![0; count];
     stream.read_exact(&mut bytes).unwrap();
@@ -104,7 +104,7 @@ fn clients_above_the_limit_are_turned_down() {
     assert_eq!(channel.control("clients", SettingValue::Num(3.0)), -4);
 }
 
-/// The way a public driver finds out who is there.
+/// The way a public driver discovers its peers.
 #[test]
 fn a_polled_server_tells_whether_somebody_is_connected() {
     let (mut channel, address) = server(1);

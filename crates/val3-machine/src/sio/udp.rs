@@ -1,4 +1,4 @@
-//! A socket for datagrams. It sends to its target, and without one to whoever was heard last.
+//! A socket for datagrams. It sends to its target, and without one to the last sender.
 
 use std::io::ErrorKind;
 use std::net::{SocketAddr, UdpSocket};
@@ -65,7 +65,7 @@ impl Line for UdpLine {
         match socket.send_to(datagram, self.reach.address(target)) {
             Ok(count) => Sent::Taken(count),
             Err(error) if matches!(error.kind(), ErrorKind::WouldBlock | ErrorKind::Interrupted) => Sent::Taken(0),
-            // The answer to an earlier datagram that nobody took: this one has not been tried.
+            // The error of an earlier datagram that was refused: this one has not been tried.
             Err(error) if error.kind() == ErrorKind::ConnectionRefused => Sent::Taken(0),
             Err(_) => Sent::Lost,
         }

@@ -1,4 +1,4 @@
-//! What instructions on the robot give, and what happens to it.
+//! The results of instructions on the robot, and its events.
 
 use crate::controller_state::WorkingMode;
 
@@ -15,7 +15,7 @@ pub enum EmergencyStop {
     Open = 2,
 }
 
-/// What became of `enablePower`.
+/// The result of `enablePower`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PowerRequest {
     /// The power comes on.
@@ -31,7 +31,7 @@ pub enum PowerRequest {
 }
 
 impl PowerRequest {
-    /// What the log says of a request without effect.
+    /// The line of the event log about a request without effect.
     #[must_use]
     pub fn refusal(self) -> Option<&'static str> {
         match self {
@@ -57,7 +57,7 @@ pub enum SpeedChange {
     OutOfRange = -3,
 }
 
-/// What happened to the robot.
+/// An event of the robot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RobotEvent {
     /// The power is on or off.

@@ -2,7 +2,7 @@
 //!
 //! All new files are written and synced in a folder `.saving` inside of that of the library. Renaming it to `.saved`
 //! is the moment from which on the new library counts: its files are then moved into place, the project file last,
-//! and whoever comes by after a crash moves the rest.
+//! and the next access after a crash moves the rest.
 
 use std::io::{self, Write};
 
@@ -74,7 +74,7 @@ fn write_all(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -
     Ok(sync(&saving)?)
 }
 
-/// Takes back what a save that failed has written. The fault that ended it is the one that is told, unless the medium
+/// Removes the files of a save that failed. Its fault is reported, unless the medium
 /// does not even let this be done.
 fn clear_away(folder: &Place<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
     let saving = Place { dir: folder.dir, path: folder.path.join(SAVING) };
@@ -154,7 +154,7 @@ pub(super) fn delete(folder: &Place<'_>, files: &[LibraryFile]) -> Result<(), Fi
     Ok(())
 }
 
-/// What the folder holds survives a power cut.
+/// Makes the content of the folder survive a power cut.
 #[cfg(unix)]
 fn sync(folder: &Place<'_>) -> io::Result<()> {
     folder.dir.open(folder.relative())?.sync_all()

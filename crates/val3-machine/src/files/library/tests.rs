@@ -66,7 +66,7 @@ impl Medium {
         code(Self::path(text).delete(&self.roots))
     }
 
-    /// What lies on the disk, by path.
+    /// The files on the disk, by path.
     fn listing(&self) -> Vec<String> {
         let mut found = Vec::new();
         let mut open = vec![self.disk.clone()];

@@ -35,7 +35,7 @@ impl<'t> Layout<'t> {
         }
     }
 
-    /// The lines beside an element.
+    /// The lines around an element.
     pub(super) fn beside(&self, neighbour: TextSize, lines: &[String]) -> String {
         match xml::indentation(self.text, neighbour) {
             Some(blanks) => self.lines(blanks, lines),
@@ -47,7 +47,7 @@ impl<'t> Layout<'t> {
         lines.iter().map(|line| format!("{}{blanks}{line}", self.line_end)).collect()
     }
 
-    /// What stands behind the last attribute of the start tag, to the end of the element.
+    /// The text from the last attribute of the start tag to the end of the element.
     pub(super) fn tail(&self, element: Element<'_>) -> TextRange {
         let tag = self.slice(element.tag_range());
         let head = tag.strip_suffix("/>").map_or_else(|| tag.len(), |head| head.trim_end().len());

@@ -1,5 +1,5 @@
 //! The lists of s5 and s6: `<num name="n"><valueNum index="0" value="3" /></num>`. Every value is spelt with all its
-//! attributes, some of them on elements inside, and the father of a variable stands once for all its values.
+//! attributes, some of them on elements inside, and the father of a variable is written once for all its values.
 
 use rustc_hash::FxHashMap;
 use val3_syntax::TextRange;
@@ -49,7 +49,7 @@ fn leaves<'g>(found: Element<'g>) -> impl Iterator<Item = Attribute<'g>> {
     found.attributes().chain(found.elements().flat_map(Element::attributes))
 }
 
-/// The attribute of s7 that one of a value stands for.
+/// The attribute of s7 for an attribute of a value.
 fn name_of<'g>(attribute: Attribute<'g>) -> Option<&'g str> {
     match attribute.name {
         "open" => Some("ioOpen"),

@@ -36,7 +36,7 @@ pub(super) fn attributes(type_name: &str, value: &SavedValue) -> String {
     names(type_name, value).into_iter().filter(spelt).map(|name| written(name, value)).collect()
 }
 
-/// The attributes of an element that is there, in the order it has; what is new stands where files have it.
+/// The attributes of an existing element in their order. New ones are where files usually have them.
 pub(super) fn changed(type_name: &str, element: Element<'_>, value: &SavedValue) -> String {
     let names = names(type_name, value);
     let place = |name: &str| names.iter().position(|known| *known == name);
@@ -55,7 +55,7 @@ pub(super) fn changed(type_name: &str, element: Element<'_>, value: &SavedValue)
     out.into_iter().map(|(_, text)| text).collect()
 }
 
-/// An attribute as it is afterwards; `None` where it has become the default.
+/// The new attribute; `None` where it has become the default.
 fn kept(type_name: &str, attribute: Attribute<'_>, value: &SavedValue, known: bool) -> Option<String> {
     let new = value.text(attribute.name);
     let old = attribute.text();

@@ -36,7 +36,7 @@ const NEW: &str = r#"<?xml version="1.0" encoding="utf-8"?>
   </Datas>
 </Database>"#;
 
-/// What changes from `before`, line by line.
+/// The changes from `before`, line by line.
 fn check(before: &str, data: &[SavedData], expected: Expect) {
     let after = rewrite(before, data);
     let (old, new): (Vec<_>, Vec<_>) = (before.lines().collect(), after.lines().collect());
@@ -265,7 +265,7 @@ fn the_lists_of_s6() {
     assert_eq!(shrunk.matches("valueNum").count(), 1);
 }
 
-/// What a file says of a variable: its size, and its values that are not the default.
+/// The size of a variable in a file, and its values that are not the default.
 fn said(text: &str, name: &str) -> (String, Vec<(String, String)>) {
     let parse = val3_syntax::parse(text);
     let root = xml::root(parse.view()).unwrap();

@@ -99,7 +99,7 @@ fn size(edits: &mut Edits, element: Element<'_>, sizes: &[u32]) {
     }
 }
 
-/// The element stays, as it is or changed; `value` is what it is to hold.
+/// The element stays, unchanged or with the new `value`.
 fn stays(data: &SavedData, found: Element<'_>, value: Option<&SavedValue>) -> bool {
     match (&data.shape, value) {
         (Shape::Keys, value) => value.is_some(),

@@ -1,6 +1,6 @@
 use super::*;
 
-/// A medium `Disk` in a folder of its own, with `secret` beside it.
+/// A medium `Disk` in a folder of its own, next to `secret`.
 fn disk() -> (tempfile::TempDir, Utf8PathBuf, Roots) {
     let folder = tempfile::tempdir().unwrap();
     let outer = Utf8PathBuf::from_path_buf(folder.path().to_owned()).unwrap();
@@ -106,7 +106,7 @@ fn a_file_of_any_size_is_refused() {
 }
 
 proptest::proptest! {
-    /// Whatever a program writes: what it reaches is inside.
+    /// Any path that a program writes leads to a place inside.
     #[test]
     fn no_path_leaves_its_medium(parts in proptest::collection::vec(
         proptest::sample::select(vec!["..", ".", "/", "\\\\", "//", "Disk://", "USB0:", "parts", "Bolt", "~", " ", "\0", "secret", "up"]),

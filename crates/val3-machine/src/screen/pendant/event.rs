@@ -1,4 +1,4 @@
-//! What happens on the pendant, for whoever shows or records it.
+//! The events of the pendant, for a view and for the record.
 
 use super::PageId;
 use crate::controller_state::Severity;
@@ -13,7 +13,7 @@ pub struct PopUp {
     pub severity: Severity,
 }
 
-/// What happened on the pendant.
+/// An event of the pendant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ScreenEvent {
     /// Another page is shown.

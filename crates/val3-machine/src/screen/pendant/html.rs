@@ -36,7 +36,7 @@ impl Pendant {
         0
     }
 
-    /// `userPageSet`: tells whoever draws the page.
+    /// `userPageSet`: an event for the view of the page.
     pub fn set_html(&mut self, page: &str, id: &str, attribute: &str, value: &str) {
         let [page, id, attribute, value] = [page, id, attribute, value].map(str::to_owned);
         self.events.push(ScreenEvent::HtmlSet { page, id, attribute, value });

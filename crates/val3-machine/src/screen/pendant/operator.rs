@@ -1,4 +1,4 @@
-//! What the operator does: keys, pages, pop-ups.
+//! The actions of the operator: keys, pages, pop-ups.
 
 use std::ops::Bound;
 
