@@ -10,6 +10,7 @@ use std::sync::Arc;
 use camino::Utf8Path;
 use val3_config::Config;
 use val3_lang::types::Arm;
+use val3_syntax::TextRange;
 
 pub use inputs::{Cell, Configuration, File, FileStatus, Project, Sources};
 pub use trees::Trees;
@@ -17,6 +18,15 @@ pub use trees::Trees;
 /// The key under which a path is found: files are looked up without regard to letter case.
 pub fn path_key(path: &str) -> String {
     path.to_lowercase()
+}
+
+/// A range of the text of a file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct FileRange {
+    /// The file.
+    pub file: File,
+    /// UTF-8 bytes of the decoded text.
+    pub range: TextRange,
 }
 
 /// What queries need of a database.

@@ -8,12 +8,12 @@ use val3_lang::types::BaseType;
 use val3_syntax::encoding::{Encoding, Mismatch, REPLACEMENT};
 use val3_syntax::{TextRange, TextSize};
 
-use crate::db::{Db, File, FileStatus};
+use crate::db::{Db, File, FileRange, FileStatus};
 use crate::items::attributes;
 use crate::items::project::{Items, resolve_type};
 use crate::items::sizes;
 use crate::near::nearest;
-use crate::problem::{EncodingFault, NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{EncodingFault, NameKind, Problem, ProblemKind, Related, Role};
 use crate::xml::{Attribute, Element};
 
 /// The element of a value in a data file.
@@ -44,13 +44,13 @@ impl<'db> FileCheck<'db> {
     }
 
     pub(crate) fn report(&mut self, range: TextRange, kind: ProblemKind) {
-        self.problems.push(Problem { kind, place: Place { file: self.file, range }, related: Vec::new() });
+        self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related: Vec::new() });
     }
 
     /// Reports the second of two equal things.
-    pub(crate) fn report_again(&mut self, range: TextRange, kind: ProblemKind, first: Option<Place>) {
+    pub(crate) fn report_again(&mut self, range: TextRange, kind: ProblemKind, first: Option<FileRange>) {
         let related = first.into_iter().map(|place| Related { place, role: Role::First }).collect();
-        self.problems.push(Problem { kind, place: Place { file: self.file, range }, related });
+        self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related });
     }
 
     /// An element that does not belong where it stands.
@@ -195,7 +195,7 @@ impl<'db> FileCheck<'db> {
         let name = found.text().into_owned();
         let kind = ProblemKind::DuplicateName { name: name.as_str().into(), what };
         match seen.get(&name) {
-            Some(first) => self.report_again(found.range, kind, Some(Place { file: self.file, range: *first })),
+            Some(first) => self.report_again(found.range, kind, Some(FileRange { file: self.file, range: *first })),
             None => {
                 seen.insert(name, found.range);
             }

@@ -21,10 +21,10 @@ use val3_lang::instruction::{Instruction, Overload};
 use val3_lang::types::Arm;
 
 use crate::body::{Body, ExprId, body};
-use crate::db::{Db, File, Project};
+use crate::db::{Db, File, FileRange, Project};
 use crate::items::program::{Header, header};
 use crate::items::project::{Items, items};
-use crate::problem::{Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{Problem, ProblemKind, Related, Role};
 use crate::resizing::is_resized;
 use crate::ty::{Base, Ty};
 
@@ -168,8 +168,8 @@ impl<'db> Infer<'db> {
         self.items.arm
     }
 
-    fn place(&self, range: TextRange) -> Place {
-        Place { file: self.file, range }
+    fn place(&self, range: TextRange) -> FileRange {
+        FileRange { file: self.file, range }
     }
 
     /// Reports a fault at an expression.
@@ -178,7 +178,7 @@ impl<'db> Infer<'db> {
     }
 
     /// Reports a fault at an expression and names the place of a declaration.
-    fn report_with(&mut self, id: ExprId, kind: ProblemKind, role: Role, declared: Option<Place>) {
+    fn report_with(&mut self, id: ExprId, kind: ProblemKind, role: Role, declared: Option<FileRange>) {
         self.report_at(self.body.range(id), kind, declared.map(|place| Related { place, role }));
     }
 

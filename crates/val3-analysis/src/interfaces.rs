@@ -10,12 +10,12 @@ mod usage;
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
-use crate::db::{Db, File, Project, Sources, path_key};
+use crate::db::{Db, File, FileRange, Project, Sources, path_key};
 use crate::items::declarations;
 use crate::items::program::header;
 use crate::items::project::{find_project, folder, items, program_files};
 use crate::paths::{self, Target};
-use crate::problem::{FileRole, Place, Problem, ProblemKind};
+use crate::problem::{FileRole, Problem, ProblemKind};
 
 pub use compare::{implements, is_same_item};
 pub(crate) use left_out::is_left_out;
@@ -133,7 +133,7 @@ impl Interfaces<'_> {
             .filter(|(_, load)| load.alias == *alias)
             .collect();
         for (file, load) in loads {
-            let place = Place { file, range: load.range };
+            let place = FileRange { file, range: load.range };
             for library in self.candidates(alias, place, &load.path) {
                 if compared.insert(library) {
                     self.compare(alias, library, place);
@@ -151,7 +151,7 @@ impl Interfaces<'_> {
         for (file, load) in loads {
             match load.path {
                 LoadedPath::Unknown => found.extend(self.look_alikes(alias)),
-                path => found.extend(self.candidates(alias, Place { file, range: load.range }, &path)),
+                path => found.extend(self.candidates(alias, FileRange { file, range: load.range }, &path)),
             }
         }
         found
@@ -167,7 +167,7 @@ impl Interfaces<'_> {
         projects.filter(|library| *library != self.project && !needed.is_empty() && offers_all(library)).collect()
     }
 
-    fn candidates(&mut self, alias: &SmolStr, place: Place, path: &LoadedPath) -> Vec<Project> {
+    fn candidates(&mut self, alias: &SmolStr, place: FileRange, path: &LoadedPath) -> Vec<Project> {
         let db = self.db;
         match path {
             LoadedPath::Unknown => Vec::new(),

@@ -4,12 +4,10 @@ mod encoding;
 mod kind;
 mod refusal;
 
-use rowan::TextRange;
-
 pub use encoding::EncodingFault;
 pub use kind::ProblemKind;
 
-use crate::db::File;
+use crate::db::FileRange;
 
 /// One fault, with the place a person looks at first.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -17,25 +15,16 @@ pub struct Problem {
     /// What is wrong.
     pub kind: ProblemKind,
     /// Where.
-    pub place: Place,
+    pub place: FileRange,
     /// Other sides of the fault: declarations, first occurrences.
     pub related: Vec<Related>,
-}
-
-/// A range of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Place {
-    /// The file.
-    pub file: File,
-    /// The range in its text.
-    pub range: TextRange,
 }
 
 /// Another side of a fault.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Related {
     /// Where.
-    pub place: Place,
+    pub place: FileRange,
     /// What stands there.
     pub role: Role,
 }

@@ -8,13 +8,13 @@ use val3_lang::files::FileKind;
 use val3_lang::versions::Version;
 use val3_syntax::TextRange;
 
-use crate::db::{Db, File, Project};
+use crate::db::{Db, File, FileRange, Project};
 use crate::file_check::FileCheck;
 use crate::items::manifest::{Spelling, entries, spelling};
 use crate::items::parse;
 use crate::items::project::{find_file, find_project, folder, items};
 use crate::paths::{self, Target};
-use crate::problem::{FileRole, NameKind, Place, Problem, ProblemKind};
+use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
 
 /// What is wrong in a project file.
@@ -141,7 +141,7 @@ impl ProjectCheck<'_> {
 
     fn duplicate(&mut self, found: Attribute<'_>, first: TextRange, what: FileRole) {
         let kind = ProblemKind::DuplicateEntry { what, name: found.text().as_ref().into() };
-        self.found.report_again(found.range, kind, Some(Place { file: self.file, range: first }));
+        self.found.report_again(found.range, kind, Some(FileRange { file: self.file, range: first }));
     }
 
     /// Reports a path with backslashes; true if it is one.

@@ -3,14 +3,14 @@
 use std::cell::OnceCell;
 use std::iter::Sum;
 
-use val3_analysis::db::{Db, File, FileStatus, Project};
+use val3_analysis::db::{Db, File, FileRange, FileStatus, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::project;
 use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
-use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote, Span};
+use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
 use crate::echoes::without_echoes;
 use crate::fix::Site;
 use crate::lint::Program;
@@ -296,21 +296,22 @@ impl<'db> Check<'db> {
         let (rule, wording) = word_syntax(&error.kind);
         let related = error
             .related
-            .map(|range| RelatedNote { place: Span { file, range }, message: related::other_side(&error.kind) });
+            .map(|range| RelatedNote { place: FileRange { file, range }, message: related::other_side(&error.kind) });
         let site = Site::new(self.db, file, error.range, error.related);
         let diagnostic =
-            self.diagnostic(rule, wording, Span { file, range: error.range }, related.into_iter().collect());
+            self.diagnostic(rule, wording, FileRange { file, range: error.range }, related.into_iter().collect());
         Diagnostic { fix: fix::of_syntax(&error.kind, &site), ..diagnostic }
     }
 
     fn problems(&self, file: File, problems: &[Problem], take: &mut dyn FnMut(Fault)) {
         for problem in without_echoes(self.db, file, problems) {
             let (rule, wording) = word_problem(&problem.kind);
-            let related = problem.related.iter().take(MOST_RELATED).map(|other| RelatedNote {
-                place: Span { file: other.place.file, range: other.place.range },
-                message: related::role(other.role),
-            });
-            let place = Span { file: problem.place.file, range: problem.place.range };
+            let related = problem
+                .related
+                .iter()
+                .take(MOST_RELATED)
+                .map(|other| RelatedNote { place: other.place, message: related::role(other.role) });
+            let place = problem.place;
             let mut diagnostic = self.diagnostic(rule, wording, place, related.collect());
             let doubt = self.doubt(&problem.kind);
             diagnostic.severity = doubt.unwrap_or(diagnostic.severity);
@@ -323,7 +324,7 @@ impl<'db> Check<'db> {
         &self,
         rule: &'static Rule,
         wording: crate::diagnostic::Wording,
-        place: Span,
+        place: FileRange,
         related: Vec<RelatedNote>,
     ) -> Diagnostic {
         let (project, program) = self.owner(place.file);

@@ -1,7 +1,6 @@
 //! A finding, worded and placed, free of any output format.
 
-use rowan::TextRange;
-use val3_analysis::db::File;
+use val3_analysis::db::{File, FileRange};
 
 use crate::rule::{Rule, Severity};
 
@@ -15,7 +14,7 @@ pub struct Diagnostic {
     /// What is wrong, in one sentence without a final full stop.
     pub message: String,
     /// Where.
-    pub place: Span,
+    pub place: FileRange,
     /// A few words under the place ("this is a `string`"); may be empty.
     pub label: String,
     /// The other sides of the fault.
@@ -57,18 +56,9 @@ impl Fix {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
     /// Where.
-    pub place: Span,
+    pub place: FileRange,
     /// What stands there afterwards, as it is written in the file (escaped where the code is).
     pub text: String,
-}
-
-/// A range of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Span {
-    /// The file.
-    pub file: File,
-    /// The range in its text (UTF-8 bytes of the decoded text).
-    pub range: TextRange,
 }
 
 /// Maximum number of uses that a finding lists when it represents many.
@@ -78,7 +68,7 @@ pub(crate) const MOST_RELATED: usize = 10;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RelatedNote {
     /// Where.
-    pub place: Span,
+    pub place: FileRange,
     /// What stands there, in a few words.
     pub message: String,
 }

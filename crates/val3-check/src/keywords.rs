@@ -1,10 +1,10 @@
 //! The rule on the spelling of keywords, applied to a program.
 
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::{OddKeyword, text_faults};
 use val3_analysis::items::program;
 
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::Diagnostic;
 use crate::fix::Site;
 use crate::rules::keyword_spelling;
 
@@ -21,7 +21,7 @@ fn finding(db: &dyn Db, project: Project, file: File, keyword: OddKeyword) -> Di
         rule: &keyword_spelling::RULE,
         severity: keyword_spelling::RULE.severity,
         message: wording.message,
-        place: Span { file, range: keyword.range },
+        place: FileRange { file, range: keyword.range },
         label: wording.label,
         related: Vec::new(),
         help: wording.help,

@@ -27,7 +27,6 @@ pub(crate) mod unused_data;
 pub(crate) mod variable_use;
 
 pub(crate) use choices::Choices;
-pub(crate) use elsewhere::span_of;
 pub(crate) use findings::Findings;
 pub(crate) use locals::{LocalUse, Locals};
 pub(crate) use motion::{Motion, Phase};

@@ -3,9 +3,9 @@
 use std::collections::hash_map::Entry;
 
 use rustc_hash::FxHashMap;
-use val3_analysis::db::Db;
+use val3_analysis::db::{Db, FileRange};
 
-use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote, Span};
+use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
 use crate::rules::{ambiguous_name, library_item_unknown};
 
 /// What several applications may suffer from.
@@ -15,7 +15,7 @@ enum Cause<'db> {
     /// same programs with the same parameters.
     Name(&'db str),
     /// A library whose project does not list what is used: its list.
-    Library(Span),
+    Library(FileRange),
 }
 
 /// Keeps the first finding of each cause. The places of the others become related places of it.
@@ -42,7 +42,7 @@ pub(crate) fn joined(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> 
 }
 
 fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
-    let Span { file, range } = finding.place;
+    let FileRange { file, range } = finding.place;
     if finding.rule == &ambiguous_name::RULE {
         return file.text(db).get(std::ops::Range::<usize>::from(range)).map(Cause::Name);
     }

@@ -4,19 +4,19 @@ mod comments;
 mod faults;
 
 use rustc_hash::FxHashSet;
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::suppressions::{Named, suppressions};
 
 pub(crate) use comments::silencing;
 pub(crate) use faults::{unknown, unused};
 
 use crate::check::Checked;
-use crate::diagnostic::{Diagnostic, Span};
+use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 
 /// The places of the words in comments that silenced something.
-pub(crate) type Used = FxHashSet<Span>;
+pub(crate) type Used = FxHashSet<FileRange>;
 
 /// Whether comments can silence findings of a rule: not where the text cannot be read, since the controller then
 /// refuses the whole application, and not where the comment itself is meant.
@@ -41,14 +41,14 @@ pub(crate) fn apply(db: &dyn Db, found: Vec<Diagnostic>) -> Checked {
 }
 
 /// The words in comments that silence a finding.
-fn silencers(db: &dyn Db, diagnostic: &Diagnostic) -> Vec<Span> {
-    let Span { file, range } = diagnostic.place;
+fn silencers(db: &dyn Db, diagnostic: &Diagnostic) -> Vec<FileRange> {
+    let FileRange { file, range } = diagnostic.place;
     if !may_have_code(db, file) || !can_be_silenced(diagnostic.rule) {
         return Vec::new();
     }
     let covering = suppressions(db, file).iter().filter(|suppression| suppression.covers(range.start()));
     let words = covering.flat_map(|suppression| &suppression.rules).filter(|word| means(word, diagnostic.rule));
-    words.map(|word| Span { file, range: word.range }).collect()
+    words.map(|word| FileRange { file, range: word.range }).collect()
 }
 
 /// Spares looking at data and project files, of which there are few but large ones.

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
-use val3_analysis::db::{Database, File, FileStatus, Project, Sources, path_key};
+use val3_analysis::db::{Database, File, FileRange, FileStatus, Project, Sources, path_key};
 use val3_analysis::items::faults::text_faults;
-use val3_check::diagnostic::{self, Diagnostic, RelatedNote, Span};
+use val3_check::diagnostic::{self, Diagnostic, RelatedNote};
 use val3_check::fingerprint::Fingerprint;
 use val3_syntax::encoding::Encoding;
 
@@ -74,7 +74,7 @@ impl<'a> Translator<'a> {
         Related { place: self.place(note.place, application), message: note.message.clone() }
     }
 
-    fn place(&mut self, Span { file, range }: Span, application: Option<File>) -> Place {
+    fn place(&mut self, FileRange { file, range }: FileRange, application: Option<File>) -> Place {
         Place { file: self.indexed(file, application).source, range: range.into() }
     }
 

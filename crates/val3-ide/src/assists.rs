@@ -24,9 +24,8 @@ mod testing;
 #[cfg(test)]
 pub(crate) use testing::shown;
 
-use val3_analysis::db::Db;
+use val3_analysis::db::{Db, FileRange};
 
-use crate::FileRange;
 use crate::edit::SourceChange;
 use context::Context;
 

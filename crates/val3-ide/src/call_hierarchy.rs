@@ -2,15 +2,15 @@
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::project::{items, program_files};
 use val3_analysis::occurrences::{Symbol, occurrences};
 use val3_syntax::TextRange;
 
+use crate::FilePosition;
 use crate::navigate::{declaration, name_at};
 use crate::owner::owner;
 use crate::references::uses;
-use crate::{FilePosition, FileRange};
 
 /// A program in the hierarchy.
 #[derive(Debug, Clone, PartialEq, Eq)]

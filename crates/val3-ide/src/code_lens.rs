@@ -1,13 +1,12 @@
 //! What editors show above programs and declarations: how often they are used, and that an application can be run.
 
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::declarations;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{data_files, program_files};
 use val3_analysis::occurrences::Symbol;
 use val3_syntax::TextRange;
 
-use crate::FileRange;
 use crate::navigate::declaration;
 use crate::owner::owner;
 use crate::references::places;

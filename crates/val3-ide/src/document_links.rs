@@ -68,9 +68,9 @@ pub(crate) fn without_quotes(text: &str, range: TextRange) -> TextRange {
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
+    use val3_analysis::db::FileRange;
 
     use super::*;
-    use crate::FileRange;
     use crate::testing::{Marked, shown};
 
     fn links(listing: &str, of: impl Fn(&Marked) -> File) -> String {

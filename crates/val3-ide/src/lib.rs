@@ -62,7 +62,7 @@ pub use type_hierarchy::{TypeItem, subtypes, supertypes, type_item};
 pub use val3_fmt::Style;
 
 use val3_analysis::db::File;
-use val3_syntax::{TextRange, TextSize};
+use val3_syntax::TextSize;
 
 /// A place in a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -71,15 +71,6 @@ pub struct FilePosition {
     pub file: File,
     /// Bytes from its start.
     pub offset: TextSize,
-}
-
-/// A stretch of a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct FileRange {
-    /// The file.
-    pub file: File,
-    /// From where to where, in bytes.
-    pub range: TextRange,
 }
 
 #[cfg(test)]

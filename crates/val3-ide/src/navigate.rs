@@ -1,6 +1,6 @@
 //! From a name to what it stands for: definition, type definition, implementations.
 
-use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::db::{Db, File, FileRange, Project, Sources};
 use val3_analysis::interfaces::replacements;
 use val3_analysis::items::manifest::manifest;
 use val3_analysis::items::project::{find_file, items, resolve_type};
@@ -9,8 +9,8 @@ use val3_analysis::occurrences::{Occurrence, Symbol, occurrence_at};
 use val3_analysis::ty::Base;
 use val3_syntax::{TextRange, TextSize};
 
+use crate::FilePosition;
 use crate::owner::owner;
-use crate::{FilePosition, FileRange};
 
 /// Where a jump leads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -77,7 +77,7 @@ pub(crate) fn name_at(db: &dyn Db, at: FilePosition) -> Option<(Project, &Occurr
 
 /// Where a symbol is declared; `None` for what the language brings.
 pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
-    let place = match symbol {
+    match symbol {
         Symbol::Local(file, name) => declarations::local(db, *file, name.clone()),
         Symbol::Param(file, name) => declarations::param(db, *file, name.clone()),
         Symbol::Data(project, name) => declarations::data(db, items(db, *project).data.get(name)?.file, name.clone()),
@@ -85,8 +85,7 @@ pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
         Symbol::Library(project, name) => declarations::library(db, *project, name.clone()),
         Symbol::Type(project, name) => declarations::user_type(db, *project, name.clone()),
         _ => None,
-    }?;
-    Some(FileRange { file: place.file, range: place.range })
+    }
 }
 
 /// The project that a library identifier or a type name stands for.

@@ -2,13 +2,13 @@
 
 use memchr::memmem;
 use rustc_hash::FxHashSet;
-use val3_analysis::db::{Db, File, Project, Sources};
+use val3_analysis::db::{Db, File, FileRange, Project, Sources};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::{Symbol, places_of, project_files};
 use val3_syntax::TextRange;
 
+use crate::FilePosition;
 use crate::navigate::name_at;
-use crate::{FilePosition, FileRange};
 
 /// Everywhere the name at a position is used; its declaration too if asked for. By path and place.
 pub fn references(db: &dyn Db, at: FilePosition, with_declaration: bool) -> Vec<FileRange> {

@@ -7,9 +7,8 @@ pub use outline::outline;
 pub use workspace::workspace_symbols;
 
 use smol_str::SmolStr;
+use val3_analysis::db::FileRange;
 use val3_syntax::TextRange;
-
-use crate::FileRange;
 
 /// What an entry of the outline is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]

@@ -1,13 +1,13 @@
 //! For tests: a listing with `$0` at the cursor.
 
 use camino::Utf8PathBuf;
-use val3_analysis::db::{Database, Db, File, Sources};
+use val3_analysis::db::{Database, Db, File, FileRange, Sources};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
 use val3_syntax::{TextRange, TextSize};
 use val3_test::{Fixture, ROOT};
 
-use crate::{FilePosition, FileRange};
+use crate::FilePosition;
 
 /// The database of a listing and the place of `$0` in it, if it has one.
 pub(crate) struct Marked {

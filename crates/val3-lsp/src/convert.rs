@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 
 use salsa::Database as _;
 use tower_lsp::lsp_types::*;
-use val3_analysis::db::{File, Project};
+use val3_analysis::db::{File, FileRange, Project};
 use val3_check::diagnostic as check;
 use val3_check::rule::{Rule, Severity};
 use val3_check::topics;
@@ -50,8 +50,8 @@ pub(crate) fn program_diagnostics(snapshot: &Snapshot, project: Project, file: F
 
 /// One finding.
 pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diagnostic {
-    let note = |at: check::Span, message: &str| DiagnosticRelatedInformation {
-        location: snapshot.location(place(at)),
+    let note = |at: FileRange, message: &str| DiagnosticRelatedInformation {
+        location: snapshot.location(at),
         message: message.to_owned(),
     };
     let label = Some(found.label.as_str()).filter(|label| !label.is_empty()).map(|label| note(found.place, label));
@@ -98,10 +98,6 @@ fn tag(rule: &Rule) -> Option<DiagnosticTag> {
         return Some(DiagnosticTag::UNNECESSARY);
     }
     rule.name.contains("deprecated").then_some(DiagnosticTag::DEPRECATED)
-}
-
-fn place(span: check::Span) -> ide::FileRange {
-    ide::FileRange { file: span.file, range: span.range }
 }
 
 /// The faults of configurations, by file.

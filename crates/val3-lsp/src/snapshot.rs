@@ -6,9 +6,9 @@ use std::sync::Arc;
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
 use tower_lsp::lsp_types::{Location, LocationLink, Position, Range, TextDocumentPositionParams, Url};
-use val3_analysis::db::{Database, Db, File, Project, Sources, path_key};
+use val3_analysis::db::{Database, Db, File, FileRange, Project, Sources, path_key};
 use val3_config::ConfigError;
-use val3_ide::{CheckSettings, FilePosition, FileRange};
+use val3_ide::{CheckSettings, FilePosition};
 use val3_syntax::TextRange;
 
 use crate::documents::{Document, Documents};

@@ -1,5 +1,6 @@
 //! Fathers: the reference frame of a point or frame, the base tool of a tool (9.4 to 9.6).
 
+use crate::db::FileRange;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::builtins;
@@ -12,7 +13,7 @@ use crate::items::data;
 use crate::items::fathers::{hidden_father, references, root};
 use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
-use crate::problem::{Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{Problem, ProblemKind, Related, Role};
 use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
@@ -53,7 +54,7 @@ impl DataCheck<'_> {
         let places = references(db, self.project, &name);
         let kind = ProblemKind::FatherHidden { name, expected, found, uses: places.len() };
         let related = places.into_iter().map(|place| Related { place, role: Role::Use }).collect();
-        let place = Place { file: self.file, range: declared.range };
+        let place = FileRange { file: self.file, range: declared.range };
         self.found.problems.push(Problem { kind, place, related });
     }
 

@@ -8,12 +8,12 @@ use super::names::data_value;
 use super::value::{Form, Origin, Value, Variable};
 use super::{Infer, Overflow};
 use crate::body::ExprId;
-use crate::db::Project;
+use crate::db::{FileRange, Project};
 use crate::interfaces::is_left_out;
 use crate::items::declarations;
 use crate::items::project::{fields, items};
 use crate::near::nearest;
-use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
 use crate::ty::Base;
 
 impl Infer<'_> {
@@ -174,7 +174,7 @@ impl Infer<'_> {
         field: &SmolStr,
         near: Option<SmolStr>,
         range: TextRange,
-        private: Option<Place>,
+        private: Option<FileRange>,
     ) -> Value {
         let kind = ProblemKind::UnknownField { ty: self.show(base), field: field.clone(), near };
         self.report_at(range, kind, private.map(|place| Related { place, role: Role::Declared }));

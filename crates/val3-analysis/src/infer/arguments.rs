@@ -1,5 +1,6 @@
 //! Choosing the form of a callee that the arguments suit, or saying which argument suits none.
 
+use crate::db::FileRange;
 use smallvec::SmallVec;
 use smol_str::SmolStr;
 use val3_lang::instruction::Shape;
@@ -7,7 +8,7 @@ use val3_lang::instruction::Shape;
 use super::Infer;
 use super::fit::{Argument, Formal, Formals, Misfit};
 use crate::body::ExprId;
-use crate::problem::{Place, ProblemKind, Role};
+use crate::problem::{ProblemKind, Role};
 
 /// A callee with all its forms.
 pub(super) struct Callee<'a> {
@@ -17,7 +18,7 @@ pub(super) struct Callee<'a> {
     /// Its syntax lines; asked for only where a message shows them.
     pub(super) lines: &'a dyn Fn() -> Vec<SmolStr>,
     /// Where it is declared; asked for only where a message points there, because that reads another file.
-    pub(super) declared: &'a dyn Fn() -> Option<Place>,
+    pub(super) declared: &'a dyn Fn() -> Option<FileRange>,
 }
 
 impl Callee<'_> {

@@ -1,5 +1,6 @@
 //! Names: locals and parameters hide data, data hides what is built in (2.5.2).
 
+use crate::db::FileRange;
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
 use val3_lang::{builtins, enumerations, instructions};
@@ -12,7 +13,7 @@ use crate::items::fathers::hidden_father;
 use crate::items::program::Header;
 use crate::items::project::{DataItem, Items, resolve_type};
 use crate::near::nearest;
-use crate::problem::{NameKind, Place, ProblemKind};
+use crate::problem::{NameKind, ProblemKind};
 use crate::ty::Base;
 
 /// Parameters and locals of a program.
@@ -105,7 +106,7 @@ impl Infer<'_> {
     }
 
     /// Where the variable at the root of an expression is declared.
-    pub(super) fn declared(&self, value: &Value, name: &str) -> Option<Place> {
+    pub(super) fn declared(&self, value: &Value, name: &str) -> Option<FileRange> {
         let Form::Whole(Variable { origin, .. }) = &value.form else { return None };
         match origin {
             Origin::Data(file, name) => declarations::data(self.db, *file, name.clone()),

@@ -3,11 +3,11 @@
 use smol_str::{SmolStr, format_smolstr};
 
 use super::{Interfaces, is_public};
-use crate::db::{Db, File, Project};
+use crate::db::{Db, File, FileRange, Project};
 use crate::infer::programs::syntax_line;
 use crate::items::declarations;
 use crate::items::project::{DataItem, Signature, items, signature};
-use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
 use crate::ty::brackets;
 
 /// An item of an interface, and where its counterpart is looked for.
@@ -17,14 +17,14 @@ struct Pair<'a> {
     item: &'a SmolStr,
     what: NameKind,
     /// Where the library is loaded.
-    load: Place,
+    load: FileRange,
     /// Where the interface declares the item.
-    interface: Option<Place>,
+    interface: Option<FileRange>,
 }
 
 impl Interfaces<'_> {
     /// Reports what `library` lacks of the interface of `alias`; `load` is where it is loaded.
-    pub(super) fn compare(&mut self, alias: &SmolStr, library: Project, load: Place) {
+    pub(super) fn compare(&mut self, alias: &SmolStr, library: Project, load: FileRange) {
         let db = self.db;
         let interface = items(db, self.project).libraries.get(alias).and_then(|item| item.interface);
         let Some(interface) = interface.filter(|interface| *interface != library) else { return };
@@ -96,8 +96,8 @@ impl Interfaces<'_> {
         &mut self,
         alias: &SmolStr,
         library: SmolStr,
-        items: Vec<(NameKind, SmolStr, Option<Place>)>,
-        load: Place,
+        items: Vec<(NameKind, SmolStr, Option<FileRange>)>,
+        load: FileRange,
     ) {
         if items.is_empty() {
             return;
@@ -109,7 +109,7 @@ impl Interfaces<'_> {
         self.problems.push(Problem { kind, place: load, related });
     }
 
-    fn private(&mut self, pair: &Pair<'_>, there: Option<Place>) {
+    fn private(&mut self, pair: &Pair<'_>, there: Option<FileRange>) {
         let kind = ProblemKind::ImplementationPrivate {
             alias: pair.alias.clone(),
             library: pair.library.clone(),
@@ -119,7 +119,7 @@ impl Interfaces<'_> {
         self.push(kind, pair, there);
     }
 
-    fn different(&mut self, pair: &Pair<'_>, expected: SmolStr, found: SmolStr, there: Option<Place>) {
+    fn different(&mut self, pair: &Pair<'_>, expected: SmolStr, found: SmolStr, there: Option<FileRange>) {
         let kind = ProblemKind::ImplementationDifferent {
             alias: pair.alias.clone(),
             library: pair.library.clone(),
@@ -131,7 +131,7 @@ impl Interfaces<'_> {
         self.push(kind, pair, there);
     }
 
-    fn push(&mut self, kind: ProblemKind, pair: &Pair<'_>, there: Option<Place>) {
+    fn push(&mut self, kind: ProblemKind, pair: &Pair<'_>, there: Option<FileRange>) {
         let interface = pair.interface.map(|place| Related { place, role: Role::Interface });
         let there = there.map(|place| Related { place, role: Role::Implementation });
         let related = interface.into_iter().chain(there).collect();

@@ -11,12 +11,12 @@ use super::Interfaces;
 use super::usage::is_instruction;
 use crate::application::ENTRY_POINTS;
 use crate::body::{Expr, ExprId, body};
-use crate::db::{Db, File, Project};
+use crate::db::{Db, File, FileRange, Project};
 use crate::items::declarations;
 use crate::items::manifest::manifest;
 use crate::items::project::items;
 use crate::items::unlisted::{Unlisted, unlisted};
-use crate::problem::{NameKind, Place, Problem, ProblemKind, Related, Role};
+use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
 
 fn may_leave_out(db: &dyn Db, library: Project) -> bool {
     is_empty(db, library) || *unlisted(db, library) != Unlisted::default()
@@ -48,7 +48,7 @@ pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameK
 }
 
 /// An item that is used, and where.
-type ItemUse = (SmolStr, Place);
+type ItemUse = (SmolStr, FileRange);
 
 impl Interfaces<'_> {
     /// What the programs use of libraries whose projects leave it out: one problem a library.
@@ -73,12 +73,12 @@ impl Interfaces<'_> {
     }
 }
 
-fn problem(db: &dyn Db, alias: SmolStr, library: Project, place: Place, uses: &[ItemUse]) -> Problem {
+fn problem(db: &dyn Db, alias: SmolStr, library: Project, place: FileRange, uses: &[ItemUse]) -> Problem {
     let mut missing: Vec<SmolStr> = uses.iter().map(|(item, _)| item.clone()).collect();
     missing.sort_unstable();
     missing.dedup();
     let list = declarations::file_list(db, library, true);
-    let list = list.map(|list| Place { file: library.manifest(db), range: list.place });
+    let list = list.map(|list| FileRange { file: library.manifest(db), range: list.place });
     let list = list.into_iter().map(|place| Related { place, role: Role::List });
     let uses_of_items = uses.iter().map(|(_, place)| Related { place: *place, role: Role::Use });
     let related = list.chain(uses_of_items).collect();
@@ -101,7 +101,7 @@ fn collect_uses(
         let Some(library) = libraries.get(alias).filter(|_| !is_instruction(item)) else { continue };
         let what = if callees.contains(&id) { NameKind::Program } else { NameKind::Data };
         if is_missing(db, *library, item, what) && is_left_out(db, *library, item, what) {
-            found.entry(alias.clone()).or_default().push((item.clone(), Place { file, range }));
+            found.entry(alias.clone()).or_default().push((item.clone(), FileRange { file, range }));
         }
     }
 }

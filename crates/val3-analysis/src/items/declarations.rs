@@ -8,16 +8,15 @@ use val3_syntax::TextRange;
 
 use super::manifest::{OLD, entries, spelling};
 use super::{data as data_items, parse, program as program_items};
-use crate::db::{Db, File, Project};
-use crate::problem::Place;
+use crate::db::{Db, File, FileRange, Project};
 use crate::xml::{self, Element};
 
 /// The name of a global variable in a `.dtx`.
 #[salsa::tracked(returns(copy))]
-pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
+pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     let parse = parse(db, file);
     let range = named(data_items::elements(parse.view()), "name", &name)?;
-    Some(Place { file, range })
+    Some(FileRange { file, range })
 }
 
 /// Something that a file declares.
@@ -53,47 +52,47 @@ pub fn all_locals(db: &dyn Db, file: File) -> Vec<Declared> {
 
 /// The name of a parameter in a `.pgx`.
 #[salsa::tracked(returns(copy))]
-pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
+pub fn param(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     let parse = parse(db, file);
     let program = program_items::element(parse.view())?;
-    Some(Place { file, range: named(program_items::params(program), "name", &name)? })
+    Some(FileRange { file, range: named(program_items::params(program), "name", &name)? })
 }
 
 /// The name of a local in a `.pgx`.
 #[salsa::tracked(returns(copy))]
-pub fn local(db: &dyn Db, file: File, name: SmolStr) -> Option<Place> {
+pub fn local(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
     let parse = parse(db, file);
     let program = program_items::element(parse.view())?;
-    Some(Place { file, range: named(program_items::locals(program), "name", &name)? })
+    Some(FileRange { file, range: named(program_items::locals(program), "name", &name)? })
 }
 
 /// The name of the program in a `.pgx`.
 #[salsa::tracked(returns(copy))]
-pub fn program(db: &dyn Db, file: File) -> Option<Place> {
+pub fn program(db: &dyn Db, file: File) -> Option<FileRange> {
     let parse = parse(db, file);
     let program = program_items::element(parse.view())?;
-    Some(Place { file, range: program.attribute("name")?.range })
+    Some(FileRange { file, range: program.attribute("name")?.range })
 }
 
 /// The entry of a library identifier in a `.pjx`.
 #[salsa::tracked(returns(copy))]
-pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<Place> {
+pub fn library(db: &dyn Db, project: Project, alias: SmolStr) -> Option<FileRange> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let root = xml::root(parse.view())?;
     let spelling = spelling(root);
     let range = named(entries(root, spelling.libraries), spelling.library_name, &alias)?;
-    Some(Place { file, range })
+    Some(FileRange { file, range })
 }
 
 /// The entry of a user type in a `.pjx`.
 #[salsa::tracked(returns(copy))]
-pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<Place> {
+pub fn user_type(db: &dyn Db, project: Project, name: SmolStr) -> Option<FileRange> {
     let file = project.manifest(db);
     let parse = parse(db, file);
     let root = xml::root(parse.view())?;
     let range = named(entries(root, spelling(root).types), "name", &name)?;
-    Some(Place { file, range })
+    Some(FileRange { file, range })
 }
 
 /// The version in a `.pjx`.

@@ -9,8 +9,7 @@ use val3_syntax::TextRange;
 use super::data::elements;
 use super::parse;
 use super::project::{data_files, items};
-use crate::db::{Db, File, Project};
-use crate::problem::Place;
+use crate::db::{Db, File, FileRange, Project};
 use crate::ty::Base;
 use crate::xml::Element;
 
@@ -40,13 +39,13 @@ pub fn hidden_father(db: &dyn Db, project: Project, name: &str) -> Option<&'stat
 }
 
 /// Where the data of a project name `name` as a father.
-pub fn references(db: &dyn Db, project: Project, name: &str) -> Vec<Place> {
+pub fn references(db: &dyn Db, project: Project, name: &str) -> Vec<FileRange> {
     let mut places = Vec::new();
     for &file in data_files(db, project) {
         let parse = parse(db, file);
         let mut ranges = Vec::new();
         elements(parse.view()).for_each(|element| collect_references(element, name, &mut ranges));
-        places.extend(ranges.into_iter().map(|range| Place { file, range }));
+        places.extend(ranges.into_iter().map(|range| FileRange { file, range }));
     }
     places
 }

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use camino::Utf8PathBuf;
 use val3_analysis::body::{Expr, ExprId, body};
-use val3_analysis::db::{Database, File, Project};
+use val3_analysis::db::{Database, File, FileRange, Project};
 use val3_analysis::items::project::{data_files, program_files};
 use val3_analysis::load::{Workspace, load};
-use val3_analysis::problem::{Place, Problem};
+use val3_analysis::problem::Problem;
 use val3_analysis::system::Memory;
 use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
 use val3_test::{Fixture, ROOT};
@@ -96,7 +96,7 @@ fn show(db: &Database, problem: &Problem) -> String {
 }
 
 /// `main/start.pgx:3 text`
-fn place(db: &Database, place: Place) -> String {
+fn place(db: &Database, place: FileRange) -> String {
     let text = place.file.text(db);
     let line = 1 + text[..usize::from(place.range.start())].matches('\n').count();
     let shown = text[place.range].lines().next().unwrap_or("");

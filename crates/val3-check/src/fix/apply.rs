@@ -94,13 +94,13 @@ fn edited(text: &str, mut edits: Vec<&Edit>) -> String {
 #[cfg(test)]
 mod tests {
     use camino::Utf8PathBuf;
+    use val3_analysis::db::FileRange;
     use val3_analysis::load::{Workspace, load};
     use val3_analysis::system::Memory;
     use val3_syntax::TextRange;
     use val3_test::{Fixture, ROOT};
 
     use super::*;
-    use crate::diagnostic::Span;
 
     const PROGRAM: &str = "start.pgx";
 
@@ -118,7 +118,7 @@ mod tests {
         let edit = |(old, new): &(&str, &str)| {
             let start = u32::try_from(text.find(old).unwrap()).unwrap();
             let range = TextRange::at(start.into(), u32::try_from(old.len()).unwrap().into());
-            Edit { place: Span { file, range }, text: (*new).to_owned() }
+            Edit { place: FileRange { file, range }, text: (*new).to_owned() }
         };
         Fix::safe("", changes.iter().map(edit).collect())
     }

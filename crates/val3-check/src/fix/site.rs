@@ -3,12 +3,12 @@
 use std::borrow::Cow;
 use std::ops::Range;
 
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::parse;
 use val3_syntax::xml::line_end;
 use val3_syntax::{SyntaxKind, TextRange, TextSize, decode_entities};
 
-use crate::diagnostic::{Edit, Fix, Span};
+use crate::diagnostic::{Edit, Fix};
 
 /// A fault in a file.
 #[derive(Clone, Copy)]
@@ -75,7 +75,7 @@ impl<'a> Site<'a> {
 
     /// Replaces `range` with characters of the file, as they are.
     pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
-        Edit { place: Span { file: self.file, range }, text: text.to_owned() }
+        Edit { place: FileRange { file: self.file, range }, text: text.to_owned() }
     }
 
     /// Puts a line of its own before the line of the marked text, or behind the marked place if that is the end of the

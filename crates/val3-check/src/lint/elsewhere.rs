@@ -1,12 +1,11 @@
 //! The other places that findings point at, here and in other programs.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::db::FileRange;
 use val3_analysis::effects::Root;
 use val3_analysis::items::declarations;
-use val3_analysis::problem::Place;
 
 use super::Program;
-use crate::diagnostic::Span;
 
 impl<'db> Program<'db> {
     /// Another program of the project. To look at it makes what asks depend on its code: for findings only.
@@ -16,8 +15,8 @@ impl<'db> Program<'db> {
     }
 
     /// Where an expression stands, for another file's finding.
-    pub(crate) fn span(&self, id: ExprId) -> Span {
-        Span { file: self.file, range: self.range(id) }
+    pub(crate) fn span(&self, id: ExprId) -> FileRange {
+        FileRange { file: self.file, range: self.range(id) }
     }
 
     /// Where the program first calls `callee`.
@@ -30,8 +29,8 @@ impl<'db> Program<'db> {
     }
 
     /// Where the variable is declared that `id` is or is a part of; `None` for one of a library.
-    pub(crate) fn declaration(&self, id: ExprId) -> Option<Span> {
-        let place = match self.effects.root(id)? {
+    pub(crate) fn declaration(&self, id: ExprId) -> Option<FileRange> {
+        match self.effects.root(id)? {
             Root::Local(name) => declarations::local(self.db, self.file, name),
             Root::Param(name) => declarations::param(self.db, self.file, name),
             Root::Data(name) => {
@@ -39,12 +38,6 @@ impl<'db> Program<'db> {
                 declarations::data(self.db, item.file, name)
             }
             Root::Item(..) => None,
-        };
-        place.map(span_of)
+        }
     }
-}
-
-/// A place of the analysis.
-pub(crate) fn span_of(place: Place) -> Span {
-    Span { file: place.file, range: place.range }
 }

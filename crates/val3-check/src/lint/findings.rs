@@ -1,9 +1,9 @@
 //! Where lints put what they find.
 
-use val3_analysis::db::File;
+use val3_analysis::db::{File, FileRange};
 use val3_syntax::TextRange;
 
-use crate::diagnostic::{Diagnostic, Edit, Fix, RelatedNote, Span, Wording};
+use crate::diagnostic::{Diagnostic, Edit, Fix, RelatedNote, Wording};
 use crate::rule::{Rule, Severity};
 
 /// The findings in one file.
@@ -27,7 +27,7 @@ impl Findings {
             rule,
             severity: rule.severity,
             message: wording.message,
-            place: Span { file: self.file, range },
+            place: FileRange { file: self.file, range },
             label: wording.label,
             related: Vec::new(),
             help: wording.help,
@@ -53,12 +53,12 @@ pub(crate) struct Reported<'f> {
 impl Reported<'_> {
     /// Names another side of the finding, in the same file.
     pub(crate) fn related(self, range: TextRange, message: impl Into<String>) -> Self {
-        let place = Span { file: self.file, range };
+        let place = FileRange { file: self.file, range };
         self.related_in(place, message)
     }
 
     /// Names another side of the finding, in any file.
-    pub(crate) fn related_in(mut self, place: Span, message: impl Into<String>) -> Self {
+    pub(crate) fn related_in(mut self, place: FileRange, message: impl Into<String>) -> Self {
         if let Some(diagnostic) = &mut self.diagnostic {
             diagnostic.related.push(RelatedNote { place, message: message.into() });
         }
@@ -66,7 +66,7 @@ impl Reported<'_> {
     }
 
     /// Names another side of the finding, if its place is known.
-    pub(crate) fn related_at(self, place: Option<Span>, message: impl Into<String>) -> Self {
+    pub(crate) fn related_at(self, place: Option<FileRange>, message: impl Into<String>) -> Self {
         match place {
             Some(place) => self.related_in(place, message),
             None => self,

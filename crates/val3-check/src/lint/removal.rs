@@ -1,13 +1,13 @@
 //! Takes a declaration out of a file.
 
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::declarations::element_around;
 use val3_analysis::items::parse;
 use val3_analysis::items::unlisted::is_program;
 use val3_syntax::xml::{self, Element};
 use val3_syntax::{TextRange, TextSize};
 
-use crate::diagnostic::{Edit, Span};
+use crate::diagnostic::Edit;
 
 /// The edit that removes an element of a file, with the line end before it if it has a line of its own. A list that it
 /// was the last element of becomes an empty tag, or goes as well where such lists are left out: in programs.
@@ -21,7 +21,7 @@ pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
         Some(list) if is_program(file.path(db).as_str()) => (with_blanks(text, list.view().range()), ""),
         Some(list) => (behind_attributes(list, text), " />"),
     };
-    Edit { place: Span { file, range }, text: text.to_owned() }
+    Edit { place: FileRange { file, range }, text: text.to_owned() }
 }
 
 /// The edit that removes the element around a name.

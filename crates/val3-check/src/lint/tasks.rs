@@ -2,11 +2,11 @@
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Expr, ExprId, StmtKind};
+use val3_analysis::db::FileRange;
 use val3_analysis::items::declarations;
 use val3_analysis::items::project::{Param, Signature};
 
-use super::{Program, span_of};
-use crate::diagnostic::Span;
+use super::Program;
 
 /// A `taskCreate` or `taskCreateSync`.
 pub(crate) struct TaskCreation<'db> {
@@ -70,8 +70,8 @@ impl<'db> Program<'db> {
     }
 
     /// Where the program that is called declares its parameter `name`.
-    pub(crate) fn parameter(&self, call: &ProgramCall<'_>, name: &SmolStr) -> Option<Span> {
+    pub(crate) fn parameter(&self, call: &ProgramCall<'_>, name: &SmolStr) -> Option<FileRange> {
         let (_, file) = self.effects.program_file(call.callee)?;
-        declarations::param(self.db, file, name.clone()).map(span_of)
+        declarations::param(self.db, file, name.clone())
     }
 }

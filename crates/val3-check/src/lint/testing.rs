@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use camino::Utf8PathBuf;
-use val3_analysis::db::{Db, Project};
+use val3_analysis::db::{Db, FileRange, Project};
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
 use val3_test::{Fixture, ROOT};
@@ -54,7 +54,7 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     let db = &workspace.db;
     let mut shown = String::new();
     for diagnostic in found {
-        let at = |place: crate::diagnostic::Span| {
+        let at = |place: FileRange| {
             let text = place.file.text(db);
             let (start, end) = (usize::from(place.range.start()), usize::from(place.range.end()));
             let line = 1 + text[..start].matches('\n').count();

@@ -1,12 +1,12 @@
 //! V0123: a variable that is called like a program or a library identifier.
 
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
 use val3_analysis::items::shared_names::shared_names;
 
-use crate::diagnostic::{MOST_RELATED, Span, Wording};
+use crate::diagnostic::{MOST_RELATED, Wording};
 use crate::english::count;
-use crate::lint::{Findings, Program, span_of};
+use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
@@ -57,9 +57,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             Some(file) => declarations::program(program.db, *file),
             None => declarations::library(program.db, program.project, name.clone()),
         };
-        let mut reported = found
-            .report(&RULE, range, word(what, &name, other, rest.len()))
-            .related_at(place.map(span_of), "declared here");
+        let mut reported =
+            found.report(&RULE, range, word(what, &name, other, rest.len())).related_at(place, "declared here");
         for file in rest.iter().take(MOST_RELATED) {
             reported = reported.related_at(variable(program.db, *file, &name), "a variable here too");
         }
@@ -72,9 +71,9 @@ fn variables(db: &dyn Db, file: File) -> impl Iterator<Item = (&'static str, Dec
     params.chain(all_locals(db, file).into_iter().map(|declared| ("local variable", declared)))
 }
 
-fn variable(db: &dyn Db, file: File, name: &str) -> Option<Span> {
+fn variable(db: &dyn Db, file: File, name: &str) -> Option<FileRange> {
     let (_, found) = variables(db, file).find(|(_, declared)| declared.name == name)?;
-    Some(Span { file, range: found.range })
+    Some(FileRange { file, range: found.range })
 }
 
 fn other_use(program: &Program<'_>, name: &str) -> Option<&'static str> {

@@ -7,7 +7,7 @@ use val3_lang::motion::missing_reference;
 use val3_lang::types::BaseType;
 
 use super::no_reference::needed;
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
@@ -65,7 +65,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let reported = found.report(&RULE, program.range(arg), word(name, ty, call.instruction.name));
             let item = program.items.data.get(data);
             if let Some(place) = item.and_then(|item| declarations::data(program.db, item.file, data.into())) {
-                reported.related_in(Span { file: place.file, range: place.range }, "its data names no father");
+                reported.related_in(place, "its data names no father");
             }
         }
     }

@@ -1,6 +1,7 @@
 //! V0312: a value that is stored and never used.
 
 use std::collections::VecDeque;
+use val3_analysis::db::FileRange;
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::effects::{Access, AccessKind, Root};
@@ -8,7 +9,7 @@ use val3_analysis::flow::{PointId, PointKind};
 use val3_lang::types::BaseType;
 use val3_syntax::TextRange;
 
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Findings, Locals, Program};
 use crate::rule::rule;
 
@@ -64,7 +65,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             continue;
         }
         if !is_needed && used & bit != 0 && is_computed(program, value) {
-            let again = overwritten(program, id, *bit).map(|range| Span { file: program.file, range });
+            let again = overwritten(program, id, *bit).map(|range| FileRange { file: program.file, range });
             found.report(&RULE, point.range, word(name)).related_at(again, "overwritten here");
         }
     }

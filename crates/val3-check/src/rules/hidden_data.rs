@@ -4,7 +4,7 @@ use smol_str::SmolStr;
 use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
 
 use crate::diagnostic::Wording;
-use crate::lint::{Findings, Program, span_of};
+use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
@@ -57,7 +57,7 @@ fn report(program: &Program<'_>, found: &mut Findings, what: &str, names: Vec<De
         let Some(item) = program.items.data.get(&name) else { continue };
         let reported = found.report(&RULE, range, word(what, &name));
         if let Some(place) = declarations::data(program.db, item.file, name) {
-            reported.related_in(span_of(place), "the global data");
+            reported.related_in(place, "the global data");
         }
     }
 }

@@ -1,11 +1,12 @@
 //! V0532: an instruction that the declared version does not have.
 
 use rustc_hash::FxHashSet;
+use val3_analysis::db::FileRange;
 use val3_analysis::items::declarations;
 use val3_lang::instruction::{Availability, Instruction};
 use val3_lang::versions::Version;
 
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Call, Findings, Program};
 use crate::rule::rule;
 
@@ -39,7 +40,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     for call in program.calls() {
         if let Some(lack) = lack(*call, version).filter(|_| told.insert(call.instruction)) {
-            let manifest = Span { file: program.project.manifest(program.db), range: declared };
+            let manifest = FileRange { file: program.project.manifest(program.db), range: declared };
             found
                 .report(&RULE, program.range(call.callee), word(call.instruction, &lack, version))
                 .related_in(manifest, "declared here");

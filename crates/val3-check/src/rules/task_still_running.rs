@@ -2,8 +2,9 @@
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;
+use val3_analysis::db::FileRange;
 
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
@@ -93,7 +94,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-fn creation_in(program: &Program<'_>, other: &str, name: &SmolStr) -> Option<Span> {
+fn creation_in(program: &Program<'_>, other: &str, name: &SmolStr) -> Option<FileRange> {
     let other = program.other(other)?;
     let task = other.task_creations().find(|task| other.body.string(task.name).as_ref() == Some(name))?;
     Some(other.span(task.name))

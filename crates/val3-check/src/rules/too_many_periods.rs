@@ -1,9 +1,10 @@
 //! V0324: more different periods than the controller supports.
 
 use val3_analysis::body::ExprId;
+use val3_analysis::db::FileRange;
 use val3_lang::tasks::{MAX_PERIODS, PERIOD_STEP, period_steps};
 
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::english::and;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
@@ -79,7 +80,7 @@ fn periods(program: &Program<'_>) -> Vec<u32> {
 }
 
 /// Where the application first asks for a period.
-fn asked_for(program: &Program<'_>, period: u32) -> Option<Span> {
+fn asked_for(program: &Program<'_>, period: u32) -> Option<FileRange> {
     let tasks = &program.application().tasks;
     let creator = tasks.iter().find(|task| task.start.period == Some(period))?.created_by.as_deref()?;
     let creator = program.other(creator)?;

@@ -3,10 +3,11 @@
 use smol_str::SmolStr;
 use val3_analysis::application::summary;
 use val3_analysis::body::{Expr, ExprId};
+use val3_analysis::db::FileRange;
 use val3_analysis::effects::{Access, AccessKind, Root};
 use val3_lang::instructions::SET_MUTEX;
 
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
@@ -113,7 +114,7 @@ fn parts(program: &Program<'_>) -> Vec<Parts> {
 }
 
 /// Where the program called `reader` reads all of `data`.
-fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<Span> {
+fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<FileRange> {
     let reader = program.other(reader)?;
     let is_whole = |access: &&Access| {
         access.kind == AccessKind::Read

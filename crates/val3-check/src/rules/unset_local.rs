@@ -4,7 +4,7 @@ use val3_analysis::effects::{AccessKind, Root};
 use val3_analysis::items::declarations;
 use val3_lang::types::BaseType;
 
-use crate::diagnostic::{Span, Wording};
+use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
@@ -67,7 +67,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
                 told |= bit;
                 let reported = found.report(&RULE, program.range(access.id), word(name, ty));
                 if let Some(place) = declarations::local(program.db, program.file, name.clone()) {
-                    reported.related_in(Span { file: place.file, range: place.range }, "declared here");
+                    reported.related_in(place, "declared here");
                 }
             }
             written |= if access.kind == AccessKind::Read { 0 } else { *bit };

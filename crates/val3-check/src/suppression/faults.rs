@@ -1,6 +1,6 @@
 //! What is wrong with the comments themselves.
 
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::text_faults;
 use val3_analysis::items::program;
 use val3_analysis::items::suppressions::{Named, Scope, Suppression, suppressions};
@@ -8,7 +8,7 @@ use val3_analysis::near::nearest;
 use val3_syntax::{TextRange, TextSize};
 
 use super::{Used, can_be_silenced};
-use crate::diagnostic::{Diagnostic, Edit, Fix, Span, Wording};
+use crate::diagnostic::{Diagnostic, Edit, Fix, Wording};
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 use crate::settings::Settings;
@@ -16,7 +16,7 @@ use crate::settings::Settings;
 /// Comments in a program that cannot silence anything, whatever is found.
 pub(crate) fn unknown(db: &dyn Db, project: Project, file: File) -> Vec<Diagnostic> {
     let rule = &unknown_suppression::RULE;
-    let finding = |(range, wording)| finding(db, project, rule, Span { file, range }, wording);
+    let finding = |(range, wording)| finding(db, project, rule, FileRange { file, range }, wording);
     suppressions(db, file).iter().flat_map(faults).map(finding).collect()
 }
 
@@ -48,7 +48,7 @@ pub(crate) fn unused(db: &dyn Db, project: Project, file: File, settings: &Setti
     }
     let is_idle = |word: &Named| {
         let looked_for = rules::find(&word.name).is_some_and(|rule| can_be_silenced(rule) && settings.wants(rule));
-        looked_for && !used.contains(&Span { file, range: word.range })
+        looked_for && !used.contains(&FileRange { file, range: word.range })
     };
     let mut idle = Vec::new();
     for suppression in found.iter().filter(|found| !matches!(found.scope, Scope::Misplaced | Scope::Unreadable)) {
@@ -56,7 +56,7 @@ pub(crate) fn unused(db: &dyn Db, project: Project, file: File, settings: &Setti
         for (place, word) in suppression.rules.iter().enumerate().filter(|(_, word)| is_idle(word)) {
             let edit = if whole { comment_line(file.text(db), suppression.comment) } else { entry(suppression, place) };
             let wording = unused_suppression::word(&word.name, suppression.scope == Scope::Program);
-            let place = Span { file, range: word.range };
+            let place = FileRange { file, range: word.range };
             let mut finding = finding(db, project, &unused_suppression::RULE, place, wording);
             finding.fix = Some(removal(file, edit));
             idle.push(finding);
@@ -89,11 +89,11 @@ fn entry(suppression: &Suppression, place: usize) -> TextRange {
 }
 
 fn removal(file: File, range: TextRange) -> Fix {
-    let edit = Edit { place: Span { file, range }, text: String::new() };
+    let edit = Edit { place: FileRange { file, range }, text: String::new() };
     Fix { title: "remove what silences nothing".to_owned(), safe: true, edits: vec![edit] }
 }
 
-fn finding(db: &dyn Db, project: Project, rule: &'static Rule, place: Span, wording: Wording) -> Diagnostic {
+fn finding(db: &dyn Db, project: Project, rule: &'static Rule, place: FileRange, wording: Wording) -> Diagnostic {
     Diagnostic {
         rule,
         severity: rule.severity,

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use val3_analysis::body::{Body, ExprId, body};
-use val3_analysis::db::{Db, File, Project};
+use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::infer::{Inference, infer};
 use val3_analysis::items::parse;
 use val3_analysis::items::program::{Header, header};
@@ -14,7 +14,6 @@ use val3_syntax::ast::{AstNode, Block, Code, Stmt};
 use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken, TextRange, TextSize, decode_entities};
 
 use super::lines::{is_escaped, with_comments};
-use crate::FileRange;
 use crate::edit::FileEdit;
 use crate::owner::owner;
 use crate::xml_list::escaped;

@@ -1,9 +1,8 @@
 //! The fixes that come with findings.
 
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::{Db, File, FileRange};
 use val3_check::diagnostic::{Diagnostic, Fix};
 
-use crate::FileRange;
 use crate::edit::{FileEdit, SourceChange};
 
 /// The fixes of the findings that `at` touches, each with what it changes: safe ones first.

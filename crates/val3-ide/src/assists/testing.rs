@@ -2,12 +2,11 @@
 
 use camino::Utf8Path;
 use expect_test::Expect;
-use val3_analysis::db::{Db, Sources};
+use val3_analysis::db::{Db, FileRange, Sources};
 use val3_syntax::TextRange;
 use val3_test::ROOT;
 
 use super::{Assist, assists, resolve_assist};
-use crate::FileRange;
 use crate::edit::SourceChange;
 use crate::testing::Marked;
 

@@ -1,7 +1,7 @@
 use expect_test::{Expect, expect};
+use val3_analysis::db::FileRange;
 
 use super::*;
-use crate::FileRange;
 use crate::testing::{Marked, shown};
 
 fn check(listing: &str, new_name: &str, expected: Expect) {

@@ -1,12 +1,11 @@
 //! The search for names.
 
-use val3_analysis::db::{Db, Project, Sources};
+use val3_analysis::db::{Db, FileRange, Project, Sources};
 use val3_analysis::items::project::items;
 use val3_analysis::occurrences::Symbol;
 use val3_syntax::{TextRange, TextSize};
 
 use super::{SymbolKind, WorkspaceSymbol};
-use crate::FileRange;
 use crate::fuzzy::score;
 use crate::navigate::declaration;
 

@@ -5,9 +5,9 @@ use tower_lsp::lsp_types::{
     CodeAction, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
     Range, Url, WorkspaceEdit,
 };
-use val3_analysis::db::File;
+use val3_analysis::db::{File, FileRange};
 use val3_check::diagnostic::Diagnostic;
-use val3_ide::{Assist, AssistKind, FileRange, QuickFix};
+use val3_ide::{Assist, AssistKind, QuickFix};
 
 use super::execute_command::apply;
 use crate::convert::{NotPossible, diagnostic, workspace_edit};

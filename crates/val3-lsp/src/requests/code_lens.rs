@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use tower_lsp::lsp_types::{CodeLens, CodeLensParams, Command, Location, Range, Url};
-use val3_analysis::db::File;
-use val3_ide::{FileRange, LensKind};
+use val3_analysis::db::{File, FileRange};
+use val3_ide::LensKind;
 
 use crate::session::ClientCommands;
 use crate::shown::Fingerprint;

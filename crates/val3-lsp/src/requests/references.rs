@@ -1,7 +1,7 @@
 //! `textDocument/references`
 
 use tower_lsp::lsp_types::{Location, ReferenceParams};
-use val3_ide::FileRange;
+use val3_analysis::db::FileRange;
 
 use crate::snapshot::{Refusal, Snapshot};
 
