@@ -1,4 +1,4 @@
-// Bundles the extension, and puts beside it what lies elsewhere in the project.
+// Bundles the extension, and copies the files of the project that it contains.
 const { cpSync, mkdirSync } = require("node:fs");
 const { buildSync } = require("esbuild");
 

@@ -1,4 +1,4 @@
-" XML, with the few words of code that stand out without a server.
+" XML, with colours for the keywords of code, which work without a server.
 runtime! syntax/xml.vim
 unlet! b:current_syntax
 syntax case ignore

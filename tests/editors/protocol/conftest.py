@@ -18,7 +18,7 @@ RECORD = [sys.executable, str(ROOT / "tests/editors/record"), "lsp"]
 
 
 def make_client():
-    """A client that lets the server register what it wants to be told."""
+    """A client that accepts registrations of the server."""
     client = make_test_lsp_client()
     for method in [types.CLIENT_REGISTER_CAPABILITY, types.CLIENT_UNREGISTER_CAPABILITY]:
         client.feature(method)(lambda *_: None)

@@ -8,7 +8,7 @@ const TRACES = join(process.env.VAL3_OUTPUT, "traces");
 /** Clients that do not keep to the protocol: only what the server says to them is judged. */
 const LIBERAL = new Set(["lsp-mode.jsonl"]);
 
-/** Made beside the packages, where TypeScript finds the types of the protocol. */
+/** Made next to the packages, where TypeScript finds the types of the protocol. */
 function makeSchema() {
   const folder = join(process.env.VAL3_TOOLS, "node", "schema");
   mkdirSync(folder, { recursive: true });
@@ -34,7 +34,7 @@ const PARAMS = validators("Params");
 const RESULTS = validators("Results");
 const isOwn = (method) => method.startsWith("val3/");
 
-/** What is wrong with a message; nothing when all is well. Remembers which request an answer belongs to. */
+/** The fault of a message; nothing if it is valid. Remembers the requests, to which responses refer. */
 function fault({ from, message }, open) {
   if (message.jsonrpc !== "2.0") {
     return "not JSON-RPC 2.0";

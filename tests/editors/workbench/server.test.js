@@ -1,4 +1,4 @@
-// What a user sees of the server itself: it dies, it cannot be run, and the folders it looks at come and go.
+// The server as a user notices it: its death, a failing start, and changes of the open folders.
 const { chmodSync, cpSync, mkdirSync, mkdtempSync, readdirSync, readFileSync, realpathSync, writeFileSync } = require("node:fs");
 const { tmpdir } = require("node:os");
 const { join } = require("node:path");

@@ -1,4 +1,4 @@
-// What a user does in the workbench, with the keyboard wherever that works.
+// Actions of a user in the workbench, with the keyboard wherever that works.
 const { chromium } = require("playwright-core");
 
 const FLAGS = ["--no-sandbox", "--disable-quic", "--no-first-run", "--disable-background-networking",
@@ -145,7 +145,7 @@ class User {
     await this.page.waitForSelector(".suggest-widget.visible", { state: "detached" });
   }
 
-  /** Waits until the list of problems has so many rows with this text. */
+  /** Waits until the list of problems has this number of rows with this text. */
   async problems(text, count) {
     await this.page.waitForFunction(([text, count]) => {
       const rows = [...document.querySelectorAll(".markers-panel .monaco-list-row")];
@@ -170,7 +170,7 @@ class User {
     }, [file, picture]);
   }
 
-  /** Clicks a lens until it shows what it leads to: lenses that are drawn anew under the mouse miss the click. */
+  /** Clicks a lens until its target is shown, because a lens that is redrawn under the mouse misses the click. */
   async opensLens(text, shown) {
     const lens = this.page.locator(".codelens-decoration a", { hasText: text });
     for (let attempt = 0; attempt < 10 && !(await this.page.isVisible(shown)); attempt += 1) {

@@ -4,7 +4,7 @@ const { chmodSync, createWriteStream, mkdirSync, readdirSync, renameSync, writeF
 const { createServer } = require("node:net");
 const { join } = require("node:path");
 
-/** What would reach for the network, or stand between the test and the editor. */
+/** Settings against access to the network, and against dialogs that would disturb the test. */
 const SETTINGS = {
   "telemetry.telemetryLevel": "off",
   "update.mode": "none",
