@@ -3,7 +3,6 @@
 #![allow(clippy::disallowed_methods, clippy::unwrap_used, reason = "scripts run on real files, and a test may stop")]
 
 use std::fs;
-use std::os::unix::fs::PermissionsExt as _;
 use std::process::{Command, Output};
 
 use camino::{Utf8Path, Utf8PathBuf};
@@ -25,11 +24,12 @@ impl Scratch {
         Utf8Path::from_path(self.0.path()).unwrap().join(path)
     }
 
+    /// Makes an executable script. A process of its own writes it: while this process had it open, a thread could not
+    /// execute it.
     fn command(&self, path: &str, line: &str) {
         let path = self.path(path);
-        fs::create_dir_all(path.parent().unwrap()).unwrap();
-        fs::write(&path, format!("#!/bin/sh\n{line}\n")).unwrap();
-        fs::set_permissions(&path, fs::Permissions::from_mode(0o755)).unwrap();
+        let folder = path.parent().unwrap();
+        self.shell(&format!("mkdir -p {folder} && printf '#!/bin/sh\\n%s\\n' '{line}' >{path} && chmod +x {path}"));
     }
 
     /// Makes a release with an archive for this system, and its checksum.
