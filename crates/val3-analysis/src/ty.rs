@@ -5,6 +5,9 @@ use val3_lang::types::{Arm, BaseType, Container};
 
 use crate::db::{Db, Project};
 
+/// The longest string, in bytes of UTF-8 (3.4.1).
+pub(crate) const STRING_LIMIT: usize = 128;
+
 /// The base of a type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Base {

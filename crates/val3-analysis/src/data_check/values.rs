@@ -8,13 +8,12 @@ use val3_lang::types::{self, AttributeValue, BaseType, Container, attribute};
 
 use super::{DataCheck, show_sizes};
 use crate::file_check::{VALUE, alternatives};
-use crate::infer::STRING_LIMIT;
 use crate::items::attributes;
 use crate::items::data::{Shape, shape};
 use crate::items::project::{DataItem, fields, items};
 use crate::near::nearest;
 use crate::problem::{NameKind, ProblemKind};
-use crate::ty::{Base, brackets};
+use crate::ty::{Base, STRING_LIMIT, brackets};
 use crate::xml::{Attribute, Element};
 
 impl DataCheck<'_> {

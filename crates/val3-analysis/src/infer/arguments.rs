@@ -4,11 +4,14 @@ use crate::db::FileRange;
 use smallvec::SmallVec;
 use smol_str::SmolStr;
 use val3_lang::instruction::Shape;
+use val3_lang::types::Arm;
 
 use super::Infer;
-use super::fit::{Argument, Formal, Formals, Misfit};
-use crate::body::ExprId;
+use super::fit::{Argument, Formal, Formals, Misfit, misfit};
+use super::value::Value;
+use crate::body::{Expr, ExprId};
 use crate::problem::{ProblemKind, Role};
+use crate::ty::Base;
 
 /// A callee with all its forms.
 pub(super) struct Callee<'a> {
@@ -54,7 +57,7 @@ impl Infer<'_> {
             args.iter().enumerate().map(|(position, id)| self.argument(*id, callee.takes_slot(position))).collect();
         let candidates = callee.forms.iter().copied().enumerate().filter(|(_, form)| form.len() == args.len());
         let misses: SmallVec<[(usize, Option<Miss<'_>>); 4]> =
-            candidates.map(|(index, form)| (index, self.first_miss(&arguments, form))).collect();
+            candidates.map(|(index, form)| (index, first_miss(self.scope.arm(), &arguments, form))).collect();
         if misses.is_empty() {
             self.literals_alone(&arguments);
             self.argument_count(call, args.len(), callee);
@@ -70,11 +73,15 @@ impl Infer<'_> {
         Chosen::Several(misses.iter().map(|(index, _)| *index).collect())
     }
 
-    fn first_miss<'a>(&self, arguments: &[Argument], form: Formals<'a>) -> Option<Miss<'a>> {
-        arguments.iter().enumerate().find_map(|(position, argument)| {
-            let formal = form.get(position)?;
-            self.misfit(argument, formal).map(|misfit| Miss { position, formal, misfit })
-        })
+    /// Looks at an argument, a `slot` if it may name what is absent. `{…}` waits for the parameter it is for.
+    fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
+        if let Expr::Struct(values) = self.body.expr(self.body.peel(id)) {
+            return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
+        }
+        let outer = std::mem::replace(&mut self.may_be_absent, slot);
+        let value = self.expr(id);
+        self.may_be_absent = outer;
+        Argument { id, literal: None, value }
     }
 
     /// Types the `{…}` among the arguments by the parameters they are for.
@@ -90,7 +97,7 @@ impl Infer<'_> {
     /// Types what is between braces without knowing what the braces are for.
     fn literals_alone(&mut self, arguments: &[Argument]) {
         for argument in arguments.iter().filter(|argument| argument.literal.is_some()) {
-            self.expr_as(argument.id, Some(crate::ty::Base::Unknown));
+            self.expr_as(argument.id, Some(Base::Unknown));
         }
     }
 
@@ -99,7 +106,7 @@ impl Infer<'_> {
         expected.sort_unstable();
         expected.dedup();
         let kind = ProblemKind::ArgumentCount { callee: callee.name.clone(), expected, found, forms: (callee.lines)() };
-        self.report_with(call, kind, Role::Declared, (callee.declared)());
+        self.sink.report_with(call, kind, Role::Declared, (callee.declared)());
     }
 
     /// Reports the argument that stops the forms which suit furthest.
@@ -126,10 +133,10 @@ impl Infer<'_> {
             self.expr_as(argument.id, expected);
             return;
         }
-        let mut expected: Vec<SmolStr> = best.iter().map(|miss| self.show_formal(miss.formal)).collect();
+        let mut expected: Vec<SmolStr> = best.iter().map(|miss| miss.formal.display(self.scope.db())).collect();
         expected.dedup();
         let kind = self.miss_kind(argument, miss, expected, callee);
-        self.report_with(argument.id, kind, Role::Declared, (callee.declared)());
+        self.sink.report_with(argument.id, kind, Role::Declared, (callee.declared)());
     }
 
     fn miss_kind(
@@ -140,8 +147,8 @@ impl Infer<'_> {
         callee: &Callee<'_>,
     ) -> ProblemKind {
         let (name, parameter) = (callee.name.clone(), SmolStr::from(miss.formal.name));
-        let found = argument.value.ty().display(self.db);
-        let base = self.show(argument.value.base);
+        let found = argument.value.ty().display(self.scope.db());
+        let base = self.scope.show(argument.value.base);
         let text = self.text(argument.id);
         match miss.misfit {
             Misfit::Type if miss.formal.shape == Shape::Value || miss.formal.shape == Shape::Reference => {
@@ -149,8 +156,10 @@ impl Infer<'_> {
             }
             Misfit::Type => ProblemKind::ArgumentType { callee: name, parameter, expected, found },
             Misfit::Arm => {
-                let expected =
-                    miss.formal.base.map_or_else(SmolStr::default, |base| self.show(base.on_arm(self.arm())));
+                let expected = miss
+                    .formal
+                    .base
+                    .map_or_else(SmolStr::default, |base| self.scope.show(base.on_arm(self.scope.arm())));
                 ProblemKind::WrongArm { found: base, expected }
             }
             Misfit::Constant => ProblemKind::VariableExpected { callee: name, parameter },
@@ -162,4 +171,12 @@ impl Infer<'_> {
             Misfit::IndexNotAllowed => ProblemKind::IndexNotAllowed { name: text, ty: found, callee: Some(name) },
         }
     }
+}
+
+/// The first argument that keeps `form` from suiting.
+fn first_miss<'a>(arm: Option<Arm>, arguments: &[Argument], form: Formals<'a>) -> Option<Miss<'a>> {
+    arguments.iter().enumerate().find_map(|(position, argument)| {
+        let formal = form.get(position)?;
+        misfit(arm, argument, formal).map(|misfit| Miss { position, formal, misfit })
+    })
 }

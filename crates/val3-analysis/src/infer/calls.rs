@@ -3,7 +3,7 @@
 use smallvec::SmallVec;
 use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnOverload;
-use val3_lang::instruction::{Availability, Class, Instruction};
+use val3_lang::instruction::{Class, Instruction};
 use val3_lang::instructions;
 use val3_lang::types::BaseType;
 
@@ -12,10 +12,7 @@ use super::fit::Formals;
 use super::value::Value;
 use super::{AddOnCall, Infer, InstructionCall};
 use crate::body::{Expr, ExprId};
-use crate::db::Project;
-use crate::items::project::items;
-use crate::near::nearest;
-use crate::problem::{NameKind, ProblemKind};
+use crate::problem::ProblemKind;
 use crate::ty::{Base, Ty};
 
 /// Result and class of a form.
@@ -45,7 +42,7 @@ impl Infer<'_> {
     /// A call alone on its line: it must act.
     pub(super) fn instruction_stmt(&mut self, id: ExprId, callee: ExprId, args: &[ExprId]) {
         if let Some(called) = self.call(id, callee, args) {
-            self.set_type(id, called.result.map_or(Ty::UNKNOWN, Ty::element));
+            self.table.set_type(id, called.result.map_or(Ty::UNKNOWN, Ty::element));
             if called.class == Class::Function {
                 self.report(id, ProblemKind::NoEffect);
             }
@@ -61,9 +58,9 @@ impl Infer<'_> {
             }
             Expr::Path { library, item } => {
                 let (library, item) = (library.clone(), item.clone());
-                let known = self.items.libraries.contains_key(&library);
-                if !known {
-                    self.interface(callee, &library);
+                if !self.scope.has_library(&library) {
+                    let interface = self.scope.interface(&library);
+                    self.resolved(callee, interface);
                     self.arguments_alone(args);
                     return None;
                 }
@@ -100,7 +97,7 @@ impl Infer<'_> {
             Some(instruction) => self.known_instruction(id, callee, instruction, library.is_some(), args),
             None => {
                 self.arguments_alone(args);
-                self.unknown_instruction(callee, name, library);
+                self.report(callee, self.scope.unknown_instruction(name, library));
                 None
             }
         }
@@ -121,7 +118,7 @@ impl Infer<'_> {
         let callee = Callee { name: self.text(callee), forms: formals, lines: &lines, declared: &|| None };
         let chosen = self.arguments(id, args, &callee);
         let form = if let Chosen::Form(index) = chosen { forms.get(index).copied() } else { None };
-        self.calls.push(InstructionCall { id, instruction, form });
+        self.table.add_call(InstructionCall { id, instruction, form });
         let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
     }
@@ -135,22 +132,7 @@ impl Infer<'_> {
         };
         possible.dedup();
         let [(result, class)] = possible.as_slice() else { return None };
-        Some(Called { result: result.map(|ty| Base::of(ty).on_arm(self.arm())), class: *class })
-    }
-
-    fn unknown_instruction(&mut self, callee: ExprId, name: &SmolStr, library: Option<&SmolStr>) {
-        let is = match library {
-            None if self.items.programs.contains_key(name) => Some(NameKind::Program),
-            None => self.variable_kind(name),
-            Some(library) => {
-                let interface = self.items.libraries.get(library).and_then(|item| item.interface);
-                let is_program = |project: Project| items(self.db, project).programs.contains_key(name);
-                interface.is_some_and(is_program).then_some(NameKind::Program)
-            }
-        };
-        let near = nearest(name, instructions::all().iter().map(|instruction| instruction.name));
-        let near = if is.is_some() { None } else { near };
-        self.report(callee, ProblemKind::UnknownInstruction { name: self.text(callee), near, is });
+        Some(Called { result: result.map(|ty| Base::of(ty).on_arm(self.scope.arm())), class: *class })
     }
 
     /// An instruction that only an add-on has: its table in the cell decides.
@@ -162,13 +144,9 @@ impl Infer<'_> {
         on_library: bool,
         args: &[ExprId],
     ) -> Option<Called> {
-        let db = self.db;
-        let tables = self.project.cell(db).map(|cell| cell.config(db).add_ons.as_slice()).unwrap_or_default();
-        let functions = tables.iter().filter_map(|table| table.find(name));
-        let forms = functions.flat_map(|function| &function.overloads).filter(|form| form.on_library == on_library);
-        let forms: Vec<&AddOnOverload> = forms.collect();
+        let forms = self.scope.add_on_forms(name, on_library);
         if forms.is_empty() {
-            self.missing_add_on(callee, name);
+            self.report(callee, self.scope.missing_add_on(name));
             return self.presumed(id, callee, name, on_library, args);
         }
         let lines = || forms.iter().map(|form| add_on_line(name, form)).collect();
@@ -178,7 +156,7 @@ impl Infer<'_> {
         if let Chosen::Form(index) = chosen
             && let Some(&form) = forms.get(index)
         {
-            self.add_on_calls.push(AddOnCall { id, name: name.clone(), form: form.clone() });
+            self.table.add_add_on_call(AddOnCall { id, name: name.clone(), form: form.clone() });
         }
         let outcomes: SmallVec<[Outcome; 4]> = forms.iter().map(|form| (form.result, form.class)).collect();
         self.outcome(&chosen, &outcomes)
@@ -198,22 +176,13 @@ impl Infer<'_> {
             self.arguments_alone(args);
             return None;
         };
-        let before = self.problems.len();
+        let before = self.sink.len();
         let called = self.known_instruction(id, callee, instruction, on_library, args);
-        if self.calls.last().is_some_and(|call| call.id == id && call.form.is_none()) {
-            self.problems.truncate(before);
-            self.calls.pop();
+        if self.table.retract_without_form(id) {
+            self.sink.retract_to(before);
             return None;
         }
         called.filter(|called| called.result.is_some()).map(|called| Called { class: Class::Modifier, ..called })
-    }
-
-    fn missing_add_on(&mut self, callee: ExprId, name: &SmolStr) {
-        let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
-            Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
-            _ => None,
-        });
-        self.report(callee, ProblemKind::MissingAddOn { name: name.clone(), add_on });
     }
 }
 

@@ -5,15 +5,13 @@ use val3_lang::operators::{self, BinaryOp, UnaryOp};
 use val3_lang::types::BaseType;
 
 use super::Infer;
+use super::scope::Unresolved;
 use super::value::Value;
 use crate::body::{Expr, ExprId};
-use crate::problem::ProblemKind;
-use crate::ty::Base;
+use crate::problem::{ProblemKind, Role};
+use crate::ty::{Base, STRING_LIMIT};
 
-/// The longest string, in bytes of UTF-8 (3.4.1).
-pub(crate) const STRING_LIMIT: usize = 128;
-
-impl<'db> Infer<'db> {
+impl Infer<'_> {
     /// The value of an expression whose type nothing around it tells.
     pub(super) fn expr(&mut self, id: ExprId) -> Value {
         self.expr_as(id, None)
@@ -27,8 +25,8 @@ impl<'db> Infer<'db> {
             Expr::Number(_) => Value::of(BaseType::Num),
             Expr::Bool(_) => Value::of(BaseType::Bool),
             Expr::String(text) => self.string(id, text),
-            Expr::Name(name) => self.name(id, name),
-            Expr::Path { library, item } => self.path(id, library, item),
+            Expr::Name(name) => self.named(id, self.scope.value(name)),
+            Expr::Path { library, item } => self.named(id, self.scope.library_value(library, item)),
             Expr::Paren(inner) => Value::computed(self.element_as(*inner, expected)),
             Expr::Unary(op, operand) => self.unary(id, *op, *operand, expected),
             Expr::Binary(op, left, right) => self.binary(id, *op, (*left, *right), expected),
@@ -38,8 +36,12 @@ impl<'db> Infer<'db> {
             Expr::Call(callee, args) => self.call_value(id, *callee, args),
             Expr::Struct(values) => self.literal(id, values, expected),
         };
-        self.set_type(id, value.ty());
+        self.table.set_type(id, value.ty());
         value
+    }
+
+    fn named(&mut self, id: ExprId, found: Result<Value, Unresolved>) -> Value {
+        self.resolved(id, found).unwrap_or(Value::UNKNOWN)
     }
 
     /// The type of an expression that is read as one value.
@@ -59,9 +61,9 @@ impl<'db> Infer<'db> {
 
     pub(super) fn index_missing(&mut self, id: ExprId, value: &Value) {
         let name = self.text(id);
-        let declared = self.declared(value, &name);
-        let ty = value.ty().display(self.db);
-        self.report_with(id, ProblemKind::IndexMissing { name, ty }, crate::problem::Role::Declared, declared);
+        let declared = self.scope.declaration(value, &name);
+        let ty = value.ty().display(self.scope.db());
+        self.sink.report_with(id, ProblemKind::IndexMissing { name, ty }, Role::Declared, declared);
     }
 
     fn string(&mut self, id: ExprId, text: &str) -> Value {
@@ -80,7 +82,7 @@ impl<'db> Infer<'db> {
                 Value::computed(result)
             }
             _ => {
-                let (op, right) = (SmolStr::new_static(op.symbol()), self.show(base));
+                let (op, right) = (SmolStr::new_static(op.symbol()), self.scope.show(base));
                 self.report(id, ProblemKind::OperatorType { op, left: None, right });
                 Value::UNKNOWN
             }
@@ -103,14 +105,14 @@ impl<'db> Infer<'db> {
         let wrong_arm =
             result.is_none() && left_base.builtin().is_some() && left_base.builtin() == right_base.builtin();
         if wrong_arm && !left_base.same_as(right_base) {
-            let (expected, found) = (self.show(left_base), self.show(right_base));
+            let (expected, found) = (self.scope.show(left_base), self.scope.show(right_base));
             self.report(right, ProblemKind::WrongArm { found, expected });
             return unknown_result(op);
         }
         if let Some(base) = result {
             return Value::computed(base);
         }
-        let (found_left, found_right) = (self.show(left_base), self.show(right_base));
+        let (found_left, found_right) = (self.scope.show(left_base), self.scope.show(right_base));
         let op_text = SmolStr::new_static(op.symbol());
         self.report(id, ProblemKind::OperatorType { op: op_text, left: Some(found_left), right: found_right });
         unknown_result(op)
@@ -142,7 +144,7 @@ impl<'db> Infer<'db> {
         }
         let base = self.element_as(value, Some(place.base));
         if !self.assignable(place.base, base) {
-            let (target, found) = (self.show(place.base), self.show(base));
+            let (target, found) = (self.scope.show(place.base), self.scope.show(base));
             let kind = match (place.base, base) {
                 (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b && !place.base.same_as(base) => {
                     ProblemKind::WrongArm { found, expected: target }
@@ -167,9 +169,7 @@ impl<'db> Infer<'db> {
     pub(super) fn assignable(&self, target: Base, value: Base) -> bool {
         match (target, value) {
             (Base::Unknown, _) | (_, Base::Unknown) => true,
-            (Base::Builtin(BaseType::Dio, _), Base::Builtin(BaseType::Dio, _)) => {
-                self.items.version.assigns_dio_to_dio()
-            }
+            (Base::Builtin(BaseType::Dio, _), Base::Builtin(BaseType::Dio, _)) => self.scope.assigns_dio_to_dio(),
             (Base::Builtin(a, _), Base::Builtin(b, _)) if a != b => operators::assignment(a, b),
             (Base::Builtin(a, _), Base::Builtin(b, _)) if !operators::assignment(a, b) => false,
             _ => target.same_as(value),

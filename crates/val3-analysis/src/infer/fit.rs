@@ -4,11 +4,11 @@ use smol_str::{SmolStr, format_smolstr};
 use val3_lang::add_on::AddOnParam;
 use val3_lang::instruction::Shape;
 use val3_lang::operators;
-use val3_lang::types::Container;
+use val3_lang::types::{self, Arm, BaseType, Container};
 
-use super::Infer;
 use super::value::{Form, Value};
-use crate::body::{Expr, ExprId};
+use crate::body::ExprId;
+use crate::db::Db;
 use crate::items::project::Param;
 use crate::ty::{Base, brackets};
 
@@ -94,91 +94,89 @@ pub(super) enum Misfit {
     IndexNotAllowed,
 }
 
-impl Infer<'_> {
-    /// Looks at an argument, a `slot` if it may name what is not there; `{…}` waits for the parameter it is for.
-    pub(super) fn argument(&mut self, id: ExprId, slot: bool) -> Argument {
-        if let Expr::Struct(values) = self.body.expr(self.body.peel(id)) {
-            return Argument { id, literal: Some(values.len()), value: Value::UNKNOWN };
-        }
-        let around = std::mem::replace(&mut self.may_be_absent, slot);
-        let value = self.expr(id);
-        self.may_be_absent = around;
-        Argument { id, literal: None, value }
+/// What keeps `argument` from suiting `formal`.
+pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) -> Option<Misfit> {
+    if formal.base == Some(Base::Unknown) {
+        return None;
     }
-
-    /// What keeps `argument` from suiting `formal`.
-    pub(super) fn misfit(&self, argument: &Argument, formal: Formal<'_>) -> Option<Misfit> {
-        if formal.base == Some(Base::Unknown) {
-            return None;
-        }
-        if let Some(values) = argument.literal {
-            return self.literal_misfit(values, formal);
-        }
-        let value = &argument.value;
-        if value.is_unknown() {
-            return None;
-        }
-        if formal.shape != Shape::Value && !value.is_variable() && !formal.loose {
-            return Some(self.type_misfit(value, formal).unwrap_or(Misfit::Constant));
-        }
-        self.container_misfit(value, formal).or_else(|| self.type_misfit(value, formal))
+    if let Some(values) = argument.literal {
+        return literal_misfit(arm, values, formal);
     }
-
-    fn literal_misfit(&self, values: usize, formal: Formal<'_>) -> Option<Misfit> {
-        match formal.base {
-            Some(base) if !self.literal_suits(values, base) => Some(Misfit::Type),
-            _ if formal.shape != Shape::Value && !formal.loose => Some(Misfit::Constant),
-            Some(_) => None,
-            None => Some(Misfit::Type),
-        }
+    let value = &argument.value;
+    if value.is_unknown() {
+        return None;
     }
+    if formal.shape != Shape::Value && !value.is_variable() && !formal.loose {
+        return Some(type_misfit(arm, value, formal).unwrap_or(Misfit::Constant));
+    }
+    container_misfit(value, formal).or_else(|| type_misfit(arm, value, formal))
+}
 
-    fn type_misfit(&self, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
-        let base = formal.base?.on_arm(self.arm());
-        if base.same_as(value.base) {
-            return None;
+fn literal_misfit(arm: Option<Arm>, values: usize, formal: Formal<'_>) -> Option<Misfit> {
+    match formal.base {
+        Some(base) if !literal_suits(arm, values, base) => Some(Misfit::Type),
+        _ if formal.shape != Shape::Value && !formal.loose => Some(Misfit::Constant),
+        Some(_) => None,
+        None => Some(Misfit::Type),
+    }
+}
+
+fn type_misfit(arm: Option<Arm>, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
+    let base = formal.base?.on_arm(arm);
+    if base.same_as(value.base) {
+        return None;
+    }
+    match (base, value.base) {
+        (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => Some(Misfit::Arm),
+        // The state of an input is read where a truth value is needed.
+        (Base::Builtin(a, _), Base::Builtin(b, _))
+            if formal.shape == Shape::Value && operators::reads_as_bool(a) && operators::reads_as_bool(b) =>
+        {
+            (a == BaseType::Dio).then_some(Misfit::Type)
         }
-        match (base, value.base) {
-            (Base::Builtin(a, _), Base::Builtin(b, _)) if a == b => Some(Misfit::Arm),
-            // The state of an input is read where a truth value is needed.
-            (Base::Builtin(a, _), Base::Builtin(b, _))
-                if formal.shape == Shape::Value && operators::reads_as_bool(a) && operators::reads_as_bool(b) =>
-            {
-                (a == val3_lang::types::BaseType::Dio).then_some(Misfit::Type)
+        _ => Some(Misfit::Type),
+    }
+}
+
+fn container_misfit(value: &Value, formal: Formal<'_>) -> Option<Misfit> {
+    let container = value.container();
+    match formal.shape {
+        Shape::Value | Shape::Reference => value.lacks_index().then_some(Misfit::IndexMissing),
+        Shape::Array { dims: 1 } if formal.loose => value.lacks_index().then_some(Misfit::Container),
+        Shape::Array { dims: 1 } => match (&value.form, container) {
+            (Form::Indexed { of: Container::Array { dims: 2.. } }, _) => Some(Misfit::Container),
+            (_, Container::Array { dims: 2.. } | Container::Collection) => Some(Misfit::Container),
+            _ => None,
+        },
+        Shape::Array { .. } => whole(value, formal.shape, |found| Shape::Array { dims: dims(found) } == formal.shape),
+        Shape::Collection => whole(value, formal.shape, |found| found == Container::Collection),
+        Shape::Whole => match &value.form {
+            Form::Indexed { of: Container::Array { dims: 2.. } | Container::Collection } => {
+                Some(Misfit::IndexNotAllowed)
             }
-            _ => Some(Misfit::Type),
+            _ => None,
+        },
+        Shape::Slot => value.lacks_index().then_some(Misfit::IndexMissing),
+        Shape::Item | Shape::ProgramCall => None,
+    }
+}
+
+/// `{values}` could be a value of `base`, as far as the number of its values shows.
+fn literal_suits(arm: Option<Arm>, values: usize, base: Base) -> bool {
+    match base {
+        Base::Unknown | Base::User(_) => true,
+        Base::Builtin(ty, own) => {
+            let fields = types::fields(ty, own.or(arm)).len();
+            fields > 0 && values <= fields
         }
     }
+}
 
-    fn container_misfit(&self, value: &Value, formal: Formal<'_>) -> Option<Misfit> {
-        let container = value.container();
-        match formal.shape {
-            Shape::Value | Shape::Reference => value.lacks_index().then_some(Misfit::IndexMissing),
-            Shape::Array { dims: 1 } if formal.loose => value.lacks_index().then_some(Misfit::Container),
-            Shape::Array { dims: 1 } => match (&value.form, container) {
-                (Form::Indexed { of: Container::Array { dims: 2.. } }, _) => Some(Misfit::Container),
-                (_, Container::Array { dims: 2.. } | Container::Collection) => Some(Misfit::Container),
-                _ => None,
-            },
-            Shape::Array { .. } => {
-                whole(value, formal.shape, |found| Shape::Array { dims: dims(found) } == formal.shape)
-            }
-            Shape::Collection => whole(value, formal.shape, |found| found == Container::Collection),
-            Shape::Whole => match &value.form {
-                Form::Indexed { of: Container::Array { dims: 2.. } | Container::Collection } => {
-                    Some(Misfit::IndexNotAllowed)
-                }
-                _ => None,
-            },
-            Shape::Slot => value.lacks_index().then_some(Misfit::IndexMissing),
-            Shape::Item | Shape::ProgramCall => None,
-        }
-    }
-
+impl Formal<'_> {
     /// The parameter's type as a programmer writes it.
-    pub(super) fn show_formal(&self, formal: Formal<'_>) -> SmolStr {
-        let base = formal.base.map_or(SmolStr::new_static("any type"), |base| self.show(base));
-        let container = match formal.shape {
+    pub(super) fn display(self, db: &dyn Db) -> SmolStr {
+        let base = self.base.map_or(SmolStr::new_static("any type"), |base| base.display(db));
+        let container = match self.shape {
             Shape::Array { dims } => Container::Array { dims },
             Shape::Collection => Container::Collection,
             _ => Container::Element,

@@ -11,9 +11,9 @@ use crate::ty::Base;
 impl Infer<'_> {
     /// `{values}` where `expected` is needed.
     pub(super) fn literal(&mut self, id: ExprId, values: &[Option<ExprId>], expected: Option<Base>) -> Value {
-        let expected = expected.map(|base| base.on_arm(self.arm()));
+        let expected = expected.map(|base| base.on_arm(self.scope.arm()));
         let fields = match expected {
-            Some(Base::Builtin(ty, arm)) => types::fields(ty, arm.or(self.arm())),
+            Some(Base::Builtin(ty, arm)) => types::fields(ty, arm.or(self.scope.arm())),
             _ => &[],
         };
         match expected {
@@ -27,7 +27,7 @@ impl Infer<'_> {
             }
             other => {
                 self.inner_values(values);
-                let expected = other.map(|base| self.show(base));
+                let expected = other.map(|base| self.scope.show(base));
                 self.report(id, ProblemKind::LiteralWithoutType { expected });
                 Value::UNKNOWN
             }
@@ -45,7 +45,7 @@ impl Infer<'_> {
         if values.len() > fields.len() {
             self.inner_values(values);
             let (expected, found) = (fields.len(), values.len());
-            return self.report(id, ProblemKind::LiteralFieldCount { ty: self.show(base), expected, found });
+            return self.report(id, ProblemKind::LiteralFieldCount { ty: self.scope.show(base), expected, found });
         }
         for (field, value) in fields.iter().zip(values) {
             let Some(value) = *value else { continue };
@@ -53,20 +53,9 @@ impl Infer<'_> {
             let found = self.element_as(value, Some(wanted));
             // A tool takes its valve so, though no input or output can be assigned to another.
             if !self.assignable(wanted, found) && !found.same_as(wanted) {
-                let (expected, found) = (self.show(wanted), self.show(found));
+                let (expected, found) = (self.scope.show(wanted), self.scope.show(found));
                 let ty = ty.name().into();
                 self.report(value, ProblemKind::LiteralFieldType { ty, field: field.name.into(), expected, found });
-            }
-        }
-    }
-
-    /// `{values}` could be a value of `base`, as far as the number of its values tells.
-    pub(super) fn literal_suits(&self, values: usize, base: Base) -> bool {
-        match base {
-            Base::Unknown | Base::User(_) => true,
-            Base::Builtin(ty, arm) => {
-                let fields = types::fields(ty, arm.or(self.arm())).len();
-                fields > 0 && values <= fields
             }
         }
     }

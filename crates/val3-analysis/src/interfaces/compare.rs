@@ -4,7 +4,6 @@ use smol_str::{SmolStr, format_smolstr};
 
 use super::{Interfaces, is_public};
 use crate::db::{Db, File, FileRange, Project};
-use crate::infer::programs::syntax_line;
 use crate::items::declarations;
 use crate::items::project::{DataItem, Signature, items, signature};
 use crate::problem::{NameKind, Problem, ProblemKind, Related, Role};
@@ -87,7 +86,7 @@ impl Interfaces<'_> {
         if !found.public {
             self.private(pair, there);
         } else if !same_parameters(wanted, found) {
-            self.different(pair, syntax_line(db, wanted), syntax_line(db, found), there);
+            self.different(pair, wanted.syntax_line(db), found.syntax_line(db), there);
         }
     }
 

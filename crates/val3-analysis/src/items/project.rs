@@ -2,7 +2,7 @@
 
 use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
-use smol_str::SmolStr;
+use smol_str::{SmolStr, format_smolstr};
 use val3_lang::types::{Arm, BaseType, Container};
 use val3_lang::versions::Version;
 
@@ -11,7 +11,7 @@ use super::manifest::{Manifest, manifest};
 use super::program::{Header, header};
 use crate::db::{Db, File, Project, Sources, path_key};
 use crate::paths::{self, Target};
-use crate::ty::Base;
+use crate::ty::{Base, brackets};
 
 /// The names of a project.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -199,6 +199,18 @@ pub struct Signature {
     pub params: Vec<Param>,
     /// Every parameter can be read.
     pub complete: bool,
+}
+
+impl Signature {
+    /// The program as a programmer writes its head: `pick(num x_nCount, string& x_sName[])`.
+    pub(crate) fn syntax_line(&self, db: &dyn Db) -> SmolStr {
+        let param = |param: &Param| {
+            let reference = if param.by_reference { "&" } else { "" };
+            format!("{}{reference} {}{}", param.base.display(db), param.name, brackets(param.container))
+        };
+        let params: Vec<String> = self.params.iter().map(param).collect();
+        format_smolstr!("{}({})", self.name, params.join(", "))
+    }
 }
 
 /// A parameter as callers see it.

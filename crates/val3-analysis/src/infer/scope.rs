@@ -1,0 +1,216 @@
+//! The scope of a program: locals and parameters hide data, data hides built-in names (2.5.2).
+
+mod instructions;
+mod libraries;
+
+use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
+use val3_lang::types::Arm;
+use val3_lang::{builtins, enumerations, instructions as catalogue};
+
+use super::value::{Form, Origin, Value, Variable};
+use crate::db::{Db, File, FileRange, Project};
+use crate::items::declarations;
+use crate::items::fathers::hidden_father;
+use crate::items::program::{Header, header};
+use crate::items::project::{DataItem, Items, items, resolve_type};
+use crate::near::nearest;
+use crate::problem::{NameKind, ProblemKind, Related, Role};
+use crate::ty::Base;
+
+/// Resolves the names of one program. It reports nothing: an unresolved name comes with its fault.
+pub(super) struct Scope<'db> {
+    db: &'db dyn Db,
+    project: Project,
+    file: File,
+    items: &'db Items,
+    header: &'db Header,
+    /// Parameters and locals.
+    variables: FxHashMap<&'db str, Value>,
+}
+
+/// Why a name has no meaning.
+pub(super) enum Unresolved {
+    /// Declarations are missing or wrong, which is reported elsewhere.
+    Incomplete,
+    /// The name is wrong.
+    Fault(Box<NameFault>),
+}
+
+/// A fault of a name, without its place in the code.
+pub(super) struct NameFault {
+    pub(super) kind: ProblemKind,
+    pub(super) related: Option<Related>,
+}
+
+impl Unresolved {
+    fn fault(kind: ProblemKind) -> Self {
+        Self::Fault(Box::new(NameFault { kind, related: None }))
+    }
+
+    fn fault_with(kind: ProblemKind, role: Role, declared: Option<FileRange>) -> Self {
+        Self::Fault(Box::new(NameFault { kind, related: declared.map(|place| Related { place, role }) }))
+    }
+}
+
+impl<'db> Scope<'db> {
+    pub(super) fn new(db: &'db dyn Db, project: Project, file: File) -> Self {
+        let (items, header) = (items(db, project), header(db, file));
+        Self { db, project, file, items, header, variables: variables(items, header) }
+    }
+
+    pub(super) fn db(&self) -> &'db dyn Db {
+        self.db
+    }
+
+    /// The arm of the project, where it is known.
+    pub(super) fn arm(&self) -> Option<Arm> {
+        self.items.arm
+    }
+
+    /// The version of the project has an assignment between inputs and outputs.
+    pub(super) fn assigns_dio_to_dio(&self) -> bool {
+        self.items.version.assigns_dio_to_dio()
+    }
+
+    /// A type as a programmer writes it.
+    pub(super) fn show(&self, base: Base) -> SmolStr {
+        base.display(self.db)
+    }
+
+    /// The value of a name without a library.
+    pub(super) fn value(&self, name: &str) -> Result<Value, Unresolved> {
+        if let Some(value) = self.declared_value(name) {
+            return Ok(value);
+        }
+        if self.items.lacks_data || !self.header.complete {
+            return Err(Unresolved::Incomplete);
+        }
+        Err(Unresolved::fault(match self.other_use(name) {
+            Some(is) => ProblemKind::NotAValue { name: name.into(), is },
+            None => ProblemKind::UnknownName { name: name.into(), near: self.nearest_variable(name) },
+        }))
+    }
+
+    fn declared_value(&self, name: &str) -> Option<Value> {
+        if let Some(value) = self.variables.get(name) {
+            return Some(value.clone());
+        }
+        if let Some(item) = self.items.data.get(name) {
+            // The fault is reported at the declaration.
+            let is_hidden = hidden_father(self.db, self.project, name).is_some();
+            return Some(if is_hidden { Value::UNKNOWN } else { data_value(item) });
+        }
+        if let Some(builtin) = builtins::find(name) {
+            return Some(builtin_value(builtin));
+        }
+        enumerations::find(name).map(|enumerator| Value::of(enumerator.ty))
+    }
+
+    /// The kind of a name that is no value.
+    fn other_use(&self, name: &str) -> Option<NameKind> {
+        if self.items.programs.contains_key(name) {
+            Some(NameKind::Program)
+        } else if self.items.libraries.contains_key(name) {
+            Some(NameKind::Library)
+        } else if self.items.types.contains_key(name) {
+            Some(NameKind::Type)
+        } else {
+            catalogue::find(name).map(|_| NameKind::Instruction)
+        }
+    }
+
+    /// The kind of the variable called `name`.
+    fn variable_kind(&self, name: &str) -> Option<NameKind> {
+        match self.variables.get(name).map(|value| &value.form) {
+            Some(Form::Whole(Variable { origin: Origin::Parameter, .. })) => Some(NameKind::Parameter),
+            Some(_) => Some(NameKind::Local),
+            None => self.items.data.contains_key(name).then_some(NameKind::Data),
+        }
+    }
+
+    fn nearest_variable(&self, name: &str) -> Option<SmolStr> {
+        let variables = self.variables.keys().copied();
+        let data = self.items.data.keys().map(SmolStr::as_str);
+        let builtins = builtins::BUILTINS.iter().map(|builtin| builtin.name);
+        nearest(name, variables.chain(data).chain(builtins))
+    }
+
+    /// The program that `call name(…)` starts.
+    pub(super) fn program(&self, name: &SmolStr) -> Result<(Project, File), Unresolved> {
+        if let Some(file) = self.items.programs.get(name) {
+            return Ok((self.project, *file));
+        }
+        if self.items.may_have_program(name) {
+            return Err(Unresolved::Incomplete);
+        }
+        let is = self.variable_kind(name).or_else(|| catalogue::find(name).map(|_| NameKind::Instruction));
+        let near = nearest(name, self.items.programs.keys().map(SmolStr::as_str));
+        let near = if is.is_some() { None } else { near };
+        Err(Unresolved::fault(ProblemKind::UnknownProgram { name: name.clone(), near, is }))
+    }
+
+    /// The declaration of the variable at the root of an expression.
+    pub(super) fn declaration(&self, value: &Value, name: &str) -> Option<FileRange> {
+        let Form::Whole(Variable { origin, .. }) = &value.form else { return None };
+        match origin {
+            Origin::Data(file, name) => declarations::data(self.db, *file, name.clone()),
+            Origin::Local => declarations::local(self.db, self.file, name.into()),
+            Origin::Parameter => declarations::param(self.db, self.file, name.into()),
+            Origin::Builtin => None,
+        }
+    }
+
+    /// Sizes that only this project can change: those of locals and of its private data.
+    pub(super) fn sizes(&self, variable: &Variable, name: &str) -> Option<&[u32]> {
+        match &variable.origin {
+            Origin::Data(file, name) => {
+                let own = self.items.data.get(name).filter(|item| item.file == *file && !item.decl.public)?;
+                Some(&own.decl.sizes)
+            }
+            Origin::Local => {
+                let local = self.header.locals.iter().find(|local| local.name == name)?;
+                Some(&local.sizes)
+            }
+            Origin::Parameter | Origin::Builtin => None,
+        }
+    }
+}
+
+/// Parameters and locals of a program.
+fn variables<'db>(items: &'db Items, header: &'db Header) -> FxHashMap<&'db str, Value> {
+    let base = |name: &str| resolve_type(&items.types, name).unwrap_or(Base::Unknown).on_arm(items.arm);
+    let mut variables = FxHashMap::default();
+    for local in &header.locals {
+        let single = local.sizes == [1];
+        let variable = Variable { container: local.container, single, loose: false, origin: Origin::Local };
+        variables.insert(local.name.as_str(), Value { base: base(&local.type_name), form: Form::Whole(variable) });
+    }
+    for param in &header.params {
+        let variable =
+            Variable { container: param.container, single: false, loose: param.loose, origin: Origin::Parameter };
+        variables.insert(param.name.as_str(), Value { base: base(&param.type_name), form: Form::Whole(variable) });
+    }
+    variables
+}
+
+/// A global variable, or a field of a user type.
+fn data_value(item: &DataItem) -> Value {
+    if !item.decl.plain {
+        return Value::UNKNOWN;
+    }
+    let origin = Origin::Data(item.file, item.decl.name.clone());
+    let single = item.decl.sizes == [1];
+    let variable = Variable { container: item.decl.container, single, loose: false, origin };
+    Value { base: item.base, form: Form::Whole(variable) }
+}
+
+fn builtin_value(builtin: &builtins::Builtin) -> Value {
+    let base = Base::of(builtin.ty);
+    if !builtin.is_variable {
+        return Value::computed(base);
+    }
+    let container = val3_lang::types::Container::Array { dims: 1 };
+    let variable = Variable { container, single: true, loose: false, origin: Origin::Builtin };
+    Value { base, form: Form::Whole(variable) }
+}

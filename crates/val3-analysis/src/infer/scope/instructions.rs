@@ -1,0 +1,48 @@
+//! Instructions of add-ons, and names that are no instruction.
+
+use smol_str::{SmolStr, format_smolstr};
+use val3_lang::add_on::AddOnOverload;
+use val3_lang::instruction::Availability;
+use val3_lang::instructions;
+
+use super::Scope;
+use crate::db::Project;
+use crate::items::project::items;
+use crate::near::nearest;
+use crate::problem::{NameKind, ProblemKind};
+
+impl<'db> Scope<'db> {
+    /// The forms that the tables of the cell declare for an instruction of an add-on.
+    pub(in crate::infer) fn add_on_forms(&self, name: &str, on_library: bool) -> Vec<&'db AddOnOverload> {
+        let db = self.db;
+        let tables = self.project.cell(db).map(|cell| cell.config(db).add_ons.as_slice()).unwrap_or_default();
+        let functions = tables.iter().filter_map(|table| table.find(name));
+        functions.flat_map(|function| &function.overloads).filter(|form| form.on_library == on_library).collect()
+    }
+
+    /// The fault of a name that is used as an instruction and is none.
+    pub(in crate::infer) fn unknown_instruction(&self, name: &SmolStr, library: Option<&SmolStr>) -> ProblemKind {
+        let is = match library {
+            None if self.items.programs.contains_key(name) => Some(NameKind::Program),
+            None => self.variable_kind(name),
+            Some(library) => {
+                let interface = self.items.libraries.get(library).and_then(|item| item.interface);
+                let is_program = |project: Project| items(self.db, project).programs.contains_key(name);
+                interface.is_some_and(is_program).then_some(NameKind::Program)
+            }
+        };
+        let near = nearest(name, instructions::all().iter().map(|instruction| instruction.name));
+        let near = if is.is_some() { None } else { near };
+        let name = library.map_or_else(|| name.clone(), |library| format_smolstr!("{library}:{name}"));
+        ProblemKind::UnknownInstruction { name, near, is }
+    }
+
+    /// The fault of an instruction of an add-on whose table the cell does not have.
+    pub(in crate::infer) fn missing_add_on(&self, name: &SmolStr) -> ProblemKind {
+        let add_on = instructions::find(name).and_then(|instruction| match instruction.availability {
+            Availability::AddOn(add_on) => Some(SmolStr::new_static(add_on)),
+            _ => None,
+        });
+        ProblemKind::MissingAddOn { name: name.clone(), add_on }
+    }
+}

@@ -1,0 +1,89 @@
+//! The table of results: the type of each expression and the form of each call of an instruction.
+
+use smol_str::SmolStr;
+use val3_lang::add_on::AddOnOverload;
+use val3_lang::instruction::{Instruction, Overload};
+
+use crate::body::ExprId;
+use crate::ty::Ty;
+
+/// A call of an instruction of the catalogue.
+#[derive(Debug, Clone, PartialEq)]
+pub struct InstructionCall {
+    /// The whole call, an [`Expr::Call`](crate::body::Expr::Call).
+    pub id: ExprId,
+    /// The instruction.
+    pub instruction: &'static Instruction,
+    /// The form that suits the arguments; `None` where none does, or where several might.
+    pub form: Option<&'static Overload>,
+}
+
+/// A call of an instruction that the table of an add-on declares.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AddOnCall {
+    /// The whole call, an [`Expr::Call`](crate::body::Expr::Call).
+    pub id: ExprId,
+    /// The name with its `$`.
+    pub name: SmolStr,
+    /// The form that suits the arguments.
+    pub form: AddOnOverload,
+}
+
+/// Types by the number of the expression; calls in order of their numbers once the table is finished.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Table {
+    types: Vec<Ty>,
+    calls: Vec<InstructionCall>,
+    add_on_calls: Vec<AddOnCall>,
+}
+
+impl Table {
+    /// A table for a body of `len` expressions, whose types are all unknown.
+    pub(super) fn new(len: usize) -> Self {
+        Self { types: vec![Ty::UNKNOWN; len], ..Self::default() }
+    }
+
+    pub(super) fn set_type(&mut self, id: ExprId, ty: Ty) {
+        if let Some(slot) = self.types.get_mut(id.index()) {
+            *slot = ty;
+        }
+    }
+
+    pub(super) fn add_call(&mut self, call: InstructionCall) {
+        self.calls.push(call);
+    }
+
+    pub(super) fn add_add_on_call(&mut self, call: AddOnCall) {
+        self.add_on_calls.push(call);
+    }
+
+    /// Removes the call `id` if it was added last and no form suits it. Returns whether it was removed.
+    pub(super) fn retract_without_form(&mut self, id: ExprId) -> bool {
+        self.calls.pop_if(|call| call.id == id && call.form.is_none()).is_some()
+    }
+
+    /// Sorts the calls for the lookups below: inner ones come before outer ones.
+    pub(super) fn finish(mut self) -> Self {
+        self.calls.sort_unstable_by_key(|call| call.id);
+        self.add_on_calls.sort_unstable_by_key(|call| call.id);
+        self
+    }
+
+    pub(super) fn ty(&self, id: ExprId) -> Ty {
+        self.types.get(id.index()).copied().unwrap_or(Ty::UNKNOWN)
+    }
+
+    pub(super) fn call(&self, id: ExprId) -> Option<&InstructionCall> {
+        let at = self.calls.binary_search_by_key(&id, |call| call.id).ok()?;
+        self.calls.get(at)
+    }
+
+    pub(super) fn add_on_call(&self, id: ExprId) -> Option<&AddOnCall> {
+        let at = self.add_on_calls.binary_search_by_key(&id, |call| call.id).ok()?;
+        self.add_on_calls.get(at)
+    }
+
+    pub(super) fn calls(&self) -> &[InstructionCall] {
+        &self.calls
+    }
+}
