@@ -1,4 +1,4 @@
-//! What an application does as a whole: who calls what, which tasks run what, who uses which data.
+//! The application as a whole: its calls, its tasks with the programs they run, and its uses of data.
 //!
 //! Each program is summed up on its own, without ranges, so that an edit that changes no sum changes nothing here.
 
@@ -41,9 +41,9 @@ pub struct Task {
 /// The programs of a project and how they hang together. Names are those of the project's own programs and data.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Application {
-    /// Every program could be read and has no fault of names or types, so that what is not here is not there.
+    /// Every program could be read and has no fault of names or types, so that the sums are complete.
     pub sound: bool,
-    /// What uses its private names is known: it is sound, and no user page (s8) names data and programs of it.
+    /// All uses of its private names are known: it is sound, and no user page (s8) names its data and programs.
     pub closed: bool,
     /// The tasks, those of `start` and `stop` first.
     pub tasks: Vec<Task>,
@@ -68,7 +68,7 @@ pub struct Application {
     pub users: FxHashMap<SmolStr, Vec<(SmolStr, Use)>>,
     /// How the names begin of data that programs read by name, as a text.
     pub named_in_texts: FxHashSet<SmolStr>,
-    /// Library identifiers that stand in code.
+    /// Library identifiers that occur in code.
     pub libraries: FxHashSet<SmolStr>,
     /// Programs that take a flag with `setMutex`.
     pub takers_of_mutexes: FxHashSet<SmolStr>,
@@ -87,7 +87,7 @@ pub const START: &str = "start";
 /// The program that runs when an application is stopped.
 pub const STOP: &str = "stop";
 
-/// What the programs of `project` do together.
+/// The effects of the programs of `project` together.
 #[salsa::tracked]
 pub fn application(db: &dyn Db, project: Project) -> Application {
     let items = items(db, project);
@@ -121,7 +121,7 @@ pub fn is_library_item(db: &dyn Db, name: &str) -> bool {
     is_mentioned(db, Sources::get(db), name.into())
 }
 
-/// One name alone: who asks about it has nothing to do with the other names.
+/// A query of its own, so that its callers depend on one name and not on all others.
 #[salsa::tracked(returns(copy))]
 fn is_mentioned(db: &dyn Db, sources: Sources, name: SmolStr) -> bool {
     library_items(db, sources).contains(&name)
@@ -133,8 +133,8 @@ fn library_items(db: &dyn Db, sources: Sources) -> FxHashSet<SmolStr> {
     files.flat_map(|file| mentions(db, *file)).cloned().collect()
 }
 
-/// The names that stand behind a colon in the text of a file: every `library:item`, and some that are none. The text
-/// alone tells, so that nobody has to read every program of a workspace to judge one.
+/// The names after a colon in the text of a file: every `library:item`, and some other words. Only the text is searched,
+/// so that the check of one program does not parse every program of a workspace.
 #[salsa::tracked]
 fn mentions(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let mut mentions = FxHashSet::default();
@@ -223,7 +223,7 @@ impl Application {
         }
     }
 
-    /// What all programs of the project together do to the data called `name`.
+    /// The effects of all programs of the project on the data called `name`.
     pub fn uses_of(&self, name: &str) -> Use {
         let uses = self.users.get(name).into_iter().flatten();
         uses.fold(Use::default(), |all, (_, one)| Use {
@@ -240,8 +240,8 @@ impl Application {
         self.named_in_texts.iter().any(|beginning| beginning.starts_with(name) || name.starts_with(beginning.as_str()))
     }
 
-    /// How many tasks may run any of these programs at the same time; 2 stands for any number from 2 on. Tasks of the
-    /// same name follow each other.
+    /// The number of tasks that may run any of these programs at the same time; 2 means two or more. Tasks of the same
+    /// name run one after another.
     pub fn tasks_at_once<'a>(&self, programs: impl IntoIterator<Item = &'a SmolStr>) -> usize {
         let tasks = programs.into_iter().flat_map(|program| self.tasks_of(program));
         let starts = tasks.map(|task| &task.start);
@@ -261,7 +261,7 @@ impl Application {
         !one.is_empty() && !other.is_empty() && one.union(&other).count() > 1
     }
 
-    /// The tasks that programs create and that may run `program`, by what tells one from another.
+    /// The tasks that programs create and that may run `program`, by their identity.
     fn created_tasks_of(&self, program: &str) -> FxHashSet<(&SmolStr, &Callee)> {
         let created = self.tasks_of(program).filter(|task| task.created_by.is_some());
         created.map(|task| (&task.start.beginning, &task.start.program)).collect()

@@ -26,12 +26,12 @@ pub struct Body {
     pub block: Vec<Stmt>,
 }
 
-/// A statement and where it stands.
+/// A statement and its range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stmt {
-    /// What it does.
+    /// Its kind.
     pub kind: StmtKind,
-    /// Where it stands.
+    /// Its range.
     pub range: TextRange,
 }
 
@@ -92,11 +92,11 @@ pub enum StmtKind {
     For {
         /// The counter.
         counter: Option<ExprId>,
-        /// The value behind `=`.
+        /// The value after `=`.
         start: Option<ExprId>,
-        /// The value behind `to`.
+        /// The value after `to`.
         stop: Option<ExprId>,
-        /// The value behind `step`.
+        /// The value after `step`.
         step: Option<ExprId>,
         /// The block.
         block: Vec<Stmt>,
@@ -116,7 +116,7 @@ pub enum StmtKind {
     TaskCreate {
         /// It is `taskCreateSync`.
         synchronous: bool,
-        /// What stands behind the keyword: name, priority or period, overrun flag, call.
+        /// The arguments after the keyword: name, priority or period, overrun flag, call.
         arguments: Vec<ExprId>,
     },
     /// `? expression`
@@ -166,11 +166,11 @@ pub enum Expr {
     Index(ExprId, Box<[ExprId]>),
     /// `base.field`
     Field {
-        /// What stands before the dot.
+        /// The expression before the dot.
         base: ExprId,
         /// The field.
         field: SmolStr,
-        /// Where the field stands.
+        /// The range of the field.
         range: TextRange,
     },
     /// `callee(…)`
@@ -213,7 +213,7 @@ impl Body {
         self.exprs.get(id.0 as usize).map_or(&Expr::Missing, |(expr, _)| expr)
     }
 
-    /// Where an expression stands.
+    /// The range of an expression.
     pub fn range(&self, id: ExprId) -> TextRange {
         self.exprs.get(id.0 as usize).map_or_else(TextRange::default, |(_, range)| *range)
     }
@@ -245,8 +245,8 @@ impl Body {
         (self.first_within(id).0..=id.0).map(ExprId)
     }
 
-    /// The first of the expressions that `id` is made of. They are numbered as they are lowered: the parts of an
-    /// expression from left to right, then the expression.
+    /// The first of the expressions that `id` consists of. Expressions are numbered in the order of lowering: the parts
+    /// from left to right, then the whole.
     pub(crate) fn first_within(&self, mut id: ExprId) -> ExprId {
         while let Some(part) = self.expr(id).first_part() {
             id = part;

@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use val3_lang::add_on::AddOnTable;
 use val3_lang::types::{Arm, BaseType};
 
-/// What the files under `usr/configs` and `usr/app` say.
+/// The content of the files under `usr/configs` and `usr/app`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct CellConfig {
     /// The kind of arm, from `arm.cfx`.

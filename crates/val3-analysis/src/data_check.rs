@@ -24,7 +24,7 @@ use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::ty::Base;
 use crate::xml::{self, Attribute, Element};
 
-/// What is wrong in a data file.
+/// The problems of a data file.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let items = items(db, project);

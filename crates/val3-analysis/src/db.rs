@@ -29,7 +29,7 @@ pub struct FileRange {
     pub range: TextRange,
 }
 
-/// What queries need of a database.
+/// The interface of a database that queries use.
 #[salsa::db]
 pub trait Db: salsa::Database {
     /// The trees of files.
@@ -55,7 +55,7 @@ impl Db for Database {
 }
 
 impl Database {
-    /// A database that tells `observer` each query it runs; for tests of incrementality.
+    /// A database that reports each query it runs to `observer`; for tests of incrementality.
     pub fn observed(observer: impl Fn(salsa::Event) + Send + Sync + 'static) -> Self {
         Self { storage: salsa::Storage::new(Some(Box::new(observer))), trees: Arc::default() }
     }
@@ -68,17 +68,17 @@ impl std::fmt::Debug for Database {
 }
 
 impl Project {
-    /// What `Disk://` stands for; `None` where nothing tells.
+    /// The folder of `Disk://`; `None` where it is unknown.
     pub fn disk(self, db: &dyn Db) -> Option<&Utf8Path> {
         self.roots(db).disk.as_deref()
     }
 
-    /// What the `val3.toml` above it says.
+    /// The content of the `val3.toml` above it.
     pub fn config(self, db: &dyn Db) -> Option<&Config> {
         self.configuration(db).map(|configuration| &configuration.file(db).config)
     }
 
-    /// The arm of the cell, if its configuration tells.
+    /// The arm of the cell, if its configuration gives it.
     pub fn cell_arm(self, db: &dyn Db) -> Option<Arm> {
         self.cell(db).and_then(|cell| cell.config(db).arm)
     }

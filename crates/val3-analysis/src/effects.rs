@@ -29,7 +29,7 @@ pub enum Root {
     Item(SmolStr, SmolStr),
 }
 
-/// What happens to a variable.
+/// A use of a variable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum AccessKind {
     /// Its value is used.
@@ -47,9 +47,9 @@ pub enum AccessKind {
 pub struct Access {
     /// The variable with its indexes and fields.
     pub id: ExprId,
-    /// What it is a part of.
+    /// The variable that it is a part of.
     pub root: Root,
-    /// What happens to it.
+    /// The kind of use.
     pub kind: AccessKind,
 }
 
@@ -65,7 +65,7 @@ fn accesses(db: &dyn Db, project: Project, file: File) -> PerPoint<Access> {
     accesses
 }
 
-/// Everything that is needed to tell what a program does to its variables.
+/// The context for finding the effects of a program on its variables.
 pub struct Effects<'db> {
     db: &'db dyn Db,
     project: Project,
@@ -75,7 +75,7 @@ pub struct Effects<'db> {
     inference: &'db Inference,
     header: &'db Header,
     items: &'db Items,
-    /// Found out when somebody asks.
+    /// Computed on first use.
     accesses: OnceCell<&'db PerPoint<Access>>,
 }
 
@@ -129,7 +129,7 @@ impl<'db> Effects<'db> {
         }
     }
 
-    /// What happens at a point, in the order of evaluation.
+    /// The effects at a point, in the order of evaluation.
     pub fn at(&self, point: PointId) -> &'db [Access] {
         self.accesses().at(point)
     }
@@ -185,7 +185,7 @@ impl<'db> Effects<'db> {
     }
 }
 
-/// What an instruction does with the argument at `position`; `None` for a value.
+/// The use of the argument at `position` by an instruction; `None` for a value.
 fn handed_over(
     instruction: &'static Instruction,
     form: Option<&'static Overload>,

@@ -53,7 +53,7 @@ impl<'db> FileCheck<'db> {
         self.problems.push(Problem { kind, place: FileRange { file: self.file, range }, related });
     }
 
-    /// An element that does not belong where it stands.
+    /// An element in a place where it does not belong.
     pub(crate) fn unexpected(&mut self, element: Element<'_>, parent: Element<'_>) {
         let kind = ProblemKind::UnexpectedElement { name: element.name().into(), parent: parent.name().into() };
         self.report(element.name_range(), kind);
@@ -77,7 +77,7 @@ impl<'db> FileCheck<'db> {
                     self.attributes(element, known.attributes);
                 }
             }
-            // What does not belong here is reported as such.
+            // Misplaced elements are reported as such.
             let belongs = |inner: &Element<'_>| {
                 known.is_none_or(|known| known.children.is_empty() || known.children.contains(&inner.name()))
             };
@@ -221,7 +221,7 @@ pub(crate) fn alternatives(names: &[SmolStr]) -> SmolStr {
     }
 }
 
-/// What is wrong with the encoding of a file that is stored like this, and where it shows first.
+/// The encoding fault of a file with this status, and the first place where it is visible.
 fn encoding_fault(text: &str, encoding: Encoding, mismatch: Option<Mismatch>) -> Option<(EncodingFault, TextRange)> {
     if let Some(at) = text.find(REPLACEMENT) {
         let start = TextSize::try_from(at).unwrap_or_default();

@@ -26,25 +26,25 @@ pub struct Flow {
     points: Vec<Point>,
 }
 
-/// What happens, where, and what comes next.
+/// A point of the control flow: its operation, its place and its successors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Point {
-    /// What happens.
+    /// The operation.
     pub kind: PointKind,
-    /// Where it stands; for the test of a block the condition, or the keyword's statement without one.
+    /// Its place: for the test of a block the condition, or the keyword's statement if there is none.
     pub range: TextRange,
     /// The points that may follow. Of a test: where it is true, then where it is false.
     pub next: SmallVec<[PointId; 2]>,
 }
 
-/// What happens at a point.
+/// The operation at a point.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PointKind {
     /// Before the first line.
     Start,
     /// After the last line, and where every `return` leads.
     End,
-    /// `if`, `elseIf`, `while`, `until`: goes on where the condition leads.
+    /// `if`, `elseIf`, `while`, `until`: continues at the branch that the condition selects.
     Test {
         /// The condition; `None` where it could not be read.
         condition: Option<ExprId>,
@@ -55,11 +55,11 @@ pub enum PointKind {
     ForStart {
         /// The counter.
         counter: Option<ExprId>,
-        /// The value behind `=`.
+        /// The value after `=`.
         start: Option<ExprId>,
-        /// The value behind `to`.
+        /// The value after `to`.
         stop: Option<ExprId>,
-        /// The value behind `step`.
+        /// The value after `step`.
         step: Option<ExprId>,
     },
     /// `for` before each round: the block, or what follows `endFor`.

@@ -11,7 +11,7 @@ use crate::items::{parse, program};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
 
-/// What is wrong with the file and the header of a program.
+/// The problems of the file and the header of a program.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project, file: File) -> Vec<Problem> {
     let mut check = FileCheck::new(db, file, items(db, project));

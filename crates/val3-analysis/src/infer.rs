@@ -1,7 +1,7 @@
 //! Type inference: the type of each expression of a program, the form of each call, and the faults of both.
 //!
-//! [`Infer`] walks the expressions of one body. It asks [`scope`] for the meaning of names, [`fit`] and [`arguments`] for
-//! the form of a call, and writes to two parts: [`table`] with the results and [`sink`] with the problems.
+//! `Infer` walks the expressions of one body. `scope` resolves names, `fit` and `arguments` choose the form of a call,
+//! `table` holds the results and `sink` the problems.
 
 mod access;
 mod arguments;

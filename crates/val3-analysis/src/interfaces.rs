@@ -21,7 +21,7 @@ pub use compare::{implements, is_same_item};
 pub(crate) use left_out::is_left_out;
 pub use usage::{Load, LoadedPath, Uses, uses};
 
-/// What is wrong with the libraries of a project.
+/// The problems of the libraries of a project.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let items = items(db, project);
@@ -142,8 +142,8 @@ impl Interfaces<'_> {
         }
     }
 
-    /// What programs load under the identifier. Where a path is computed, that is every project with all that is used
-    /// of the interface.
+    /// The projects that programs load under the identifier. A computed path may be that of every project that has all
+    /// used items of the interface.
     fn loaded(&mut self, alias: &SmolStr) -> Vec<Project> {
         let uses = self.programs.iter().flat_map(|(file, uses)| uses.loads.iter().map(|load| (*file, load.clone())));
         let loads: Vec<(File, Load)> = uses.filter(|(_, load)| load.alias == *alias).collect();
@@ -188,7 +188,7 @@ impl Interfaces<'_> {
         }
     }
 
-    /// The fault of a path that leads to no project; `None` where a medium that is not available here may hold it.
+    /// The fault of a path without a project; `None` where the project may be on a medium that is not available here.
     fn unresolved(&self, path: &SmolStr) -> Option<ProblemKind> {
         let roots = self.project.roots(self.db);
         match paths::project(folder(self.db, self.project), roots, path) {
@@ -202,8 +202,8 @@ impl Interfaces<'_> {
         }
     }
 
-    /// The project has something of what is used of the interface: an application that only happens to lie beside the
-    /// libraries has nothing of it.
+    /// The project has at least one of the used items of the interface. An application in the folder of the libraries
+    /// has none of them.
     fn resembles(&self, alias: &SmolStr, library: Project) -> bool {
         let offered = items(self.db, library);
         let offers = |item: &SmolStr| offered.data.contains_key(item) || offered.programs.contains_key(item);

@@ -1,4 +1,4 @@
-//! What files declare: names, types, containers, access. Bodies of programs cannot change any of it.
+//! Declarations of files: names, types, containers, access. Bodies of programs cannot change any of it.
 //!
 //! Items hold no ranges, so that an edit elsewhere in a file leaves them equal; `declarations` finds the place of
 //! an item when a message needs it.

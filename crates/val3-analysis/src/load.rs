@@ -73,12 +73,12 @@ type CellKey = (Option<Utf8PathBuf>, Option<Configuration>);
 struct Loader<'s> {
     system: &'s dyn System,
     db: Database,
-    /// What was read before, to be used again.
+    /// The inputs of the previous load, to be reused.
     known: Known,
     /// Whether a known file has to be read again, by its path key.
     is_stale: &'s dyn Fn(&str) -> bool,
     files: FxHashMap<String, File>,
-    /// Programs and data beside a project that no project lists.
+    /// Programs and data in the folder of a project that no project lists.
     unlisted: FxHashMap<String, File>,
     projects: FxHashMap<String, Project>,
     /// Projects in the order they were found.
@@ -204,7 +204,7 @@ impl<'s> Loader<'s> {
         }
     }
 
-    /// What the roots of paths stand for, seen from a project with these references.
+    /// The folders of the roots of paths, seen from a project with these references.
     fn roots(&mut self, folder: &Utf8Path, configuration: Option<Configuration>, references: &[&str]) -> Roots {
         let mut roots = configuration.map(|it| configuration::roots(it.file(&self.db))).unwrap_or_default();
         roots.disk = roots.disk.or_else(|| disk::root(folder, references, |path| self.is_file(path)));

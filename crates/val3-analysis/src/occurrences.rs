@@ -1,4 +1,4 @@
-//! Every name in a file and what it stands for: the ground of navigation, renaming and highlighting.
+//! Every name in a file and its symbol: the basis of navigation, renaming and highlighting.
 
 mod code;
 mod texts;
@@ -13,7 +13,7 @@ use crate::body::body;
 use crate::db::{Db, File, Project};
 use crate::items::project::{data_files, program_files};
 
-/// What a name stands for.
+/// The symbol that a name refers to.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Symbol {
     /// A local variable of the program in a file.
@@ -58,13 +58,13 @@ pub enum Usage {
 pub struct Occurrence {
     /// The name alone.
     pub range: TextRange,
-    /// What it stands for.
+    /// Its symbol.
     pub symbol: Symbol,
     /// How it is used.
     pub usage: Usage,
 }
 
-/// Every name in `file` as a part of `project`, in the order of the text. Names that stand for nothing are left out.
+/// Every name in `file` as a part of `project`, in the order of the text. Unresolved names are left out.
 #[salsa::tracked(lru = 256)]
 pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence> {
     let mut found = xml_names::names(db, project, file);
@@ -77,8 +77,8 @@ pub fn occurrences(db: &dyn Db, project: Project, file: File) -> Vec<Occurrence>
     found
 }
 
-/// Where each symbol stands in a file. It is small, so that it is kept when the names themselves are dropped: a search
-/// through a workspace looks at it and at nothing else.
+/// The ranges of each symbol in a file. This small table is kept when the occurrences are dropped, and a search through
+/// a workspace reads only this.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Places {
     /// Each symbol with the end of its part of `ranges`.
@@ -102,7 +102,7 @@ fn places(db: &dyn Db, project: Project, file: File) -> Places {
     Places { symbols: symbols.collect(), ranges: by_symbol.iter().flat_map(|(_, ranges)| ranges).copied().collect() }
 }
 
-/// Where `symbol` stands in `file` as a part of `project`, in the order of the text.
+/// The ranges of `symbol` in `file` as a part of `project`, in the order of the text.
 pub fn places_of<'db>(db: &'db dyn Db, project: Project, file: File, symbol: &Symbol) -> &'db [TextRange] {
     let Places { symbols, ranges } = places(db, project, file);
     let Some(at) = symbols.iter().position(|(known, _)| known == symbol) else { return &[] };
@@ -110,7 +110,7 @@ pub fn places_of<'db>(db: &'db dyn Db, project: Project, file: File, symbol: &Sy
     symbols.get(at).and_then(|(_, end)| ranges.get(start..*end)).unwrap_or(&[])
 }
 
-/// Finds out where the symbols of a project stand, so that nobody has to wait for it later.
+/// Computes the occurrences of a project ahead of the first search.
 pub fn index(db: &dyn Db, project: Project) {
     project_files(db, project).for_each(|file| _ = places(db, project, file));
 }

@@ -13,17 +13,17 @@ const MEDIA: [&str; 4] = [DISK, "Floppy", "USB0", "USB1"];
 
 use crate::db::path_key;
 
-/// What the roots of paths stand for.
+/// The folders of the roots of paths.
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Roots {
-    /// `Disk://`; `None` where nothing tells.
+    /// `Disk://`; `None` where it is unknown.
     pub disk: Option<Utf8PathBuf>,
     /// Other roots by name: `USB0`.
     pub others: Vec<(String, Utf8PathBuf)>,
 }
 
 impl Roots {
-    /// The folder that a root stands for.
+    /// The folder of a root.
     fn folder(&self, root: &str) -> Option<&Utf8Path> {
         if root.eq_ignore_ascii_case(DISK) {
             return self.disk.as_deref();
@@ -36,9 +36,9 @@ impl Roots {
 /// Where a reference points.
 #[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Target {
-    /// A path of the disk at hand.
+    /// A path of the local disk.
     Path(Utf8PathBuf),
-    /// A root that stands for no known folder (`USB0://`, an FTP connection): nothing to check against.
+    /// A root without a known folder (`USB0://`, an FTP connection): nothing to check against.
     Elsewhere,
 }
 
@@ -74,7 +74,7 @@ pub fn root(reference: &str) -> &str {
     named.unwrap_or(DISK)
 }
 
-/// The root that was probably meant by an unknown one. A medium of the controller is meant as it is.
+/// The root that was probably meant by an unknown one; `None` for a medium of the controller.
 pub fn near_root(root: &str, roots: &Roots) -> Option<SmolStr> {
     let is_medium = MEDIA.iter().any(|medium| root.eq_ignore_ascii_case(medium));
     let named = roots.others.iter().map(|(name, _)| name.as_str());
@@ -102,7 +102,7 @@ fn with_manifest(path: Utf8PathBuf) -> Utf8PathBuf {
     }
 }
 
-/// Whether two paths lead to the same file: letter case makes no difference.
+/// Whether two paths name the same file, without regard to letter case.
 pub fn is_same(path: &Utf8Path, other: &Utf8Path) -> bool {
     path_key(path.as_str()) == path_key(other.as_str())
 }
@@ -120,7 +120,7 @@ pub fn inside<'p>(path: &'p Utf8Path, folder: &Utf8Path) -> Option<&'p Utf8Path>
     Some(rest.as_path())
 }
 
-/// Without `.`, `..` and doubled separators, as far as the path itself tells.
+/// Without `.`, `..` and doubled separators, computed from the path alone.
 pub fn normalise(path: &Utf8Path) -> Utf8PathBuf {
     let mut out = Utf8PathBuf::new();
     for component in path.components() {

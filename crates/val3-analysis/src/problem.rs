@@ -1,4 +1,4 @@
-//! What the analysis can find wrong, as values. The wording lives with the rules of `val3-check`.
+//! Problems found by the analysis, as values. The rules of `val3-check` word them.
 
 mod encoding;
 mod kind;
@@ -12,7 +12,7 @@ use crate::db::FileRange;
 /// One fault, with the place a person looks at first.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
-    /// What is wrong.
+    /// The kind of fault.
     pub kind: ProblemKind,
     /// Where.
     pub place: FileRange,
@@ -25,11 +25,11 @@ pub struct Problem {
 pub struct Related {
     /// Where.
     pub place: FileRange,
-    /// What stands there.
+    /// The role of that place.
     pub role: Role,
 }
 
-/// What the other side of a fault is.
+/// The role of the other side of a fault.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Role {
     /// The declaration of the name.
@@ -50,7 +50,7 @@ pub enum Role {
     Use,
 }
 
-/// What a name names.
+/// The kind of item that a name refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameKind {
     /// A variable of the whole application.
@@ -71,7 +71,7 @@ pub enum NameKind {
     Field,
 }
 
-/// What a file is in a project.
+/// The role of a file in a project.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileRole {
     /// `.pjx`

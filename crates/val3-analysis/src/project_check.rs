@@ -17,7 +17,7 @@ use crate::paths::{self, Target};
 use crate::problem::{FileRole, NameKind, Problem, ProblemKind};
 use crate::xml::{self, Attribute, Element};
 
-/// What is wrong in a project file.
+/// The problems of a project file.
 #[salsa::tracked]
 pub fn problems(db: &dyn Db, project: Project) -> Vec<Problem> {
     let file = project.manifest(db);
@@ -115,7 +115,7 @@ impl ProjectCheck<'_> {
         let mut seen = FxHashMap::default();
         for element in entries(root, list) {
             let is_again = element.attribute(name).is_some_and(|found| self.project_name(found, what, &mut seen));
-            // What the second of two entries names does not count.
+            // The second of two entries with one name is ignored.
             if let Some(found) = element.attribute(path)
                 && !is_again
                 && !self.separators(found)

@@ -19,8 +19,8 @@ fn resized_data(db: &dyn Db, project: Project) -> FxHashSet<SmolStr> {
     program_files(db, project).iter().flat_map(|file| resized(db, *file)).cloned().collect()
 }
 
-/// The variables a program hands over as a whole, which is how instructions (`insert`, `resize`, `libList` …) and
-/// programs come to change their size. An index that says where a part starts counts as the whole.
+/// The variables that a program passes as a whole: instructions (`insert`, `resize`, `libList` …) and programs can then
+/// change their size. An element that marks the start of a part counts as the whole.
 #[salsa::tracked]
 fn resized(db: &dyn Db, file: File) -> FxHashSet<SmolStr> {
     let body = body(db, file);

@@ -10,7 +10,7 @@ use val3_syntax::encoding::{decode, is_utf16};
 
 use crate::db::FileStatus;
 
-/// What a path leads to.
+/// The kind of a path's target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// A file.
@@ -19,7 +19,7 @@ pub enum Kind {
     Folder,
 }
 
-/// What the loader asks of a file system.
+/// The interface of a file system that the loader uses.
 pub trait System: Send + Sync + Debug {
     /// The bytes of a file.
     ///
@@ -27,8 +27,8 @@ pub trait System: Send + Sync + Debug {
     /// Those of the file system.
     fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>>;
 
-    /// What several files hold, in the same order; `None` where there is no file. An implementation may read them side
-    /// by side.
+    /// The contents of several files, in the same order; `None` where there is no file. An implementation may read them
+    /// in parallel.
     fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
         paths.iter().map(|path| Content::of(self.read(path))).collect()
     }
@@ -38,7 +38,7 @@ pub trait System: Send + Sync + Debug {
         None
     }
 
-    /// The bytes of a file as they are stored, also while it is being edited.
+    /// The stored bytes of a file, even while it is being edited.
     ///
     /// # Errors
     /// Those of the file system.
@@ -52,14 +52,14 @@ pub trait System: Send + Sync + Debug {
     /// Those of the file system.
     fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>>;
 
-    /// What `path` leads to, through links; `None` where there is nothing.
+    /// The kind of `path`, after following links; `None` where there is nothing.
     fn kind(&self, path: &Utf8Path) -> Option<Kind>;
 
     /// A path that is the same for every way to the same folder, so that links cannot lead around in circles.
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
 }
 
-/// What a file holds.
+/// The content of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Content {
     /// Its text; empty where it cannot be read.

@@ -22,7 +22,7 @@ pub enum Base {
 /// A type: what each value is, and how the values are stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Ty {
-    /// What each value is.
+    /// The type of each value.
     pub base: Base,
     /// How the values are stored.
     pub container: Container,
@@ -34,7 +34,7 @@ impl Base {
         Self::Builtin(base, None)
     }
 
-    /// A position of no particular arm is one of the arm at hand.
+    /// A position without an arm belongs to the arm of the project.
     pub fn on_arm(self, arm: Option<Arm>) -> Self {
         match self {
             Self::Builtin(base, None) if base.depends_on_arm() => Self::Builtin(base, arm),
@@ -98,7 +98,7 @@ impl Ty {
     }
 }
 
-/// The brackets behind the type or name: `[]`, `[,]`, `[""]`.
+/// The brackets after the type or name: `[]`, `[,]`, `[""]`.
 pub fn brackets(container: Container) -> &'static str {
     match container {
         Container::Element => "",

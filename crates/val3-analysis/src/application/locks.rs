@@ -41,8 +41,8 @@ fn in_block(body: &Body, block: &[Stmt], found: &mut Vec<Lock>) {
     }
 }
 
-/// The condition of a statement that waits, and the value of the flag for which it goes on waiting if it is asked as
-/// it stands: `wait(bBusy==false)` wants false, `while bBusy==true` goes on as long as it is true.
+/// The condition of a statement that waits, and the value of that condition for which it keeps waiting:
+/// `wait(bBusy==false)` waits while it is false, `while bBusy==true` while it is true.
 fn tested(body: &Body, stmt: &Stmt) -> Option<(ExprId, bool)> {
     match &stmt.kind {
         StmtKind::While { condition, .. } => Some(((*condition)?, true)),

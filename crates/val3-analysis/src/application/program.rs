@@ -1,4 +1,4 @@
-//! What one program does, without ranges.
+//! The effects of one program, without ranges.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use smol_str::SmolStr;
@@ -16,7 +16,7 @@ use crate::items::faults::text_faults;
 use crate::items::program::header;
 use crate::problem::ProblemKind;
 
-/// What a program does.
+/// The effects of a program.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Summary {
     /// The text could be read, and the analysis found no fault in its code.
@@ -35,7 +35,7 @@ pub struct Summary {
     pub data: FxHashMap<SmolStr, Use>,
     /// How the names begin of data that it reads by name, as a text.
     pub named_in_texts: FxHashSet<SmolStr>,
-    /// Library identifiers that stand in its code.
+    /// Library identifiers that occur in its code.
     pub libraries: FxHashSet<SmolStr>,
     /// Flags that it tests on one line and sets on the next.
     pub locks: FxHashSet<SmolStr>,
@@ -86,7 +86,7 @@ impl Use {
     }
 }
 
-/// What the program in `file` does as a part of `project`.
+/// The effects of the program in `file` as a part of `project`.
 #[salsa::tracked]
 pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     let body = body(db, file);
@@ -117,7 +117,7 @@ pub fn summary(db: &dyn Db, project: Project, file: File) -> Summary {
     summary.add_tasks(body);
     summary.never_ends = never_ends(body, flow(db, file));
     let effects = Effects::new(db, project, file);
-    // What an instruction of an add-on does is not known.
+    // The effect of an instruction of an add-on is unknown.
     summary.waits = effects.may_wait() || !infer::problems(db, project, file).is_empty();
     for access in effects.all() {
         if let Root::Data(name) = &access.root {

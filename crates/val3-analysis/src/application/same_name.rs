@@ -18,7 +18,7 @@ impl Application {
         }
     }
 
-    /// What runs at the end of the application alone ends its tasks too late to matter here.
+    /// Programs that run only at the end of the application end its tasks too late to matter here.
     pub(super) fn find_tended(&mut self, summaries: &FxHashMap<&SmolStr, &Summary>) {
         let tended = summaries.iter().filter(|(name, _)| !self.runs_at_end_alone(name));
         let names: FxHashSet<SmolStr> = tended.flat_map(|(_, summary)| summary.tended_tasks.iter().cloned()).collect();
@@ -31,8 +31,7 @@ impl Application {
     }
 
     /// Another program that surely creates a task of the same name as `program` does with `start`, where both tasks
-    /// run for good and nobody ends them or looks whether they run. Of two such programs one is asked about the other:
-    /// `start` is never the second.
+    /// run forever and no program ends them or asks for their status. Only one of two such programs finds the other.
     pub fn creator_of_same(&self, program: &str, start: &TaskStart) -> Option<&SmolStr> {
         let name = start.name.as_ref().filter(|name| self.sound && !self.is_tended(name) && self.is_endless(start))?;
         let order = |program: &str| (program != START, SmolStr::from(program));

@@ -11,15 +11,15 @@ use crate::flow::{Flow, Point, PointKind};
 /// A `taskCreate` or `taskCreateSync`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TaskStart {
-    /// The name, where the code tells it.
+    /// The name, where the code gives it.
     pub name: Option<SmolStr>,
-    /// How the name begins, as far as the code tells: all of it where `name` is known.
+    /// The known start of the name: all of it where `name` is known.
     pub beginning: SmolStr,
     /// The program.
     pub program: Callee,
     /// It is `taskCreateSync`.
     pub synchronous: bool,
-    /// The period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), where the code tells it.
+    /// The period of a synchronous task in steps of [`PERIOD_STEP`](val3_lang::tasks::PERIOD_STEP), if it is constant.
     pub period: Option<u32>,
     /// The statement lies in a loop, so that it may create several tasks.
     pub repeated: bool,
@@ -27,7 +27,7 @@ pub struct TaskStart {
     pub certain: bool,
 }
 
-/// Where a statement stands among those around it.
+/// The position of a statement among those around it.
 #[derive(Clone, Copy)]
 struct Nesting {
     repeated: bool,
@@ -98,7 +98,7 @@ fn task_start(body: &Body, synchronous: bool, arguments: &[ExprId], nesting: Nes
     Some(TaskStart { name, beginning, program, synchronous, period, repeated, certain })
 }
 
-/// No way leads to the end, as far as constant conditions tell.
+/// No path reaches the end, judged by constant conditions alone.
 pub(super) fn never_ends(body: &Body, flow: &Flow) -> bool {
     let is_taken = |point: &Point, branch: usize| match point.kind {
         PointKind::Test { condition: Some(condition), .. } => match body.constant(condition) {

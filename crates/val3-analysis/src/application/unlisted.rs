@@ -1,4 +1,4 @@
-//! What files name that lie in the folder of a project and are not listed.
+//! Names used by files in the folder of a project that the project does not list.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -17,7 +17,7 @@ pub fn unlisted_may_use(db: &dyn Db, project: Project, name: &str) -> bool {
     uses.words.contains(name) || uses.beginnings.iter().any(|beginning| name.starts_with(beginning.as_str()))
 }
 
-/// What the unlisted files of a project name.
+/// The names that the unlisted files of a project use.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Uses {
     /// Every word of the programs; fathers and user types of the data.

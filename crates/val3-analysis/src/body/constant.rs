@@ -1,4 +1,4 @@
-//! Constants: what an expression is worth where its text alone tells.
+//! Constants: the value of an expression, computed from its text alone.
 
 use smol_str::SmolStr;
 use val3_lang::operators::{BinaryOp, UnaryOp};
@@ -30,7 +30,7 @@ impl Body {
         }
     }
 
-    /// The number `id` stands for, if it is a constant one.
+    /// The number that `id` evaluates to, if it is constant.
     pub fn number(&self, id: ExprId) -> Option<f64> {
         match self.constant(id)? {
             Constant::Number(value) => Some(value),
@@ -38,7 +38,7 @@ impl Body {
         }
     }
 
-    /// The string `id` stands for, if it is a constant one.
+    /// The string that `id` evaluates to, if it is constant.
     pub fn string(&self, id: ExprId) -> Option<SmolStr> {
         match self.constant(id)? {
             Constant::String(text) => Some(text),
@@ -46,7 +46,7 @@ impl Body {
         }
     }
 
-    /// How the string `id` begins, as far as its text tells: `"part"` of `"part"+sName`.
+    /// The constant start of the string `id`: `"part"` of `"part"+sName`.
     pub fn beginning(&self, id: ExprId) -> SmolStr {
         if let Some(whole) = self.string(id) {
             return whole;

@@ -79,7 +79,7 @@ impl Lowering {
         StmtKind::If { arms, otherwise }
     }
 
-    /// The parts of `for` are told apart by the tokens before them: any of them may be missing.
+    /// The parts of `for` are distinguished by the tokens before them: any of them may be missing.
     fn for_stmt(&mut self, view: View<'_>) -> StmtKind {
         let [mut counter, mut start, mut stop, mut step] = [None; 4];
         let mut after = FOR_KW;
@@ -111,7 +111,7 @@ impl Lowering {
                     cases.push((values, self.block(clause)));
                 }
                 _ => {
-                    // A line behind a `break` belongs to no case.
+                    // A line after a `break` belongs to no case.
                     let stray = self.stmt(clause);
                     cases.extend(stray.map(|stmt| (Vec::new(), vec![stmt])));
                 }

@@ -11,7 +11,7 @@ impl Body {
         self.normal_form(left) == self.normal_form(right)
     }
 
-    /// The expression as text that tells it from every other one: alike for expressions that are the same.
+    /// The expression as text: two expressions have equal texts if and only if they are the same.
     pub fn normal_form(&self, id: ExprId) -> String {
         let mut text = String::new();
         self.write_normal_form(id, &mut text);
@@ -60,7 +60,7 @@ impl Body {
                 }
                 text.push('}');
             }
-            // What could not be read is like nothing else.
+            // An unreadable part is equal to no other.
             Expr::Missing | Expr::Number(_) | Expr::String(_) | Expr::Bool(_) => add(text, format_args!("?{}", id.0)),
         }
     }

@@ -17,7 +17,7 @@ use crate::problem::{Problem, ProblemKind, Related, Role};
 use crate::ty::Base;
 use crate::xml::{Attribute, Element};
 
-/// One step of a reference: a name and what stands in brackets behind it.
+/// One step of a reference: a name and the indexes in brackets after it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Step {
     /// The name of data, or of a field.

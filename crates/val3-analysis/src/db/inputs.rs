@@ -32,7 +32,7 @@ pub struct File {
 pub enum FileStatus {
     /// It was read.
     Read {
-        /// How its bytes stand for its text.
+        /// The encoding of its text.
         encoding: Encoding,
         /// How its bytes contradict the encoding that it declares.
         mismatch: Option<Mismatch>,
@@ -47,7 +47,7 @@ pub struct Project {
     /// The `.pjx`.
     #[returns(copy)]
     pub manifest: File,
-    /// What `Disk://` and other roots of paths stand for.
+    /// The folders of `Disk://` and other roots of paths.
     #[returns(ref)]
     pub roots: Roots,
     /// The cell around it.
@@ -64,7 +64,7 @@ pub struct Project {
 /// A `val3.toml`.
 #[salsa::input(debug)]
 pub struct Configuration {
-    /// What it says.
+    /// Its content.
     #[returns(ref)]
     pub file: ConfigFile,
 }
@@ -72,7 +72,7 @@ pub struct Configuration {
 /// A controller folder: `usr` with its `configs` and `app`.
 #[salsa::input(debug)]
 pub struct Cell {
-    /// What its configuration files say.
+    /// The content of its configuration files.
     #[returns(ref)]
     pub config: CellConfig,
 }

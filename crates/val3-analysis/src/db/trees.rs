@@ -1,6 +1,5 @@
-//! The trees of files. They say nothing that the texts do not say: a tree that is made of another one, or anew after
-//! it was forgotten, is equal to the one that was kept. So no query depends on them, and they can be forgotten at any
-//! time.
+//! The cache of syntax trees. A tree depends on its text alone: an incremental or repeated parse gives an equal tree. So
+//! trees are no part of a query's dependencies, and can be dropped at any time.
 
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -23,7 +22,7 @@ struct Kept {
 #[derive(Debug)]
 struct Tree {
     text: Arc<str>,
-    /// Made by the first who asks; the others wait for it.
+    /// Parsed by the first caller; concurrent callers wait for it.
     parse: Arc<OnceLock<Parse>>,
     /// When it was used last.
     used: u64,
@@ -40,7 +39,7 @@ impl Trees {
         parse.get_or_init(make).clone()
     }
 
-    /// The place of the tree of `text`, and what stood there before, if that was the tree of another text.
+    /// The cache entry for the tree of `text`, and the previous entry if it was the tree of another text.
     fn tree(&self, file: File, text: &Arc<str>) -> (Arc<OnceLock<Parse>>, Option<Tree>) {
         let mut kept = self.kept();
         kept.clock += 1;

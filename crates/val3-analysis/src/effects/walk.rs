@@ -101,7 +101,7 @@ impl Walk<'_, '_> {
 
     fn instruction(&mut self, id: ExprId, args: &[ExprId]) {
         let Some((instruction, form)) = self.effects.instruction(id) else {
-            // What an unknown instruction does to its arguments is not known.
+            // The effect of an unknown instruction on its arguments is unknown.
             return args.iter().for_each(|arg| self.argument(*arg, Some(AccessKind::Reference)));
         };
         for (position, arg) in args.iter().enumerate() {
@@ -140,7 +140,7 @@ impl Walk<'_, '_> {
     }
 }
 
-/// What a program may do with the argument at `position`; anything where the program is not known.
+/// The possible effects of a program on the argument at `position`; any effect where the program is unknown.
 fn passing(signature: Option<&Signature>, position: usize) -> Option<AccessKind> {
     let by_reference = match signature {
         Some(signature) => signature.params.get(position).is_some_and(|param| param.by_reference),

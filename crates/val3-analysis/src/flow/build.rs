@@ -6,7 +6,7 @@ use smallvec::{SmallVec, smallvec};
 use super::{Flow, Point, PointId, PointKind};
 use crate::body::{Body, ExprId, Stmt, StmtKind};
 
-/// A way that leads to a point not yet made: the branch of a point.
+/// An edge to a point that does not exist yet: the branch of a point.
 type Loose = PointId;
 /// Several of them.
 type Ends = SmallVec<[Loose; 4]>;
@@ -17,7 +17,7 @@ const EXPRESSIONS_A_POINT: usize = 4;
 struct Builder<'b> {
     body: &'b Body,
     flow: Flow,
-    /// Points whose next branch leads to whatever comes next.
+    /// Points whose open branch continues at the next point.
     loose: Ends,
 }
 

@@ -1,4 +1,4 @@
-//! What holds at each point, found by going round until nothing changes.
+//! Solves data-flow problems by iteration to a fixed point.
 //!
 //! Points are numbered in the order of the text, so that a round in this order carries everything from the start to
 //! the end; only what a loop brings back needs another round.
@@ -7,26 +7,26 @@ use smallvec::SmallVec;
 
 use super::{Flow, Point, PointId};
 
-/// What holds at each point: before it, or behind it where the problem was solved backward.
+/// The facts at each point: before it, or after it where the problem was solved backward.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Facts<S>(Vec<Option<S>>);
 
 impl<S> Facts<S> {
-    /// What holds when the point is reached; `None` if it never is.
+    /// The facts before the point; `None` if it is unreachable.
     pub fn before(&self, point: PointId) -> Option<&S> {
         self.0.get(point.index())?.as_ref()
     }
 
-    /// What holds when the point is left, of a problem that was solved backward; `None` if no way leads to the end.
+    /// The facts after the point, of a problem that was solved backward; `None` if no path reaches the end.
     pub fn behind(&self, point: PointId) -> Option<&S> {
         self.before(point)
     }
 }
 
-/// Solves a forward problem: `start` holds at the beginning, `step` says what holds behind a point, and `join` adds
-/// what holds on another way and tells whether that was news.
+/// Solves a forward problem. `start` are the facts at the beginning, `step` computes the facts after a point from those
+/// before it, and `join` merges the facts of another path and returns whether they changed.
 ///
-/// `join` must only ever add, and there must be an end to what can be added; then this ends as well.
+/// It terminates if `join` is monotone over a lattice of finite height.
 pub fn forward<S: Clone>(
     flow: &Flow,
     start: S,
@@ -38,8 +38,8 @@ pub fn forward<S: Clone>(
     solve(flow, &order, next, (Flow::START, start), step, join)
 }
 
-/// Solves a backward problem: `end` holds when the program is left, `step` says what holds before a point from what
-/// holds behind it. `join` is that of [`forward`].
+/// Solves a backward problem. `end` are the facts at the end of the program, and `step` computes the facts before a point
+/// from those after it. `join` is that of [`forward`].
 pub fn backward<S: Clone>(
     flow: &Flow,
     end: S,

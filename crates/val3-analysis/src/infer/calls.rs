@@ -18,7 +18,7 @@ use crate::ty::{Base, Ty};
 /// Result and class of a form.
 type Outcome = (Option<BaseType>, Class);
 
-/// What a call of an instruction comes to.
+/// The result of the resolution of a call.
 struct Called {
     /// `None` for no value.
     result: Option<Base>,
@@ -123,7 +123,7 @@ impl Infer<'_> {
         self.outcome(&chosen, &outcomes)
     }
 
-    /// What a call comes to: where several forms suit, or none, only what they all agree on.
+    /// The result of a call. If several forms suit, or none, the result that they all share.
     fn outcome(&self, chosen: &Chosen, outcomes: &[Outcome]) -> Option<Called> {
         let mut possible: SmallVec<[Outcome; 4]> = match chosen {
             Chosen::Form(index) => outcomes.get(*index).copied().into_iter().collect(),
@@ -162,8 +162,8 @@ impl Infer<'_> {
         self.outcome(&chosen, &outcomes)
     }
 
-    /// An instruction of which no table is at hand, by the forms of the catalogue: the virtual controller runs it so.
-    /// The add-on that is really installed may have other forms, so nothing that does not fit is a fault.
+    /// An instruction of an add-on without a table, resolved by the forms of the catalogue, which the virtual controller
+    /// executes. The installed add-on may have other forms, so a mismatch is not reported.
     fn presumed(
         &mut self,
         id: ExprId,

@@ -12,7 +12,7 @@ use crate::problem::{ProblemKind, Role};
 use crate::ty::{Base, STRING_LIMIT};
 
 impl Infer<'_> {
-    /// The value of an expression whose type nothing around it tells.
+    /// The value of an expression without an expected type.
     pub(super) fn expr(&mut self, id: ExprId) -> Value {
         self.expr_as(id, None)
     }
@@ -98,7 +98,7 @@ impl Infer<'_> {
             (Base::Builtin(a, arm), Base::Builtin(b, _)) if a != b || left_base.same_as(right_base) => {
                 operators::binary(op, a, b).map(|ty| Base::Builtin(ty, arm.filter(|_| ty.depends_on_arm())))
             }
-            // Whether user types can be compared, no source tells.
+            // No source documents whether user types can be compared, so it is allowed.
             (Base::User(a), Base::User(b)) if a == b && is_equality(op) => Some(Base::of(BaseType::Bool)),
             _ => None,
         };
@@ -198,7 +198,7 @@ fn is_arithmetic(op: BinaryOp) -> bool {
     matches!(op, Add | Subtract | Multiply | Divide | Remainder)
 }
 
-/// What an operator yields where an operand is not known: comparisons and logic always yield `bool`.
+/// The result of an operator with an unknown operand: comparisons and logic always yield `bool`.
 fn unknown_result(op: BinaryOp) -> Value {
     if is_arithmetic(op) { Value::UNKNOWN } else { Value::of(BaseType::Bool) }
 }

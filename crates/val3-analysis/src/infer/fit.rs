@@ -19,7 +19,7 @@ pub(super) struct Formal<'a> {
     /// `None` takes any type.
     pub(super) base: Option<Base>,
     pub(super) shape: Shape,
-    /// A parameter of the old dialect, which does not tell an element by reference from an array, and takes constants.
+    /// A parameter of the old dialect: it takes constants, and does not distinguish an element by reference from an array.
     pub(super) loose: bool,
 }
 
@@ -94,7 +94,7 @@ pub(super) enum Misfit {
     IndexNotAllowed,
 }
 
-/// What keeps `argument` from suiting `formal`.
+/// The reason why `argument` does not suit `formal`; `None` if it does.
 pub(super) fn misfit(arm: Option<Arm>, argument: &Argument, formal: Formal<'_>) -> Option<Misfit> {
     if formal.base == Some(Base::Unknown) {
         return None;

@@ -1,4 +1,4 @@
-//! `{…}`: the values of a structure, which takes its type from where it stands (2.4.2).
+//! `{…}`: the values of a structure, which takes its type from its context (2.4.2).
 
 use val3_lang::types::{self, BaseType};
 

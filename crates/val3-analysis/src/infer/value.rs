@@ -1,4 +1,4 @@
-//! What an expression yields: a type, and whether it is a variable.
+//! The value of an expression: a type, and whether it is a variable.
 
 use smol_str::SmolStr;
 use val3_lang::types::{BaseType, Container};
@@ -68,7 +68,7 @@ impl Value {
         !matches!(self.form, Form::Computed) || self.is_unknown()
     }
 
-    /// The container as it stands; one value where it has an index.
+    /// The declared container; an element after an index.
     pub(super) fn container(&self) -> Container {
         match &self.form {
             Form::Whole(variable) => variable.container,
@@ -84,7 +84,7 @@ impl Value {
         Ty { base: self.base, container }
     }
 
-    /// The container cannot stand for one of its values: its index or key is missing.
+    /// The container cannot be read as one of its values: its index or key is missing.
     pub(super) fn lacks_index(&self) -> bool {
         matches!(self.container(), Container::Collection | Container::Array { dims: 2.. }) && !self.is_unknown()
     }

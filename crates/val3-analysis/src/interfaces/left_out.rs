@@ -51,7 +51,7 @@ pub(crate) fn is_left_out(db: &dyn Db, library: Project, item: &str, what: NameK
 type ItemUse = (SmolStr, FileRange);
 
 impl Interfaces<'_> {
-    /// What the programs use of libraries whose projects leave it out: one problem a library.
+    /// Uses of items that the projects of libraries leave out: one problem for each library.
     pub(super) fn left_out(&mut self) {
         let db = self.db;
         let libraries = items(db, self.project).libraries.iter();

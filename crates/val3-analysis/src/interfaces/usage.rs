@@ -1,4 +1,4 @@
-//! What a program does with library identifiers.
+//! The uses of library identifiers in a program.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -25,13 +25,13 @@ pub struct Uses {
 pub struct Load {
     /// The identifier.
     pub alias: SmolStr,
-    /// What is known of the path.
+    /// The known part of the path.
     pub path: LoadedPath,
-    /// Where the path stands.
+    /// The range of the path.
     pub range: TextRange,
 }
 
-/// What the code tells about the path of a library.
+/// The part of a library's path that the code gives.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LoadedPath {
     /// All of it.
@@ -40,14 +40,14 @@ pub enum LoadedPath {
     Prefix {
         /// The beginning.
         text: SmolStr,
-        /// Where it stands.
+        /// Its range.
         range: TextRange,
     },
     /// Nothing.
     Unknown,
 }
 
-/// What the program in `file` does with library identifiers.
+/// The uses of library identifiers in the program in `file`.
 #[salsa::tracked]
 pub fn uses(db: &dyn Db, file: File) -> Uses {
     let body = body(db, file);
@@ -91,7 +91,7 @@ fn call(body: &Body, callee: ExprId, args: &[ExprId], uses: &mut Uses) {
     }
 }
 
-/// What an element or field is a part of.
+/// The variable that an element or field is a part of.
 fn root(body: &Body, mut id: ExprId) -> ExprId {
     while let Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) = body.expr(id) {
         id = *base;

@@ -4,7 +4,7 @@ use val3_lang::files::{self, FileKind, Presence};
 
 use crate::xml::{Attribute, Element};
 
-/// The attribute that says who may use a variable, and not what it is.
+/// The attribute with the access to a variable, which says nothing about its type.
 const ACCESS: &str = "access";
 
 /// The attributes of `element` that are neither among `known` nor a matter of XML itself.

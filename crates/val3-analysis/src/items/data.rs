@@ -1,4 +1,4 @@
-//! What a `.dtx` declares: global data, or the fields of a user type.
+//! The declarations of a `.dtx`: global data, or the fields of a user type.
 
 use smol_str::SmolStr;
 use val3_lang::files::FileKind;
@@ -73,7 +73,7 @@ pub fn elements(file: View<'_>) -> impl Iterator<Item = Element<'_>> {
     new.chain(old)
 }
 
-/// What an element declares.
+/// The declaration in an element.
 pub fn declaration(element: Element<'_>) -> Option<DataDecl> {
     let name = SmolStr::from(element.value("name")?);
     Some(if element.name() == "Data" { new_declaration(element, name) } else { old_declaration(element, name) })
@@ -97,8 +97,7 @@ fn new_declaration(element: Element<'_>, name: SmolStr) -> DataDecl {
 /// Type, container and sizes of a `<Data>`, `<Field>`, `<Local>` or `<Parameter>`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Shape {
-    /// The type as it is written. What has no readable type or container is still declared: nothing is known of its
-    /// values, and its type is empty.
+    /// The type as written; empty for a declaration without a readable type or container, whose values are unknown.
     pub type_name: SmolStr,
     /// How its values are stored.
     pub container: Container,

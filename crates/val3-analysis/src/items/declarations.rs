@@ -24,7 +24,7 @@ pub fn data(db: &dyn Db, file: File, name: SmolStr) -> Option<FileRange> {
 pub struct Declared {
     /// Its name.
     pub name: SmolStr,
-    /// Where the name stands.
+    /// The range of the name.
     pub range: TextRange,
     /// The whole element.
     pub element: TextRange,

@@ -1,4 +1,4 @@
-//! What is kept of the text of a file when its tree is dropped: its faults, and where its code stands.
+//! The faults of a text and the ranges of its code: facts that outlive the tree.
 
 use std::ops::Range;
 
@@ -13,11 +13,11 @@ use crate::db::{Db, File};
 /// The faults of a text.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct TextFaults {
-    /// What the parser found, by position, each cause once.
+    /// The errors of the parser, by position, each cause once.
     pub errors: Vec<SyntaxError>,
     /// Keywords that are not written in their usual letter case.
     pub odd_keywords: Vec<OddKeyword>,
-    /// Where code stands.
+    /// The ranges of code.
     pub codes: Vec<CodeRange>,
 }
 
@@ -26,20 +26,20 @@ pub struct TextFaults {
 pub struct CodeRange {
     /// All of it.
     pub range: TextRange,
-    /// Where `begin` stands, or the code starts without one.
+    /// The offset of `begin`, or the start of the code if there is none.
     pub begin: TextSize,
 }
 
 /// A keyword in another letter case than usual.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct OddKeyword {
-    /// Where it stands.
+    /// Its range.
     pub range: TextRange,
     /// How it is usually written.
     pub canonical: &'static str,
 }
 
-/// What is wrong with the text of `file`.
+/// The faults of the text of `file`.
 #[salsa::tracked]
 pub fn text_faults(db: &dyn Db, file: File) -> TextFaults {
     let parse = parse(db, file);

@@ -1,4 +1,4 @@
-//! What a `.dtx` says of its positions and motion descriptors: references and choices, not numbers.
+//! The positions and motion descriptors of a `.dtx`: references and choices, without numbers.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
@@ -18,7 +18,7 @@ pub type InitialValues = FxHashMap<SmolStr, FxHashMap<SmolStr, Initial>>;
 pub struct Initial {
     /// It is relative to a frame or tool.
     pub has_father: bool,
-    /// Its enumerated fields, as code writes them behind the variable (`config.shoulder`, `blend`).
+    /// Its enumerated fields, as code writes them after the variable (`config.shoulder`, `blend`).
     pub choices: Vec<(&'static str, &'static Enumerator)>,
     /// The blend, or a distance of it, is another than the default (10.5.1).
     pub asks_for_corner: bool,

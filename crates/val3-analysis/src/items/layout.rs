@@ -7,7 +7,7 @@ use val3_syntax::{SyntaxKind, TextRange};
 use super::{parse, program};
 use crate::db::{Db, File};
 
-/// Where the code of the program in `file` stands, from `begin` to `end`.
+/// The range of the code of the program in `file`, from `begin` to `end`.
 pub fn code(db: &dyn Db, file: File) -> Option<TextRange> {
     let parse = parse(db, file);
     let code = program::code(parse.view())?;

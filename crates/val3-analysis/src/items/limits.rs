@@ -14,7 +14,7 @@ pub struct Limit {
     pub attribute: &'static str,
     /// The number.
     pub value: f64,
-    /// Where it stands, without quotes.
+    /// Its range, without quotes.
     pub range: TextRange,
 }
 

@@ -1,4 +1,4 @@
-//! What a `.pjx` says.
+//! The content of a `.pjx`.
 
 use smol_str::SmolStr;
 use val3_syntax::view::View;
@@ -125,7 +125,7 @@ fn read(file: View<'_>) -> Manifest {
     }
 }
 
-/// No element is unknown, and none lacks the attribute that names what it stands for.
+/// Every element is known and has the attribute with its name.
 fn is_complete(root: Element<'_>, spelling: &Spelling) -> bool {
     let lists = [
         (spelling.programs, "file"),

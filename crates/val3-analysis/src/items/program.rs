@@ -1,4 +1,4 @@
-//! What the header of a `.pgx` declares: the program's name, access, parameters and locals.
+//! The header of a `.pgx`: the program's name, access, parameters and locals.
 
 use smol_str::SmolStr;
 use val3_lang::files::FileKind;
@@ -37,7 +37,7 @@ pub struct ParamDecl {
     pub container: Container,
     /// Passed by reference; containers always are.
     pub by_reference: bool,
-    /// The old dialect does not tell an element by reference from an array.
+    /// The old dialect does not distinguish an element by reference from an array.
     pub loose: bool,
 }
 

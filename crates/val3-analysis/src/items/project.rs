@@ -1,4 +1,4 @@
-//! What a project offers to its own programs: the firewall between files and bodies.
+//! The items of a project for its own programs: the firewall between files and bodies.
 
 use camino::Utf8Path;
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -33,7 +33,7 @@ pub struct Items {
     pub incomplete: bool,
     /// The version that is configured, else the one the project declares, else the manual's.
     pub version: Version,
-    /// The arm its positions are for, where the configuration, the data or the cell tell.
+    /// The arm of its positions, where the configuration, the data or the cell give it.
     pub arm: Option<Arm>,
 }
 
@@ -218,7 +218,7 @@ impl Signature {
 pub struct Param {
     /// The name.
     pub name: SmolStr,
-    /// What each value is.
+    /// The type of each value.
     pub base: Base,
     /// An element, array or collection.
     pub container: Container,

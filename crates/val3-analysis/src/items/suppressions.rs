@@ -9,7 +9,7 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 use super::parse;
 use crate::db::{Db, File};
 
-/// What such a comment starts with, behind its `//`.
+/// The word that such a comment starts with, after its `//`.
 const MARK: &str = "val3:";
 
 /// A comment that starts with `val3:`.
@@ -17,13 +17,13 @@ const MARK: &str = "val3:";
 pub struct Suppression {
     /// The comment.
     pub comment: TextRange,
-    /// What it is for.
+    /// Its scope.
     pub scope: Scope,
     /// The codes and names of rules in it.
     pub rules: Vec<Named>,
 }
 
-/// What a suppression silences.
+/// The scope of a suppression.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// `allow(…)`: what starts in the next line that is neither blank nor a comment.
@@ -36,12 +36,12 @@ pub enum Scope {
     Unreadable,
 }
 
-/// A code or name of a rule as it stands in a comment.
+/// A code or name of a rule as written in a comment.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Named {
     /// The word.
     pub name: SmolStr,
-    /// Where it stands.
+    /// Its range.
     pub range: TextRange,
 }
 
@@ -133,7 +133,7 @@ enum Reach {
     Program,
 }
 
-/// Reads what stands behind `val3:`: each word with its distance from the end of the comment.
+/// Reads the words after `val3:`, each with its distance from the end of the comment.
 fn read(order: &str) -> Option<(Reach, Vec<(TextSize, &str)>)> {
     let (word, rest) = order.split_once('(')?;
     let (list, _reason) = rest.split_once(')')?;
@@ -152,7 +152,7 @@ fn read(order: &str) -> Option<(Reach, Vec<(TextSize, &str)>)> {
     words.iter().all(|(_, word)| !word.is_empty()).then_some((reach, words))
 }
 
-/// The first line behind `from` that is neither blank nor a comment; empty where there is none.
+/// The first line after `from` that is neither blank nor a comment; empty where there is none.
 fn next_line(text: &str, from: TextSize) -> TextRange {
     let mut start = usize::from(from);
     let rest = text.get(start..).unwrap_or("");

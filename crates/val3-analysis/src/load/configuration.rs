@@ -117,7 +117,7 @@ impl Loader<'_> {
         }
     }
 
-    /// The configuration that excludes `manifest` from a search in `asked`. Who names an excluded folder wants it.
+    /// The configuration that excludes `manifest` from a search in `asked`. A path given by name is never excluded.
     fn exclusion(&mut self, asked: &Utf8Path, manifest: &Utf8Path) -> Option<Utf8PathBuf> {
         let folder = manifest.parent()?;
         let file = self.configuration(folder)?.file(&self.db);
@@ -136,7 +136,7 @@ fn unreadable(path: &Utf8Path, reason: &str) -> ConfigError {
     }
 }
 
-/// Faults of roots that lead to no folder.
+/// Faults of roots whose folder does not exist.
 fn missing_folders(system: &dyn System, file: &ConfigFile) -> Vec<ConfigError> {
     let config = &file.config;
     let disk = config.disk.iter().map(|disk| ("disk".to_owned(), disk));

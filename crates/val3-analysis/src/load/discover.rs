@@ -32,7 +32,7 @@ fn error(path: &Utf8Path, reason: &str) -> LoadError {
     LoadError::Path { path: path.to_owned(), reason: reason.to_owned() }
 }
 
-/// A `.pjx` itself; for a program or data file the project beside it.
+/// A `.pjx` itself; for a program or data file the project in its folder.
 fn of_file(system: &dyn System, path: &Utf8Path) -> Result<Vec<Utf8PathBuf>, LoadError> {
     if is_manifest(path) {
         return Ok(vec![path.to_owned()]);
@@ -102,7 +102,7 @@ impl Search<'_> {
     }
 }
 
-/// Spares asking the disk about files whose names tell what they are.
+/// Saves a look at the disk for files whose extension gives their kind.
 fn may_be_folder(name: &str) -> bool {
     let extension = name.rsplit_once('.').map_or("", |(_, extension)| extension);
     !["pgx", "dtx", "ltx", "cfx", "html", "json", "png", "xml"]

@@ -4,8 +4,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 
 use crate::paths::{self, Roots, Target};
 
-/// What `Disk://` stands for where no configuration says it: the nearest `usrapp` above, else the nearest folder above from which the
-/// project's own `Disk://` references lead to a file.
+/// The folder of `Disk://` without a configuration: the nearest `usrapp` above, else the nearest folder above in which a
+/// `Disk://` reference of the project names an existing file.
 pub(super) fn root(
     folder: &Utf8Path,
     references: &[&str],

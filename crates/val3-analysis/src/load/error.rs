@@ -5,14 +5,14 @@ use std::fmt;
 use camino::Utf8PathBuf;
 use val3_config::ConfigError;
 
-/// What keeps a workspace from being loaded.
+/// The reasons why a workspace cannot be loaded.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LoadError {
     /// A path that was asked for cannot be used.
     Path {
         /// The path as it was given.
         path: Utf8PathBuf,
-        /// What is wrong with it, and what to do.
+        /// The fault, and the remedy.
         reason: String,
     },
     /// Configuration files are at fault; never empty.

@@ -8,7 +8,7 @@ use crate::db::{File, path_key};
 use crate::system::{Content, Kind};
 
 impl Loader<'_> {
-    /// Reads several files at once. What is not there under its exact name is left for `found_file`.
+    /// Reads several files at once. Files missing under their exact name are left for `found_file`.
     pub(super) fn read_ahead<'p>(&mut self, paths: impl IntoIterator<Item = &'p Utf8PathBuf>) {
         let is_new = |path: &&Utf8PathBuf| {
             let key = path_key(path.as_str());

@@ -1,5 +1,5 @@
-//! Inputs that exist already: they are used again and set only where something differs, so that reading a workspace
-//! anew makes nothing run that it does not concern.
+//! Inputs of an earlier load. They are reused, and set only if they differ, so that a second load invalidates only the
+//! queries that depend on a change.
 
 use camino::Utf8Path;
 use rustc_hash::FxHashMap;
@@ -14,11 +14,11 @@ use crate::db::{Cell, Configuration, Database, File, FileStatus, Project, Source
 use crate::paths::Roots;
 use crate::system::Content;
 
-/// How seldom what lies on the disk changes, next to documents that are being edited: after an edit nobody looks through
-/// what was computed from stored files alone.
+/// The durability of stored files, which change less often than open documents: after an edit of a document, salsa skips
+/// all queries that depend on stored files alone.
 const STORED: Durability = Durability::MEDIUM;
 
-/// The inputs of a workspace by what they stand for.
+/// The inputs of a workspace by their keys.
 #[derive(Debug, Default)]
 pub(super) struct Known {
     sources: Option<Sources>,
@@ -30,7 +30,7 @@ pub(super) struct Known {
     cells: FxHashMap<CellKey, Cell>,
 }
 
-/// What an input for a project is made of.
+/// The parts of an input for a project.
 pub(super) struct Described {
     pub(super) file: File,
     pub(super) roots: Roots,
@@ -66,7 +66,7 @@ impl Loader<'_> {
     pub(super) fn file_input(&mut self, key: String, path: &Utf8Path, content: Content) -> File {
         let path = self.spelt(path);
         let known = self.known.files.get(&key).copied();
-        // What is being edited changes often.
+        // Open documents change often.
         let durability = if content.status.is_some() { STORED } else { Durability::LOW };
         let status = content.status.unwrap_or_else(|| self.stored_status(known, &key, &path));
         let file = match known {

@@ -3,7 +3,7 @@
 use memchr::memmem;
 use val3_syntax::decode_entities;
 
-/// What stands in `libLoad(…)`.
+/// The arguments of `libLoad(…)`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Loaded {
     /// A whole path: `libLoad("Disk://part")`.
@@ -35,8 +35,8 @@ pub(super) fn loaded_libraries(text: &str) -> Vec<Loaded> {
         .collect()
 }
 
-/// Two texts of a program load the same libraries, as far as they spell them out: where this holds and nothing but
-/// code changed, the workspace need not be read again.
+/// Two texts of a program load the same libraries, judged by the paths that they give literally. If this holds and only
+/// code changed, the workspace need not be loaded again.
 pub fn loads_alike(before: &str, after: &str) -> bool {
     loaded_libraries(before) == loaded_libraries(after)
 }

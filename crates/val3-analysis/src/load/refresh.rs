@@ -15,12 +15,11 @@ impl Workspace {
         Self { db: Database::default(), projects: Vec::new(), unreadable: Vec::new() }
     }
 
-    /// Finds the projects under `paths` as [`load`](super::load) does, and reads those files again of whose path keys
-    /// `is_stale` holds. Inputs are kept, and set only where they differ, so that only what a change concerns is
-    /// computed anew.
+    /// Finds the projects under `paths` as [`load`](super::load) does, and reads again those files for whose path
+    /// keys `is_stale` holds. Inputs are kept, and set only if they differ, so that only the affected queries run again.
     ///
-    /// Nothing keeps a workspace that is being edited from being read: what is at fault is left out, a configuration
-    /// counts as it was before, and the faults of configurations are returned. A path without a project is none.
+    /// A fault does not stop the load: faulty parts are left out, a faulty configuration keeps its previous content, and
+    /// the faults of configurations are returned. A path without a project is not an error.
     pub fn refresh(
         &mut self,
         system: &dyn System,
@@ -28,7 +27,7 @@ impl Workspace {
         is_stale: &dyn Fn(&str) -> bool,
     ) -> Vec<ConfigError> {
         let known = Known::of(&self.db);
-        // A clone beside the loader's database would wait for itself at the first change.
+        // Moved, not cloned: salsa blocks a change until all clones are dropped, so a clone would deadlock.
         let db = std::mem::take(&mut self.db);
         let mut loader = Loader::new(db, system, known, is_stale);
         let found = paths.iter().filter_map(|path| loader.discover(&paths::normalise(path)).ok());

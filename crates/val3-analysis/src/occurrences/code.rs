@@ -57,7 +57,7 @@ fn callee(expr: &Expr) -> Option<ExprId> {
     if let Expr::Call(callee, _) = expr { Some(*callee) } else { None }
 }
 
-/// The names behind `call`, and in the call of a `taskCreate`.
+/// The names after `call`, and in the call of a `taskCreate`.
 fn called_programs(db: &dyn Db, file: File, body: &Body) -> FxHashSet<ExprId> {
     let calls = flow(db, file).points().filter_map(|(_, point)| match &point.kind {
         PointKind::Call(call) => Some(*call),

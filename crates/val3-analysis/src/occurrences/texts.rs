@@ -41,7 +41,7 @@ impl Texts<'_> {
         }
     }
 
-    /// Where the text between the quotes starts, and the text as it stands in the file.
+    /// The start of the text between the quotes, and that text as written in the file.
     fn inside(&self, string: ExprId) -> (TextSize, &str) {
         let range = self.body.range(string);
         let raw = self.source.get(std::ops::Range::<usize>::from(range)).unwrap_or("");

@@ -168,7 +168,7 @@ impl Names<'_> {
     }
 }
 
-/// The names of a reference and where each starts: what stands in brackets is no name.
+/// The names of a reference with their offsets. Indexes in brackets are no names.
 fn steps(reference: &str) -> Vec<(TextSize, &str)> {
     let mut steps = Vec::new();
     let (mut at, mut rest) = (TextSize::new(0), reference);

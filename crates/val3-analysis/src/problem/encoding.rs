@@ -1,6 +1,6 @@
 //! How the encoding of a file can be at fault.
 
-/// What is wrong with the encoding of a file.
+/// A fault in the encoding of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum EncodingFault {
     /// It is neither in UTF-8 nor declares ISO-8859-1.

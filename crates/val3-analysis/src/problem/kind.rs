@@ -67,7 +67,7 @@ pub enum ProblemKind {
     DuplicateName {
         /// The name.
         name: SmolStr,
-        /// What is declared twice.
+        /// The kind of declaration.
         what: NameKind,
     },
     /// A name longer than the version allows.
@@ -91,7 +91,7 @@ pub enum ProblemKind {
     NotAValue {
         /// The name.
         name: SmolStr,
-        /// What it names.
+        /// The kind of item that it names.
         is: NameKind,
     },
 
@@ -116,18 +116,18 @@ pub enum ProblemKind {
     NotAssignable,
     /// The argument's type is not the parameter's.
     ArgumentType {
-        /// What is called.
+        /// The callee.
         callee: SmolStr,
         /// Name of the parameter.
         parameter: SmolStr,
-        /// What the forms of the callee take here.
+        /// The types that the forms of the callee take here.
         expected: Vec<SmolStr>,
         /// Type of the argument.
         found: SmolStr,
     },
     /// Too many or too few arguments.
     ArgumentCount {
-        /// What is called.
+        /// The callee.
         callee: SmolStr,
         /// The counts that are possible, in ascending order.
         expected: Vec<usize>,
@@ -138,14 +138,14 @@ pub enum ProblemKind {
     },
     /// A parameter by reference got a constant or the result of an expression (2.6.2).
     VariableExpected {
-        /// What is called.
+        /// The callee.
         callee: SmolStr,
         /// Name of the parameter.
         parameter: SmolStr,
     },
     /// A parameter by reference to a container got another container (2.6.3).
     ContainerMismatch {
-        /// What is called.
+        /// The callee.
         callee: SmolStr,
         /// Name of the parameter.
         parameter: SmolStr,
@@ -168,7 +168,7 @@ pub enum ProblemKind {
         /// Its type.
         ty: SmolStr,
     },
-    /// An index where none may stand: behind an element, or behind a container that is passed as a whole.
+    /// An index where none is allowed: after an element, or after a container that is passed as a whole.
     IndexNotAllowed {
         /// The variable.
         name: SmolStr,
@@ -257,7 +257,7 @@ pub enum ProblemKind {
     NoEffect,
     /// An instruction that yields no value, used as a value.
     NoValue {
-        /// What is called.
+        /// The callee.
         callee: SmolStr,
     },
     /// A position of another arm (`jointRs` where the arm has six axes).
@@ -276,7 +276,7 @@ pub enum ProblemKind {
     // ---- project and data ----
     /// A file named in the project is not on the disk.
     FileMissing {
-        /// What it should be.
+        /// The expected spelling.
         what: FileRole,
         /// The path as written.
         path: SmolStr,
@@ -291,9 +291,9 @@ pub enum ProblemKind {
         /// The path as written.
         path: SmolStr,
     },
-    /// The path of a library or type whose root stands for no folder that is known here.
+    /// The path of a library or type whose root has no known folder here.
     UnresolvedPath {
-        /// What it should lead to.
+        /// The kind of file expected there.
         what: FileRole,
         /// The path as written.
         path: SmolStr,
@@ -306,14 +306,14 @@ pub enum ProblemKind {
     Encoding(EncodingFault),
     /// A file named twice in the project, or a library identifier or type declared twice.
     DuplicateEntry {
-        /// What.
+        /// The kind of item.
         what: FileRole,
         /// Path or name.
         name: SmolStr,
     },
     /// The root element is not that of the file kind.
     WrongRoot {
-        /// What the file should be.
+        /// The expected kind of file.
         expected: FileRole,
         /// The root element found.
         found: SmolStr,
@@ -362,10 +362,10 @@ pub enum ProblemKind {
         attribute: SmolStr,
         /// The value found.
         value: SmolStr,
-        /// What is possible.
+        /// The possible values.
         expected: SmolStr,
     },
-    /// An element that does not belong where it stands.
+    /// An element in a place where it does not belong.
     UnexpectedElement {
         /// The element.
         name: SmolStr,
@@ -387,7 +387,7 @@ pub enum ProblemKind {
         attribute: SmolStr,
         /// The text found.
         value: SmolStr,
-        /// What is possible.
+        /// The possible values.
         expected: SmolStr,
     },
     /// An attribute of `<Value>` that the type does not have.
@@ -433,9 +433,9 @@ pub enum ProblemKind {
         ty: SmolStr,
         /// The field.
         field: SmolStr,
-        /// What the type declares.
+        /// The declaration of the type.
         expected: SmolStr,
-        /// What stands here.
+        /// The declaration found here.
         found: SmolStr,
     },
     /// A `size` that is no list of one to three whole numbers.
@@ -516,7 +516,7 @@ pub enum ProblemKind {
         alias: SmolStr,
         /// The item.
         item: SmolStr,
-        /// What it was used as.
+        /// The kind that it was used as.
         what: NameKind,
         /// The most similar public item.
         near: Option<SmolStr>,
@@ -525,7 +525,7 @@ pub enum ProblemKind {
     LibraryLeftOut {
         /// The identifier.
         alias: SmolStr,
-        /// What is missing, sorted; at least one.
+        /// The missing items, sorted; at least one.
         missing: Vec<SmolStr>,
         /// The files in the library's folder that its project does not list.
         unlisted: Vec<SmolStr>,
@@ -538,7 +538,7 @@ pub enum ProblemKind {
         alias: SmolStr,
         /// The item.
         item: SmolStr,
-        /// What it is.
+        /// The kind of item.
         what: NameKind,
     },
     /// The identifier has `autoload="false"` and nothing loads it.
@@ -546,7 +546,7 @@ pub enum ProblemKind {
         /// The identifier.
         alias: SmolStr,
     },
-    /// `libLoad` of a path that leads to no library.
+    /// `libLoad` of a path without a library.
     LibLoadPath {
         /// The path as written.
         path: SmolStr,
@@ -557,7 +557,7 @@ pub enum ProblemKind {
         alias: SmolStr,
         /// The library's project.
         library: SmolStr,
-        /// What is missing, by name; at least one.
+        /// The missing items, by name; at least one.
         items: Vec<(NameKind, SmolStr)>,
     },
     /// The item is there and private.
@@ -568,7 +568,7 @@ pub enum ProblemKind {
         library: SmolStr,
         /// The item.
         item: SmolStr,
-        /// What it is.
+        /// The kind of item.
         what: NameKind,
     },
     /// The item is there with another type, container, parameter or passing.
@@ -579,11 +579,11 @@ pub enum ProblemKind {
         library: SmolStr,
         /// The item.
         item: SmolStr,
-        /// What it is.
+        /// The kind of item.
         what: NameKind,
-        /// What the interface declares, as a syntax line.
+        /// The declaration of the interface, as a syntax line.
         expected: SmolStr,
-        /// What the library has.
+        /// The declaration of the library.
         found: SmolStr,
     },
 }

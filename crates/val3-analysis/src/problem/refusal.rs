@@ -70,7 +70,7 @@ impl ProblemKind {
             | Self::LibraryItemPrivate { .. }
             | Self::LibraryLeftOut { .. } => true,
             Self::MissingAttribute { default, .. } => default.is_none(),
-            // What a missing library or user type provides is missing when a line uses it.
+            // The items of a missing library or user type are missing when a line uses them.
             Self::FileMissing { what, .. } => !matches!(what, FileRole::Library | FileRole::Type),
             // Controllers load these. A CS9 accepts long names whatever the version says.
             Self::NameTooLong { .. }
@@ -83,7 +83,7 @@ impl ProblemKind {
             | Self::UnresolvedPath { .. }
             | Self::UnknownUserField { .. }
             | Self::IoLinkUnknown { .. } => false,
-            // The task that comes to such a line meets an error or a return code.
+            // A task that executes such a line gets an error or a return code.
             Self::IndexOutOfBounds { .. }
             | Self::LibraryNeverLoaded { .. }
             | Self::LibLoadPath { .. }

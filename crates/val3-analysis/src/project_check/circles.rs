@@ -45,8 +45,8 @@ fn types(db: &dyn Db, project: Project) -> Vec<Project> {
     items(db, project).types.values().copied().flatten().collect()
 }
 
-/// The shortest way from `start` along `edges` back to it, `start` at both ends. It passes only projects behind
-/// `start` by path, so that one project of a circle finds it.
+/// The shortest way from `start` along `edges` back to it, `start` at both ends. It passes only projects whose
+/// path is greater than that of `start`, so that one project of a circle finds it.
 fn circle(db: &dyn Db, start: Project, edges: Edges) -> Option<Vec<Project>> {
     let mut from: FxHashMap<Project, Project> = FxHashMap::default();
     let mut queue = VecDeque::from([start]);

@@ -1,4 +1,4 @@
-//! What an application does as a whole.
+//! The sums over the programs of an application.
 
 use expect_test::{Expect, expect};
 use smol_str::SmolStr;

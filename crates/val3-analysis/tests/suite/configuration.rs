@@ -1,4 +1,4 @@
-//! What a `val3.toml` changes: which one counts, roots, version, arm, add-ons, excluded applications.
+//! Effects of a `val3.toml`: the nearest one, roots, version, arm, add-ons, excluded applications.
 
 use camino::Utf8PathBuf;
 use expect_test::expect;

@@ -4,7 +4,7 @@ use expect_test::expect;
 
 use crate::show::faults;
 
-/// The faults of a `main.dtx` with these elements, beside the user type `Slot`.
+/// The faults of a `main.dtx` with these elements, in a project with the user type `Slot`.
 pub(crate) fn datas(elements: &str) -> String {
     let listing = format!(
         "=== main/main.pjx\n<Project><Database><Data file=\"main.dtx\" /></Database><Types><Type name=\"Slot\" \

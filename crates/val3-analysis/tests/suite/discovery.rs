@@ -1,4 +1,4 @@
-//! What is found on a disk: projects, roots, files under other letter cases, and what stands in the way.
+//! Discovery on a disk: projects, roots, files under other letter cases, and obstacles.
 
 use std::io;
 
@@ -194,7 +194,7 @@ impl System for Rough {
     }
 }
 
-/// `loop/again` leads to `loop`.
+/// `loop/again` is a link to `loop`.
 fn real(path: &Utf8Path) -> Utf8PathBuf {
     path.as_str().replace("/again", "").into()
 }
@@ -259,7 +259,7 @@ fn links_in_a_circle_on_a_real_disk() {
     .assert_eq(&shown);
 }
 
-/// An empty place on the real disk that the test called `test` has for itself.
+/// An empty folder on the real disk for the test called `test` alone.
 fn fresh_folder(test: &str) -> Utf8PathBuf {
     let folder = Utf8PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(test);
     std::fs::remove_dir_all(&folder).ok();

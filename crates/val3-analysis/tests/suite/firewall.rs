@@ -1,4 +1,4 @@
-//! What an edit makes the analysis do again: the code of one program concerns that program alone.
+//! Recomputation after an edit: the code of one program concerns that program alone.
 
 use std::sync::{Arc, Mutex};
 

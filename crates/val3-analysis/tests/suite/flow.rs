@@ -250,7 +250,7 @@ fn both_directions() {
         known.extend(more);
         known.len() > before
     };
-    // What was assigned before, and what is assigned behind.
+    // Variables assigned before a point and after it.
     expect![[r#"
         0: {}
         1: {4}

@@ -80,7 +80,7 @@ fn items_that_an_interface_does_not_have() {
     "#]].assert_eq(&faults(listing));
 }
 
-/// An application that loads `path` under an identifier and uses `use_`, and two libraries beside the interface.
+/// An application that loads `path` under an identifier and uses `use_`, and two libraries next to the interface.
 fn loads(path: &str, use_: &str) -> String {
     faults(&format!(
         r#"

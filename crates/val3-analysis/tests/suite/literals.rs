@@ -1,4 +1,4 @@
-//! `{…}`: the type comes from where the braces stand (2.4.2, 9.2.1 to 9.7.1, 10.5.1).
+//! `{…}`: the type comes from the context of the braces (2.4.2, 9.2.1 to 9.7.1, 10.5.1).
 
 use expect_test::expect;
 

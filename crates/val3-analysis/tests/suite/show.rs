@@ -1,4 +1,4 @@
-//! What the analysis says about a listing, as text to compare.
+//! The results of the analysis for a listing, as text to compare.
 
 use std::collections::BTreeMap;
 

@@ -1,4 +1,4 @@
-//! What the programs of an application do together.
+//! The combined effects of the programs of an application.
 
 use val3_analysis::application::application;
 

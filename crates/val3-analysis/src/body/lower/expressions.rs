@@ -120,7 +120,7 @@ impl Lowering {
     }
 }
 
-/// A node of this kind becomes an expression, but for the names in paths and behind dots.
+/// A node of this kind becomes an expression, except for names in paths and after dots.
 pub(super) fn is_expr(kind: SyntaxKind) -> bool {
     matches!(
         kind,
