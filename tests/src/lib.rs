@@ -1,6 +1,6 @@
 //! Shared by the suites in `tests/`: the example cells as files in memory, and findings.
 
-#![allow(clippy::panic, reason = "a missing example is a fault of the test that asks for it")]
+#![allow(clippy::expect_used, clippy::panic, reason = "a missing or broken example is a fault of the test")]
 
 pub mod cell;
 mod finding;

@@ -305,7 +305,7 @@ const STEPS = {
     await user.choose("Welcome: Open Walkthrough", undefined, "Write VAL 3");
     await user.page.click('.getting-started-step:has-text("Write code without XML")');
     await user.page.click('.getting-started-step.expanded .monaco-button:has-text("Open Code without XML")');
-    await user.page.waitForSelector('.quick-input-widget:visible input[placeholder="The program whose code is shown"]');
+    await user.page.waitForSelector('.quick-input-widget:visible input[placeholder="Program whose code is shown"]');
     await user.keys("Escape");
     await user.page.waitForSelector(".getting-started-step.expanded [role=checkbox][aria-checked=true]");
     await user.page.waitForFunction((count) => document.querySelectorAll(".getting-started-step [role=checkbox][aria-checked=true]").length === count, 4);
