@@ -1,14 +1,14 @@
 //! A cell as an editor holds it: files that are changed as values.
 
 use camino::Utf8PathBuf;
-use val3_analysis::db::{Database, File, FileStatus, Sources};
+use val3_analysis::db::{Database, File, FileRange, FileStatus, Sources};
 use val3_analysis::items::parse;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Memory;
 use val3_check::rule::Severity;
 use val3_check::settings::WorkspaceSettings;
 use val3_check::{check_unit, units};
-use val3_ide::{FileEdit, FileRange, SourceChange};
+use val3_ide::{FileEdit, SourceChange};
 use val3_syntax::{SyntaxKind, SyntaxNode, SyntaxToken};
 use val3_tests::cell::Cell;
 

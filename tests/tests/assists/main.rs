@@ -7,7 +7,8 @@ mod editor;
 use std::collections::BTreeMap;
 
 use editor::Editor;
-use val3_ide::{FileRange, SourceChange, assists, resolve_assist};
+use val3_analysis::db::FileRange;
+use val3_ide::{SourceChange, assists, resolve_assist};
 use val3_syntax::{SyntaxKind, TextRange};
 use val3_tests::cell;
 
