@@ -9,36 +9,53 @@ use val3_machine::files::{ControllerPath, LibraryFiles};
 
 use super::{compile, first_refusal, load_laid};
 
-/// Compiled libraries that are kept. A program that saves a library under ever new names fills no memory.
-const MOST_KNOWN: usize = 64;
+/// The number of compiled libraries that are kept, so that a program that saves a library under ever new names fills no
+/// memory.
+const CAPACITY: usize = 64;
 
 /// Compiles libraries.
 pub(crate) struct Images {
     /// The folder of `Disk`.
     disk: Utf8PathBuf,
-    /// What was compiled, with the files it was compiled from.
-    known: Vec<(String, LibraryFiles, Arc<Image>)>,
+    compiled: Cache,
+}
+
+/// The libraries that were compiled last.
+struct Cache {
+    /// Images with the paths and the files that they were compiled from, the oldest first.
+    images: Vec<(String, LibraryFiles, Arc<Image>)>,
+    capacity: usize,
+}
+
+impl Cache {
+    fn find(&self, path: &str, files: &LibraryFiles) -> Option<Arc<Image>> {
+        let found = self.images.iter().find(|(known, held, _)| known == path && held == files);
+        found.map(|(_, _, image)| Arc::clone(image))
+    }
+
+    fn keep(&mut self, path: String, files: LibraryFiles, image: &Arc<Image>) {
+        self.images.retain(|(known, ..)| *known != path);
+        if self.images.len() >= self.capacity {
+            self.images.remove(0);
+        }
+        self.images.push((path, files, Arc::clone(image)));
+    }
 }
 
 impl Images {
     pub(crate) fn new(disk: Utf8PathBuf) -> Self {
-        Self { disk, known: Vec::new() }
+        Self { disk, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
     }
 }
 
 impl Libraries for Images {
     fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String> {
         let shown = path.to_string();
-        let known = self.known.iter().find(|(known, held, _)| *known == shown && *held == files);
-        if let Some((_, _, image)) = known {
-            return Ok(Arc::clone(image));
+        if let Some(image) = self.compiled.find(&shown, &files) {
+            return Ok(image);
         }
         let image = self.compile(path, &files)?;
-        self.known.retain(|(known, ..)| *known != shown);
-        if self.known.len() == MOST_KNOWN {
-            self.known.remove(0);
-        }
-        self.known.push((shown, files, Arc::clone(&image)));
+        self.compiled.keep(shown, files, &image);
         Ok(image)
     }
 }
@@ -54,5 +71,29 @@ impl Images {
             Some(wrong) => Err(format!("`{path}`: {}", wrong.message)),
             None => compile(&workspace.db, project).map_err(|error| format!("`{path}`: {}", error.limit)),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use val3_machine::files::LibraryFile;
+
+    use super::*;
+
+    fn files(text: &str) -> LibraryFiles {
+        let file = LibraryFile { path: "lib.pjx".into(), bytes: text.into() };
+        LibraryFiles { files: vec![file], encrypted: false }
+    }
+
+    #[test]
+    fn the_libraries_that_were_compiled_last_are_kept() {
+        let mut cache = Cache { images: Vec::new(), capacity: 2 };
+        let image = Arc::new(Image::default());
+        for path in ["a", "b", "b", "c"] {
+            cache.keep(path.to_owned(), files(path), &image);
+        }
+        let is_kept = |path: &str, text: &str| cache.find(path, &files(text)).is_some();
+        assert_eq!(["a", "b", "c"].map(|path| is_kept(path, path)), [false, true, true]);
+        assert!(!is_kept("c", "changed"), "a changed library is compiled again");
     }
 }
