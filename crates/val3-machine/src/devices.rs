@@ -1,4 +1,4 @@
-//! What programs reach of the controller: the ports of instructions, each in a file of its own.
+//! The devices of the controller: the ports of instructions, each in a file of its own.
 //!
 //! [`State`] is plain data that a snapshot copies. [`Lines`] and the media lead outside, and each of their answers passes
 //! through the recorder of [`Inputs`].

@@ -191,7 +191,7 @@ pub enum What {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EndReason {
-    /// The application has ended by itself.
+    /// The application has ended without a stop from outside.
     Finished,
     /// It was stopped from outside.
     Stopped,

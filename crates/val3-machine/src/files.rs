@@ -17,5 +17,5 @@ pub use moving::{copy, delete, file_exists, rename};
 pub use open_files::{OpenFiles, OpenMode};
 pub use path::ControllerPath;
 pub use rewrite::rewrite;
-pub use roots::{EntryKind, Place, Roots};
+pub use roots::{EntryKind, MountedPath, Roots};
 pub use saved_data::{Content, SavedData, SavedField, SavedValue, Shape, number_text};

@@ -9,5 +9,5 @@ mod table;
 
 pub use bus::DeviceFault;
 pub use signal::{Direction, Format, Kind, Signal};
-pub use status::{Fault, IoError, IoStatus};
+pub use status::{IoError, IoStatus, SignalFault};
 pub use table::{IoChange, IoTable, LinkId, SignalId};

@@ -36,7 +36,7 @@ use val3_lang::ports::Time;
 
 pub use check::ScriptFault;
 pub use keys::{key_codes, typed_keys};
-use values::{Fault, Key, Keys, Level, Links, Locks, Mode, Percent, SafetyFault, Seconds, Value};
+use values::{FaultEntry, Key, Keys, Level, Links, Locks, Mode, Percent, SafetyFault, Seconds, Value};
 
 /// The entries of a script, in the order of their times.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -73,7 +73,7 @@ pub(crate) struct Entry {
     #[serde(default)]
     protect: BTreeMap<String, bool>,
     /// An input, output or device that fails, or works again.
-    fault: Option<Fault>,
+    fault: Option<FaultEntry>,
     /// Global data of the application and its libraries.
     #[serde(default)]
     set: BTreeMap<String, Value>,

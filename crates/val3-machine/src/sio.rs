@@ -1,7 +1,7 @@
 //! Serial lines and sockets (3.7): what a program reads and writes through a `sio` variable.
 //!
 //! A [`Channel`] is what the variable is linked to: end of string, timeout and what has come in. Behind it a [`Line`]
-//! moves bytes and never waits: an instruction that has to wait gets [`Turn::Wait`] and asks again at its next turn.
+//! moves bytes and never waits: an instruction that has to wait gets [`Attempt::Wait`] and asks again at its next turn.
 
 mod channel;
 mod configuration;
@@ -17,7 +17,7 @@ mod tcp_client;
 mod tcp_server;
 mod udp;
 
-pub use channel::{Channel, ChannelState, Sending, SioFault, Turn, byte_of};
+pub use channel::{Attempt, Channel, ChannelState, Sending, SioFault, byte_of};
 pub use configuration::{ChannelConfig, channels};
 pub use line::{Connection, Line, LineKind, Received, Refused, Sent};
 pub use memory::{MemoryLine, Peer};

@@ -1,4 +1,4 @@
-//! What the run time asks of the controller around it, beside the ports of instructions.
+//! The services of the controller for the run time, in addition to the ports of instructions.
 
 use std::sync::Arc;
 
@@ -23,7 +23,7 @@ pub trait Host: Ports {
     /// An application or library has come into memory under a number, with its global data; events refer to it.
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
 
-    /// A library was loaded or saved under an identifier, or not: the code tells. `path` is as the program gave it;
+    /// A library was loaded or saved under an identifier, or not, according to the code. `path` is as the program gave it;
     /// without an identifier the application itself was meant.
     fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16);
 
@@ -44,7 +44,7 @@ pub trait Host: Ports {
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16;
 }
 
-/// What was done with a library.
+/// An operation on a library.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LibraryOp {
     /// It was loaded.

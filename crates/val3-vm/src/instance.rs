@@ -12,15 +12,15 @@ pub struct InstanceId(pub u16);
 /// An application or library in memory.
 #[derive(Debug, Clone)]
 pub struct Instance {
-    /// What it was loaded from.
+    /// Its image.
     pub image: Arc<Image>,
     /// The path it was loaded from, as the program wrote it.
     pub path: String,
     /// Its global data.
     pub data: Arc<[StoreId]>,
-    /// What its library identifiers stand for now.
+    /// The libraries that its identifiers currently denote.
     pub libraries: Vec<Option<InstanceId>>,
-    /// What it uses of them; `None` where a library is not loaded or lacks the item (error 80).
+    /// The items that it uses of them; `None` where a library is not loaded or lacks the item (error 80).
     pub imports: Vec<Option<Imported>>,
     /// It is loaded; the number of one that is not is free.
     pub loaded: bool,

@@ -1,4 +1,4 @@
-//! What an application expects of a library, and what a library has (6.3, 6.6).
+//! The items that an application expects of a library, and those that a library has (6.3, 6.6).
 
 use val3_bytecode::{DataDef, Import, ImportKind, Param, Passing};
 use val3_lang::memory::{Kind, KindBase, Shape};
@@ -8,7 +8,7 @@ use crate::instance::Imported;
 use crate::{Instance, InstanceId};
 
 impl Instance {
-    /// What `import` stands for in this library; `None` where it lacks the item or has another one of the name.
+    /// The item of this library for `import`; `None` where it lacks the item or has another one of the name.
     pub(crate) fn item(&self, id: InstanceId, import: &Import) -> Option<Imported> {
         match &import.kind {
             ImportKind::Missing => return None,
@@ -32,7 +32,7 @@ impl Instance {
         self.export(id, &import.name, matches!(import.kind, ImportKind::Program(_)))
     }
 
-    /// What `name` of this library is for another application.
+    /// The item `name` of this library as another application sees it.
     pub(crate) fn export(&self, id: InstanceId, name: &str, of_program: bool) -> Option<Imported> {
         if of_program {
             let number = self.image.program(name)?;

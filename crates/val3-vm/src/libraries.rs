@@ -14,7 +14,7 @@ use crate::{Host, InstanceId, LibraryOp, Space};
 const APPLICATION: InstanceId = InstanceId(0);
 
 impl TurnContext<'_> {
-    /// Does what an instruction has asked for; the code it comes to.
+    /// Fulfils the request of an instruction and returns its code.
     pub(crate) fn fulfil(&mut self, thread: &Thread, owner: InstanceId, request: Request) -> f64 {
         let (op, library, path) = match request {
             Request::Load { library, path, .. } => (LibraryOp::Load, Some(library), path),
@@ -37,7 +37,7 @@ impl TurnContext<'_> {
         found.map(|library| library.alias.clone()).unwrap_or_default()
     }
 
-    /// A library that is in memory already is taken from there, as it is.
+    /// A library that is in memory already is used unchanged.
     fn load(&mut self, thread: &Thread, identifier: (InstanceId, u16), path: &str, password: &str) -> u16 {
         let (owner, library) = identifier;
         let from = self.space.instance(owner).map(|instance| instance.path.clone()).unwrap_or_default();
@@ -77,7 +77,7 @@ impl TurnContext<'_> {
 }
 
 impl Space {
-    /// What a library identifier stands for now.
+    /// The library that an identifier currently denotes.
     #[must_use]
     pub fn library(&self, owner: InstanceId, number: u16) -> Option<InstanceId> {
         self.instance(owner)?.libraries.get(usize::from(number)).copied().flatten()
@@ -104,7 +104,7 @@ impl Space {
         Ok(id)
     }
 
-    /// Loads the libraries that load with an application or library. What cannot be loaded is missing when it is used
+    /// Loads the libraries that load with an application or library. A library that cannot be loaded is missing when it is used
     /// (error 80).
     pub fn load_with(&mut self, id: InstanceId, host: &mut dyn Host) {
         let Some(instance) = self.instance(id) else { return };
@@ -122,7 +122,7 @@ impl Space {
         }
     }
 
-    /// The libraries that nothing reaches from the application; with `changed`, once an identifier stands for another
+    /// The libraries that nothing reaches from the application; with `changed`, once an identifier denotes another
     /// library, or for one that is not in memory yet.
     fn unused(&self, changed: Option<((InstanceId, u16), Option<InstanceId>)>) -> Vec<InstanceId> {
         let mut used = vec![APPLICATION];

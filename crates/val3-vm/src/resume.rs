@@ -1,12 +1,12 @@
-//! Where a halted task goes on (5.2, 5.10).
+//! The line at which a halted task resumes (5.2, 5.10).
 
 use val3_bytecode::Program;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::runtime_errors::NO_LINE;
 
-/// The first operation of the line `skip` lines behind the one that begins at `line`, in the order of the text.
+/// The first operation of the line `skip` lines after the one that begins at `line`, in the order of the text.
 ///
-/// The place behind the last line is the end of the program.
+/// The position after the last line is the end of the program.
 ///
 /// # Errors
 /// 90 if there is no such line.

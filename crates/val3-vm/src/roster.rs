@@ -31,7 +31,7 @@ impl Roster {
         self.tasks.get(at).filter(|task| task.id == id).map(|_| at)
     }
 
-    /// Where the task is, or the next one created behind it.
+    /// The index of the task, or of the next one created after it.
     ///
     /// As long as none of those between them has ended, a task is as far from the first as their numbers are.
     pub(crate) fn first_from(&self, id: TaskNumber) -> usize {
@@ -76,7 +76,7 @@ impl Roster {
         self.tasks.push(Box::new(Task { id, name, owner, rate, state, thread, stack_size, left: 0 }));
     }
 
-    /// A task is over: its name is free, and it is removed behind the turn.
+    /// A task is over: its name is free, and it is removed after the turn.
     pub(crate) fn end(&mut self, at: usize) -> Option<&Task> {
         let task = self.tasks.get_mut(at)?;
         task.state = TaskState::Killed;

@@ -13,13 +13,13 @@ use crate::{Instance, InstanceId, TaskState};
 /// Changes of tasks, with their names and where they are.
 pub(crate) type Changes = SmallVec<[(TaskNumber, String, TaskChange, Option<CodePlace>); 1]>;
 
-/// What the programs of `owner` can reach.
+/// The tasks and libraries that the programs of `owner` can reach.
 pub(crate) struct Services<'v> {
     pub(crate) roster: &'v mut Roster,
     pub(crate) instances: &'v mut Vec<Instance>,
-    /// What has happened to tasks.
+    /// The changes of tasks.
     pub(crate) changes: Changes,
-    /// What the run time has to do.
+    /// The request to the run time.
     pub(crate) request: Option<Request>,
     pub(crate) owner: InstanceId,
 }
@@ -51,7 +51,7 @@ impl Tasks for Services<'_> {
         let instance = self.instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
         let program = instance.image.programs.get(usize::from(frame.program)).ok_or(Fault::INTERPRETER)?;
         let op = line_to_resume(program, task.thread.line, skip)?;
-        // A task that was halted within a line goes on there; every other one begins a line.
+        // A task that was halted within a line resumes there; every other one begins a line.
         if skip != 0.0 || task.state != TaskState::Halted {
             task.thread.go_to_line(op);
         }

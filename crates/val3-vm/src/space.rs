@@ -1,4 +1,4 @@
-//! What is in memory: applications and libraries with their data, and the links between data.
+//! The applications and libraries in memory with their data, and the links between data.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ pub struct Space {
 }
 
 impl Space {
-    /// What is in memory under a number.
+    /// The application or library with a number.
     #[must_use]
     pub fn instance(&self, id: InstanceId) -> Option<&Instance> {
         self.instances.get(usize::from(id.0))
@@ -94,9 +94,9 @@ impl Space {
         Ok(())
     }
 
-    /// Lets a library identifier of `user` stand for `library`.
+    /// Binds a library identifier of `user` to `library`.
     ///
-    /// What the library lacks raises error 80 when it is used; the answer is whether it has all that its interface
+    /// An item that the library lacks raises error 80 when it is used. Returns whether the library has all that its interface
     /// promises.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
         let complete = self.connect_items(user, alias, library);

@@ -1,4 +1,4 @@
-//! A task: a program in execution with what it takes to go on (5.1).
+//! A task: a program in execution with its position and data (5.1).
 
 use val3_bytecode::Program;
 use val3_lang::call::{Wait, Waiting};
@@ -29,14 +29,14 @@ pub struct Task {
     pub left: u32,
 }
 
-/// Where a task is: what changes while it runs. The task that runs lends it to the interpreter.
+/// The position of a task, which changes while it runs. The task that runs lends it to the interpreter.
 #[derive(Debug, Clone, Default)]
 pub struct Thread {
     /// The programs it is in, the innermost last.
     pub frames: Vec<Frame>,
-    /// Their data, while another task runs; the memory has it while this one does.
+    /// Their data while another task runs; the memory has it while this one runs.
     pub stack: Stack,
-    /// The operation to go on with, in the innermost program.
+    /// The next operation, in the innermost program.
     pub next: u32,
     /// The first operation of the line it is in.
     pub line: u32,
@@ -44,7 +44,7 @@ pub struct Thread {
     pub waiting: Option<Waiting>,
     /// When it reached the `watch` that it waits in.
     pub watched: Option<Time>,
-    /// It waits: when time alone lets it go on, if time does.
+    /// Set while the task waits. Holds the wake-up time if the wait is timed.
     pub wait: Option<Wait>,
 }
 
@@ -128,9 +128,9 @@ pub enum Rate {
         period: Time,
         /// When its next cycle begins.
         next: Time,
-        /// The variable that tells of overruns.
+        /// The variable that is set after an overrun.
         overrun: Place,
-        /// It was still at work when its cycle ended: the next one is left out.
+        /// It had not finished when its period ended: the next one is left out.
         late: bool,
     },
 }
@@ -138,7 +138,7 @@ pub enum Rate {
 /// Whether a task runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TaskState {
-    /// It does; a task that waits runs.
+    /// It runs, or waits.
     Running,
     /// It was halted.
     Halted,
@@ -155,7 +155,7 @@ pub struct Frame {
     pub instance: InstanceId,
     /// The program, by number.
     pub program: u16,
-    /// The operation that its caller goes on with when it ends.
+    /// The operation at which its caller resumes when it ends.
     pub back: u32,
     /// The first operation of the line of that call.
     pub back_line: u32,
@@ -183,7 +183,7 @@ pub struct Base {
 }
 
 impl Base {
-    /// The first lanes behind the frame of a program that begins here.
+    /// The first lanes after the frame of a program that begins here.
     #[inline(always)]
     #[must_use]
     pub fn behind(&self, program: &Program) -> Self {
@@ -202,13 +202,13 @@ impl Base {
 }
 
 impl Task {
-    /// It can go on in its next turn, or look whether it can.
+    /// It can continue in its next turn, or check whether it can.
     #[must_use]
     pub fn is_running(&self) -> bool {
         self.state == TaskState::Running
     }
 
-    /// What `taskStatus` gives (5.10).
+    /// The result of `taskStatus` (5.10).
     #[must_use]
     pub fn status(&self) -> i16 {
         use val3_lang::runtime_errors::TaskState as Number;

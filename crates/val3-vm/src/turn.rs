@@ -107,7 +107,7 @@ impl TurnContext<'_> {
         Ok(Rate::Period { period, next, overrun, late: false })
     }
 
-    /// The thread of a new task. Its frame is made behind those of its creator, from which values are copied, and then
+    /// The thread of a new task. Its frame is made after those of its creator, from which values are copied, and then
     /// cut off.
     pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Given]) -> Result<Thread> {
         let (instance, number) = program;

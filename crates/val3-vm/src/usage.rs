@@ -1,4 +1,4 @@
-//! Who has the data of a library by reference (2.6), so that it cannot leave memory (6.6).
+//! References to the data of a library (2.6), which keep it in memory (6.6).
 
 use val3_bytecode::Passing;
 use val3_lang::memory::{Stack, StoreId};
@@ -8,7 +8,7 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, InstanceId, Rate};
 
 impl TurnContext<'_> {
-    /// A program that some task is in was called with data of a library by reference, or a synchronous task tells of its
+    /// A program that some task is in was called with data of a library by reference, or a synchronous task reports its
     /// overruns there. The task that runs has lent its stack to the memory.
     pub(crate) fn is_referred_to(&self, running: &Thread, library: InstanceId) -> bool {
         let others = self.roster.tasks.iter().map(|task| (&*task.thread, &task.thread.stack));

@@ -12,10 +12,10 @@ use crate::{Grant, Host, InstanceId, Outcome, Rate, Space, Task, TaskState, Turn
 /// Applications and libraries in memory, and the tasks that run.
 #[derive(Debug, Clone, Default)]
 pub struct Vm {
-    /// What is in memory.
+    /// The applications and libraries in memory.
     pub space: Space,
     pub(crate) roster: Roster,
-    /// What the task that runs has instead of its thread, while none does.
+    /// The placeholder for the thread of the task that runs, while no task runs.
     idle: Option<Box<Thread>>,
 }
 

@@ -3,7 +3,7 @@
 use expect_test::{Expect, expect};
 use val3_lang::types::BaseType;
 use val3_machine::devices::Devices;
-use val3_machine::io::{Direction, Fault, Format, Kind, Signal};
+use val3_machine::io::{Direction, Format, Kind, Signal, SignalFault};
 use val3_tests::running::Running;
 
 /// Data with links: `diSignals` to outputs 0 to 3 of `Io`, of the others what their names say.
@@ -160,8 +160,8 @@ fn the_status_shows_whether_a_signal_works() {
     let status = |prepare: &dyn Fn(&mut Devices)| run(prepare, "  ? ioStatus(aiFloat)").printed();
     assert_eq!(status(&|devices| devices.state.io.lock(id(devices), None)), "1\n");
     assert_eq!(status(&|devices| devices.state.io.simulate(id(devices), true)), "2\n");
-    assert_eq!(status(&|devices| devices.state.io.set_fault(id(devices), Some(Fault::Absent))), "-2\n");
-    assert_eq!(status(&|devices| devices.state.io.set_fault(id(devices), Some(Fault::Failed))), "-3\n");
+    assert_eq!(status(&|devices| devices.state.io.set_fault(id(devices), Some(SignalFault::Absent))), "-2\n");
+    assert_eq!(status(&|devices| devices.state.io.set_fault(id(devices), Some(SignalFault::Failed))), "-3\n");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What an operator does while the application runs.
+//! The actions of an operator while the application runs.
 
 use val3_lang::ports::Time;
 

@@ -12,7 +12,7 @@ pub trait Libraries {
     /// The image of the library with these files.
     ///
     /// # Errors
-    /// What is wrong with it, for the event log: its data or programs do not suit (code 12 of `libLoad`).
+    /// A fault of its data or programs, as a line of the event log (code 12 of `libLoad`).
     fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String>;
 }
 

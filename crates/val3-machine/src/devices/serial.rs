@@ -7,7 +7,7 @@ use val3_lang::values::Text;
 
 use super::Devices;
 use crate::event::{What, seconds};
-use crate::sio::{Channel, LineKind, Sending, SettingValue, SioFault, Turn, byte_of};
+use crate::sio::{Attempt, Channel, LineKind, Sending, SettingValue, SioFault, byte_of};
 
 impl Serial for Devices {
     fn receive_text(&mut self, port: Option<u32>, waited: Time) -> Result<Reply<Text>> {
@@ -85,14 +85,14 @@ impl Serial for Devices {
 
 impl Devices {
     /// Asks a channel, which is in use from then on.
-    fn ask<T>(&mut self, port: Option<u32>, question: impl FnOnce(&mut Channel) -> Turn<T>) -> Result<Reply<T>> {
+    fn ask<T>(&mut self, port: Option<u32>, question: impl FnOnce(&mut Channel) -> Attempt<T>) -> Result<Reply<T>> {
         let channel = self.lines.channel(port).ok_or(Fault(UNLINKED))?;
         let turn = question(channel);
         let timeout = channel.timeout();
         self.lines.set_in_use(port, true);
         Ok(match turn {
-            Turn::Done(value) => Reply::Done(value),
-            Turn::Wait => Reply::Wait((timeout > 0.0).then(|| nanoseconds(timeout))),
+            Attempt::Done(value) => Reply::Done(value),
+            Attempt::Wait => Reply::Wait((timeout > 0.0).then(|| nanoseconds(timeout))),
         })
     }
 

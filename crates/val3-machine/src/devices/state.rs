@@ -32,7 +32,7 @@ pub struct State {
     pub versions: Versions,
     /// Date and time.
     pub calendar: Calendar,
-    /// What CS9 controllers add.
+    /// The additions of CS9 controllers.
     pub cs9: Cs9,
     /// Events that the caller has not taken.
     pub(super) record: Record,

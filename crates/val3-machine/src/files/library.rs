@@ -10,7 +10,7 @@ use smol_str::SmolStr;
 use val3_syntax::encoding::decode;
 use val3_syntax::xml;
 
-use super::{ControllerPath, EntryKind, FileFault, Place, Roots, SavedData, rewrite};
+use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots, SavedData, rewrite};
 pub use store::{Steps, Uninterrupted};
 
 /// Where a library is: the folder and the project file in it, or an encrypted archive (6.5, 6.6).
@@ -75,7 +75,7 @@ impl LibraryPath {
     }
 
     /// The place of the project file, or of the archive; steps that a crash interrupted are finished first.
-    fn place<'r>(&self, roots: &'r Roots) -> Result<Place<'r>, FileFault> {
+    fn place<'r>(&self, roots: &'r Roots) -> Result<MountedPath<'r>, FileFault> {
         let folder = roots.place(&self.folder)?;
         match &self.manifest {
             Some(manifest) => {
@@ -223,7 +223,7 @@ fn has_extension(path: &Utf8Path, extension: &str) -> bool {
 }
 
 /// The project file and the files it names.
-fn files_of(manifest: &Place<'_>) -> Result<Vec<LibraryFile>, FileFault> {
+fn files_of(manifest: &MountedPath<'_>) -> Result<Vec<LibraryFile>, FileFault> {
     let folder = manifest.parent();
     let bytes = manifest.read()?;
     let named = named_files(&decode(bytes.clone()).text);

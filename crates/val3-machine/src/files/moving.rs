@@ -2,7 +2,7 @@
 
 use std::io;
 
-use super::{ControllerPath, EntryKind, FileFault, Place, Roots};
+use super::{ControllerPath, EntryKind, FileFault, MountedPath, Roots};
 
 /// A file is there (`$fileExists`). A folder is none.
 ///
@@ -78,20 +78,20 @@ pub fn rename(roots: &Roots, from: &ControllerPath, to: &ControllerPath) -> Resu
 }
 
 /// A place that may be moved or deleted: not a medium itself.
-fn movable<'r>(roots: &'r Roots, path: &ControllerPath) -> Result<Place<'r>, FileFault> {
+fn movable<'r>(roots: &'r Roots, path: &ControllerPath) -> Result<MountedPath<'r>, FileFault> {
     let place = roots.place(path)?;
     if roots.is_base(&place) { Err(FileFault::BadName) } else { Ok(place) }
 }
 
-fn is_same(one: &Place<'_>, other: &Place<'_>) -> bool {
+fn is_same(one: &MountedPath<'_>, other: &MountedPath<'_>) -> bool {
     std::ptr::eq(one.dir, other.dir) && one.path == other.path
 }
 
-fn is_inside(inner: &Place<'_>, outer: &Place<'_>) -> bool {
+fn is_inside(inner: &MountedPath<'_>, outer: &MountedPath<'_>) -> bool {
     std::ptr::eq(inner.dir, outer.dir) && inner.path.starts_with(&outer.path)
 }
 
-fn copy_all(from: &Place<'_>, to: &Place<'_>, kind: EntryKind) -> Result<(), FileFault> {
+fn copy_all(from: &MountedPath<'_>, to: &MountedPath<'_>, kind: EntryKind) -> Result<(), FileFault> {
     if kind == EntryKind::File {
         return match from.dir.copy(from.relative(), to.dir, to.relative()) {
             Ok(_) => Ok(()),
@@ -108,12 +108,12 @@ fn copy_all(from: &Place<'_>, to: &Place<'_>, kind: EntryKind) -> Result<(), Fil
     copied
 }
 
-fn copy_folder(from: &Place<'_>, to: &Place<'_>) -> Result<(), FileFault> {
+fn copy_folder(from: &MountedPath<'_>, to: &MountedPath<'_>) -> Result<(), FileFault> {
     let names = from.names()?;
     to.dir.create_dir(to.relative())?;
     for name in names {
         let inner = from.child(&name)?;
-        let target = Place { dir: to.dir, path: to.path.join(&name) };
+        let target = MountedPath { dir: to.dir, path: to.path.join(&name) };
         match inner.kind()? {
             EntryKind::Folder => copy_folder(&inner, &target)?,
             kind => copy_all(&inner, &target, kind)?,

@@ -1,4 +1,4 @@
-//! The media and their folders. A [`Place`] is inside of its folder whatever the path was: steps up,
+//! The media and their folders. A [`MountedPath`] is inside of its folder whatever the path was: steps up,
 //! links and absolute paths end at the folder, which the operating system itself holds (`cap-std`).
 
 use std::io;
@@ -27,7 +27,7 @@ struct Medium {
 
 /// A file or folder, there or not yet, inside of a mounted folder.
 #[derive(Debug, Clone)]
-pub struct Place<'r> {
+pub struct MountedPath<'r> {
     /// The folder that no path can leave.
     pub(super) dir: &'r Dir,
     /// From there on, with the letter case on the medium; never absolute and without steps up.
@@ -85,20 +85,20 @@ impl Roots {
         Ok(())
     }
 
-    /// The place that a path leads to. Letter case does not count: where no name is spelt the same, the first by order
+    /// The place of a path. Letter case does not count: where no name is spelt the same, the first by order
     /// that differs in case alone is taken.
     ///
     /// # Errors
     /// [`FileFault::BadRoot`] for a medium that is not mounted, [`FileFault::BadPath`] for a path that would leave it
     /// or that leads through a file.
-    pub fn place(&self, path: &ControllerPath) -> Result<Place<'_>, FileFault> {
+    pub fn place(&self, path: &ControllerPath) -> Result<MountedPath<'_>, FileFault> {
         let medium = self.media.iter().find(|medium| medium.name.eq_ignore_ascii_case(path.medium()));
         let medium = medium.ok_or(FileFault::BadRoot)?;
         let steps = path.parts().iter().take_while(|part| *part == "..").count();
         let kept = medium.start.len().checked_sub(steps).ok_or(FileFault::BadPath)?;
         let start = medium.start.iter().take(kept).map(String::as_str);
         let names = start.chain(path.parts().iter().skip(steps).map(|part| part.as_str()));
-        let mut place = Place { dir: &medium.dir, path: Utf8PathBuf::new() };
+        let mut place = MountedPath { dir: &medium.dir, path: Utf8PathBuf::new() };
         for name in names {
             place = place.child(name)?;
         }
@@ -115,7 +115,7 @@ impl Roots {
     }
 
     /// The place is a folder that a medium starts in, or one around it.
-    pub(super) fn is_base(&self, place: &Place<'_>) -> bool {
+    pub(super) fn is_base(&self, place: &MountedPath<'_>) -> bool {
         let start = |medium: &Medium| medium.start.iter().collect::<Utf8PathBuf>();
         self.media
             .iter()
@@ -123,7 +123,7 @@ impl Roots {
     }
 }
 
-impl<'r> Place<'r> {
+impl<'r> MountedPath<'r> {
     /// The path from the folder on, which is `.` for the folder itself.
     pub(super) fn relative(&self) -> &Utf8Path {
         if self.path.as_str().is_empty() { Utf8Path::new(".") } else { &self.path }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::status::{Fault, IoStatus};
+use super::status::{IoStatus, SignalFault};
 use super::table::{Channel, IoTable};
 
 /// A device of a field bus that has failed.
@@ -34,7 +34,7 @@ impl IoTable {
     /// A module of which a signal has failed alone counts as well, with the number -3.
     #[must_use]
     pub fn bus_faults(&self) -> Vec<String> {
-        let failed = self.channels.iter().filter(|channel| channel.fault == Some(Fault::Failed));
+        let failed = self.channels.iter().filter(|channel| channel.fault == Some(SignalFault::Failed));
         let modules = failed.filter_map(|channel| channel.signal.path.rsplit_once('\\')).map(|(module, _)| module);
         let mut faults: BTreeMap<&str, i32> =
             modules.map(|module| (module, IoStatus::Failed.number().into())).collect();
@@ -43,8 +43,8 @@ impl IoTable {
     }
 
     /// The fault of a signal: its own, or that of its device.
-    pub(super) fn fault_of(&self, channel: &Channel) -> Option<Fault> {
-        let of_device = || self.device_faults.iter().any(|fault| fault.holds(channel)).then_some(Fault::Failed);
+    pub(super) fn fault_of(&self, channel: &Channel) -> Option<SignalFault> {
+        let of_device = || self.device_faults.iter().any(|fault| fault.holds(channel)).then_some(SignalFault::Failed);
         channel.fault.or_else(of_device)
     }
 }

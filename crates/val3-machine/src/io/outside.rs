@@ -1,7 +1,7 @@
 //! Effects on inputs and outputs from outside the programs: hardware, operator, faults.
 
 use super::signal::Direction;
-use super::status::Fault;
+use super::status::SignalFault;
 use super::table::{Channel, IoTable, SignalId};
 
 /// The hardware and the operator.
@@ -60,7 +60,7 @@ impl IoTable {
     }
 
     /// A signal fails, or works again; its values stay.
-    pub fn set_fault(&mut self, id: SignalId, fault: Option<Fault>) {
+    pub fn set_fault(&mut self, id: SignalId, fault: Option<SignalFault>) {
         self.change(id, |channel| channel.fault = fault);
     }
 

@@ -1,7 +1,7 @@
 //! Inputs and outputs as programs read and write them (3.5.3, 3.6.2).
 
 use super::signal::{Direction, Format, Kind};
-use super::status::{Fault, IoError, IoStatus};
+use super::status::{IoError, IoStatus, SignalFault};
 use super::table::{Channel, IoTable, LinkId, SignalId};
 
 /// Any `aio` variable.
@@ -102,8 +102,8 @@ impl IoTable {
     /// A fault counts before a lock, a lock before the simulation.
     pub(super) fn status_of(&self, channel: &Channel) -> IoStatus {
         match self.fault_of(channel) {
-            Some(Fault::Absent) => IoStatus::Absent,
-            Some(Fault::Failed) => IoStatus::Failed,
+            Some(SignalFault::Absent) => IoStatus::Absent,
+            Some(SignalFault::Failed) => IoStatus::Failed,
             None if channel.lock.is_some() => IoStatus::Locked,
             None if channel.simulated => IoStatus::Simulated,
             None => IoStatus::Works,
@@ -113,8 +113,8 @@ impl IoTable {
     fn read(&self, link: LinkId, kind: Kind) -> Result<f64, IoError> {
         let channel = self.target(link, kind).and_then(|id| self.channel(id)).ok_or(IoError::Unlinked)?;
         match self.fault_of(channel) {
-            Some(Fault::Absent) => Err(IoError::Unlinked),
-            Some(Fault::Failed) => Err(IoError::NoAnswer),
+            Some(SignalFault::Absent) => Err(IoError::Unlinked),
+            Some(SignalFault::Failed) => Err(IoError::NoAnswer),
             None => Ok(channel.image),
         }
     }
@@ -134,10 +134,10 @@ impl IoTable {
         let id = self.target(link, kind).ok_or(IoError::Unlinked)?;
         let channel = self.channel(id).ok_or(IoError::Unlinked)?;
         match self.fault_of(channel) {
-            Some(Fault::Absent) => Err(IoError::Unlinked),
+            Some(SignalFault::Absent) => Err(IoError::Unlinked),
             _ if channel.signal.direction == Direction::Input => Err(IoError::WriteToInput),
             _ if channel.signal.protected => Err(IoError::Protected),
-            Some(Fault::Failed) => Err(IoError::NoAnswer),
+            Some(SignalFault::Failed) => Err(IoError::NoAnswer),
             None => Ok(id),
         }
     }

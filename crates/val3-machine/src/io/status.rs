@@ -14,7 +14,7 @@ pub enum IoStatus {
     Simulated = 2,
     /// The variable has no link.
     Unlinked = -1,
-    /// The link leads to nothing, or to a device that is not installed.
+    /// The link has no target, or names a device that is not installed.
     Absent = -2,
     /// The device has failed.
     Failed = -3,
@@ -30,14 +30,14 @@ impl IoStatus {
 
 /// The fault of an input or output.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fault {
+pub enum SignalFault {
     /// Its device is not installed, or could not be initialised: status -2.
     Absent,
     /// Its device has failed: status -3.
     Failed,
 }
 
-impl Fault {
+impl SignalFault {
     /// The fault of a status: -2 or -3.
     #[must_use]
     pub fn from_number(number: i8) -> Option<Self> {
@@ -54,7 +54,7 @@ impl Fault {
 pub enum IoError {
     /// 122: an input is written.
     WriteToInput,
-    /// 123: the variable leads to no input or output of its type.
+    /// 123: the variable is linked to no input or output of its type.
     Unlinked,
     /// 124: an output of the system is written.
     Protected,
@@ -87,8 +87,8 @@ mod tests {
 
     #[test]
     fn only_two_states_are_faults_of_a_device() {
-        assert_eq!(Fault::from_number(IoStatus::Absent.number()), Some(Fault::Absent));
-        assert_eq!(Fault::from_number(IoStatus::Failed.number()), Some(Fault::Failed));
-        assert!([-4, -1, 0, 1, 2].into_iter().all(|number| Fault::from_number(number).is_none()));
+        assert_eq!(SignalFault::from_number(IoStatus::Absent.number()), Some(SignalFault::Absent));
+        assert_eq!(SignalFault::from_number(IoStatus::Failed.number()), Some(SignalFault::Failed));
+        assert!([-4, -1, 0, 1, 2].into_iter().all(|number| SignalFault::from_number(number).is_none()));
     }
 }

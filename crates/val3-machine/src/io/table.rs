@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::bus::DeviceFault;
 use super::signal::{Direction, Kind, Signal};
-use super::status::Fault;
+use super::status::SignalFault;
 
 /// A signal of the table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -53,7 +53,7 @@ pub(super) struct Channel {
     /// The value at which the operator holds it.
     pub(super) lock: Option<f64>,
     pub(super) simulated: bool,
-    pub(super) fault: Option<Fault>,
+    pub(super) fault: Option<SignalFault>,
 }
 
 /// The text of a link and where it leads.

@@ -7,12 +7,12 @@ use val3_lang::types::BaseType;
 use val3_lang::values::Text;
 use val3_vm::Instance;
 
-use super::values::{Fault as FaultEntry, Level, Locks, Value};
+use super::values::{FaultEntry, Level, Locks, Value};
 use super::{Entry, Script};
 use crate::controller::Controller;
 use crate::controller_state::Severity;
 use crate::devices::{Devices, NoSignal};
-use crate::io::Fault;
+use crate::io::SignalFault;
 
 impl Controller {
     /// Sets the script, in place of the previous one.
@@ -186,7 +186,7 @@ impl Devices {
             self.state.io.set_device_fault(link, Some(*code).filter(|code| *code != 0));
             return Ok(());
         };
-        let fault = i8::try_from(*code).ok().and_then(Fault::from_number);
+        let fault = i8::try_from(*code).ok().and_then(SignalFault::from_number);
         if fault.is_none() && *code != 0 {
             return Err(no_fault(link, *code));
         }

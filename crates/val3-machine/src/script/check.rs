@@ -4,11 +4,11 @@ use val3_lang::instructions::LIB_LOAD;
 use val3_lang::memory::Shape;
 use val3_lang::types::BaseType;
 
-use super::values::{Fault as FaultEntry, Locks, Value};
+use super::values::{FaultEntry, Locks, Value};
 use super::{Entry, Script};
 use crate::controller::Controller;
 use crate::devices::NoSignal;
-use crate::io::Fault;
+use crate::io::SignalFault;
 
 /// A part of an entry that no controller could carry out.
 #[derive(Debug, Clone, PartialEq)]
@@ -111,7 +111,7 @@ impl Controller {
             return Ok(());
         }
         self.judge_signal(link)?;
-        let known = *code == 0 || i8::try_from(*code).ok().and_then(Fault::from_number).is_some();
+        let known = *code == 0 || i8::try_from(*code).ok().and_then(SignalFault::from_number).is_some();
         if known { Ok(()) } else { Err(super::apply::no_fault(link, *code).into()) }
     }
 

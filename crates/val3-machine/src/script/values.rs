@@ -133,7 +133,7 @@ impl Default for Locks {
 /// An input, output or device that fails.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Fault {
+pub(super) struct FaultEntry {
     pub(super) link: String,
     pub(super) code: i32,
 }

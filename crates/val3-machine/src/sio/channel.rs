@@ -13,7 +13,7 @@ use input::Input;
 
 /// The answer to an instruction: a result, or the task waits and asks again.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Turn<T> {
+pub enum Attempt<T> {
     /// Nothing yet.
     Wait,
     /// The instruction is done.
@@ -40,7 +40,7 @@ pub struct Channel {
     state: ChannelState,
 }
 
-/// What a channel has received, and its parameters.
+/// The unread input of a channel, and its parameters.
 #[derive(Debug, Clone)]
 pub struct ChannelState {
     input: Input,
@@ -98,7 +98,7 @@ impl Channel {
         self.state.clone()
     }
 
-    /// Replaces its state. The line stays as it is.
+    /// Replaces its state. The line stays unchanged.
     pub fn restore(&mut self, state: ChannelState) {
         self.state = state;
     }
@@ -142,13 +142,13 @@ impl Channel {
     ///
     /// The unfinished string of a peer that has gone is lost. A string that the limit has cut continues in the next
     /// one; one of exactly 128 bytes is followed by an empty one, as its end is still to be read.
-    pub fn read_text(&mut self, waited: f64) -> Turn<Result<String, SioFault>> {
+    pub fn read_text(&mut self, waited: f64) -> Attempt<Result<String, SioFault>> {
         if let Some(text) = self.next_text() {
-            return Turn::Done(Ok(text));
+            return Attempt::Done(Ok(text));
         }
         self.attend();
         match self.next_text() {
-            Some(text) => Turn::Done(Ok(text)),
+            Some(text) => Attempt::Done(Ok(text)),
             None => self.wait(waited),
         }
     }
@@ -162,10 +162,10 @@ impl Channel {
     }
 
     /// `nData = siInput`: one byte.
-    pub fn read_byte(&mut self, waited: f64) -> Turn<Result<u8, SioFault>> {
+    pub fn read_byte(&mut self, waited: f64) -> Attempt<Result<u8, SioFault>> {
         self.attend();
         match self.state.input.take(1).first() {
-            Some(byte) => Turn::Done(Ok(*byte)),
+            Some(byte) => Attempt::Done(Ok(*byte)),
             None => self.wait(waited),
         }
     }
@@ -175,14 +175,14 @@ impl Channel {
     ///
     /// A serial line does not wait (3.7.3 says so of sockets alone). With a negative timeout a socket does not either:
     /// nothing is received while it is connected, and -1 means that it is not.
-    pub fn read_bytes(&mut self, most: usize, waited: f64) -> Turn<Option<Vec<u8>>> {
+    pub fn read_bytes(&mut self, most: usize, waited: f64) -> Attempt<Option<Vec<u8>>> {
         let connection = self.attend();
         let bytes = self.state.input.take(most);
         let at_once = self.kind() == LineKind::Serial || (self.state.timeout < 0.0 && connection == Connection::Open);
         if !bytes.is_empty() || at_once {
-            return Turn::Done(Some(bytes));
+            return Attempt::Done(Some(bytes));
         }
-        if self.is_over(waited) { Turn::Done(None) } else { Turn::Wait }
+        if self.is_over(waited) { Attempt::Done(None) } else { Attempt::Wait }
     }
 
     /// A text with the end of string, for `siOutput = sText`.
@@ -197,7 +197,7 @@ impl Channel {
     /// there were if the connection failed half way.
     ///
     /// A connection that fails before any byte is sent is opened again, until the timeout.
-    pub fn send(&mut self, sending: &mut Sending, waited: f64) -> Turn<Result<usize, SioFault>> {
+    pub fn send(&mut self, sending: &mut Sending, waited: f64) -> Attempt<Result<usize, SioFault>> {
         let mut lost = self.attend() == Connection::Closed;
         while !lost && sending.sent < sending.total() {
             match self.line.send(sending.rest()) {
@@ -208,7 +208,7 @@ impl Channel {
         }
         let partly = sending.sent > 0 && (lost || self.state.timeout < 0.0);
         if sending.sent >= sending.total() || partly {
-            return Turn::Done(Ok(sending.sent));
+            return Attempt::Done(Ok(sending.sent));
         }
         self.wait(waited)
     }
@@ -256,8 +256,8 @@ impl Channel {
         self.line.shut_down();
     }
 
-    fn wait<T>(&self, waited: f64) -> Turn<Result<T, SioFault>> {
-        if self.is_over(waited) { Turn::Done(Err(SioFault::TimedOut)) } else { Turn::Wait }
+    fn wait<T>(&self, waited: f64) -> Attempt<Result<T, SioFault>> {
+        if self.is_over(waited) { Attempt::Done(Err(SioFault::TimedOut)) } else { Attempt::Wait }
     }
 
     /// An instruction that has waited so long, in seconds, waits no more.

@@ -45,7 +45,7 @@ pub struct RecorderState {
     connection: Connection,
 }
 
-/// A line that is asked through a recorder of inputs, and whose unusual answers go to `tell`.
+/// A line that is asked through a recorder of inputs. Its unusual answers are passed to `tell`.
 pub struct Recorder<L, F> {
     line: L,
     inputs: Inputs,
@@ -272,7 +272,7 @@ mod tests {
             sink.borrow_mut().push(entry)
         })));
         for _ in 0..100 {
-            assert_eq!(channel.read_text(1.0), crate::sio::Turn::Wait);
+            assert_eq!(channel.read_text(1.0), crate::sio::Attempt::Wait);
         }
         assert_eq!(log.borrow().len(), 0);
     }

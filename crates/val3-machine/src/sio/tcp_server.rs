@@ -1,7 +1,7 @@
 //! A socket that clients call.
 //!
-//! The manual limits how many clients are connected at a time and leaves open who of them is heard. Here the channel
-//! talks with one at a time: it hears whoever has sent something when nothing is left unread, and answers the one it
+//! The manual limits how many clients are connected at a time and leaves open which of them is heard. Here the channel
+//! talks with one at a time: it hears any client that has sent something when nothing is left unread, and answers the one it
 //! heard last, at first the one that called first.
 
 use std::net::{SocketAddr, TcpListener};

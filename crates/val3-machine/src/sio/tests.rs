@@ -14,9 +14,9 @@ fn loopback(port: u16) -> SocketAddr {
 
 /// Asks again until it is done; fails after some seconds.
 #[track_caller]
-fn until<T>(mut ask: impl FnMut() -> Turn<T>) -> T {
+fn until<T>(mut ask: impl FnMut() -> Attempt<T>) -> T {
     for _ in 0..2_000 {
-        if let Turn::Done(value) = ask() {
+        if let Attempt::Done(value) = ask() {
             return value;
         }
         std::thread::sleep(Duration::from_millis(2));
@@ -87,11 +87,11 @@ fn a_client_that_has_gone_is_heard_to_its_end() {
 fn clients_above_the_limit_are_turned_down() {
     let (mut channel, address) = server(2);
     let (mut first, mut second) = (call(address), call(address));
-    until(|| if channel.attend() == Connection::Open { Turn::Done(()) } else { Turn::Wait });
+    until(|| if channel.attend() == Connection::Open { Attempt::Done(()) } else { Attempt::Wait });
     second.write_all(b"second\r").unwrap();
     assert_eq!(text(&mut channel), "second");
     let mut third = call(address);
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Wait);
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Wait);
     assert!(is_closed(&mut third));
     send(&mut channel, "to second");
     assert_eq!(heard(&mut second, 10), "to second\r");
@@ -110,17 +110,17 @@ fn a_polled_server_tells_whether_somebody_is_connected() {
     let (mut channel, address) = server(1);
     assert_eq!(channel.control("timeout", SettingValue::Num(-1.0)), 0);
     assert_eq!(channel.control("nagle", SettingValue::Bool(false)), 0);
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Done(None));
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Done(None));
     let client = call(address);
-    until(|| if channel.read_bytes(1, 0.0) == Turn::Done(Some(vec![])) { Turn::Done(()) } else { Turn::Wait });
+    until(|| if channel.read_bytes(1, 0.0) == Attempt::Done(Some(vec![])) { Attempt::Done(()) } else { Attempt::Wait });
     drop(client);
-    until(|| if channel.read_bytes(1, 0.0) == Turn::Done(None) { Turn::Done(()) } else { Turn::Wait });
+    until(|| if channel.read_bytes(1, 0.0) == Attempt::Done(None) { Attempt::Done(()) } else { Attempt::Wait });
     assert_eq!(channel.clear(), None);
     let mut client = call(address);
     client.write_all(&[5]).unwrap();
     let got = until(|| match channel.read_bytes(1, 0.0) {
-        Turn::Done(Some(bytes)) if !bytes.is_empty() => Turn::Done(bytes),
-        _ => Turn::Wait,
+        Attempt::Done(Some(bytes)) if !bytes.is_empty() => Attempt::Done(bytes),
+        _ => Attempt::Wait,
     });
     assert_eq!(got, [5]);
 }
@@ -132,7 +132,8 @@ fn clearing_ends_the_connection() {
     client.write_all(b"one\rrest").unwrap();
     assert_eq!(text(&mut channel), "one");
     assert_eq!(channel.control("port", SettingValue::Num(2000.0)), -4);
-    let thrown = until(|| if channel.attend() == Connection::Open { Turn::Done(channel.clear()) } else { Turn::Wait });
+    let thrown =
+        until(|| if channel.attend() == Connection::Open { Attempt::Done(channel.clear()) } else { Attempt::Wait });
     assert_eq!(thrown, Some(4));
     assert!(is_closed(&mut client));
     assert_eq!(channel.clear(), None);
@@ -172,9 +173,9 @@ fn a_stalled_client_ends_in_the_timeout() {
     assert_eq!(channel.control("timeout", SettingValue::Num(1.0)), 0);
     let mut sending = Sending::bytes(vec![0; 64 << 20]);
     for _ in 0..200 {
-        assert_eq!(channel.send(&mut sending, 0.5), Turn::Wait);
+        assert_eq!(channel.send(&mut sending, 0.5), Attempt::Wait);
     }
-    assert_eq!(channel.send(&mut sending, 1.0), Turn::Done(Err(SioFault::TimedOut)));
+    assert_eq!(channel.send(&mut sending, 1.0), Attempt::Done(Err(SioFault::TimedOut)));
 }
 
 #[test]
@@ -183,11 +184,11 @@ fn a_reset_is_survived() {
     let client = socket2::SockRef::from(&call(address)).try_clone().unwrap();
     client.set_linger(Some(Duration::ZERO)).unwrap();
     client.send(b"half").unwrap();
-    until(|| if channel.attend() == Connection::Open { Turn::Done(()) } else { Turn::Wait });
+    until(|| if channel.attend() == Connection::Open { Attempt::Done(()) } else { Attempt::Wait });
     drop(client);
     let mut sending = channel.text("lost");
     for _ in 0..50 {
-        assert_eq!(channel.send(&mut sending, 0.0), Turn::Wait);
+        assert_eq!(channel.send(&mut sending, 0.0), Attempt::Wait);
         std::thread::sleep(Duration::from_millis(1));
     }
     call(address).write_all(b"next\r").unwrap();
@@ -213,7 +214,7 @@ fn a_client_calls_until_somebody_answers() {
     drop(listener);
     let mut channel = Channel::new(Box::new(TcpClient::new(address, Reach::Loopback)));
     for _ in 0..20 {
-        assert_eq!(channel.read_text(0.0), Turn::Wait);
+        assert_eq!(channel.read_text(0.0), Attempt::Wait);
     }
     let listener = TcpListener::bind(address).unwrap();
     for round in 0..2 {
@@ -224,13 +225,13 @@ fn a_client_calls_until_somebody_answers() {
         peer.write_all(format!("welcome {round}\r").as_bytes()).unwrap();
         assert_eq!(text(&mut channel), format!("welcome {round}"));
         drop(peer);
-        until(|| if channel.attend() == Connection::Closed { Turn::Done(()) } else { Turn::Wait });
+        until(|| if channel.attend() == Connection::Closed { Attempt::Done(()) } else { Attempt::Wait });
     }
     assert_eq!(channel.control("timeout", SettingValue::Num(0.5)), 0);
     drop(listener);
     until(|| match channel.read_bytes(1, 0.6) {
-        Turn::Done(None) => Turn::Done(()),
-        _ => Turn::Wait,
+        Attempt::Done(None) => Attempt::Done(()),
+        _ => Attempt::Wait,
     });
 }
 
@@ -256,7 +257,7 @@ fn datagrams() {
     let address = line.local_address().unwrap();
     let mut channel = Channel::new(Box::new(line));
     let mut sending = channel.text("to nobody");
-    assert_eq!(channel.send(&mut sending, 0.0), Turn::Wait);
+    assert_eq!(channel.send(&mut sending, 0.0), Attempt::Wait);
     let peer = UdpSocket::bind(loopback(0)).unwrap();
     peer.set_read_timeout(Some(Duration::from_secs(5))).unwrap();
     peer.send_to(b"ping\r", address).unwrap();

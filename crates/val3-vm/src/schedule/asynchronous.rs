@@ -15,7 +15,7 @@ pub(super) struct Rounds {
     suspended: Option<TaskNumber>,
 }
 
-/// What the tasks have done since each had its last turn.
+/// The activity of the tasks since each had its last turn.
 #[derive(Debug, Clone, Copy, Default)]
 struct Round {
     has_run: bool,

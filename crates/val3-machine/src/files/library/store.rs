@@ -8,7 +8,7 @@ use std::io::{self, Write};
 
 use camino::{Utf8Path, Utf8PathBuf};
 
-use super::{EntryKind, FileFault, LibraryFile, Place, has_extension};
+use super::{EntryKind, FileFault, LibraryFile, MountedPath, has_extension};
 
 /// The files that are being written.
 const SAVING: &str = ".saving";
@@ -41,7 +41,7 @@ pub(super) fn is_own(name: &str) -> bool {
 }
 
 /// Writes the files of a library into its folder, which is made where it is missing.
-pub(super) fn store(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
+pub(super) fn store(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
     recover(folder, steps)?;
     let made = folder.kind()? == EntryKind::Missing;
     let written = write_all(folder, files, steps);
@@ -54,8 +54,8 @@ pub(super) fn store(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn S
     roll_forward(folder, steps)
 }
 
-fn write_all(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let saving = Place { dir: folder.dir, path: folder.path.join(SAVING) };
+fn write_all(folder: &MountedPath<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let saving = MountedPath { dir: folder.dir, path: folder.path.join(SAVING) };
     steps.next()?;
     folder.dir.create_dir_all(&saving.path)?;
     for file in files {
@@ -76,8 +76,8 @@ fn write_all(folder: &Place<'_>, files: &[LibraryFile], steps: &mut dyn Steps) -
 
 /// Removes the files of a save that failed. Its fault is reported, unless the medium
 /// does not even let this be done.
-fn clear_away(folder: &Place<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let saving = Place { dir: folder.dir, path: folder.path.join(SAVING) };
+fn clear_away(folder: &MountedPath<'_>, made: bool, steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let saving = MountedPath { dir: folder.dir, path: folder.path.join(SAVING) };
     if saving.kind()? == EntryKind::Folder {
         steps.next()?;
         folder.dir.remove_dir_all(&saving.path)?;
@@ -90,8 +90,8 @@ fn clear_away(folder: &Place<'_>, made: bool, steps: &mut dyn Steps) -> Result<(
 }
 
 /// Finishes what a crash has interrupted.
-pub(super) fn recover(folder: &Place<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let inside = |name: &str| Place { dir: folder.dir, path: folder.path.join(name) };
+pub(super) fn recover(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let inside = |name: &str| MountedPath { dir: folder.dir, path: folder.path.join(name) };
     if inside(SAVED).kind()? == EntryKind::Folder {
         roll_forward(folder, steps)?;
     }
@@ -103,8 +103,8 @@ pub(super) fn recover(folder: &Place<'_>, steps: &mut dyn Steps) -> Result<(), F
 }
 
 /// Moves the files that count into their places, the project file last.
-fn roll_forward(folder: &Place<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
-    let saved = Place { dir: folder.dir, path: folder.path.join(SAVED) };
+fn roll_forward(folder: &MountedPath<'_>, steps: &mut dyn Steps) -> Result<(), FileFault> {
+    let saved = MountedPath { dir: folder.dir, path: folder.path.join(SAVED) };
     let mut files = Vec::new();
     collect(&saved, Utf8Path::new(""), &mut files)?;
     files.sort_by_key(|path| (has_extension(path, "pjx"), path.clone()));
@@ -122,10 +122,10 @@ fn roll_forward(folder: &Place<'_>, steps: &mut dyn Steps) -> Result<(), FileFau
 }
 
 /// The files below `at`, as paths from `top`.
-fn collect(top: &Place<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -> Result<(), FileFault> {
-    for name in (Place { dir: top.dir, path: top.path.join(at) }).names()? {
+fn collect(top: &MountedPath<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -> Result<(), FileFault> {
+    for name in (MountedPath { dir: top.dir, path: top.path.join(at) }).names()? {
         let path = at.join(name);
-        match (Place { dir: top.dir, path: top.path.join(&path) }).kind()? {
+        match (MountedPath { dir: top.dir, path: top.path.join(&path) }).kind()? {
             EntryKind::Folder => collect(top, &path, files)?,
             EntryKind::File => files.push(path),
             EntryKind::Missing => {}
@@ -135,7 +135,7 @@ fn collect(top: &Place<'_>, at: &Utf8Path, files: &mut Vec<Utf8PathBuf>) -> Resu
 }
 
 /// Deletes the files of a library, the project file first; then the folders that are empty.
-pub(super) fn delete(folder: &Place<'_>, files: &[LibraryFile]) -> Result<(), FileFault> {
+pub(super) fn delete(folder: &MountedPath<'_>, files: &[LibraryFile]) -> Result<(), FileFault> {
     for file in files {
         folder.dir.remove_file(folder.path.join(&file.path))?;
     }
@@ -146,7 +146,7 @@ pub(super) fn delete(folder: &Place<'_>, files: &[LibraryFile]) -> Result<(), Fi
     folders.sort_by_key(|path| (std::cmp::Reverse(path.components().count()), path.clone()));
     folders.dedup();
     for path in folders {
-        let place = Place { dir: folder.dir, path };
+        let place = MountedPath { dir: folder.dir, path };
         if place.kind()? == EntryKind::Folder && place.names()?.is_empty() {
             folder.dir.remove_dir(place.relative())?;
         }
@@ -156,12 +156,12 @@ pub(super) fn delete(folder: &Place<'_>, files: &[LibraryFile]) -> Result<(), Fi
 
 /// Makes the content of the folder survive a power cut.
 #[cfg(unix)]
-fn sync(folder: &Place<'_>) -> io::Result<()> {
+fn sync(folder: &MountedPath<'_>) -> io::Result<()> {
     folder.dir.open(folder.relative())?.sync_all()
 }
 
 /// The file system looks after it.
 #[cfg(not(unix))]
-fn sync(_folder: &Place<'_>) -> io::Result<()> {
+fn sync(_folder: &MountedPath<'_>) -> io::Result<()> {
     Ok(())
 }

@@ -218,8 +218,8 @@ impl Steps for Ends {
     }
 }
 
-/// Saves two changed data files and a missing program, and ends before each step in turn. What a program then reads
-/// is the library of before or that of afterwards; how often each is told.
+/// Saves two changed data files and a missing program, and ends before each step in turn. A program then reads
+/// the library of before or that of afterwards. The counts of both are compared.
 fn end_everywhere(kind: io::ErrorKind, once: bool, mut check: impl FnMut(&Medium, &LibraryFiles, u16)) -> [usize; 2] {
     let mut seen = [0, 0];
     for at in 1..100 {

@@ -106,10 +106,10 @@ fn every_error() {
     assert_eq!(cell.io.write_digital(protected, true).map_err(IoError::number), Err(124));
     assert_eq!(cell.io.read_digital(protected), Ok(false));
     let id = cell.id("BasicIO-1\\%Q0");
-    cell.io.set_fault(id, Some(Fault::Failed));
+    cell.io.set_fault(id, Some(SignalFault::Failed));
     assert_eq!(cell.io.write_bits(&output, 1.0).map_err(IoError::number), Err(125));
     assert_eq!(cell.io.read_digital(output[0]), Err(IoError::NoAnswer));
-    cell.io.set_fault(id, Some(Fault::Absent));
+    cell.io.set_fault(id, Some(SignalFault::Absent));
     assert_eq!(cell.io.read_digital(output[0]), Err(IoError::Unlinked));
     cell.io.set_fault(id, None);
     assert_eq!(cell.io.read_digital(output[0]), Ok(false));
@@ -137,9 +137,9 @@ fn every_status() {
     assert_eq!(status(&cell, link), 2);
     cell.io.lock(id, None);
     assert_eq!(status(&cell, link), 1);
-    cell.io.set_fault(id, Some(Fault::Failed));
+    cell.io.set_fault(id, Some(SignalFault::Failed));
     assert_eq!(status(&cell, link), -3);
-    cell.io.set_fault(id, Some(Fault::Absent));
+    cell.io.set_fault(id, Some(SignalFault::Absent));
     assert_eq!(status(&cell, link), -2);
 }
 
@@ -293,9 +293,9 @@ fn a_failed_device_takes_its_signals_with_it() {
 fn a_failed_signal_names_its_module() {
     let mut cell = cell();
     let id = cell.io.declare(Signal::from_path("J207\\Box1\\%Q0", true));
-    cell.io.set_fault(id, Some(Fault::Failed));
+    cell.io.set_fault(id, Some(SignalFault::Failed));
     let id = cell.id("BasicIO-1\\%I0");
-    cell.io.set_fault(id, Some(Fault::Failed));
+    cell.io.set_fault(id, Some(SignalFault::Failed));
     assert_eq!(cell.io.bus_faults(), ["-3:BasicIO-1", "-3:J207\\Box1"]);
 }
 

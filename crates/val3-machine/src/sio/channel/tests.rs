@@ -12,15 +12,15 @@ fn connected(kind: LineKind) -> (Channel, Peer) {
     (channel, peer)
 }
 
-fn text(channel: &mut Channel) -> Turn<Result<String, SioFault>> {
+fn text(channel: &mut Channel) -> Attempt<Result<String, SioFault>> {
     channel.read_text(0.0)
 }
 
-fn done(text: &str) -> Turn<Result<String, SioFault>> {
-    Turn::Done(Ok(text.to_owned()))
+fn done(text: &str) -> Attempt<Result<String, SioFault>> {
+    Attempt::Done(Ok(text.to_owned()))
 }
 
-const TIMED_OUT: Turn<Result<String, SioFault>> = Turn::Done(Err(SioFault::TimedOut));
+const TIMED_OUT: Attempt<Result<String, SioFault>> = Attempt::Done(Err(SioFault::TimedOut));
 
 #[test]
 fn numbers_become_bytes() {
@@ -31,14 +31,14 @@ fn numbers_become_bytes() {
 #[test]
 fn a_string_is_complete_with_its_end() {
     let (mut channel, peer) = connected(LineKind::Server);
-    assert_eq!(text(&mut channel), Turn::Wait);
+    assert_eq!(text(&mut channel), Attempt::Wait);
     peer.send("hel");
-    assert_eq!(text(&mut channel), Turn::Wait);
+    assert_eq!(text(&mut channel), Attempt::Wait);
     peer.send("lo\rnext\r\r");
     assert_eq!(text(&mut channel), done("hello"));
     assert_eq!(text(&mut channel), done("next"));
     assert_eq!(text(&mut channel), done(""));
-    assert_eq!(text(&mut channel), Turn::Wait);
+    assert_eq!(text(&mut channel), Attempt::Wait);
 }
 
 #[test]
@@ -48,7 +48,7 @@ fn the_end_of_string_is_a_parameter() {
     peer.send("a\rb\nc");
     assert_eq!(text(&mut channel), done("a\rb"));
     let mut sending = channel.text("été");
-    assert_eq!(channel.send(&mut sending, 0.0), Turn::Done(Ok(6)));
+    assert_eq!(channel.send(&mut sending, 0.0), Attempt::Done(Ok(6)));
     assert_eq!(peer.take(), "été\n".as_bytes());
 }
 
@@ -56,12 +56,12 @@ fn the_end_of_string_is_a_parameter() {
 fn a_string_holds_128_bytes() {
     let (mut channel, peer) = connected(LineKind::Server);
     peer.send("x".repeat(127));
-    assert_eq!(text(&mut channel), Turn::Wait);
+    assert_eq!(text(&mut channel), Attempt::Wait);
     peer.send("y");
     assert_eq!(text(&mut channel), done(&("x".repeat(127) + "y")));
     peer.send("z".repeat(300) + "\r");
     let lengths = [(); 3].map(|()| match text(&mut channel) {
-        Turn::Done(Ok(text)) => text.len(),
+        Attempt::Done(Ok(text)) => text.len(),
         other => panic!("{other:?}"),
     });
     assert_eq!(lengths, [128, 128, 44]);
@@ -92,11 +92,11 @@ fn a_flood_of_nothing_takes_no_memory() {
     peer.send("start");
     for _ in 0..40 {
         peer.send(vec![0xff; 10_000]);
-        assert_eq!(text(&mut channel), Turn::Wait);
+        assert_eq!(text(&mut channel), Attempt::Wait);
         assert!(channel.state.input.len() <= input::CAPACITY);
     }
     peer.send("ed\r");
-    let heard = (0..40).map(|_| text(&mut channel)).find(|turn| *turn != Turn::Wait);
+    let heard = (0..40).map(|_| text(&mut channel)).find(|turn| *turn != Attempt::Wait);
     assert_eq!(heard, Some(done("started")));
 }
 
@@ -105,23 +105,23 @@ fn a_timeout_ends_the_wait() {
     let (mut channel, peer) = connected(LineKind::Client);
     assert_eq!(channel.control("timeout", SettingValue::Num(2.0)), 0);
     peer.send("half");
-    assert_eq!(channel.read_text(1.9), Turn::Wait);
+    assert_eq!(channel.read_text(1.9), Attempt::Wait);
     assert_eq!(channel.read_text(2.0), TIMED_OUT);
     peer.send(" done\r");
     assert_eq!(channel.read_text(0.0), done("half done"));
-    assert_eq!(channel.read_byte(2.5), Turn::Done(Err(SioFault::TimedOut)));
-    assert_eq!(channel.read_bytes(4, 2.5), Turn::Done(None));
+    assert_eq!(channel.read_byte(2.5), Attempt::Done(Err(SioFault::TimedOut)));
+    assert_eq!(channel.read_bytes(4, 2.5), Attempt::Done(None));
     peer.stall_after(0);
-    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 1.0), Turn::Wait);
-    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 2.0), Turn::Done(Err(SioFault::TimedOut)));
+    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 1.0), Attempt::Wait);
+    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 2.0), Attempt::Done(Err(SioFault::TimedOut)));
 }
 
 #[test]
 fn a_timeout_of_zero_is_none() {
     let (mut channel, _peer) = channel(LineKind::Client);
-    assert_eq!(channel.read_text(1e9), Turn::Wait);
-    assert_eq!(channel.read_bytes(1, 1e9), Turn::Wait);
-    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 1e9), Turn::Wait);
+    assert_eq!(channel.read_text(1e9), Attempt::Wait);
+    assert_eq!(channel.read_bytes(1, 1e9), Attempt::Wait);
+    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 1e9), Attempt::Wait);
 }
 
 /// A public driver polls its sockets in this way.
@@ -129,38 +129,38 @@ fn a_timeout_of_zero_is_none() {
 fn a_negative_timeout_never_waits() {
     let (mut channel, peer) = channel(LineKind::Server);
     assert_eq!(channel.control("timeout", SettingValue::Num(-1.0)), 0);
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Done(None));
-    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 0.0), Turn::Done(Err(SioFault::TimedOut)));
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Done(None));
+    assert_eq!(channel.send(&mut Sending::bytes(vec![1]), 0.0), Attempt::Done(Err(SioFault::TimedOut)));
     peer.connect();
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Done(Some(vec![])));
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Done(Some(vec![])));
     peer.send([7, 8]);
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Done(Some(vec![7])));
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Done(Some(vec![7])));
     peer.disconnect();
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Done(Some(vec![8])));
-    assert_eq!(channel.read_bytes(1, 0.0), Turn::Done(None));
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Done(Some(vec![8])));
+    assert_eq!(channel.read_bytes(1, 0.0), Attempt::Done(None));
     assert_eq!(channel.read_text(0.0), TIMED_OUT);
 }
 
 #[test]
 fn bytes_are_read_until_full_or_empty() {
     let (mut channel, peer) = connected(LineKind::Client);
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Wait);
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Wait);
     peer.send([1, 2, 3, 4, 5]);
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Done(Some(vec![1, 2, 3, 4])));
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Done(Some(vec![5])));
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Wait);
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(vec![1, 2, 3, 4])));
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(vec![5])));
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Wait);
     peer.send([6]);
-    assert_eq!(channel.read_byte(0.0), Turn::Done(Ok(6)));
-    assert_eq!(channel.read_byte(0.0), Turn::Wait);
+    assert_eq!(channel.read_byte(0.0), Attempt::Done(Ok(6)));
+    assert_eq!(channel.read_byte(0.0), Attempt::Wait);
 }
 
 #[test]
 fn a_serial_line_gives_what_is_there() {
     let (mut channel, peer) = channel(LineKind::Serial);
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Done(Some(vec![])));
-    assert_eq!(channel.read_text(0.0), Turn::Wait);
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(vec![])));
+    assert_eq!(channel.read_text(0.0), Attempt::Wait);
     peer.send("ab");
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Done(Some(b"ab".to_vec())));
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(b"ab".to_vec())));
     peer.send("abc");
     assert_eq!((channel.clear(), channel.clear()), (Some(3), Some(0)));
 }
@@ -186,10 +186,10 @@ fn an_unfinished_string_goes_with_its_peer() {
     peer.send("one\rtw");
     assert_eq!(text(&mut channel), done("one"));
     peer.disconnect();
-    assert_eq!(text(&mut channel), Turn::Wait);
+    assert_eq!(text(&mut channel), Attempt::Wait);
     peer.connect();
     peer.send("three\r");
-    let heard = (0..3).map(|_| text(&mut channel)).find(|turn| *turn != Turn::Wait);
+    let heard = (0..3).map(|_| text(&mut channel)).find(|turn| *turn != Attempt::Wait);
     assert_eq!(heard, Some(done("three")));
 }
 
@@ -198,14 +198,14 @@ fn a_peer_that_goes_half_way() {
     let (mut channel, peer) = connected(LineKind::Client);
     peer.stall_after(2);
     let mut sending = Sending::bytes(vec![1, 2, 3]);
-    assert_eq!(channel.send(&mut sending, 0.0), Turn::Wait);
+    assert_eq!(channel.send(&mut sending, 0.0), Attempt::Wait);
     peer.disconnect();
-    assert_eq!(channel.send(&mut sending, 0.0), Turn::Done(Ok(2)));
+    assert_eq!(channel.send(&mut sending, 0.0), Attempt::Done(Ok(2)));
     let mut sending = Sending::bytes(vec![4]);
-    assert_eq!(channel.send(&mut sending, 0.0), Turn::Wait);
+    assert_eq!(channel.send(&mut sending, 0.0), Attempt::Wait);
     peer.connect();
     peer.stall_after(9);
-    assert_eq!(channel.send(&mut sending, 0.0), Turn::Done(Ok(1)));
+    assert_eq!(channel.send(&mut sending, 0.0), Attempt::Done(Ok(1)));
     assert_eq!(peer.take(), [1, 2, 4]);
 }
 

@@ -3,7 +3,7 @@ use std::os::fd::OwnedFd;
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 
 use super::*;
-use crate::sio::{Channel, Sending, SettingValue, Turn};
+use crate::sio::{Attempt, Channel, Sending, SettingValue};
 
 /// A line, and the other end of it.
 fn pty() -> (Channel, OwnedFd) {
@@ -18,14 +18,14 @@ fn pty() -> (Channel, OwnedFd) {
 fn bytes_pass_as_they_are() {
     let (mut channel, other) = pty();
     let bytes: Vec<u8> = (0..=255).collect();
-    assert_eq!(channel.send(&mut Sending::bytes(bytes.clone()), 0.0), Turn::Done(Ok(256)));
+    assert_eq!(channel.send(&mut Sending::bytes(bytes.clone()), 0.0), Attempt::Done(Ok(256)));
     let mut heard = [0; 512];
     let count = rustix::io::read(&other, &mut heard).unwrap();
     assert_eq!(&heard[..count], bytes);
     rustix::io::write(&other, b"12\x03\n5\r\n").unwrap();
-    assert_eq!(channel.read_text(0.0), Turn::Done(Ok("12\x03\n5".to_owned())));
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Done(Some(vec![b'\n'])));
-    assert_eq!(channel.read_bytes(4, 0.0), Turn::Done(Some(vec![])));
+    assert_eq!(channel.read_text(0.0), Attempt::Done(Ok("12\x03\n5".to_owned())));
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(vec![b'\n'])));
+    assert_eq!(channel.read_bytes(4, 0.0), Attempt::Done(Some(vec![])));
 }
 
 #[test]
@@ -50,7 +50,7 @@ fn the_example_of_the_manual() {
 fn nobody_at_the_other_end() {
     let (mut channel, other) = pty();
     drop(other);
-    assert_eq!(channel.read_text(0.0), Turn::Wait);
+    assert_eq!(channel.read_text(0.0), Attempt::Wait);
     assert_eq!(channel.clear(), Some(0));
     assert!(SerialLine::open(Utf8Path::new("/dev/null")).is_err());
 }
