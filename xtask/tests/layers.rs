@@ -17,7 +17,7 @@ const ANALYSIS: &[&str] = &["val3-fmt", "val3-analysis", "val3-check", "val3-ide
 const RUNTIME: &[&str] = &["val3-bytecode", "val3-vm", "val3-kinematics", "val3-motion", "val3-machine"];
 
 /// The crates that put both together.
-const BRIDGES: &[&str] = &["val3-compile", "val3-dap", "val3-cli"];
+const BRIDGES: &[&str] = &["val3-compile", "val3-session", "val3-dap", "val3-cli"];
 
 /// Packages that speak a protocol or serve connections.
 const PROTOCOL_PACKAGES: &[&str] = &["tower-lsp", "lsp-types", "lsp-server", "dap", "dapts", "tokio"];

@@ -1,4 +1,6 @@
-//! The file system as the loader sees it: the real one, or one in memory.
+//! The file system as the loader sees it: the real one, one in memory, or one with files laid over it.
+
+mod overlay;
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -9,6 +11,8 @@ use camino::{Utf8Path, Utf8PathBuf};
 use val3_syntax::encoding::{decode, is_utf16};
 
 use crate::db::FileStatus;
+
+pub use overlay::OverlayFs;
 
 /// The kind of a path's target.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -15,7 +15,7 @@ use crate::format::Format;
 use crate::format::val3check::{DEFAULT_TEMPLATE, Template};
 use crate::report::Severity;
 
-pub(crate) use controller::{ControllerArgs, LINE_COST, Root, microseconds};
+pub(crate) use controller::ControllerArgs;
 
 const EXIT_CODES: &str = "\
 Exit codes:

@@ -16,8 +16,7 @@ use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_check::{Checked, Unit, check_unit, finish};
 
 use crate::baseline::{KnownFindings, Outcome};
-use crate::opening::{Opened, Request, open};
-use crate::overlay::{EditedTexts, OverlayFs};
+use crate::opening::{EditedTexts, Opened, Request, open, open_workspace, system};
 use crate::paths::Paths;
 use crate::progress::Progress;
 use crate::report::{Report, Statistics};
@@ -57,6 +56,18 @@ impl<'r> Session<'r> {
     pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
         let started = Instant::now();
         Ok(Self { request, opened: open(request)?, started, edited: EditedTexts::default() })
+    }
+
+    /// As [`open`](Self::open), with a workspace that has been read before.
+    pub(crate) fn with_workspace(request: &'r Request, workspace: Workspace) -> Result<Self, UserError> {
+        let started = Instant::now();
+        let opened = open_workspace(request, workspace)?;
+        Ok(Self { request, opened, started, edited: EditedTexts::default() })
+    }
+
+    /// The workspace, to be used otherwise.
+    pub(crate) fn into_workspace(self) -> Workspace {
+        self.opened.workspace
     }
 
     /// Checks everything.
@@ -108,7 +119,7 @@ impl<'r> Session<'r> {
         }
         if is_shaped {
             let Opened { threads, workspace, asked, .. } = &mut self.opened;
-            let system = OverlayFs::new(threads, self.request.input.as_ref(), &self.edited);
+            let system = system(threads, self.request.input.as_ref(), &self.edited);
             // A configuration that became faulty meanwhile counts as it was.
             let _ = workspace.refresh(&system, asked, &|_| false);
         }
@@ -147,19 +158,9 @@ impl<'r> Session<'r> {
         &self.opened.workspace.db
     }
 
-    /// The projects that were asked for.
-    pub(crate) fn projects(&self) -> &[Project] {
-        &self.opened.workspace.projects
-    }
-
     /// How paths are written.
     pub(crate) fn paths(&self) -> &Paths {
         &self.opened.paths
-    }
-
-    /// As [`db`](Self::db), to be changed.
-    pub(crate) fn db_mut(&mut self) -> &mut Database {
-        &mut self.opened.workspace.db
     }
 
     /// The folders of all files that were read, also of libraries elsewhere.

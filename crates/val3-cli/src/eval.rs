@@ -1,48 +1,45 @@
-//! `val3 eval`: values of expressions, and what statements do, in one scope.
+//! `val3 eval`: values of expressions and effects of statements that share their variables.
 
-mod answer;
-mod declaration;
-mod execution;
 mod interrupt;
-mod locals;
 mod prompt;
-mod scope;
-mod sources;
 
 use std::io::{self, IsTerminal};
+use std::ops::ControlFlow;
 use std::process::ExitCode;
 
 use clap::{CommandFactory as _, ValueEnum};
+use val3_session::evaluate::{next_text, texts};
+use val3_session::{Answer, Delay, Evaluator, Listener};
 
 use crate::args::{Args, Color, EvalArgs};
+use crate::opening::current_folder;
 use crate::output::{to_reader, to_stderr};
 use crate::user_error::UserError;
-use answer::Answer;
-use scope::Scope;
+use crate::wall_clock;
 
 /// Runs the command; the exit code says whether every text could be evaluated.
 pub(crate) fn run(args: &EvalArgs, color: Color) -> Result<ExitCode, UserError> {
     if let Some(option) = args.texts.iter().find(|text| is_option(text)) {
-        return Err(
-            UserError::new(format!("`{option}` stands behind a text")).with_help("write options before the texts")
-        );
+        return Err(UserError::new(format!("`{option}` follows a text")).with_help("write options before the texts"));
     }
-    let scope = Scope::open(args)?;
+    let current = current_folder()?;
+    let application = args.app.as_ref().map(|path| current.join(path));
+    let evaluator = Evaluator::open(application.as_deref(), &current, &args.local, &args.controller.settings())?;
     if args.texts.is_empty() && io::stdin().is_terminal() {
-        return prompt::run(scope, color);
+        return prompt::run(evaluator, color);
     }
-    let mut progress = Progress { scope, color, sound: true };
+    let mut progress = Progress { evaluator, color, sound: true };
     if args.texts.is_empty() {
         progress.read_stdin()?;
     } else {
-        progress.evaluate_all(args.texts.iter().flat_map(|text| sources::texts(text)))?;
+        progress.evaluate_all(args.texts.iter().flat_map(|text| texts(text)))?;
     }
     Ok(if progress.sound { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
 /// Texts that are evaluated one after the other.
 struct Progress {
-    scope: Scope,
+    evaluator: Evaluator,
     color: Color,
     /// Every text could be evaluated so far.
     sound: bool,
@@ -52,7 +49,7 @@ impl Progress {
     /// Evaluates texts until one of them ends the session. The answer is whether the session continues.
     fn evaluate_all(&mut self, texts: impl IntoIterator<Item = String>) -> Result<bool, UserError> {
         for text in texts {
-            match evaluate(&mut self.scope, &text, self.color)? {
+            match evaluate(&mut self.evaluator, &text, self.color)? {
                 Outcome::Sound => {}
                 Outcome::Faulty => self.sound = false,
                 Outcome::Unread | Outcome::Exit => return Ok(false),
@@ -66,15 +63,15 @@ impl Progress {
         let mut open = String::new();
         for line in io::stdin().lines() {
             let line = line.map_err(|error| UserError::new(format!("cannot read the standard input: {error}")))?;
-            if !self.evaluate_all(sources::next_text(&mut open, &line))? {
+            if !self.evaluate_all(next_text(&mut open, &line))? {
                 return Ok(());
             }
         }
-        self.evaluate_all(sources::texts(&open)).map(drop)
+        self.evaluate_all(texts(&open)).map(drop)
     }
 }
 
-/// Texts may begin with a hyphen (`-nA`), so that an option behind one would be taken for a text.
+/// Texts may begin with a hyphen (`-nA`), so an option after one would be taken for a text.
 fn is_option(text: &str) -> bool {
     let Some(name) = text.strip_prefix("--").and_then(|text| text.split('=').next()) else { return false };
     let mut command = Args::command();
@@ -83,14 +80,14 @@ fn is_option(text: &str) -> bool {
     known.is_some_and(|mut known| known.any(|option| option.get_long() == Some(name)))
 }
 
-/// What has come of a text.
+/// The outcome of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Outcome {
     /// It was evaluated.
     Sound,
-    /// Something was wrong.
+    /// It has a fault, or ended with an error.
     Faulty,
-    /// Nobody reads it.
+    /// The output is no longer read.
     Unread,
     /// It ends the session.
     Exit,
@@ -104,7 +101,7 @@ enum Command {
     Help,
 }
 
-/// What can be written.
+/// The text of `help`.
 const HELP: &str = "\
 num nA, num nA=2, point pA[3]   declare variables
 nA*2                            print the value of an expression
@@ -112,10 +109,10 @@ nA=nA+1                         execute statements; blocks may have several line
 exit, quit                      leave; at a terminal Ctrl-D does the same
 The program `val3 explain NAME` shows the page of an instruction.";
 
-/// Obeys a word that is a command of the session, unless a variable has this name.
-fn command(scope: &Scope, text: &str, color: Color) -> Result<Option<Outcome>, UserError> {
+/// Executes a word that is a command of the session, unless a variable has this name.
+fn command(evaluator: &Evaluator, text: &str, color: Color) -> Result<Option<Outcome>, UserError> {
     let word = text.trim();
-    if scope.has_variable(word) {
+    if evaluator.has_variable(word) {
         return Ok(None);
     }
     Ok(match Command::from_str(word, false) {
@@ -128,27 +125,45 @@ fn command(scope: &Scope, text: &str, color: Color) -> Result<Option<Outcome>, U
     })
 }
 
-/// Evaluates one text and shows what comes of it, as it comes.
-fn evaluate(scope: &mut Scope, text: &str, color: Color) -> Result<Outcome, UserError> {
-    if let Some(outcome) = command(scope, text, color)? {
+/// Evaluates one text and shows its answers as they come.
+fn evaluate(evaluator: &mut Evaluator, text: &str, color: Color) -> Result<Outcome, UserError> {
+    if let Some(outcome) = command(evaluator, text, color)? {
         return Ok(outcome);
     }
-    let mut outcome = Outcome::Sound;
-    let interrupt = scope.interrupt().clone();
-    scope.evaluate(text, &mut |answer| {
-        if outcome == Outcome::Sound && !answer.is_sound() {
-            outcome = Outcome::Faulty;
-        }
-        if outcome != Outcome::Unread && !show(answer, text, color)? {
-            outcome = Outcome::Unread;
-            interrupt.ask();
-        }
-        Ok(())
-    })?;
-    Ok(outcome)
+    let mut display = Display { text, color, shown: Ok(Outcome::Sound) };
+    evaluator.evaluate(text, &mut display);
+    display.shown
 }
 
-/// Shows a line on the standard output, and where a fault is on the standard error output. Whether somebody reads it.
+/// Shows answers at the terminal.
+struct Display<'t> {
+    text: &'t str,
+    color: Color,
+    /// The outcome so far, or the error of writing.
+    shown: Result<Outcome, UserError>,
+}
+
+impl Listener for Display<'_> {
+    fn answer(&mut self, answer: &Answer) -> ControlFlow<()> {
+        self.shown = match show(answer, self.text, self.color) {
+            Ok(true) if answer.is_sound() && self.shown == Ok(Outcome::Sound) => return ControlFlow::Continue(()),
+            Ok(true) => Ok(Outcome::Faulty),
+            Ok(false) => Ok(Outcome::Unread),
+            Err(error) => Err(error),
+        };
+        match self.shown {
+            Ok(Outcome::Faulty) => ControlFlow::Continue(()),
+            _ => ControlFlow::Break(()),
+        }
+    }
+
+    fn wait(&mut self, delay: Delay) {
+        wall_clock::wait(delay, None);
+    }
+}
+
+/// Shows a line on the standard output, and the place of a fault on the standard error output. The result is whether the
+/// output is still read.
 fn show(answer: &Answer, text: &str, color: Color) -> Result<bool, UserError> {
     let is_read = to_reader(color, |out| writeln!(out, "{answer}"))?;
     if let Some(excerpt) = answer.fault().and_then(|fault| fault.excerpt(text)) {

@@ -2,7 +2,6 @@
 
 #![allow(clippy::disallowed_methods, reason = "the clock, the threads and the environment come in here")]
 
-mod application;
 mod args;
 mod baseline;
 mod check;
@@ -21,7 +20,6 @@ mod lsp;
 mod markdown;
 mod opening;
 mod output;
-mod overlay;
 mod parallel_disk;
 mod patch;
 mod paths;
@@ -33,9 +31,11 @@ mod schema;
 mod scope;
 mod selection;
 mod similar;
+mod standard_input;
 mod summary;
 mod translation;
 mod user_error;
+mod wall_clock;
 mod watch;
 
 use std::process::ExitCode;

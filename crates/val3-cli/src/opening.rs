@@ -1,16 +1,22 @@
 //! From what is asked for to what can be checked: threads, files in the database, settings.
 
+use std::sync::Arc;
+
 use camino::{Utf8Path, Utf8PathBuf};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use rustc_hash::FxHashMap;
 use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::load::{self, LoadError, Workspace};
+use val3_analysis::system::OverlayFs;
 use val3_check::settings::{Selection, WorkspaceSettings};
 use val3_config::ConfigError;
+use val3_session::SessionError;
 
 use crate::baseline::Mode;
-use crate::overlay::{EditedTexts, OverlayFs, StandardInput};
+use crate::parallel_disk::ParallelDisk;
 use crate::paths::Paths;
 use crate::scope::Scope;
+use crate::standard_input::StandardInput;
 use crate::user_error::UserError;
 
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
@@ -57,18 +63,62 @@ pub(crate) struct Opened {
 
 /// Reads everything that is asked for.
 pub(crate) fn open(request: &Request) -> Result<Opened, UserError> {
+    open_with(request, |threads, asked| {
+        load::load(&system(threads, request.input.as_ref(), &EditedTexts::default()), asked)
+    })
+}
+
+/// As [`open`], with a workspace that has been read before.
+pub(crate) fn open_workspace(request: &Request, workspace: Workspace) -> Result<Opened, UserError> {
+    open_with(request, |_, _| Ok(workspace))
+}
+
+fn open_with(
+    request: &Request,
+    load: impl FnOnce(&ThreadPool, &[Utf8PathBuf]) -> Result<Workspace, LoadError>,
+) -> Result<Opened, UserError> {
     let threads = threads(request.jobs)?;
     let current = current_folder()?;
     let paths = Paths::new(&folders(&request.asked), &current).within(repository(&current));
     // Only an absolute path shows the `usrapp` above the current folder.
     let asked: Vec<_> = request.asked.iter().map(|path| current.join(path)).collect();
-    let edited = EditedTexts::default();
-    let system = OverlayFs::new(&threads, request.input.as_ref(), &edited);
-    let workspace = load::load(&system, &asked).map_err(|error| refused(error, &paths))?;
+    let workspace = load(&threads, &asked).map_err(|error| refused(error, &paths))?;
     let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &request.selection)
         .map_err(|errors| configuration_refused(errors, &paths))?;
     let scope = if request.files_alone { Scope::new(&asked) } else { Scope::default() };
     Ok(Opened { threads, current, paths, workspace, settings, asked, scope })
+}
+
+/// Texts of files that were changed in memory, by path.
+pub(crate) type EditedTexts = FxHashMap<Utf8PathBuf, Arc<str>>;
+
+/// The disk, read on these threads, below the standard input and the edited texts.
+pub(crate) fn system<'t>(
+    threads: &'t ThreadPool,
+    input: Option<&StandardInput>,
+    edited: &EditedTexts,
+) -> OverlayFs<ParallelDisk<'t>> {
+    let mut system = OverlayFs::new(ParallelDisk::new(threads));
+    if let Some(input) = input {
+        system.store(input.path.clone(), input.bytes.clone());
+    }
+    edited.iter().for_each(|(path, text)| system.edit(path, Arc::clone(text)));
+    system
+}
+
+impl From<SessionError> for UserError {
+    fn from(error: SessionError) -> Self {
+        let help = error.help();
+        match (error, current_folder()) {
+            (SessionError::Load(error), Ok(current)) => refused(error, &Paths::new(&[], &current)),
+            (SessionError::Several { path, applications }, Ok(current)) => {
+                let path = path.strip_prefix(&current).map(Utf8Path::to_owned).unwrap_or(path);
+                let path = if path.as_str().is_empty() { ".".into() } else { path };
+                Self::new(SessionError::Several { path, applications }.to_string()).with_help(help)
+            }
+            (error, _) => Self::new(error.to_string()).with_help(help),
+        }
+    }
 }
 
 fn refused(error: LoadError, paths: &Paths) -> UserError {

@@ -18,10 +18,11 @@ use std::time::Instant;
 use val3_lang::ports::nanoseconds;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::{EndReason, Event, What};
+use val3_session::{Delay, Pace};
 
-use crate::application::Pace;
 use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
+use crate::wall_clock;
 use audience::Audience;
 use live::Wish;
 use opening::Opened;
@@ -93,6 +94,7 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audie
 /// Tells everything that happens until the run ends.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
     let (pace, signals) = (pace(args, audience), Signals::catch()?);
+    let started = pace.real_time.then(Instant::now);
     controller.devices.interrupt = signals.flag();
     controller.set_limit(pace.until);
     let end = loop {
@@ -108,7 +110,14 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
         if pace.keeps_time(controller) {
             audience.flush(controller.now())?;
         }
-        if let Some(end) = end.or_else(|| wait(args, &pace, controller, audience, outcome)) {
+        if let Some(end) = end {
+            break end;
+        }
+        let delay = next(&pace, controller, outcome);
+        if let Some(delay) = delay {
+            wall_clock::wait(delay, started);
+        }
+        if let Some(end) = end_after(args, delay, controller, audience) {
             break end;
         }
     };
@@ -130,33 +139,27 @@ fn reason(end: End) -> EndReason {
     }
 }
 
-/// The pace that the arguments ask for; an operator needs the clock on the wall.
+/// The pace that the arguments ask for. An operator needs real time.
 fn pace(args: &RunArgs, audience: &Audience) -> Pace {
-    let started = args.follows_wall().then(Instant::now);
     let recorded = audience.recording().and_then(Recording::limit);
     let until = args.until.map(nanoseconds).into_iter().chain(recorded).min();
-    Pace { started, until, attended: args.interactive }
+    Pace { real_time: args.follows_wall(), until, attended: args.interactive }
 }
 
-/// Lets the time pass until something can happen; how the run ends, if nothing can.
-fn wait(
-    args: &RunArgs,
-    pace: &Pace,
-    controller: &mut Controller,
-    audience: &Audience,
-    outcome: Outcome,
-) -> Option<End> {
-    let can_continue = match outcome {
+/// Advances the clock until something can happen. `None` if nothing can.
+fn next(pace: &Pace, controller: &mut Controller, outcome: Outcome) -> Option<Delay> {
+    match outcome {
         Outcome::Waiting(wake) => pace.wait(controller, wake),
         Outcome::Stuck => pace.wait_for_operator(controller),
-        _ => {
-            pace.follow(controller);
-            true
-        }
-    };
+        _ => Some(pace.follow(controller)),
+    }
+}
+
+/// How the run ends after a wait, if it does.
+fn end_after(args: &RunArgs, delay: Option<Delay>, controller: &Controller, audience: &Audience) -> Option<End> {
     let now = controller.now();
     match audience.recording() {
-        _ if !can_continue => Some(End::Controller(Outcome::Stuck)),
+        _ if delay.is_none() => Some(End::Controller(Outcome::Stuck)),
         _ if args.until.is_some_and(|until| now >= nanoseconds(until)) => Some(End::Controller(Outcome::Limit)),
         Some(recording) if recording.is_over(now) => Some(End::Recorded(recording.reason())),
         _ => None,

@@ -1,16 +1,10 @@
 //! Arguments that say what a controller is like, for the commands that execute. They win over a `val3.toml`.
 
-use std::str::FromStr;
-
-use camino::Utf8PathBuf;
-use val3_lang::ports::{Time, nanoseconds};
+use val3_lang::ports::Time;
 use val3_lang::values::date::DateTime;
 use val3_machine::controller_state::Calendar;
 
-use crate::application::LineArg;
-
-/// What a line takes unless something else is said, in microseconds.
-pub(crate) const LINE_COST: &str = "2";
+use val3_session::{Connection, ControllerSettings, Root, line_cost};
 
 /// What a controller is like.
 #[derive(Debug, Default, clap::Args)]
@@ -19,12 +13,12 @@ pub(crate) struct ControllerArgs {
     #[arg(long, value_name = "NAME")]
     pub(crate) arm: Option<String>,
     /// Let a root of paths stand for a folder: USB0=/media/stick; may be repeated
-    #[arg(long, value_name = "NAME=DIR")]
+    #[arg(long, value_name = "NAME=DIR", value_parser = root)]
     pub(crate) root: Vec<Root>,
     /// Connect a serial line or socket, instead of what the cell configures: Socket\host=server:2000,
     /// Socket\host=client:127.0.0.1:2000, Socket\host=udp:2000, Serial\a=serial:/dev/ttyS0; may be repeated
     #[arg(long, value_name = "LINK=END")]
-    pub(crate) line: Vec<LineArg>,
+    pub(crate) line: Vec<Connection>,
     /// Let sockets reach other machines, and be reached by them; else every address means this machine
     #[arg(long)]
     pub(crate) network: bool,
@@ -40,25 +34,27 @@ pub(crate) struct ControllerArgs {
     pub(crate) line_cost: Option<Time>,
 }
 
-/// A root of paths and the folder it stands for.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Root {
-    /// The name before `://`.
-    pub(crate) name: String,
-    /// The folder.
-    pub(crate) folder: Utf8PathBuf,
+impl ControllerArgs {
+    /// The arguments as settings of a session.
+    pub(crate) fn settings(&self) -> ControllerSettings {
+        ControllerSettings {
+            arm: self.arm.clone(),
+            roots: self.root.clone(),
+            connections: self.line.clone(),
+            network: self.network,
+            date: self.date,
+            monitor_speed: self.monitor_speed,
+            line_cost: self.line_cost,
+        }
+    }
 }
 
-impl FromStr for Root {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (name, folder) = text
-            .split_once('=')
-            .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
-            .ok_or("write NAME=DIR, for example USB0=/media/stick")?;
-        Ok(Self { name: name.to_owned(), folder: folder.into() })
-    }
+fn root(text: &str) -> Result<Root, String> {
+    let (name, folder) = text
+        .split_once('=')
+        .filter(|(name, folder)| !name.is_empty() && !folder.is_empty())
+        .ok_or("write NAME=DIR, for example USB0=/media/stick")?;
+    Ok(Root { name: name.to_owned(), folder: folder.into() })
 }
 
 fn date(text: &str) -> Result<Calendar, String> {
@@ -75,8 +71,6 @@ fn date(text: &str) -> Result<Calendar, String> {
     calendar.ok_or_else(|| "write a date and a time, such as 2007-01-01T13:45:23".to_owned())
 }
 
-/// A line takes at least a nanosecond: a program that never waits would stop the clock otherwise.
-pub(crate) fn microseconds(text: &str) -> Result<Time, String> {
-    let micros = text.parse().ok().filter(|micros: &f64| (0.001..=1e6).contains(micros));
-    micros.map(|micros| nanoseconds(micros / 1e6)).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
+fn microseconds(text: &str) -> Result<Time, String> {
+    text.parse().ok().and_then(line_cost).ok_or_else(|| "write microseconds from 0.001 to 1e6".to_owned())
 }

@@ -9,22 +9,22 @@ use rustyline::error::ReadlineError;
 use rustyline::history::DefaultHistory;
 use rustyline::validate::{ValidationContext, ValidationResult, Validator};
 use rustyline::{CompletionType, Config, Context, Editor, Helper, Highlighter, Hinter};
+use val3_session::Evaluator;
+use val3_session::evaluate::{has_open_block, texts};
 
-use super::scope::Scope;
-use super::sources::{has_open_block, texts};
-use super::{Outcome, evaluate};
+use super::{Outcome, evaluate, interrupt};
 use crate::args::Color;
 use crate::user_error::UserError;
 
 /// Reads texts and evaluates them until the end of the input.
-pub(crate) fn run(scope: Scope, color: Color) -> Result<ExitCode, UserError> {
-    let interrupt = scope.interrupt().clone();
-    let scope = Rc::new(RefCell::new(scope));
+pub(crate) fn run(evaluator: Evaluator, color: Color) -> Result<ExitCode, UserError> {
+    let flag = evaluator.interrupt();
+    let evaluator = Rc::new(RefCell::new(evaluator));
     let config = Config::builder().completion_type(CompletionType::List).build();
     let mut editor: Editor<Names, DefaultHistory> = Editor::with_config(config).map_err(|error| no_terminal(&error))?;
-    editor.set_helper(Some(Names { scope: Rc::clone(&scope) }));
+    editor.set_helper(Some(Names { evaluator: Rc::clone(&evaluator) }));
     // The editor has a handler of its own, which would replace this one.
-    interrupt.catch()?;
+    interrupt::catch(&flag)?;
     loop {
         match editor.readline("> ") {
             Ok(text) if text.trim().is_empty() => {}
@@ -32,7 +32,7 @@ pub(crate) fn run(scope: Scope, color: Color) -> Result<ExitCode, UserError> {
                 editor.add_history_entry(&text).map_err(|error| no_terminal(&error))?;
                 // Pasted lines are texts of their own.
                 for text in texts(&text) {
-                    if evaluate(&mut scope.borrow_mut(), &text, color)? == Outcome::Exit {
+                    if evaluate(&mut evaluator.borrow_mut(), &text, color)? == Outcome::Exit {
                         return Ok(ExitCode::SUCCESS);
                     }
                 }
@@ -48,17 +48,17 @@ fn no_terminal(error: &ReadlineError) -> UserError {
     UserError::new(format!("cannot read from the terminal: {error}")).with_help("give the texts as arguments")
 }
 
-/// Completes what can stand at the cursor, as editors do, and lets a block go on in the next line.
+/// Completes names at the cursor as editors do, and continues a block on the next line.
 #[derive(Helper, Highlighter, Hinter)]
 struct Names {
-    scope: Rc<RefCell<Scope>>,
+    evaluator: Rc<RefCell<Evaluator>>,
 }
 
 impl Completer for Names {
     type Candidate = Pair;
 
     fn complete(&self, line: &str, at: usize, _: &Context<'_>) -> rustyline::Result<(usize, Vec<Pair>)> {
-        let found = self.scope.borrow_mut().completions(line, at).unwrap_or_default();
+        let found = self.evaluator.borrow_mut().completions(line, at);
         let start = found.first().map_or(at, |(start, _)| *start);
         let typed = line.get(start..at).unwrap_or_default();
         // A terminal completes what is typed; it has no list to choose likely names from.
@@ -73,8 +73,8 @@ impl Completer for Names {
 impl Validator for Names {
     fn validate(&self, context: &mut ValidationContext<'_>) -> rustyline::Result<ValidationResult> {
         let text = context.input();
-        // An empty line ends what somebody no longer wants to end.
-        let goes_on = !text.ends_with('\n') && has_open_block(text);
-        Ok(if goes_on { ValidationResult::Incomplete } else { ValidationResult::Valid(None) })
+        // An empty line ends a block that is not closed.
+        let continues = !text.ends_with('\n') && has_open_block(text);
+        Ok(if continues { ValidationResult::Incomplete } else { ValidationResult::Valid(None) })
     }
 }

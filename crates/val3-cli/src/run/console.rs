@@ -6,10 +6,10 @@ use codespan_reporting::term::termcolor::WriteColor;
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, What};
 use val3_machine::screen::{COLUMNS, Pendant, display_columns, fitting};
+use val3_session::evaluate::missing_instruction;
 
 use super::failures::{Failure, Failures};
 use super::missing::MissingLibraries;
-use crate::application::lacking;
 use crate::args::Color;
 use crate::format::human;
 use crate::opening::current_folder;
@@ -111,7 +111,7 @@ impl Console {
 
     /// An instruction that is not there, with its line.
     fn lacking(&self, task: &str, instruction: &str, file: &str, line: u32) {
-        let message = format!("{} (task `{task}`)", lacking(instruction));
+        let message = format!("{} (task `{task}`)", missing_instruction(instruction));
         let help = "the run has ended: what the program does from here on depends on it";
         let path = self.paths.shown(file.into());
         let fault = human::Fault { code: None, message, help, label: STOPPED, path: &path, line };

@@ -4,12 +4,13 @@ use std::process::ExitCode;
 
 use val3_analysis::db::Project;
 use val3_analysis::resizing::is_resized;
+use val3_analysis::system::Disk;
 use val3_check::rule::Severity;
 use val3_compile::CompileError;
 use val3_machine::controller::{Controller, NotStarted};
+use val3_session::{Application, Tape};
 
 use super::outside;
-use crate::application::{Tape, compile, controller, only_application, set_arm};
 use crate::args::{Color, RunArgs};
 use crate::engine::Session;
 use crate::format::human;
@@ -29,25 +30,19 @@ pub(crate) enum Opened {
 
 /// Reads, checks and compiles the application.
 pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
-    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
-    let alone;
-    let mut session = Session::open(&request)?;
-    let mut project = only_application(&session, &args.application, Some(&args.program))?;
-    if session.projects().len() > 1 {
-        // Faults of the others beside it do not count.
-        let manifest = project.manifest(session.db()).path(session.db()).clone();
-        alone = Request { asked: vec![manifest.clone()], ..Request::default() };
-        session = Session::open(&alone)?;
-        project = only_application(&session, &manifest, None)?;
-    }
+    let path = current_folder()?.join(&args.application);
+    let mut application = Application::open(&Disk, &path, Some(&args.program))?;
     if let Some(name) = &args.controller.arm {
-        set_arm(session.db_mut(), project, name)?;
+        application.set_arm(name)?;
     }
+    let project = application.project();
+    let request = Request { asked: vec![args.application.clone()], ..Request::default() };
+    let mut session = Session::with_workspace(&request, application.into_workspace())?;
     if show_faults(&mut session, project, color)? {
         return Ok(Opened::Faulty(ExitCode::FAILURE));
     }
-    let db = session.db();
-    let image = match compile(db, project) {
+    let application = Application::of(session.into_workspace(), project);
+    let image = match application.compile() {
         Ok(image) => image,
         Err(error) => {
             show_limit(&error, color)?;
@@ -57,8 +52,8 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
     // What a replay is compared with has the answers of its lines too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
-    let mut controller = controller(&args.controller, tape, (db, project), image)?;
-    outside::arrange(&mut controller, args, &|data| is_resized(db, project, data))?;
+    let mut controller = application.controller(&args.controller.settings(), tape, image)?;
+    outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;
     start(&mut controller, &args.program, &programs)?;
     Ok(Opened::Ready(Box::new(controller)))
 }
@@ -73,7 +68,7 @@ fn start(controller: &mut Controller, program: &str, programs: &[String]) -> Res
             ))
         }
         NotStarted::Fault(fault) => UserError::new(format!("`{program}` cannot be started: error {}", fault.0))
-            .with_help(format!("`val3 explain {}` tells what it means", fault.0)),
+            .with_help(format!("`val3 explain {}` explains it", fault.0)),
     })
 }
 

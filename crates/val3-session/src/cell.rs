@@ -1,4 +1,4 @@
-//! What the files of a cell say of its controller: inputs and outputs, arm and language.
+//! Files of a cell that describe its controller: inputs and outputs, arm and language.
 
 use std::fs;
 
@@ -8,7 +8,7 @@ use val3_machine::devices::Devices;
 use val3_syntax::encoding::decode;
 
 /// Declares the inputs and outputs that the configuration of the cell names.
-pub(super) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
+pub(crate) fn declare_io(devices: &mut Devices, db: &Database, project: Project) {
     let Some(cell) = project.cell(db) else { return };
     for (device, signals) in &cell.config(db).io {
         let mut signals: Vec<_> = signals.iter().map(|(name, base)| (name.as_str(), *base)).collect();
@@ -17,8 +17,8 @@ pub(super) fn declare_io(devices: &mut Devices, db: &Database, project: Project)
     }
 }
 
-/// Tells the controller what the cell around `disk` says of its arm and language.
-pub(super) fn describe(devices: &mut Devices, disk: &Utf8Path) {
+/// Gives the controller the arm and the language of the cell around `disk`.
+pub(crate) fn describe(devices: &mut Devices, disk: &Utf8Path) {
     for name in ["arm.cfx", "cell.cfx"] {
         if let Some(text) = config(disk, name) {
             devices.describe(&text);
@@ -26,8 +26,8 @@ pub(super) fn describe(devices: &mut Devices, disk: &Utf8Path) {
     }
 }
 
-/// The text of a file in `usr/configs` of the cell around `disk`, if it is there.
-pub(super) fn config(disk: &Utf8Path, name: &str) -> Option<String> {
+/// The text of a file in `usr/configs` of the cell around `disk`, if there is one.
+pub(crate) fn config(disk: &Utf8Path, name: &str) -> Option<String> {
     let bytes = fs::read(disk.parent()?.join("configs").join(name)).ok()?;
     Some(decode(bytes).text)
 }

@@ -1,25 +1,26 @@
-//! The serial lines and sockets of a controller: as the cell configures them, and as the arguments say.
+//! Connections of the serial lines and sockets of a controller: those of the cell, and those of the settings.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::net::IpAddr;
 use std::str::FromStr;
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_machine::devices::Lines;
-use val3_machine::sio::{ChannelConfig, Line, LineKind, Reach, Setting, channels, replay};
+use val3_machine::sio::{ChannelConfig, Entry, Line, LineKind, Reach, Setting, channels, replay};
 
-use super::cell::config;
-use super::settings::Settings;
-use crate::user_error::UserError;
+use crate::cell::config;
+use crate::error::SessionError;
+use crate::settings::MergedSettings;
 
-/// A line that an argument or a `val3.toml` connects: `Socket\host=server:2000`.
+/// The connection of a line, written as `Socket\host=server:2000`.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct LineArg {
+pub struct Connection {
     link: String,
     end: LineEnd,
 }
 
-/// What a line is connected to.
+/// The other end of a line.
 #[derive(Debug, Clone, PartialEq)]
 enum LineEnd {
     /// A socket of this kind.
@@ -28,7 +29,7 @@ enum LineEnd {
     Device(Utf8PathBuf),
 }
 
-impl FromStr for LineArg {
+impl FromStr for Connection {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
@@ -51,42 +52,39 @@ impl FromStr for LineArg {
     }
 }
 
-/// What becomes of the answers of lines.
+/// Recording and replay of the data that lines receive.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Tape<'a> {
-    /// They are written down.
-    pub(crate) records: bool,
-    /// They are those that this file holds, whatever is outside.
-    pub(crate) replays: Option<&'a Utf8Path>,
+pub struct Tape<'a> {
+    /// Received data are recorded.
+    pub records: bool,
+    /// Received data come from this file, which `val3 run --events` has written, and not from outside.
+    pub replays: Option<&'a Utf8Path>,
 }
 
-/// Connects the lines of the cell around `disk`, and those that the settings name.
-pub(super) fn connect(
+/// Connects the lines of the cell around `disk`, and those of the settings.
+pub(crate) fn connect(
     lines: &mut Lines,
     disk: &Utf8Path,
     tape: Tape<'_>,
-    settings: &Settings,
-) -> Result<(), UserError> {
+    settings: &MergedSettings,
+) -> Result<(), SessionError> {
     if tape.records {
         lines.record();
     }
     if let Some(file) = tape.replays {
         lines.replay(recorded(file)?);
     }
-    let configs = connected(of_cell(disk), &settings.lines);
+    let configs = connected(of_cell(disk), &settings.connections);
     let reach = if settings.network { Reach::Network } else { Reach::Loopback };
-    lines.configure(&configs, reach).map_err(|link| {
-        UserError::new(format!("the line `{link}` cannot be configured so"))
-            .with_help("look at its parameters in sio.cfx, at --line and at [run] in val3.toml")
-    })?;
+    lines.configure(&configs, reach).map_err(|link| SessionError::Line { link: link.to_string() })?;
     if tape.replays.is_none() {
-        settings.lines.iter().try_for_each(|line| line.open(lines, &configs))?;
+        settings.connections.iter().try_for_each(|line| line.open(lines, &configs))?;
     }
     Ok(())
 }
 
 /// The lines of a cell, each with the end that the last of `lines` for it names. It keeps its other parameters.
-fn connected(mut configs: Vec<ChannelConfig>, lines: &[LineArg]) -> Vec<ChannelConfig> {
+fn connected(mut configs: Vec<ChannelConfig>, lines: &[Connection]) -> Vec<ChannelConfig> {
     for line in lines {
         let mut config = line.config();
         if let Some(at) = configs.iter().position(|known| known.link.eq_ignore_ascii_case(&line.link)) {
@@ -97,12 +95,9 @@ fn connected(mut configs: Vec<ChannelConfig>, lines: &[LineArg]) -> Vec<ChannelC
     configs
 }
 
-/// What lines have answered in another run.
-fn recorded(file: &Utf8Path) -> Result<std::collections::BTreeMap<String, Vec<val3_machine::sio::Entry>>, UserError> {
-    let refused = |reason: String| {
-        UserError::new(format!("cannot replay `{file}`: {reason}"))
-            .with_help("name a file that `val3 run --events` has written")
-    };
+/// The data that lines have received in another run, by line.
+fn recorded(file: &Utf8Path) -> Result<BTreeMap<String, Vec<Entry>>, SessionError> {
+    let refused = |reason: String| SessionError::Recording { file: file.to_owned(), reason };
     let text = fs::read_to_string(file).map_err(|error| refused(error.to_string()))?;
     replay(&text).map_err(|error| refused(error.to_string()))
 }
@@ -112,7 +107,7 @@ fn of_cell(disk: &Utf8Path) -> Vec<ChannelConfig> {
     config(disk, "sio.cfx").map(|text| channels(&text)).unwrap_or_default()
 }
 
-impl LineArg {
+impl Connection {
     fn config(&self) -> ChannelConfig {
         let (kind, settings) = match &self.end {
             LineEnd::Socket(kind, settings) => (*kind, settings.clone()),
@@ -122,12 +117,9 @@ impl LineArg {
     }
 
     /// Connects a serial device; sockets open when a program uses them.
-    fn open(&self, lines: &mut Lines, configs: &[ChannelConfig]) -> Result<(), UserError> {
+    fn open(&self, lines: &mut Lines, configs: &[ChannelConfig]) -> Result<(), SessionError> {
         let LineEnd::Device(device) = &self.end else { return Ok(()) };
-        let refused = |reason: String| {
-            UserError::new(format!("cannot open the device `{device}` for `{}`: {reason}", self.link))
-                .with_help("name a serial device that you may read and write")
-        };
+        let refused = |reason: String| SessionError::Device { device: device.clone(), link: self.link.clone(), reason };
         let line = serial(device).map_err(|error| refused(error.to_string()))?;
         let known = configs.iter().find(|known| known.link == self.link && known.kind == LineKind::Serial);
         let config = known.cloned().unwrap_or_else(|| self.config());
@@ -151,15 +143,18 @@ mod tests {
 
     #[test]
     fn lines_are_named_with_their_other_end() {
-        let server = LineArg::from_str(r"Socket\host=server:2000").unwrap();
+        let server = Connection::from_str(r"Socket\host=server:2000").unwrap();
         assert_eq!(server.end, LineEnd::Socket(LineKind::Server, vec![Setting::Port(2000)]));
-        let client = LineArg::from_str("Socket\\host=client:[::1]:2000").unwrap().config();
+        let client = Connection::from_str("Socket\\host=client:[::1]:2000").unwrap().config();
         assert_eq!((client.port(), client.target()), (Some(2000), "::1".parse().ok()));
-        assert_eq!(LineArg::from_str(r"Serial\a=serial:/dev/ttyS0").unwrap().end, LineEnd::Device("/dev/ttyS0".into()));
+        assert_eq!(
+            Connection::from_str(r"Serial\a=serial:/dev/ttyS0").unwrap().end,
+            LineEnd::Device("/dev/ttyS0".into())
+        );
         for wrong in
             ["host", "=server:1", "a=server:x", "a=server", "a=client:2000", "a=client:host:1", "a=serial:", "a=x:1"]
         {
-            assert!(LineArg::from_str(wrong).is_err(), "{wrong}");
+            assert!(Connection::from_str(wrong).is_err(), "{wrong}");
         }
     }
 }

@@ -1,56 +1,59 @@
-//! What comes of a text, line by line.
+//! Answers to a text: its values and output, or its fault.
 
 use std::fmt::{self, Display};
 
 use val3_check::diagnostic::Diagnostic;
-use val3_lang::runtime_errors;
 use val3_lang::values::printed;
+use val3_lang::{instructions, motion, runtime_errors};
 use val3_machine::event::{Event, What};
 
-use crate::application::lacking;
-
-/// A line of what comes of a text.
+/// One line of the answer to a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Answer {
-    /// The value of an expression, or what a statement prints.
+pub enum Answer {
+    /// The value of an expression, or the output of a statement.
     Line(String),
-    /// What is wrong with the text.
-    Fault(Fault),
-    /// The run-time error that it ends in.
+    /// The text cannot be evaluated.
+    Fault(CodeFault),
+    /// The text ended with this run-time error.
     RunTime(u16),
 }
 
-/// What keeps a text from being evaluated.
+/// A reason why a text cannot be evaluated, with its place in the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) struct Fault {
+pub struct CodeFault {
     message: String,
-    /// Where it is in the text: the line from 0, and the characters before and in it.
+    /// Line from 0, characters before the fault, characters in the fault.
     place: Option<(usize, usize, usize)>,
 }
 
-impl From<String> for Fault {
+impl From<String> for CodeFault {
     fn from(message: String) -> Self {
         Self { message, place: None }
     }
 }
 
-impl Fault {
-    /// A finding in a file whose text has `text` behind `before` bytes.
+impl CodeFault {
+    /// A finding in a file that contains `text` after `before` bytes.
     pub(super) fn found(finding: &Diagnostic, before: usize, text: &str) -> Self {
         let from = usize::from(finding.place.range.start()).saturating_sub(before);
         let to = usize::from(finding.place.range.end()).saturating_sub(before);
         Self { message: finding.message.clone(), place: place(text, from.min(text.len()), to) }
     }
 
-    /// The line that it is in, with marks below its place.
-    pub(super) fn excerpt(&self, text: &str) -> Option<String> {
+    /// What is wrong.
+    pub fn message(&self) -> &str {
+        &self.message
+    }
+
+    /// The faulty line of `text`, with marks below the place of the fault.
+    pub fn excerpt(&self, text: &str) -> Option<String> {
         let (line, before, marked) = self.place?;
         let line = text.lines().nth(line).unwrap_or_default();
         Some(format!("  {line}\n  {}{}", " ".repeat(before), "^".repeat(marked.max(1))))
     }
 }
 
-/// The line, and the characters before and in a stretch of a text, as far as it is in this line.
+/// Line, characters before and characters in a range of a text, cut at the end of its first line.
 fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
     let before = text.get(..from)?;
     let start = before.rfind('\n').map_or(0, |end| end + 1);
@@ -60,7 +63,7 @@ fn place(text: &str, from: usize, to: usize) -> Option<(usize, usize, usize)> {
 }
 
 impl Answer {
-    /// What an event tells who asked; of a string the value is shown in quotes.
+    /// The answer that an event gives. The value of an expression of type string is in quotes.
     pub(super) fn of(event: &Event, is_string: bool) -> Option<Self> {
         match &event.what {
             What::Print { text } if is_string => Some(Self::Line(printed::string(text))),
@@ -68,22 +71,31 @@ impl Answer {
             What::Log { text, .. } => Some(Self::Line(format!("log: {text}"))),
             What::Popup { text } => Some(Self::Line(format!("pop-up: {text}"))),
             What::Error { code, .. } => Some(Self::RunTime(*code)),
-            What::Lacking { instruction, .. } => Some(Self::Fault(lacking(instruction).into())),
+            What::Lacking { instruction, .. } => Some(Self::Fault(missing_instruction(instruction).into())),
             _ => None,
         }
     }
 
-    /// The text was evaluated.
-    pub(super) fn is_sound(&self) -> bool {
+    /// It is no fault and no run-time error.
+    pub fn is_sound(&self) -> bool {
         matches!(self, Self::Line(_))
     }
 
     /// The fault of the text, if there is one.
-    pub(super) fn fault(&self) -> Option<&Fault> {
+    pub fn fault(&self) -> Option<&CodeFault> {
         match self {
             Self::Fault(fault) => Some(fault),
             _ => None,
         }
+    }
+}
+
+/// The message about an instruction that cannot be executed.
+pub fn missing_instruction(name: &str) -> String {
+    if instructions::find(name).is_some_and(motion::needs_arm) {
+        format!("motion is not there yet: `{name}` cannot be executed")
+    } else {
+        format!("this controller does not have `{name}`")
     }
 }
 
@@ -102,12 +114,12 @@ impl Display for Answer {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fault, place};
+    use super::{CodeFault, place};
 
     #[test]
     fn the_place_of_a_fault_is_marked() {
         let shown = |text: &str, from, to| {
-            let fault = Fault { message: String::new(), place: place(text, from, to) };
+            let fault = CodeFault { message: String::new(), place: place(text, from, to) };
             fault.excerpt(text).unwrap_or_default()
         };
         assert_eq!(shown("sA+1", 0, 2), "  sA+1\n  ^^");

@@ -1,4 +1,5 @@
-//! The application that a scope is: one given, or an empty one, with the variables and one program more.
+//! The files of the application that evaluates texts: a given or an empty one, with the program and the data of the
+//! texts.
 
 use std::ops::Range;
 
@@ -8,15 +9,15 @@ use val3_analysis::items::declarations::listing;
 use val3_syntax::TextRange;
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
-use super::locals::Local;
-use crate::user_error::UserError;
+use super::variable::Variable;
+use crate::error::SessionError;
 
-/// The name of the application where none is given, and of the program that holds a text.
+/// The name of the program that holds a text, and of an application of its own.
 pub(crate) const NAME: &str = "eval__";
 
 const HEAD: &str = "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n";
 
-/// An application of its own, in a folder that need not exist.
+/// The project file of an application of its own, in a folder that need not exist.
 pub(crate) fn empty(folder: &Utf8Path) -> (Utf8PathBuf, String) {
     let manifest = format!(
         "{HEAD}<Project xmlns=\"http://www.staubli.com/robotics/VAL3/Project/3\">\n  \
@@ -28,13 +29,16 @@ pub(crate) fn empty(folder: &Utf8Path) -> (Utf8PathBuf, String) {
 }
 
 /// The project file of an application, with the program and the data file listed.
-pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, String), UserError> {
+pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, String), SessionError> {
     let file = project.manifest(db);
     let (path, mut text) = (file.path(db).clone(), file.text(db).to_string());
     let mut changes: Vec<(TextRange, String)> = Vec::new();
     for (of_programs, kind) in [(true, "pgx"), (false, "dtx")] {
         let change = listing(db, project, of_programs, &format!("{NAME}.{kind}"));
-        let incomplete = || UserError::new(format!("`{path}` is no complete project file"));
+        let incomplete = || SessionError::Variables {
+            message: format!("`{path}` is no complete project file"),
+            help: "`val3 check` shows what is wrong with it".to_owned(),
+        };
         changes.push(change.ok_or_else(incomplete)?);
     }
     changes.sort_unstable_by_key(|(range, _)| std::cmp::Reverse(range.start()));
@@ -43,14 +47,14 @@ pub(crate) fn extended(db: &Database, project: Project) -> Result<(Utf8PathBuf, 
 }
 
 /// Whether a block of the code is not closed, and nothing else is wrong.
-pub(crate) fn has_open_block(code: &str) -> bool {
+pub fn has_open_block(code: &str) -> bool {
     let parse = val3_syntax::parse(&program(code));
     let is_open = |error: &SyntaxError| matches!(error.kind, SyntaxErrorKind::UnclosedBlock { .. });
     !parse.errors().is_empty() && parse.errors().iter().all(is_open)
 }
 
-/// The texts of pasted code: its lines one by one, those of a block together. Empty lines outside of blocks are none.
-pub(crate) fn texts(code: &str) -> Vec<String> {
+/// The texts of pasted code: each line, or the lines of a block together. Empty lines outside of blocks are left out.
+pub fn texts(code: &str) -> Vec<String> {
     let (mut texts, mut open) = (Vec::new(), String::new());
     for line in code.lines() {
         texts.extend(next_text(&mut open, line));
@@ -59,8 +63,8 @@ pub(crate) fn texts(code: &str) -> Vec<String> {
     texts
 }
 
-/// Adds a line to the text that is being read. The answer is the text if it is complete with this line.
-pub(crate) fn next_text(open: &mut String, line: &str) -> Option<String> {
+/// Adds a line to the text that is being read. Returns the text if the line completes it.
+pub fn next_text(open: &mut String, line: &str) -> Option<String> {
     if !open.is_empty() {
         open.push('\n');
     }
@@ -73,8 +77,8 @@ pub(crate) fn next_text(open: &mut String, line: &str) -> Option<String> {
 }
 
 /// The data file with the variables.
-pub(crate) fn data(locals: &[Local]) -> String {
-    let lines: Vec<String> = locals.iter().map(Local::data).collect();
+pub(crate) fn data(variables: &[Variable]) -> String {
+    let lines: Vec<String> = variables.iter().map(Variable::data).collect();
     format!(
         "{HEAD}<Database xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
          xmlns=\"http://www.staubli.com/robotics/VAL3/Data/2\">\n  <Datas>\n{}\n  </Datas>\n</Database>\n",
@@ -82,7 +86,7 @@ pub(crate) fn data(locals: &[Local]) -> String {
     )
 }
 
-/// What stands before the code in the file of its program.
+/// The file of the program up to the code, which begins on its second line.
 pub(crate) const BEFORE: &str = "<Programs xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\" \
      xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\"><Program name=\"eval__\"><Code><![CDATA[begin\n";
 

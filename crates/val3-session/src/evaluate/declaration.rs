@@ -1,19 +1,19 @@
 //! A text that declares variables: `num nA`, `num nB=2`, `point pA[3]`, `num nC=1, nD`.
 
-use super::locals::Local;
+use super::variable::Variable;
 
 /// A variable that a text declares.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Declaration {
-    pub(super) local: Local,
-    /// The assignment of its value, at the place in the text where it is written. Blanks fill what is before.
+    pub(super) variable: Variable,
+    /// The assignment of its value. Blanks before it keep its position in the text.
     pub(super) assignment: Option<String>,
 }
 
-/// The variables that a text declares; `None` where it declares none, since it does not begin with a type.
+/// The variables that a text declares; `None` if it does not begin with a type.
 ///
 /// # Errors
-/// What is wrong with the declaration.
+/// The message about a wrong declaration.
 pub(super) fn declarations(text: &str, is_type: impl Fn(&str) -> bool) -> Option<Result<Vec<Declaration>, String>> {
     let start = text.len() - text.trim_start().len();
     let code = text.get(start..)?;
@@ -27,19 +27,18 @@ pub(super) fn declarations(text: &str, is_type: impl Fn(&str) -> bool) -> Option
 }
 
 fn declaration(ty: &str, text: &str, (from, piece): (usize, &str)) -> Result<Declaration, String> {
-    let (variable, value) = piece.split_once('=').map_or((piece, None), |(variable, value)| (variable, Some(value)));
-    let local = Local::parse(&format!("{ty} {}", variable.trim()))?;
-    if value.is_some() && local.is_container() {
-        let name = local.name();
+    let (declared, value) = piece.split_once('=').map_or((piece, None), |(declared, value)| (declared, Some(value)));
+    let variable = Variable::parse(&format!("{ty} {}", declared.trim()))?;
+    if value.is_some() && variable.is_container() {
+        let name = variable.name();
         return Err(format!("`{name}` has several values: declare it, then assign to its elements"));
     }
     let before = text.get(..from).unwrap_or_default().chars().count();
     let assignment = value.map(|_| format!("{}{}", " ".repeat(before), piece.trim_end()));
-    Ok(Declaration { local, assignment })
+    Ok(Declaration { variable, assignment })
 }
 
-/// The parts of a text behind `from` that commas separate, with their places. Commas in brackets and strings separate
-/// nothing.
+/// The parts of a text after `from`, separated by commas outside of brackets and strings, with their positions.
 fn pieces(text: &str, from: usize) -> Vec<(usize, &str)> {
     let (mut pieces, mut start, mut depth, mut in_string) = (Vec::new(), from, 0_u32, false);
     for (at, character) in text.char_indices().skip_while(|(at, _)| *at < from) {
@@ -66,7 +65,7 @@ mod tests {
         let shown = |found: Result<Vec<super::Declaration>, String>| match found {
             Ok(found) => {
                 let one = |found: &super::Declaration| {
-                    let name = found.local.name();
+                    let name = found.variable.name();
                     found.assignment.as_ref().map_or(name.to_owned(), |assignment| format!("{name}:{assignment}"))
                 };
                 found.iter().map(one).collect::<Vec<_>>().join("|")
@@ -92,7 +91,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_said() {
+    fn wrong_declarations() {
         assert!(declared("num nA b").unwrap().contains("is no variable"));
         assert!(declared("num nA[2]=1").unwrap().contains("several values"));
     }

@@ -1,20 +1,20 @@
-//! The libraries that an application loads: read, checked and compiled as it is.
+//! Libraries that an application loads while it runs: read, checked and compiled like the application.
 
 use std::sync::Arc;
 
 use camino::Utf8PathBuf;
+use val3_analysis::system::{Disk, OverlayFs};
 use val3_bytecode::Image;
 use val3_machine::devices::Libraries;
 use val3_machine::files::{ControllerPath, LibraryFiles};
 
-use super::{compile, first_refusal, load_laid};
+use crate::application::Application;
 
-/// The number of compiled libraries that are kept, so that a program that saves a library under ever new names fills no
-/// memory.
+/// Most compiled libraries that are kept: a program may save a library under ever new names.
 const CAPACITY: usize = 64;
 
-/// Compiles libraries.
-pub(crate) struct Images {
+/// Compiles libraries, and keeps the latest ones.
+pub(crate) struct LibraryCompiler {
     /// The folder of `Disk`.
     disk: Utf8PathBuf,
     compiled: Cache,
@@ -42,35 +42,34 @@ impl Cache {
     }
 }
 
-impl Images {
+impl LibraryCompiler {
     pub(crate) fn new(disk: Utf8PathBuf) -> Self {
         Self { disk, compiled: Cache { images: Vec::new(), capacity: CAPACITY } }
     }
-}
 
-impl Libraries for Images {
-    fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String> {
-        let shown = path.to_string();
-        if let Some(image) = self.compiled.find(&shown, &files) {
-            return Ok(image);
-        }
-        let image = self.compile(path, &files)?;
-        self.compiled.keep(shown, files, &image);
-        Ok(image)
-    }
-}
-
-impl Images {
-    /// A library of another medium is read as if it lay on `Disk`, where the paths in it lead to.
+    /// A library of another medium is read as if it were on `Disk`, which the paths in it refer to.
     fn compile(&self, path: &ControllerPath, files: &LibraryFiles) -> Result<Arc<Image>, String> {
         let folder = path.parts().iter().fold(self.disk.clone(), |folder, part| folder.join(part.as_str()));
         let manifest = files.files.first().map(|file| folder.join(&file.path)).ok_or("the library has no files")?;
-        let files = files.files.iter().map(|file| (folder.join(&file.path), file.bytes.clone())).collect();
-        let (workspace, project) = load_laid(files, &manifest)?;
-        match first_refusal(&workspace.db, project, |_| true) {
+        let mut system = OverlayFs::new(Disk);
+        files.files.iter().for_each(|file| system.store(folder.join(&file.path), file.bytes.clone()));
+        let library = Application::open(&system, &manifest, None).map_err(|error| error.to_string())?;
+        match library.refusals().first() {
             Some(wrong) => Err(format!("`{path}`: {}", wrong.message)),
-            None => compile(&workspace.db, project).map_err(|error| format!("`{path}`: {}", error.limit)),
+            None => library.compile().map_err(|error| format!("`{path}`: {}", error.limit)),
         }
+    }
+}
+
+impl Libraries for LibraryCompiler {
+    fn image(&mut self, path: &ControllerPath, files: LibraryFiles) -> Result<Arc<Image>, String> {
+        let name = path.to_string();
+        if let Some(image) = self.compiled.find(&name, &files) {
+            return Ok(image);
+        }
+        let image = self.compile(path, &files)?;
+        self.compiled.keep(name, files, &image);
+        Ok(image)
     }
 }
 

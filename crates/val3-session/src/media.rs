@@ -1,15 +1,15 @@
-//! The media of a controller for an application: `Disk`, and where the application is on it.
+//! The media of a controller for an application: the folder of `Disk`, and where the application is on it.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use val3_analysis::db::{Database, Project};
 use val3_analysis::items::project::folder;
 use val3_machine::files::Roots;
 
-use crate::user_error::UserError;
+use crate::error::SessionError;
 
 /// The media of a controller.
 pub(crate) struct Media {
-    /// The folders that paths lead to.
+    /// The folders of the roots of paths.
     pub(crate) roots: Roots,
     /// The folder of `Disk`.
     pub(crate) disk: Utf8PathBuf,
@@ -18,11 +18,11 @@ pub(crate) struct Media {
 }
 
 impl Media {
-    /// `Disk` as the analysis knows it, else the folder around the application. One that is not there holds nothing.
+    /// `Disk` as the analysis knows it, otherwise the folder around the application. A missing folder holds nothing.
     ///
     /// # Errors
     /// The folder cannot be opened.
-    pub(crate) fn of(db: &Database, project: Project) -> Result<Self, UserError> {
+    pub(crate) fn of(db: &Database, project: Project) -> Result<Self, SessionError> {
         let application = folder(db, project);
         let disk = project.disk(db).or(application.parent()).unwrap_or(application).to_owned();
         let inside = application.strip_prefix(&disk).unwrap_or(Utf8Path::new(""));
@@ -34,14 +34,15 @@ impl Media {
         Ok(media)
     }
 
-    /// Lets a root of paths stand for a folder.
+    /// Makes a folder the root `name` of paths.
     ///
     /// # Errors
     /// The folder cannot be opened.
-    pub(crate) fn mount(&mut self, name: &str, folder: &Utf8Path) -> Result<(), UserError> {
-        self.roots.mount(name, folder).map_err(|error| {
-            UserError::new(format!("cannot open the folder `{folder}` for `{name}://`: {error}"))
-                .with_help("name a folder that you may read")
+    pub(crate) fn mount(&mut self, name: &str, folder: &Utf8Path) -> Result<(), SessionError> {
+        self.roots.mount(name, folder).map_err(|error| SessionError::Folder {
+            root: name.to_owned(),
+            folder: folder.to_owned(),
+            reason: error.to_string(),
         })
     }
 }

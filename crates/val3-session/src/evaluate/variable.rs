@@ -1,21 +1,21 @@
-//! The variables of `--local`: a type, a name and a container, as a programmer writes a parameter.
+//! Variables of texts: a type, a name and a container, written like a parameter.
 
 use val3_lang::types::{Arm, BaseType, DefaultValue, attributes, field};
 
-/// A variable of the scope.
+/// A variable of the texts.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Local {
-    /// The type as files spell it; the name of a user type as it stands.
+pub(crate) struct Variable {
+    /// The type as files spell it, or the name of a user type.
     ty: String,
     name: String,
     /// Sizes; `None` for a collection.
     sizes: Option<Vec<u32>>,
 }
 
-/// The arm of positions where nothing tells.
+/// The arm of positions where no other is known.
 const ARM: Arm = Arm::SixAxis;
 
-impl Local {
+impl Variable {
     /// Reads `num nVal`, `point pA[3]`, `num nM[2,4]`, `string sNames[""]`.
     pub(crate) fn parse(text: &str) -> Result<Self, String> {
         let wrong =
@@ -61,7 +61,7 @@ impl Local {
         format!(r#"    <Data name="{name}" access="private" {shape} type="{ty}">{values}</Data>"#)
     }
 
-    /// The values that a variable of a program begins with, as far as files take others for granted (`mdesc`).
+    /// The initial values of a local variable, as far as the defaults of files differ from them (`mdesc`).
     fn values(&self) -> String {
         let begun = BaseType::from_file_name(&self.ty).map(|(ty, arm)| begun(ty, arm)).unwrap_or_default();
         let keys = self.sizes.iter().filter(|_| !begun.is_empty()).flat_map(|sizes| keys(sizes));
@@ -69,7 +69,7 @@ impl Local {
     }
 }
 
-/// The attributes of a value whose default in a program is another than in a file.
+/// The attributes of a value whose default in a program differs from that in a file.
 fn begun(ty: BaseType, arm: Option<Arm>) -> String {
     let differing = attributes(ty, arm).iter().filter_map(|attribute| match field(ty, arm, attribute.field)?.default {
         DefaultValue::Number(number) if attribute.default != DefaultValue::Number(number) => {
@@ -101,10 +101,10 @@ fn sizes(text: &str) -> Option<Option<Vec<u32>>> {
 
 #[cfg(test)]
 mod tests {
-    use super::Local;
+    use super::Variable;
 
     fn data(text: &str) -> String {
-        Local::parse(text).map_or_else(|error| error, |local| local.data().trim().to_owned())
+        Variable::parse(text).map_or_else(|error| error, |local| local.data().trim().to_owned())
     }
 
     #[test]
@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_none() {
+    fn wrong_variables() {
         for text in ["num", "num 1a", "num a[", "num a[0]", "num a[1,2,3,4]", "num a b"] {
             assert!(data(text).contains("is no variable"), "{text}");
         }

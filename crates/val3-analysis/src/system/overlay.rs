@@ -1,0 +1,145 @@
+//! A file system with files laid over it.
+
+use std::io;
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashMap;
+
+use super::{Content, Kind, System};
+use crate::db::path_key;
+
+/// A file system below files that it does not hold. Paths are compared without regard to letter case.
+#[derive(Debug, Clone, Default)]
+pub struct OverlayFs<S> {
+    below: S,
+    /// Bytes by path key; they count as stored.
+    stored: FxHashMap<String, (Utf8PathBuf, Vec<u8>)>,
+    /// Texts by path key; they count as being edited.
+    edited: FxHashMap<String, Arc<str>>,
+}
+
+impl<S: System> OverlayFs<S> {
+    /// `below` with nothing laid over it.
+    pub fn new(below: S) -> Self {
+        Self { below, stored: FxHashMap::default(), edited: FxHashMap::default() }
+    }
+
+    /// Adds or replaces a file. It appears in the listings of the folders above it.
+    pub fn store(&mut self, path: Utf8PathBuf, bytes: Vec<u8>) {
+        self.stored.insert(path_key(path.as_str()), (path, bytes));
+    }
+
+    /// Adds or replaces the text of a file that is being edited.
+    pub fn edit(&mut self, path: &Utf8Path, text: Arc<str>) {
+        self.edited.insert(path_key(path.as_str()), text);
+    }
+
+    /// Whether `path` has a file laid over it.
+    pub fn covers(&self, path: &Utf8Path) -> bool {
+        let key = path_key(path.as_str());
+        self.stored.contains_key(&key) || self.edited.contains_key(&key)
+    }
+
+    fn bytes(&self, path: &Utf8Path) -> Option<&Vec<u8>> {
+        self.stored.get(&path_key(path.as_str())).map(|(_, bytes)| bytes)
+    }
+
+    /// The parts of the paths of stored files that follow the folder `path`.
+    fn names_below(&self, path: &Utf8Path) -> impl Iterator<Item = &str> {
+        self.stored
+            .values()
+            .filter_map(move |(file, _)| Some(file.strip_prefix(path).ok()?.components().next()?.as_str()))
+    }
+}
+
+impl<S: System> System for OverlayFs<S> {
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        match self.edited(path) {
+            Some(text) => Ok(text.as_bytes().to_vec()),
+            None => self.stored(path),
+        }
+    }
+
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
+        let mut contents = self.below.read_all(paths);
+        for (path, content) in paths.iter().zip(&mut contents) {
+            if let Some(bytes) = self.bytes(path) {
+                *content = Content::of(Ok(bytes.clone()));
+            }
+        }
+        contents
+    }
+
+    fn edited(&self, path: &Utf8Path) -> Option<Arc<str>> {
+        self.edited.get(&path_key(path.as_str())).cloned()
+    }
+
+    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        self.bytes(path).map_or_else(|| self.below.stored(path), |bytes| Ok(bytes.clone()))
+    }
+
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        let mut names = match self.below.list(path) {
+            Err(error) if self.names_below(path).next().is_none() => return Err(error),
+            found => found.unwrap_or_default(),
+        };
+        for new in self.names_below(path) {
+            if !names.iter().any(|name| name.eq_ignore_ascii_case(new)) {
+                names.push(new.to_owned());
+            }
+        }
+        names.sort_unstable();
+        Ok(names)
+    }
+
+    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+        if self.covers(path) {
+            return Some(Kind::File);
+        }
+        let is_folder = self.names_below(path).next().is_some();
+        if is_folder { Some(Kind::Folder) } else { self.below.kind(path) }
+    }
+
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
+        if self.covers(path) { path.to_owned() } else { self.below.identity(path) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::system::Memory;
+
+    fn overlay() -> OverlayFs<Memory> {
+        let mut system = OverlayFs::new(Memory::new([("/app/a.pgx", "a"), ("/app/b.pgx", "b")]));
+        system.store("/app/B.pgx".into(), b"stored".to_vec());
+        system.store("/lib/new/c.pgx".into(), b"c".to_vec());
+        system.edit("/app/a.pgx".into(), "edited".into());
+        system
+    }
+
+    #[test]
+    fn files_laid_over_the_others_count() {
+        let system = overlay();
+        let read = |path: &str| system.read(path.into()).map(|bytes| String::from_utf8(bytes).unwrap()).ok();
+        assert_eq!(read("/app/a.pgx").as_deref(), Some("edited"));
+        assert_eq!(read("/app/b.pgx").as_deref(), Some("stored"), "letter case does not matter");
+        assert_eq!(system.stored("/app/a.pgx".into()).unwrap(), b"a");
+        assert_eq!(read("/app/c.pgx"), None);
+        let contents = system.read_all(&["/app/a.pgx".into(), "/lib/new/c.pgx".into()]);
+        let texts: Vec<_> = contents.into_iter().flatten().map(|content| content.text).collect();
+        assert_eq!(texts, ["a".into(), "c".into()], "edited texts are asked for one by one");
+    }
+
+    #[test]
+    fn folders_hold_the_stored_files() {
+        let system = overlay();
+        assert_eq!(system.list("/app".into()).unwrap(), ["a.pgx", "b.pgx"]);
+        assert_eq!(system.list("/lib".into()).unwrap(), ["new"]);
+        assert!(system.list("/other".into()).is_err());
+        assert_eq!(system.kind("/lib/new".into()), Some(Kind::Folder));
+        assert_eq!(system.kind("/lib/new/C.pgx".into()), Some(Kind::File));
+        assert_eq!(system.kind("/other".into()), None);
+    }
+}

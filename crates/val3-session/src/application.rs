@@ -1,0 +1,153 @@
+//! An application that has been read: what the compiler says of it, its image, its controller.
+
+use std::sync::Arc;
+
+use camino::Utf8Path;
+use salsa::Setter as _;
+use val3_analysis::db::{Configuration, Database, Project, Sources, path_key};
+use val3_analysis::items::project::{folder, items};
+use val3_analysis::load::{self, Workspace, loads_alike};
+use val3_analysis::system::System;
+use val3_bytecode::Image;
+use val3_check::diagnostic::Diagnostic;
+use val3_compile::CompileError;
+use val3_config::ConfigFile;
+use val3_machine::controller::Controller;
+
+use crate::connection::Tape;
+use crate::controller;
+use crate::error::SessionError;
+use crate::settings::ControllerSettings;
+
+/// An application with everything that it refers to.
+pub struct Application {
+    workspace: Workspace,
+    project: Project,
+}
+
+impl Application {
+    /// Reads the application at `path`, which is absolute: its folder, its `.pjx`, or a folder that holds one application.
+    /// Of several applications, the only one that has the program `program` is meant. The others are not kept.
+    ///
+    /// # Errors
+    /// `path` does not hold exactly one such application, or a `val3.toml` is at fault.
+    pub fn open(system: &dyn System, path: &Utf8Path, program: Option<&str>) -> Result<Self, SessionError> {
+        let workspace = load::load(system, &[path.to_owned()])?;
+        let project = only_application(&workspace, path, program)?;
+        if workspace.projects.len() > 1 {
+            let manifest = project.manifest(&workspace.db).path(&workspace.db).clone();
+            return Self::open(system, &manifest, None);
+        }
+        Ok(Self { workspace, project })
+    }
+
+    /// The application of a project that has been read.
+    pub fn of(workspace: Workspace, project: Project) -> Self {
+        Self { workspace, project }
+    }
+
+    /// The database with its files.
+    pub fn db(&self) -> &Database {
+        &self.workspace.db
+    }
+
+    /// The project of the application.
+    pub fn project(&self) -> Project {
+        self.project
+    }
+
+    /// All that was read.
+    pub fn into_workspace(self) -> Workspace {
+        self.workspace
+    }
+
+    /// Chooses the arm, whatever the configuration of the application says.
+    ///
+    /// # Errors
+    /// There is no arm called `name`.
+    pub fn set_arm(&mut self, name: &str) -> Result<(), SessionError> {
+        set_arm(&mut self.workspace.db, self.project, name)
+    }
+
+    /// The reasons why the compiler of a controller refuses the application; empty if it does not.
+    pub fn refusals(&self) -> Vec<Diagnostic> {
+        val3_check::refusals(self.db(), self.project)
+    }
+
+    /// The image of an application without [`refusals`](Self::refusals).
+    ///
+    /// # Errors
+    /// It exceeds a limit of the virtual controller.
+    pub fn compile(&self) -> Result<Arc<Image>, CompileError> {
+        val3_compile::compile(self.db(), self.project).map(Arc::new)
+    }
+
+    /// A controller with `image` in memory and the inputs, outputs, lines and folders of its cell. No task runs yet.
+    ///
+    /// # Errors
+    /// A setting is at fault, a folder or line cannot be opened, or memory does not suffice.
+    pub fn controller(
+        &self,
+        settings: &ControllerSettings,
+        tape: Tape<'_>,
+        image: Arc<Image>,
+    ) -> Result<Controller, SessionError> {
+        controller::open(self.db(), self.project, settings, tape, image)
+    }
+}
+
+impl Application {
+    /// Replaces the text of a file in `system`, and reads what the application newly refers to. `arm` is chosen again where
+    /// the configuration was read again.
+    pub(crate) fn set_text(&mut self, system: &dyn System, path: &Utf8Path, text: String, arm: Option<&str>) {
+        let key = path_key(path.as_str());
+        let db = &mut self.workspace.db;
+        let file = Sources::get(db).files(db).get(&key).copied();
+        if let Some(file) = file.filter(|file| loads_alike(file.text(db), &text)) {
+            if **file.text(db) != *text {
+                file.set_text(db).to(text.into());
+            }
+            return;
+        }
+        let manifest = self.project.manifest(&self.workspace.db).path(&self.workspace.db).clone();
+        // Faulty configurations were reported when the application was opened.
+        let _ = self.workspace.refresh(system, &[manifest], &|other| other == key);
+        if let [project] = self.workspace.projects.as_slice() {
+            self.project = *project;
+        }
+        if let Some(arm) = arm {
+            // The arm was known when the application was opened.
+            let _ = self.set_arm(arm);
+        }
+    }
+}
+
+/// The only application of a workspace, or the only one with a program of this name.
+fn only_application(workspace: &Workspace, path: &Utf8Path, program: Option<&str>) -> Result<Project, SessionError> {
+    let (projects, db) = (&workspace.projects, &workspace.db);
+    let has_program = |project: &&Project| program.is_some_and(|name| items(db, **project).programs.contains_key(name));
+    let starting: Vec<Project> = projects.iter().filter(has_program).copied().collect();
+    match (projects.as_slice(), starting.as_slice()) {
+        ([project], _) | (_, [project]) => Ok(*project),
+        (_, several) => {
+            let listed = if several.is_empty() { projects } else { several };
+            let applications = listed.iter().filter_map(|project| folder(db, *project).file_name());
+            let applications = applications.map(str::to_owned).collect();
+            Err(SessionError::Several { path: path.to_owned(), applications })
+        }
+    }
+}
+
+/// Chooses the arm of a project, whatever its configuration says.
+///
+/// # Errors
+/// There is no arm called `name`.
+pub(crate) fn set_arm(db: &mut Database, project: Project, name: &str) -> Result<(), SessionError> {
+    let parsed = ConfigFile::parse(Utf8Path::new(""), &format!("arm = {name:?}"));
+    let arm = parsed.map_err(|error| SessionError::Setting { message: error.message, help: error.help })?.config.arm;
+    let mut file = project.configuration(db).map(|found| found.file(db).clone()).unwrap_or_default();
+    file.config.arm = arm;
+    let configuration = Configuration::new(db, file);
+    project.set_configuration(db).to(Some(configuration));
+    Ok(())
+}

@@ -1,0 +1,125 @@
+//! Errors of opening an application.
+
+use std::fmt::{self, Display};
+
+use camino::Utf8PathBuf;
+use val3_analysis::load::LoadError;
+use val3_compile::CompileError;
+use val3_lang::memory::MEMORY;
+
+/// A reason why an application cannot be opened. `Display` says what is wrong and where, [`help`](Self::help) what to do.
+#[derive(Debug)]
+pub enum SessionError {
+    /// A path holds no application, or a `val3.toml` is at fault.
+    Load(LoadError),
+    /// A path holds several applications.
+    Several {
+        /// The path.
+        path: Utf8PathBuf,
+        /// The names of their folders.
+        applications: Vec<String>,
+    },
+    /// A setting has a value that it does not take. The message names its place.
+    Setting {
+        /// What is wrong.
+        message: String,
+        /// What to do; may be empty.
+        help: String,
+    },
+    /// A folder cannot be opened.
+    Folder {
+        /// The root that it stands for, without `://`.
+        root: String,
+        /// The folder.
+        folder: Utf8PathBuf,
+        /// The reason of the system.
+        reason: String,
+    },
+    /// A serial line or socket does not take its configuration.
+    Line {
+        /// Its name in the cell: `Socket\host`.
+        link: String,
+    },
+    /// A serial device cannot be opened.
+    Device {
+        /// The device.
+        device: Utf8PathBuf,
+        /// The line that it is for.
+        link: String,
+        /// The reason.
+        reason: String,
+    },
+    /// The record of another run cannot be replayed.
+    Recording {
+        /// Its file.
+        file: Utf8PathBuf,
+        /// The reason.
+        reason: String,
+    },
+    /// The data of the application do not fit into the memory of a controller.
+    Memory,
+    /// The application exceeds a limit of the virtual controller.
+    Limit(CompileError),
+    /// A variable is declared wrongly, or the application has faults that keep variables from being declared.
+    Variables {
+        /// What is wrong.
+        message: String,
+        /// What to do; may be empty.
+        help: String,
+    },
+}
+
+impl SessionError {
+    /// What to do about it; may be empty.
+    pub fn help(&self) -> String {
+        match self {
+            Self::Load(_) => String::new(),
+            Self::Several { applications, .. } => {
+                format!("name the folder of one of them: {}", applications.join(", "))
+            }
+            Self::Setting { help, .. } | Self::Variables { help, .. } => help.clone(),
+            Self::Folder { .. } => "name a folder that you may read".to_owned(),
+            Self::Line { .. } => "look at its parameters in sio.cfx, at --line and at [run] in val3.toml".to_owned(),
+            Self::Device { .. } => "name a serial device that you may read and write".to_owned(),
+            Self::Recording { .. } => "name a file that `val3 run --events` has written".to_owned(),
+            Self::Memory => "make arrays smaller, or read what is large from files".to_owned(),
+            Self::Limit(error) => error.limit.help().to_owned(),
+        }
+    }
+}
+
+impl Display for SessionError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Load(error) => error.fmt(f),
+            Self::Several { path, applications } => write!(f, "`{path}` holds {} applications", applications.len()),
+            Self::Setting { message, .. } | Self::Variables { message, .. } => f.write_str(message),
+            Self::Folder { root, folder, reason } => {
+                write!(f, "cannot open the folder `{folder}` for `{root}://`: {reason}")
+            }
+            Self::Line { link } => write!(f, "the line `{link}` cannot be configured so"),
+            Self::Device { device, link, reason } => {
+                write!(f, "cannot open the device `{device}` for `{link}`: {reason}")
+            }
+            Self::Recording { file, reason } => write!(f, "cannot replay `{file}`: {reason}"),
+            Self::Memory => {
+                write!(f, "the data of the application need more memory than a controller has ({} MB)", MEMORY >> 20)
+            }
+            Self::Limit(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for SessionError {}
+
+impl From<CompileError> for SessionError {
+    fn from(error: CompileError) -> Self {
+        Self::Limit(error)
+    }
+}
+
+impl From<LoadError> for SessionError {
+    fn from(error: LoadError) -> Self {
+        Self::Load(error)
+    }
+}

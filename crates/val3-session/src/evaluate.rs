@@ -1,0 +1,260 @@
+//! Evaluation: an application on a controller of its own that executes texts. Its data keep their values from one text
+//! to the next.
+
+mod answer;
+mod declaration;
+mod execution;
+mod sources;
+mod variable;
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use val3_analysis::body::{StmtKind, body};
+use val3_analysis::db::{Database, File, FileStatus, Sources};
+use val3_analysis::infer::infer;
+use val3_analysis::items::project::{items, program_files};
+use val3_analysis::system::{Disk, OverlayFs};
+use val3_bytecode::Image;
+use val3_check::diagnostic::Diagnostic;
+use val3_ide::{Completion, FilePosition, completions};
+use val3_lang::types::BaseType;
+
+pub use answer::{Answer, CodeFault, missing_instruction};
+pub use execution::Listener;
+pub use sources::{has_open_block, next_text, texts};
+
+use crate::application::Application;
+use crate::connection::Tape;
+use crate::error::SessionError;
+use crate::settings::ControllerSettings;
+use declaration::{Declaration, declarations};
+use execution::Execution;
+use sources::{BEFORE, NAME};
+use variable::Variable;
+
+/// The program that runs first, which tells an application from a library.
+const START: &str = "start";
+
+/// The file with the variables of the texts.
+const DATA: &str = "eval__.dtx";
+
+/// Makes an expression a statement that prints its value.
+const PRINT: &str = "?";
+
+/// An application on a controller, and the database that it was compiled from.
+pub struct Evaluator {
+    application: Application,
+    /// The files of the application as they were read, with the program and the data of the texts.
+    files: OverlayFs<Disk>,
+    manifest: Utf8PathBuf,
+    execution: Execution,
+    /// The variables of the texts.
+    variables: Vec<Variable>,
+    /// The user types and the data of the application.
+    types: BTreeSet<String>,
+    data: BTreeSet<String>,
+    arm: Option<String>,
+}
+
+/// The sort of a text.
+enum Text {
+    /// An expression. The value of a string is shown in quotes.
+    Expression {
+        is_string: bool,
+    },
+    Statement,
+}
+
+impl Evaluator {
+    /// Opens the application at the absolute path `application`, or an empty one, which behaves as if it were in the folder
+    /// `current`. Each of `variables` declares a variable, such as `num nVal` or `point pA[3]`.
+    ///
+    /// # Errors
+    /// The application cannot be read or loaded, a setting is at fault, or a variable cannot be declared.
+    pub fn open(
+        application: Option<&Utf8Path>,
+        current: &Utf8Path,
+        variables: &[String],
+        settings: &ControllerSettings,
+    ) -> Result<Self, SessionError> {
+        let variables = variables.iter().map(|text| Variable::parse(text)).collect::<Result<Vec<_>, _>>();
+        let variables = variables.map_err(|message| SessionError::Variables { message, help: String::new() })?;
+        let (manifest, text) = match application {
+            Some(path) => {
+                let found = Application::open(&Disk, path, Some(START))?;
+                sources::extended(found.db(), found.project())?
+            }
+            None => sources::empty(&current.join(NAME)),
+        };
+        let mut files = OverlayFs::new(Disk);
+        files.store(manifest.with_file_name(DATA), sources::data(&variables).into());
+        files.store(manifest.with_file_name(format!("{NAME}.pgx")), sources::program("").into());
+        files.store(manifest.clone(), text.into());
+        let arm = settings.arm.clone();
+        let mut application = Application::open(&files, &manifest, None)?;
+        if let Some(arm) = &arm {
+            application.set_arm(arm)?;
+        }
+        if let Some(fault) = refusal(&application, &manifest.with_file_name(DATA)) {
+            let help = "`val3 check` shows it in its place".to_owned();
+            return Err(SessionError::Variables { message: fault.message, help });
+        }
+        let controller = application.controller(settings, Tape::default(), application.compile()?)?;
+        keep(application.db(), &mut files);
+        let items = items(application.db(), application.project());
+        let types = items.types.keys().map(ToString::to_string).collect();
+        let data = items.data.keys().map(ToString::to_string).collect();
+        let execution = Execution::new(controller);
+        Ok(Self { application, files, manifest, execution, variables, types, data, arm })
+    }
+
+    /// Whether the texts or the application have a variable called `name`.
+    pub fn has_variable(&self, name: &str) -> bool {
+        self.data.contains(name) || self.variables.iter().any(|variable| variable.name() == name)
+    }
+
+    /// Set by the caller, for example on Ctrl-C, it ends the text that is being executed.
+    pub fn interrupt(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.execution.interrupt)
+    }
+
+    /// Evaluates a text: a declaration, an expression, or statements.
+    pub fn evaluate(&mut self, text: &str, listener: &mut dyn Listener) {
+        let is_type = |ty: &str| BaseType::from_name(ty).is_some() || self.types.contains(ty);
+        let fault = match declarations(text, is_type) {
+            Some(Ok(declared)) => {
+                declared.into_iter().find_map(|declaration| self.declare(declaration, listener).err())
+            }
+            Some(Err(message)) => Some(message.into()),
+            None => self.image(text).map(|(image, is_string)| self.execution.run(image, is_string, listener)).err(),
+        };
+        if let Some(fault) = fault {
+            // Nothing follows that the listener could stop.
+            let _ = listener.answer(&Answer::Fault(fault));
+        }
+    }
+
+    /// Declares a variable, and assigns its value. It replaces a variable of the same name that a text has declared.
+    fn declare(&mut self, declaration: Declaration, listener: &mut dyn Listener) -> Result<(), CodeFault> {
+        let Declaration { variable, assignment } = declaration;
+        let before = self.variables.clone();
+        let mut variables = before.clone();
+        variables.retain(|other| other.name() != variable.name());
+        let without = variables.clone();
+        variables.push(variable);
+        let declared = self.exchange(without).and_then(|()| self.exchange(variables));
+        let image = declared.and_then(|()| assignment.map(|code| self.compile("", &code)).transpose());
+        match image {
+            Ok(Some(image)) => self.execution.run(image, false, listener),
+            Ok(None) => {}
+            Err(fault) => {
+                // Variables that were declared before stay declared.
+                self.exchange(before)?;
+                return Err(fault);
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes `variables` the variables of the texts. Unchanged ones keep their values.
+    fn exchange(&mut self, variables: Vec<Variable>) -> Result<(), CodeFault> {
+        let path = self.manifest.with_file_name(DATA);
+        self.set_text(&path, sources::data(&variables));
+        self.set_code("");
+        if let Some(fault) = refusal(&self.application, &path) {
+            return Err(fault.message.into());
+        }
+        let image = self.application.compile().map_err(|error| error.limit.to_string())?;
+        self.execution.exchange(image).map_err(str::to_owned)?;
+        self.variables = variables;
+        Ok(())
+    }
+
+    /// Completions after the first `at` bytes of a line, in a statement and in an expression. Each has the offset in the
+    /// line at which it is inserted.
+    pub fn completions(&mut self, line: &str, at: usize) -> Vec<(usize, String)> {
+        let mut all = Vec::new();
+        for before in ["", PRINT] {
+            self.set_code(&format!("{before}{line}"));
+            let length = BEFORE.len() + before.len();
+            let Some((file, offset)) = self.program().zip(u32::try_from(length + at).ok()) else { continue };
+            let found = completions(self.application.db(), FilePosition { file, offset: offset.into() });
+            let start = |found: &Completion| usize::from(found.range.start()).saturating_sub(length);
+            all.extend(found.into_iter().map(|found| (start(&found), found.label)));
+        }
+        all
+    }
+
+    /// The image whose program executes the text, and whether it prints a string.
+    fn image(&mut self, text: &str) -> Result<(Arc<Image>, bool), CodeFault> {
+        match self.classify(text) {
+            Text::Expression { is_string } => Ok((self.compile(PRINT, text)?, is_string)),
+            Text::Statement => Ok((self.compile("", text)?, false)),
+        }
+    }
+
+    /// The sort of a text: an expression by itself is a line without effect.
+    fn classify(&mut self, text: &str) -> Text {
+        self.set_code(text);
+        let Some(file) = self.program() else { return Text::Statement };
+        let db = self.application.db();
+        let inference = infer(db, self.application.project(), file);
+        let [stmt] = body(db, file).block.as_slice() else { return Text::Statement };
+        match &stmt.kind {
+            StmtKind::Expr(id) if !inference.ty(*id).is_unknown() || inference.call(*id).is_none() => {
+                Text::Expression { is_string: inference.ty(*id).base.builtin() == Some(BaseType::String) }
+            }
+            _ => Text::Statement,
+        }
+    }
+
+    /// The image with this text, after `before`, which makes it a statement.
+    fn compile(&mut self, before: &str, text: &str) -> Result<Arc<Image>, CodeFault> {
+        self.set_code(&format!("{before}{text}"));
+        match refusal(&self.application, &self.manifest.with_file_name(format!("{NAME}.pgx"))) {
+            Some(fault) => Err(CodeFault::found(&fault, BEFORE.len() + before.len(), text)),
+            None => Ok(self.application.compile().map_err(|error| error.limit.to_string())?),
+        }
+    }
+
+    fn set_code(&mut self, code: &str) {
+        let program = self.manifest.with_file_name(format!("{NAME}.pgx"));
+        self.set_text(&program, sources::program(code));
+    }
+
+    fn set_text(&mut self, path: &Utf8Path, text: String) {
+        self.files.store(path.to_owned(), text.clone().into());
+        self.application.set_text(&self.files, path, text, self.arm.as_deref());
+    }
+
+    /// The program that holds the text.
+    fn program(&self) -> Option<File> {
+        let db = self.application.db();
+        let path = self.manifest.with_file_name(format!("{NAME}.pgx"));
+        program_files(db, self.application.project()).iter().copied().find(|file| *file.path(db) == path)
+    }
+}
+
+/// Keeps the files as they were read: the data in memory are those of these files, even if they change on the disk.
+fn keep(db: &Database, files: &mut OverlayFs<Disk>) {
+    for file in Sources::get(db).files(db).values() {
+        let path = file.path(db);
+        if let FileStatus::Read { encoding, .. } = file.status(db)
+            && !files.covers(path)
+        {
+            files.store(path.clone(), encoding.encode(file.text(db)));
+        }
+    }
+}
+
+/// The first reason in a file why the controller's compiler refuses the application.
+fn refusal(application: &Application, path: &Utf8Path) -> Option<Diagnostic> {
+    let db = application.db();
+    application.refusals().into_iter().find(|finding| finding.place.file.path(db) == path)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,117 @@
+//! The execution of a text: its program runs to its end on the controller of the evaluator.
+
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::sync::atomic::Ordering::Relaxed;
+
+use val3_bytecode::Image;
+use val3_lang::ports::TaskNumber;
+use val3_machine::controller::{Controller, Outcome};
+use val3_vm::TaskState;
+
+use super::answer::Answer;
+use super::sources::NAME;
+use crate::pace::{Delay, Pace};
+
+/// The caller of an evaluation.
+pub trait Listener {
+    /// Receives an answer as soon as it is there. `Break` ends the text.
+    fn answer(&mut self, answer: &Answer) -> ControlFlow<()>;
+
+    /// Waits in real time.
+    fn wait(&mut self, delay: Delay);
+}
+
+/// A controller with the data that earlier texts have changed.
+pub(super) struct Execution {
+    controller: Controller,
+    pace: Pace,
+    /// Set from outside to end a text.
+    pub(super) interrupt: Arc<AtomicBool>,
+}
+
+impl Execution {
+    pub(super) fn new(mut controller: Controller) -> Self {
+        let interrupt = Arc::<AtomicBool>::default();
+        controller.devices.interrupt = Arc::clone(&interrupt);
+        Self { controller, pace: Pace::default(), interrupt }
+    }
+
+    /// Replaces the image: new data get their initial values, and data that the image lacks are removed.
+    ///
+    /// # Errors
+    /// The controller has no memory for it; its image is then unchanged.
+    pub(super) fn exchange(&mut self, image: Arc<Image>) -> Result<(), &'static str> {
+        self.controller.exchange(image).map_err(|_| "the controller has not enough memory (run-time error 40)")
+    }
+
+    /// Executes the program of a text until its task has ended. Other tasks run meanwhile, and with the next text.
+    pub(super) fn run(&mut self, image: Arc<Image>, is_string: bool, listener: &mut dyn Listener) {
+        self.interrupt.store(false, Relaxed);
+        let started =
+            self.exchange(image).and_then(|()| self.controller.start(NAME).map_err(|_| "it cannot be started"));
+        let fault = match started {
+            Ok(task) => self.run_task(task, is_string, listener),
+            Err(message) => Some(message.to_owned()),
+        };
+        if let Some(fault) = fault {
+            // Nothing follows that the listener could stop.
+            let _ = listener.answer(&Answer::Fault(fault.into()));
+        }
+    }
+
+    /// Runs until the task has ended. The result says what kept it from its own end.
+    fn run_task(&mut self, task: TaskNumber, is_string: bool, listener: &mut dyn Listener) -> Option<String> {
+        let end = loop {
+            let outcome = self.controller.step_tasks();
+            let events = self.controller.devices.take_events();
+            let mut answers = events.iter().filter_map(|event| Answer::of(event, is_string));
+            if answers.try_for_each(|answer| listener.answer(&answer)).is_break() {
+                break None;
+            }
+            match self.next(task, outcome) {
+                ControlFlow::Continue(delay) => listener.wait(delay),
+                ControlFlow::Break(end) => break end,
+            }
+        };
+        self.controller.kill(task);
+        self.controller.devices.take_events();
+        end
+    }
+
+    /// Lets time pass until something can happen. `Break` if the text has ended, with what kept it from its own end.
+    fn next(&mut self, task: TaskNumber, outcome: Outcome) -> ControlFlow<Option<String>, Delay> {
+        let state = self.controller.vm.tasks().iter().find(|known| known.id == task).map(|task| task.state);
+        let delay = match (state, outcome) {
+            (None | Some(TaskState::Failed(_)), _) => return ControlFlow::Break(None),
+            _ if self.interrupt.swap(false, Relaxed) => return ControlFlow::Break(Some("interrupted".to_owned())),
+            (_, Outcome::Lacking) => {
+                self.controller.kill_tasks();
+                return ControlFlow::Break(None);
+            }
+            (_, Outcome::Waiting(wake)) => self.pace.wait(&mut self.controller, wake),
+            (_, outcome) if outcome.is_final() => None,
+            _ => Some(self.pace.follow(&self.controller)),
+        };
+        match delay {
+            Some(delay) => ControlFlow::Continue(delay),
+            None => ControlFlow::Break(Some(self.endless_wait(task))),
+        }
+    }
+
+    /// The message about a text that waits without end, with the line at which it waits.
+    fn endless_wait(&self, task: TaskNumber) -> String {
+        let positions = self.controller.vm.tasks().iter().zip(self.controller.task_positions());
+        let Some((_, position)) = positions.into_iter().find(|(known, _)| known.id == task) else {
+            return "it waits for an event that cannot happen here".to_owned();
+        };
+        let place = match position.program == NAME {
+            // The code of a text begins on the second line of its file.
+            true => format!("line {}", position.line.saturating_sub(1)),
+            false => format!("line {} of `{}`", position.line, position.program),
+        };
+        let awaited = position.activity.awaited().unwrap_or_else(|| "an event".to_owned());
+        format!("{place} waits for {awaited}, and nothing here can end the wait")
+    }
+}

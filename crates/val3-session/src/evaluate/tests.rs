@@ -1,0 +1,111 @@
+use std::ops::ControlFlow;
+
+use camino::Utf8Path;
+use val3_test::Fixture;
+
+use super::*;
+use crate::Delay;
+
+/// Keeps the answers.
+#[derive(Default)]
+struct Answers(Vec<String>);
+
+impl Listener for Answers {
+    fn answer(&mut self, answer: &Answer) -> ControlFlow<()> {
+        self.0.push(answer.to_string());
+        ControlFlow::Continue(())
+    }
+
+    fn wait(&mut self, delay: Delay) {
+        assert_eq!(delay, Delay::None, "no test talks to the outside");
+    }
+}
+
+fn evaluated(evaluator: &mut Evaluator, texts: &[&str]) -> Vec<String> {
+    let mut answers = Answers::default();
+    texts.iter().for_each(|text| evaluator.evaluate(text, &mut answers));
+    answers.0
+}
+
+fn empty() -> Evaluator {
+    Evaluator::open(None, "/nowhere".into(), &[], &ControllerSettings::default())
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+#[test]
+fn texts_share_variables_and_keep_their_values() {
+    let answers = evaluated(&mut empty(), &["num nA=2", "nA=nA+1", "nA", "string s", "s=\"x\"", "nA", "s"]);
+    assert_eq!(answers, ["3", "3", "\"x\""]);
+}
+
+#[test]
+fn faults_leave_the_variables_as_they_were() {
+    let answers = evaluated(&mut empty(), &["num nA=7", "num if", "nX", "nA+", "1/0", "nA"]);
+    assert_eq!(answers.len(), 5, "{answers:?}");
+    assert!(answers[..3].iter().all(|answer| answer.starts_with("error: ")), "{answers:?}");
+    assert_eq!(answers[3..], ["error 10: division by zero", "7"]);
+}
+
+#[test]
+fn an_endless_wait_is_placed() {
+    let answers = evaluated(&mut empty(), &["num nA", "nA=1\nwait(nA==2)", "nA"]);
+    assert_eq!(answers, ["error: line 2 waits for a condition, and nothing here can end the wait", "1"]);
+}
+
+#[test]
+fn a_break_of_the_listener_ends_the_text() {
+    struct Once(usize);
+    impl Listener for Once {
+        fn answer(&mut self, _: &Answer) -> ControlFlow<()> {
+            self.0 += 1;
+            ControlFlow::Break(())
+        }
+        fn wait(&mut self, _: Delay) {}
+    }
+    let (mut evaluator, mut once) = (empty(), Once(0));
+    evaluator.evaluate("while true\n? 1\nendWhile", &mut once);
+    assert_eq!(once.0, 1);
+    assert_eq!(evaluated(&mut evaluator, &["2"]), ["2"]);
+}
+
+/// The evaluator of a listing's application, with the folder that holds it.
+fn of_listing(listing: &str) -> (tempfile::TempDir, Evaluator) {
+    let folder = tempfile::tempdir().unwrap();
+    let root = Utf8Path::from_path(folder.path()).unwrap();
+    for (path, text) in &Fixture::parse(listing).files {
+        let path = root.join(path);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+    let application = root.join("usrapp/main");
+    let evaluator = Evaluator::open(Some(&application), root, &[], &ControllerSettings::default());
+    (folder, evaluator.unwrap_or_else(|error| panic!("{error}")))
+}
+
+#[test]
+fn the_application_is_used_as_it_was_read() {
+    let (folder, mut evaluator) =
+        of_listing("num nCount\nnCount=1\nprogram double(num& x_nA)\nbegin\n  x_nA=x_nA*2\nend\n");
+    assert!(evaluator.has_variable("nCount"));
+    assert_eq!(evaluated(&mut evaluator, &["nCount=4", "call double(nCount)", "nCount"]), ["8"]);
+    std::fs::remove_dir_all(folder.path().join("usrapp")).unwrap();
+    assert_eq!(evaluated(&mut evaluator, &["num nNew=1", "nCount+nNew"]), ["9"]);
+}
+
+#[test]
+fn libraries_are_loaded_on_demand() {
+    let (_folder, mut evaluator) = of_listing(
+        "library part \"Disk://part/part.pjx\"\nnum nA\ncall part:init()\n--- part\npublic num nWeight=5\n\
+         public program init()\nbegin\nend\n--- other\npublic num nWeight=6\npublic program init()\nbegin\nend\n",
+    );
+    let answers = evaluated(&mut evaluator, &["part:nWeight", "part:libLoad(\"Disk://other\")", "part:nWeight"]);
+    assert_eq!(answers, ["5", "0", "6"]);
+}
+
+#[test]
+fn completions_know_variables_and_instructions() {
+    let mut evaluator = empty();
+    evaluated(&mut evaluator, &["num nSpeed"]);
+    let names: Vec<String> = evaluator.completions("nSp", 3).into_iter().map(|(_, name)| name).collect();
+    assert!(names.contains(&"nSpeed".to_owned()), "{names:?}");
+}

@@ -1,0 +1,24 @@
+//! Sessions: an application from its files to a controller that executes it, and evaluation of code in it.
+//!
+//! The command line, the debug adapter, tests and benchmarks open applications here, so that all of them see the same
+//! controller. [`Application`] finds, reads and compiles an application and opens its controller with
+//! [`ControllerSettings`]; [`Pace`] says how long to wait between cycles; [`Evaluator`] executes code in an application,
+//! text after text. Nothing here knows arguments, terminals, threads or the real clock.
+
+mod application;
+mod cell;
+mod connection;
+mod controller;
+mod error;
+pub mod evaluate;
+mod libraries;
+mod media;
+mod pace;
+mod settings;
+
+pub use application::Application;
+pub use connection::{Connection, Tape};
+pub use error::SessionError;
+pub use evaluate::{Answer, CodeFault, Evaluator, Listener};
+pub use pace::{Delay, Pace};
+pub use settings::{ControllerSettings, LINE_COST, Root, line_cost};

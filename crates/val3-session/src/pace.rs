@@ -1,0 +1,78 @@
+//! The pace of a run: when the controller waits for the real clock, and which time it leaves out.
+
+use std::time::Duration;
+
+use val3_lang::ports::{SECOND, Time};
+use val3_machine::controller::Controller;
+use val3_vm::CYCLE;
+
+/// The time that the outside gets in each cycle of virtual time while a program uses a line to the outside. It could not
+/// answer in time otherwise.
+const LISTENING: Duration = Duration::from_nanos(CYCLE);
+
+/// The longest wait in real time, in nanoseconds of the controller: the caller checks for interrupts in between.
+const LONGEST_WAIT: Time = SECOND / 10;
+
+/// The pace of a run. By default virtual time, without an end and without an operator.
+#[derive(Debug, Clone, Default)]
+pub struct Pace {
+    /// The controller's clock follows the real one.
+    pub real_time: bool,
+    /// The time of the controller's clock at which the run ends, in nanoseconds.
+    pub until: Option<Time>,
+    /// An operator may act at any time.
+    pub attended: bool,
+}
+
+/// A wait in real time. The caller performs it: below the binaries nothing knows the real clock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Delay {
+    /// No wait.
+    None,
+    /// Until the real clock has reached this time of the controller's clock, in nanoseconds since the start.
+    Until(Time),
+    /// For this time.
+    For(Duration),
+}
+
+impl Pace {
+    /// Whether events are to be seen while the run goes on, since real time passes.
+    pub fn keeps_time(&self, controller: &Controller) -> bool {
+        self.real_time || controller.devices.lines.reach_outside()
+    }
+
+    /// The wait after a cycle in which tasks were busy.
+    pub fn follow(&self, controller: &Controller) -> Delay {
+        match self.real_time {
+            true => Delay::Until(controller.now()),
+            false if controller.devices.lines.reach_outside() => Delay::For(LISTENING),
+            false => Delay::None,
+        }
+    }
+
+    /// Advances the clock while all tasks wait until `wake`, or for the outside. `None` if nothing can happen any more.
+    pub fn wait(&self, controller: &mut Controller, wake: Option<Time>) -> Option<Delay> {
+        if self.attended || controller.hears_outside() {
+            // Events from outside come in real time: one cycle after the other.
+            return Some(self.follow(controller));
+        }
+        let next = [wake, controller.next_due(), self.until].into_iter().flatten().min();
+        self.jump(controller, next)
+    }
+
+    /// Advances the clock while no task can continue. Lines cannot help then, but an operator or a script may stop the
+    /// application. `None` if there is neither.
+    pub fn wait_for_operator(&self, controller: &mut Controller) -> Option<Delay> {
+        if self.attended {
+            return Some(self.follow(controller));
+        }
+        let next = controller.next_scripted().map(|due| self.until.map_or(due, |until| due.min(until)));
+        self.jump(controller, next)
+    }
+
+    fn jump(&self, controller: &mut Controller, next: Option<Time>) -> Option<Delay> {
+        let next = next?;
+        controller.jump(if self.real_time { next.min(controller.now() + LONGEST_WAIT) } else { next });
+        Some(self.follow(controller))
+    }
+}

@@ -1,0 +1,159 @@
+//! Settings of a controller: those of the caller, and those of a `val3.toml` where the caller sets none.
+
+use std::str::FromStr as _;
+
+use camino::Utf8PathBuf;
+use val3_config::{ConfigFile, Licence, Run};
+use val3_lang::ports::{Time, nanoseconds};
+use val3_machine::controller_state::{self, Calendar};
+use val3_machine::devices::Devices;
+
+use crate::connection::Connection;
+use crate::error::SessionError;
+
+/// The profile of every controller.
+const FIRST_PROFILE: &str = "default";
+
+/// Time that a line takes unless a setting says otherwise, in microseconds.
+pub const LINE_COST: f64 = 2.0;
+
+/// Settings of the controller that an application runs on. `val3.toml` and the cell give those that are not set.
+#[derive(Debug, Clone, Default)]
+pub struct ControllerSettings {
+    /// The arm, or the kind of arm.
+    pub arm: Option<String>,
+    /// Folders of roots other than `Disk`, in addition to those of `val3.toml`.
+    pub roots: Vec<Root>,
+    /// Connections of serial lines and sockets. They replace those of the cell and of `val3.toml`.
+    pub connections: Vec<Connection>,
+    /// Sockets reach other machines; otherwise every address means this machine.
+    pub network: bool,
+    /// Date and time at the start.
+    pub date: Option<Calendar>,
+    /// Monitor speed in per cent, 0 to 100.
+    pub monitor_speed: Option<u8>,
+    /// Controller time that a line takes, in nanoseconds.
+    pub line_cost: Option<Time>,
+}
+
+/// A root of paths and its folder.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Root {
+    /// The name before `://`.
+    pub name: String,
+    /// The folder.
+    pub folder: Utf8PathBuf,
+}
+
+/// The controller time of a line that takes `microseconds`, in nanoseconds. `None` outside 0.001 to 1e6 microseconds: a
+/// line without cost would let a program that never waits stop the clock.
+pub fn line_cost(microseconds: f64) -> Option<Time> {
+    (0.001..=1e6).contains(&microseconds).then(|| nanoseconds(microseconds / 1e6))
+}
+
+/// The settings of the caller, with those of `val3.toml` where the caller sets none.
+pub(crate) struct MergedSettings {
+    /// Folders of roots other than `Disk`.
+    pub(crate) roots: Vec<Root>,
+    /// Connections of lines, those of the caller last.
+    pub(crate) connections: Vec<Connection>,
+    /// Sockets reach other machines.
+    pub(crate) network: bool,
+    /// Controller time that a line takes, in nanoseconds.
+    pub(crate) line_cost: Time,
+    /// Per cent.
+    monitor_speed: Option<u8>,
+    /// Settings that only the file has.
+    run: Run,
+}
+
+impl MergedSettings {
+    /// # Errors
+    /// The file has a value that its setting does not take.
+    pub(crate) fn of(settings: &ControllerSettings, file: Option<&ConfigFile>) -> Result<Self, SessionError> {
+        let empty = ConfigFile::default();
+        let file = file.unwrap_or(&empty);
+        let run = &file.config.run;
+        Ok(Self {
+            roots: roots(file).chain(settings.roots.iter().cloned()).collect(),
+            connections: connections(file)?.into_iter().chain(settings.connections.iter().cloned()).collect(),
+            network: settings.network || run.network,
+            line_cost: settings.line_cost.map_or_else(|| line_cost_of(file), Ok)?,
+            monitor_speed: settings.monitor_speed.map_or_else(|| monitor_speed(file), |speed| Ok(Some(speed)))?,
+            run: run.clone(),
+        })
+    }
+
+    /// Sets users, licences and monitor speed of the controller.
+    pub(crate) fn apply(&self, devices: &mut Devices) {
+        if self.run.profile.is_some() || !self.run.profiles.is_empty() {
+            devices.state.profiles = profiles(&self.run);
+        }
+        for (name, state) in &self.run.licences {
+            let licence = match state {
+                Licence::Enabled => Some(controller_state::Licence::Enabled),
+                Licence::Demo => Some(controller_state::Licence::Demo),
+                Licence::Missing => None,
+            };
+            devices.state.versions.set_licence(name, licence);
+        }
+        if let Some(speed) = self.monitor_speed {
+            devices.state.robot.turn_speed(speed.into());
+        }
+    }
+}
+
+fn roots(file: &ConfigFile) -> impl Iterator<Item = Root> {
+    let root = |(name, folder): (&String, _)| Root { name: name.clone(), folder: file.folder().join(folder) };
+    file.config.roots.iter().map(root)
+}
+
+fn connections(file: &ConfigFile) -> Result<Vec<Connection>, SessionError> {
+    let connection = |(link, end): (&String, &String)| {
+        Connection::from_str(&format!("{link}={end}")).map_err(|_| {
+            let message = format!("a line cannot be connected to `{end}`");
+            let help = "write \"server:PORT\", \"client:ADDRESS:PORT\", \"udp:PORT\" or \"serial:DEVICE\"";
+            refused(file, &format!("run.lines.{link}"), message, help)
+        })
+    };
+    file.config.run.lines.iter().map(connection).collect()
+}
+
+fn line_cost_of(file: &ConfigFile) -> Result<Time, SessionError> {
+    let cost = file.config.run.line_cost.unwrap_or(LINE_COST);
+    line_cost(cost).ok_or_else(|| {
+        let message = format!("a line cannot take {cost} µs");
+        refused(file, "run.line-cost", message, "write microseconds from 0.001 to 1e6")
+    })
+}
+
+fn monitor_speed(file: &ConfigFile) -> Result<Option<u8>, SessionError> {
+    match file.config.run.monitor_speed {
+        Some(speed @ 101..) => {
+            let message = format!("the monitor speed cannot be {speed} %");
+            Err(refused(file, "run.monitor-speed", message, "write 0 to 100"))
+        }
+        speed => Ok(speed),
+    }
+}
+
+fn refused(file: &ConfigFile, key: &str, message: String, help: &str) -> SessionError {
+    SessionError::Setting { message: file.fault(key, message, help.to_owned()).to_string(), help: String::new() }
+}
+
+/// The profiles of the file, and `default` unless the file describes that too.
+fn profiles(run: &Run) -> controller_state::Profiles {
+    let of = |(name, profile): (&String, &val3_config::Profile)| controller_state::Profile {
+        name: name.clone(),
+        password: profile.password.clone(),
+        controls_speed: profile.controls_speed,
+    };
+    let plain = |name: &str| of((&name.to_owned(), &val3_config::Profile::default()));
+    let mut known: Vec<_> = run.profiles.iter().map(of).collect();
+    if !run.profiles.contains_key(FIRST_PROFILE) {
+        known.push(plain(FIRST_PROFILE));
+    }
+    let active = run.profile.as_deref().unwrap_or(FIRST_PROFILE);
+    let active = known.iter().find(|profile| profile.name == active).cloned().unwrap_or_else(|| plain(active));
+    controller_state::Profiles::new(known, active)
+}
