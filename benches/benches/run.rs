@@ -10,13 +10,13 @@ use std::sync::Arc;
 
 use camino::Utf8Path;
 use divan::Bencher;
-use val3_analysis::load;
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::What;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+use val3_session::Application;
 use xtask::metrics::running::PROGRAMS;
 
 /// Nanoseconds of controller time for each line, the default of `val3 run`.
@@ -44,9 +44,8 @@ fn application(bencher: Bencher<'_, '_>, name: &str) {
 
 fn compiled(name: &str) -> Arc<Image> {
     let manifest = Utf8Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("programs/{name}/{name}.pjx"));
-    let workspace = load::load(&Disk, &[manifest]).expect("the application can be read");
-    let project = workspace.projects.first().expect("the application is a project");
-    Arc::new(val3_compile::compile(&workspace.db, *project).expect("the application has no faults"))
+    let application = Application::open(&Disk, &manifest, None).expect("the application can be read");
+    application.compile().expect("the application has no faults")
 }
 
 /// The line that the application has logged.

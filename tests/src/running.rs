@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use camino::Utf8PathBuf;
-use val3_analysis::load;
 use val3_analysis::system::Memory;
 use val3_bytecode::Image;
 use val3_lang::ports::{SECOND, Time};
@@ -11,6 +10,7 @@ use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::{Event, What};
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
+use val3_session::{Application, Pace};
 use val3_test::{Fixture, ROOT};
 
 /// Microseconds that a line takes here, in nanoseconds.
@@ -52,7 +52,7 @@ impl Running {
     /// If it has faults.
     #[track_caller]
     pub fn on(devices: Devices, listing: &str) -> Self {
-        let mut controller = Controller::new(devices, Arc::new(image(listing)), "Disk://main".to_owned(), LINE)
+        let mut controller = Controller::new(devices, image(listing), "Disk://main".to_owned(), LINE)
             .unwrap_or_else(|fault| panic!("the controller has no memory for the application: {fault:?}"));
         let started = controller.start("start");
         assert!(started.is_ok(), "{started:?}");
@@ -85,16 +85,13 @@ impl Running {
 
     /// A cycle, and the time that nothing happens in. Whether something can still happen.
     fn step(&mut self) -> bool {
-        let step = self.controller.step();
+        let outcome = self.controller.step();
         self.events.append(&mut self.controller.devices.take_events());
-        let wake = match step {
-            Outcome::Waiting(wake) => wake,
-            Outcome::Stuck => None,
-            outcome => return !outcome.is_final(),
-        };
-        let next = wake.into_iter().chain(self.controller.next_due()).min();
-        next.into_iter().for_each(|next| self.controller.jump(next));
-        next.is_some()
+        match outcome {
+            Outcome::Waiting(wake) => Pace::default().wait(&mut self.controller, wake).is_some(),
+            Outcome::Stuck => Pace::default().wait(&mut self.controller, None).is_some(),
+            outcome => !outcome.is_final(),
+        }
     }
 
     /// The output of `?`, one line each, and the numbers of run-time errors.
@@ -130,12 +127,11 @@ impl Running {
 }
 
 #[track_caller]
-fn image(listing: &str) -> Image {
+fn image(listing: &str) -> Arc<Image> {
     let fixture = Fixture::parse(listing);
     let path = |file: &str| Utf8PathBuf::from(format!("{ROOT}/{file}"));
     let files = fixture.files.iter().map(|(file, text)| (path(file), text.clone().into_bytes()));
-    let workspace = load::load(&Memory::new(files), &[path("usrapp/main/main.pjx")]);
-    let workspace = workspace.unwrap_or_else(|error| panic!("{error:?}"));
-    let [project] = workspace.projects.as_slice() else { panic!("{} projects", workspace.projects.len()) };
-    val3_compile::compile(&workspace.db, *project).unwrap_or_else(|error| panic!("{error}"))
+    let application = Application::open(&Memory::new(files), &path("usrapp/main/main.pjx"), None);
+    let application = application.unwrap_or_else(|error| panic!("{error}"));
+    application.compile().unwrap_or_else(|error| panic!("{error}"))
 }
