@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
+use smol_str::SmolStr;
 use val3_lang::add_on::AddOnTable;
 use val3_lang::types::{Arm, BaseType};
 
@@ -13,9 +14,20 @@ pub struct CellConfig {
     pub arm: Option<Arm>,
     /// The instruction tables of the installed add-ons, for this arm.
     pub add_ons: Arc<Vec<AddOnTable>>,
+    /// Tables of add-ons for this arm that cannot be read, by name.
+    pub unreadable_tables: Vec<UnreadableTable>,
     /// Inputs and outputs of the devices whose configuration files are known; others are known to the controller
     /// alone.
     pub io: FxHashMap<String, Device>,
+}
+
+/// The table of an add-on that cannot be read.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UnreadableTable {
+    /// Its path from `usr`, as spelt on the disk.
+    pub path: SmolStr,
+    /// The reason, as the system or the reader of tables words it.
+    pub reason: SmolStr,
 }
 
 /// The inputs and outputs of a device (`BasicIO-1`, `Socket`): name and type of variable.

@@ -52,6 +52,16 @@ impl ProjectCheck<'_> {
         self.projects(root, spelling.libraries, (spelling.library_name, spelling.library_path), FileRole::Library);
         self.projects(root, spelling.types, ("name", "path"), FileRole::Type);
         self.circles(root, spelling);
+        self.add_on_tables(root);
+    }
+
+    /// The tables of the cell are files outside the project, so they are reported at its root element.
+    fn add_on_tables(&mut self, root: Element<'_>) {
+        let Some(cell) = self.project.cell(self.db) else { return };
+        for table in &cell.config(self.db).unreadable_tables {
+            let kind = ProblemKind::AddOnTableUnreadable { path: table.path.clone(), reason: table.reason.clone() };
+            self.found.report(root.name_range(), kind);
+        }
     }
 
     fn children(&mut self, root: Element<'_>, spelling: &Spelling) {

@@ -9,7 +9,7 @@ use val3_lang::add_on::{AddOnTable, parse_table};
 use val3_lang::types::Arm;
 use val3_syntax::encoding::decode;
 
-use crate::cell::CellConfig;
+use crate::cell::{CellConfig, UnreadableTable};
 use crate::db::path_key;
 use crate::system::System;
 use crate::xml::{self, Element};
@@ -34,11 +34,20 @@ pub(super) fn read(
     let arm = known_arm.or_else(|| arm_file.as_deref().and_then(arm));
     // A cell that does not say its arm counts as one with six axes.
     let fitting = tables.into_iter().filter(|(of, _)| *of == arm.unwrap_or(Arm::SixAxis));
-    let add_ons = fitting.filter_map(|(_, path)| parse_table(&text(system, &path)?).ok()).collect();
-    Some(CellConfig { arm, add_ons: Arc::new(add_ons), io })
+    let (mut add_ons, mut unreadable_tables) = (Vec::new(), Vec::new());
+    for (_, path) in fitting {
+        match named_table(system, &path) {
+            Ok(table) => add_ons.push(table),
+            Err(reason) => {
+                let path = path.strip_prefix(usr).unwrap_or(&path).as_str().into();
+                unreadable_tables.push(UnreadableTable { path, reason: reason.into() });
+            }
+        }
+    }
+    Some(CellConfig { arm, add_ons: Arc::new(add_ons), unreadable_tables, io })
 }
 
-/// The table of an add-on that a `val3.toml` names.
+/// Reads the table of an add-on.
 pub(super) fn named_table(system: &dyn System, path: &Utf8Path) -> Result<AddOnTable, String> {
     let bytes = system.read(path).map_err(|error| error.to_string())?;
     parse_table(&decode(bytes).text).map_err(|error| error.to_string())

@@ -286,6 +286,13 @@ pub enum ProblemKind {
         /// The reason, as the system words it.
         reason: SmolStr,
     },
+    /// The table of an installed add-on cannot be read.
+    AddOnTableUnreadable {
+        /// The path of the table from `usr`.
+        path: SmolStr,
+        /// The reason, as the system or the reader of tables words it.
+        reason: SmolStr,
+    },
     /// A path with backslashes.
     PathSeparator {
         /// The path as written.

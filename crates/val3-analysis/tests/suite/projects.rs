@@ -111,3 +111,14 @@ fn a_type_or_library_listed_twice() {
     "#]]
     .assert_eq(&project(lists));
 }
+
+#[test]
+fn unreadable_add_on_table() {
+    let listing = |table: &str| {
+        faults(&format!("num nA\nnA=1\n=== /app/val3.One.anthro.cfx\n{table}\n=== /app/val3.One.scara.cfx\n<x />"))
+    };
+    assert_eq!(listing("<Language />"), "");
+    expect![[r#"
+        main/main.pjx:2 `Project` AddOnTableUnreadable { path: "app/val3.One.anthro.cfx", reason: "the root element is not `Language` (at byte 0)" }
+    "#]].assert_eq(&listing("<Table />"));
+}

@@ -3,11 +3,14 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A file of the application exists and cannot be read.
+    /// A file of the application, or the table of an add-on in its cell, exists and cannot be read.
     ///
     /// ## Why
     /// What the file says stays unknown, so nothing that depends on it can be judged. The usual reasons are missing
     /// rights, a folder that has the name of a file, a medium that was taken out, and an editor that saved UTF-16.
+    ///
+    /// An unreadable table in `usr/app` is reported at each project of the cell: without it, the instructions of the add-on
+    /// are unknown.
     ///
     /// ## Bad
     /// ```text
@@ -32,11 +35,30 @@ pub(crate) fn word(reason: &str) -> Wording {
     )
 }
 
+/// Words the finding about the table of an add-on.
+pub(crate) fn word_table(path: &str, reason: &str) -> Wording {
+    Wording::new(
+        format!("the table of add-on instructions `usr/{path}` cannot be read: {reason}"),
+        "project of this cell",
+        "copy the table from the controller again, or delete it if the add-on is not installed",
+    )
+}
+
 #[cfg(test)]
 mod tests {
     use expect_test::expect;
 
     use super::*;
+
+    #[test]
+    fn a_table_is_given_with_its_path() {
+        expect![[r#"
+            the table of add-on instructions `usr/app/val3.One.anthro.cfx` cannot be read: line 2: a function has no name
+            | project of this cell
+            ? copy the table from the controller again, or delete it if the add-on is not installed
+        "#]]
+        .assert_eq(&word_table("app/val3.One.anthro.cfx", "line 2: a function has no name").to_string());
+    }
 
     #[test]
     fn the_reason_is_the_systems() {
