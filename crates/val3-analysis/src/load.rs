@@ -6,6 +6,7 @@ mod discover;
 mod disk;
 mod error;
 mod files;
+mod folder_names;
 mod known;
 mod references;
 mod refresh;
@@ -27,7 +28,7 @@ use crate::db::{Cell, Configuration, Database, File, Project, path_key};
 use crate::items::manifest::{Manifest, manifest};
 use crate::paths::{self, Roots, Target};
 use crate::system::System;
-use files::FolderNames;
+use folder_names::FolderNames;
 use known::Known;
 use references::Loaded;
 

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
 
-use super::summary;
+use super::program::summary;
 use crate::db::{Db, File, Project, Sources, path_key};
 use crate::items::data::data;
 use crate::items::fathers::fathers_in;

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use rustc_hash::FxHashMap;
 use val3_syntax::{Parse, parse_shared};
 
-use super::File;
+use super::inputs::File;
 
 /// The trees that are kept.
 #[derive(Debug, Default)]

@@ -3,7 +3,7 @@
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
 
-use super::LoadError;
+use super::error::LoadError;
 use crate::system::{Kind, System};
 
 /// Folders below the path asked for are searched this deep.

@@ -4,6 +4,7 @@ use camino::{Utf8Path, Utf8PathBuf};
 use smol_str::SmolStr;
 
 use super::Loader;
+use super::folder_names::FolderNames;
 use crate::db::{File, path_key};
 use crate::system::{Content, Kind};
 
@@ -84,7 +85,7 @@ impl Loader<'_> {
 
     /// The names in a folder, sorted, as the disk spells them.
     pub(super) fn names_in(&mut self, folder: &Utf8Path) -> Vec<SmolStr> {
-        let mut names: Vec<SmolStr> = self.folder(folder).0.iter().map(|(_, name)| SmolStr::from(name)).collect();
+        let mut names: Vec<SmolStr> = self.folder(folder).spellings().map(SmolStr::from).collect();
         names.sort_unstable();
         names
     }
@@ -92,25 +93,5 @@ impl Loader<'_> {
     fn folder(&mut self, path: &Utf8Path) -> &FolderNames {
         let names = || FolderNames::new(self.system.list(path).unwrap_or_default());
         self.folders.entry(path.to_owned()).or_insert_with(names)
-    }
-}
-
-/// The names in a folder, sorted by their keys.
-pub(super) struct FolderNames(Vec<(String, String)>);
-
-impl FolderNames {
-    fn new(names: Vec<String>) -> Self {
-        let mut names: Vec<(String, String)> = names.into_iter().map(|name| (path_key(&name), name)).collect();
-        names.sort_unstable();
-        Self(names)
-    }
-
-    /// The name that differs from `name` in letter case at most; `name` itself if it is there.
-    fn spelling(&self, name: &str) -> Option<&str> {
-        let key = path_key(name);
-        let start = self.0.partition_point(|(known, _)| *known < key);
-        let mut alike =
-            self.0.get(start..)?.iter().take_while(|(known, _)| *known == key).map(|(_, name)| name.as_str());
-        alike.clone().find(|known| *known == name).or_else(|| alike.next())
     }
 }

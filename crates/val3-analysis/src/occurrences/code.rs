@@ -5,7 +5,7 @@ use smol_str::SmolStr;
 use val3_lang::{builtins, enumerations};
 use val3_syntax::{TextRange, TextSize};
 
-use super::{Occurrence, Symbol, Usage};
+use super::occurrence::{Occurrence, Symbol, Usage};
 use crate::body::{Body, Expr, ExprId, body};
 use crate::db::{Db, File, Project};
 use crate::effects::{AccessKind, Effects};

@@ -3,7 +3,7 @@
 use val3_lang::instructions::{GET_DATA, LIB_EXIST};
 use val3_syntax::{TextRange, TextSize};
 
-use super::{Occurrence, Symbol, Usage};
+use super::occurrence::{Occurrence, Symbol, Usage};
 use crate::body::{Body, Expr, ExprId};
 use crate::db::{Db, File, Project};
 use crate::items::project::{Items, items};

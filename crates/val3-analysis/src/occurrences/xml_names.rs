@@ -6,7 +6,7 @@ use val3_lang::types::BaseType;
 use val3_syntax::view::View;
 use val3_syntax::{TextRange, TextSize};
 
-use super::{Occurrence, Symbol, Usage};
+use super::occurrence::{Occurrence, Symbol, Usage};
 use crate::db::{Db, File, Project};
 use crate::items::manifest::{entries, spelling};
 use crate::items::project::{Items, fields, items, resolve_type};

@@ -1,0 +1,28 @@
+//! The names in a folder, found without regard to letter case.
+
+use crate::db::path_key;
+
+/// The names in a folder, sorted by their keys.
+pub(super) struct FolderNames(Vec<(String, String)>);
+
+impl FolderNames {
+    pub(super) fn new(names: Vec<String>) -> Self {
+        let mut names: Vec<(String, String)> = names.into_iter().map(|name| (path_key(&name), name)).collect();
+        names.sort_unstable();
+        Self(names)
+    }
+
+    /// The name that differs from `name` in letter case at most; `name` itself if it is there.
+    pub(super) fn spelling(&self, name: &str) -> Option<&str> {
+        let key = path_key(name);
+        let start = self.0.partition_point(|(known, _)| *known < key);
+        let mut alike =
+            self.0.get(start..)?.iter().take_while(|(known, _)| *known == key).map(|(_, name)| name.as_str());
+        alike.clone().find(|known| *known == name).or_else(|| alike.next())
+    }
+
+    /// All names, as the disk spells them.
+    pub(super) fn spellings(&self) -> impl Iterator<Item = &str> {
+        self.0.iter().map(|(_, name)| name.as_str())
+    }
+}
