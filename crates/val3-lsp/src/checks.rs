@@ -11,7 +11,6 @@ use val3_analysis::db::{File, Project};
 use crate::convert;
 use crate::pool::Lane;
 use crate::published::{self, ProjectFindings};
-use crate::side_by_side::SideBySide;
 use crate::snapshot::Snapshot;
 use crate::world::World;
 
@@ -39,8 +38,6 @@ struct Batch {
     /// Files that were edited, whose findings somebody waits for.
     edited: FxHashSet<File>,
     next: AtomicUsize,
-    /// The edited program that two threads look at.
-    side_by_side: Option<SideBySide>,
     /// Threads that still work on it.
     working: AtomicUsize,
     generation: u64,
@@ -126,21 +123,17 @@ impl World {
 
     fn start_batch(&self, projects: Vec<Project>, edited: FxHashSet<File>, lane: Lane) {
         let threads = self.pool.threads().min(projects.len());
-        let side_by_side = self.side_by_side(&projects, &edited);
         let batch = Arc::new(Batch {
             projects,
             edited,
             next: AtomicUsize::new(0),
-            side_by_side,
             working: AtomicUsize::new(threads),
             generation: self.checks.started,
             lane,
         });
         for _ in 0..threads {
             let (batch, snapshot, inbox) = (Arc::clone(&batch), self.snapshot(), self.inbox.clone());
-            let help = self.help(&batch);
             self.pool.spawn(lane, move || {
-                help();
                 let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| work(&batch, &snapshot)));
                 let outcome = crate::panics::contained(work);
                 drop(snapshot);
@@ -156,29 +149,6 @@ impl World {
                         world.batch_is_done(&batch);
                     }
                 });
-            });
-        }
-    }
-
-    /// One program was edited, and there is another thread for it.
-    fn side_by_side(&self, projects: &[Project], edited: &FxHashSet<File>) -> Option<SideBySide> {
-        let file = edited.iter().copied().next().filter(|_| edited.len() == 1 && self.pool.threads() > 1)?;
-        match (val3_ide::projects_of(self.database(), file), projects) {
-            ([owner], [project]) if owner == project => Some(SideBySide::new(*project, file)),
-            _ => None,
-        }
-    }
-
-    /// Calls another thread to the program that two look at. The first one does so: the main loop often shares its
-    /// core, and gets no further as long as it computes.
-    fn help(&self, batch: &Arc<Batch>) -> impl FnOnce() + Send + use<> {
-        let called = batch.side_by_side.is_some().then(|| (self.pool.clone(), Arc::clone(batch), self.snapshot()));
-        move || {
-            let Some((pool, batch, snapshot)) = called else { return };
-            pool.spawn(batch.lane, move || {
-                let help = || batch.side_by_side.iter().for_each(|program| program.help(&snapshot));
-                // A fault shows again where somebody waits for the result.
-                let _ = crate::panics::contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(help)));
             });
         }
     }
@@ -220,7 +190,6 @@ impl World {
 fn work(batch: &Batch, snapshot: &Snapshot) {
     while let Some(project) = batch.projects.get(batch.next.fetch_add(1, Ordering::Relaxed)) {
         let generation = batch.generation;
-        batch.side_by_side.iter().for_each(|program| program.lead(snapshot));
         for (file, found) in found_early(batch, snapshot, *project) {
             let found = (snapshot.uri(file), found);
             let project = *project;

@@ -30,7 +30,6 @@ mod scan_progress;
 mod server;
 mod session;
 mod shown;
-mod side_by_side;
 mod snapshot;
 mod sync;
 mod transport;
