@@ -14,7 +14,7 @@ use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
 use crate::echoes::without_echoes;
 use crate::fix::Site;
 use crate::lint::Program;
-use crate::one_cause::joined;
+use crate::one_cause::join_causes;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
@@ -158,9 +158,16 @@ pub fn put_together(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member:
     suppression::apply(db, found)
 }
 
-/// What only the whole shows, after every unit was checked: comments that silenced nothing, and causes that several
-/// findings have. An add-on that is missing is one finding an application, however often it is used.
-pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
+/// Completes a check after all its units: [`finish_each`], with one finding for a cause that several applications share.
+pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, checked: Checked) -> Checked {
+    let mut checked = finish_each(db, units, settings, checked);
+    checked.findings = join_causes(db, checked.findings);
+    checked
+}
+
+/// Completes the check of each application: adds the comments that silence nothing, and keeps one finding for each add-on
+/// that is missing.
+pub fn finish_each(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut checked: Checked) -> Checked {
     for unit in units {
         if let Unit::Program(project, file) = *unit {
             let settings = settings.of(db, project);
@@ -172,7 +179,6 @@ pub fn finish(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mut che
     checked.findings.retain(|diagnostic| {
         !is_said_once(diagnostic.rule) || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
-    checked.findings = joined(db, checked.findings);
     checked
 }
 

@@ -19,7 +19,7 @@ enum Cause<'db> {
 }
 
 /// Keeps the first finding of each cause. The places of the others become related places of it.
-pub(crate) fn joined(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+pub fn join_causes(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
     let mut kept: Vec<Diagnostic> = Vec::with_capacity(findings.len());
     let mut firsts: FxHashMap<Cause<'_>, usize> = FxHashMap::default();
     for finding in findings {
@@ -39,6 +39,11 @@ pub(crate) fn joined(db: &dyn Db, findings: Vec<Diagnostic>) -> Vec<Diagnostic> 
         kept.push(finding);
     }
     kept
+}
+
+/// Whether several applications can report a finding for the same cause.
+pub fn has_shared_cause(db: &dyn Db, finding: &Diagnostic) -> bool {
+    cause(db, finding).is_some()
 }
 
 fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {

@@ -2,16 +2,11 @@
 
 #![allow(missing_docs, reason = "the builders and setters that salsa generates cannot be documented")]
 
-use val3_analysis::body::body;
 use val3_analysis::db::{Db, File, Project};
-use val3_analysis::effects::Effects;
-use val3_analysis::flow::flow;
-use val3_analysis::infer::infer;
-use val3_analysis::items::project::program_files;
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
 use val3_check::{
-    Checked, Faults, Unit, check_alone, check_faults, check_member, finish, is_said_once, put_together, units,
+    Checked, Faults, Unit, check_alone, check_faults, check_member, finish_each, has_shared_cause, is_said_once, join_causes, put_together, units,
 };
 
 /// What every application is checked for.
@@ -22,17 +17,46 @@ pub struct CheckSettings {
     pub settings: WorkspaceSettings,
 }
 
-/// What is wrong in a project: the findings of `val3 check`, in its order.
-#[salsa::tracked]
-pub fn project_diagnostics(db: &dyn Db, settings: CheckSettings, project: Project) -> Vec<Diagnostic> {
-    let units = units(db, &[project]);
-    let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
-    finish(db, &units, settings.settings(db), checked).findings
+/// The findings of a project, in the order of `val3 check`. A cause that several of `projects` share is reported in the
+/// first of them, as `val3 check` does for all projects.
+pub fn project_diagnostics(
+    db: &dyn Db,
+    settings: CheckSettings,
+    projects: &[Project],
+    project: Project,
+) -> Vec<Diagnostic> {
+    let own = own_diagnostics(db, settings, project);
+    let is_shared = |finding: &&Diagnostic| has_shared_cause(db, finding);
+    if !own.iter().any(|finding| is_shared(&finding)) {
+        return own.clone();
+    }
+    let all = projects.iter().flat_map(|project| own_diagnostics(db, settings, *project).iter().filter(is_shared));
+    let manifest = project.manifest(db);
+    let mut first = join_causes(db, all.cloned().collect());
+    first.retain(|finding| finding.application == Some(manifest));
+    let mut first = first.into_iter().peekable();
+    // The findings that are left have the order of the project.
+    let mut found = Vec::with_capacity(own.len());
+    for finding in own {
+        if !has_shared_cause(db, finding) {
+            found.push(finding.clone());
+        } else if first.peek().is_some_and(|first| first.place == finding.place && first.message == finding.message) {
+            found.extend(first.next());
+        }
+    }
+    found
 }
 
-/// What is wrong in one program of a project: the findings of [`project_diagnostics`] that lie in `file`, without a look
-/// at the other programs beyond what the application does. `None` where `file` is no program of the project, or where
-/// findings elsewhere decide which stand here.
+/// The findings of a project, whatever other projects report.
+#[salsa::tracked]
+fn own_diagnostics(db: &dyn Db, settings: CheckSettings, project: Project) -> Vec<Diagnostic> {
+    let units = units(db, &[project]);
+    let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
+    finish_each(db, &units, settings.settings(db), checked).findings
+}
+
+/// The findings of [`project_diagnostics`] in one program of a project, without checking its other programs. `None` if
+/// `file` is no program of the project, or if findings elsewhere decide which of its findings are reported.
 pub fn program_diagnostics(
     db: &dyn Db,
     settings: CheckSettings,
@@ -43,46 +67,17 @@ pub fn program_diagnostics(
     if !units(db, &[project]).contains(&own) {
         return None;
     }
-    // What the project finds may lie in programs: the libraries that they load. Nothing else lies in another file.
+    // Findings of the project can be in programs: the libraries that they load. Other units have findings in their own
+    // file only.
     let units = [Unit::Project(project), own];
     let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
-    let mut found = finish(db, &units, settings.settings(db), checked).findings;
+    let mut found = finish_each(db, &units, settings.settings(db), checked).findings;
     found.retain(|finding| finding.place.file == file);
-    (!found.iter().any(|finding| is_said_once(finding.rule))).then_some(found)
+    let depends_on_others = |finding: &Diagnostic| is_said_once(finding.rule) || has_shared_cause(db, finding);
+    (!found.iter().any(depends_on_others)).then_some(found)
 }
 
-/// A part of what [`program_diagnostics`] asks for. Each finds what those before it have left.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Step {
-    /// The code as plain data.
-    Code,
-    /// The ways through it. They need no types, so that they can be found beside those.
-    Ways,
-    /// The types.
-    Types,
-    /// What its lines do with variables.
-    Uses,
-    /// Its faults.
-    Faults,
-    /// What else shows when one looks at nothing but the program.
-    Lints,
-}
-
-/// Finds a part of what is wrong in a program: another thread may do so beside the one that asks for it.
-pub fn find_ahead(db: &dyn Db, settings: CheckSettings, (project, file): (Project, File), step: Step) {
-    let unit = Unit::Program(project, file);
-    match step {
-        _ if !program_files(db, project).contains(&file) => {}
-        Step::Code => _ = body(db, file),
-        Step::Ways => _ = flow(db, file),
-        Step::Types => _ = infer(db, project, file),
-        Step::Uses => _ = Effects::new(db, project, file).all(),
-        Step::Faults => _ = faults(db, settings, unit),
-        Step::Lints => _ = alone(db, settings, unit),
-    }
-}
-
-/// What only the application shows comes before what the program shows by itself, which another thread may be at.
+/// The findings of one unit.
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
     let member = member(db, settings, unit).clone();
@@ -112,7 +107,8 @@ mod tests {
 
     use salsa::{Durability, Setter as _};
     use val3_analysis::db::{Database, Sources};
-    use val3_analysis::load::{Workspace, load_into};
+    use val3_analysis::items::project::program_files;
+    use val3_analysis::load::load_into;
     use val3_analysis::system::{Disk, Memory};
     use val3_check::rules;
     use val3_check::settings::Selection;
@@ -143,7 +139,7 @@ mod tests {
         let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
         let settings = CheckSettings::new(&workspace.db, settings);
         let codes = |db: &Database| -> Vec<Vec<&str>> {
-            let found = workspace.projects.iter().map(|project| project_diagnostics(db, settings, *project));
+            let found = workspace.projects.iter().map(|project| own_diagnostics(db, settings, *project));
             found.map(|found| found.iter().map(|found| found.rule.code).collect()).collect()
         };
         assert_eq!(codes(&workspace.db), [["V0101"], ["V0101"]]);
@@ -155,7 +151,7 @@ mod tests {
         assert_eq!(codes(&workspace.db), [["V0101"], ["V0101"]]);
         let ran = ran.lock().unwrap();
         assert_eq!(ran.iter().filter(|name| name.starts_with("checked(")).count(), 1, "{ran:?}");
-        assert_eq!(ran.iter().filter(|name| name.starts_with("project_diagnostics(")).count(), 1);
+        assert_eq!(ran.iter().filter(|name| name.starts_with("own_diagnostics(")).count(), 1);
     }
 
     #[test]
@@ -179,36 +175,8 @@ mod tests {
             let asked = ran.lock().unwrap().iter().any(|name: &String| name.starts_with("application("));
             assert!(!asked, "a lint of {} is to be a `Member:` lint", unit.file(db).path(db));
         }
-        workspace.projects.iter().for_each(|project| _ = project_diagnostics(db, settings, *project));
+        workspace.projects.iter().for_each(|project| _ = own_diagnostics(db, settings, *project));
         assert!(ran.lock().unwrap().iter().any(|name| name.starts_with("application(")));
-    }
-
-    #[test]
-    fn what_is_found_ahead_changes_nothing() {
-        let examples =
-            || load_into(Database::default(), &Disk, &[concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples").into()]);
-        let (workspace, ahead) = (examples().unwrap(), examples().unwrap());
-        let settings = |workspace: &Workspace| {
-            let settings = WorkspaceSettings::new(&workspace.db, &workspace.projects, &Selection::default()).unwrap();
-            CheckSettings::new(&workspace.db, settings)
-        };
-        let (settings_ahead, settings) = (settings(&ahead), settings(&workspace));
-        for (project, other) in workspace.projects.iter().zip(&ahead.projects) {
-            let programs = program_files(&workspace.db, *project).iter().zip(program_files(&ahead.db, *other));
-            for (file, other_file) in programs {
-                for step in [Step::Lints, Step::Uses, Step::Ways, Step::Faults, Step::Types, Step::Code] {
-                    find_ahead(&ahead.db, settings_ahead, (*other, *other_file), step);
-                }
-                let found = program_diagnostics(&workspace.db, settings, *project, *file);
-                let found_ahead = program_diagnostics(&ahead.db, settings_ahead, *other, *other_file);
-                let codes = |found: Option<Vec<Diagnostic>>| {
-                    found.map(|found| {
-                        found.into_iter().map(|found| (found.rule.code, found.place.range)).collect::<Vec<_>>()
-                    })
-                };
-                assert_eq!(codes(found_ahead), codes(found));
-            }
-        }
     }
 
     #[test]
@@ -224,7 +192,7 @@ mod tests {
             let every = Selection { only: Some(codes.clone()), named: codes, ..Selection::default() };
             let settings = CheckSettings::new(db, WorkspaceSettings::new(db, &workspace.projects, &every).unwrap());
             for project in workspace.projects {
-                let whole = project_diagnostics(db, settings, project);
+                let whole = own_diagnostics(db, settings, project);
                 for file in program_files(db, project) {
                     let expected: Vec<_> = whole.iter().filter(|found| found.place.file == *file).cloned().collect();
                     match program_diagnostics(db, settings, project, *file) {
@@ -265,7 +233,7 @@ mod tests {
             let text = other.text(&workspace.db).replace("nB=", &format!("nB={number}"));
             other.set_text(&mut workspace.db).with_durability(Durability::LOW).to(text.into());
             looked.lock().unwrap().clear();
-            workspace.projects.iter().for_each(|project| _ = project_diagnostics(&workspace.db, settings, *project));
+            workspace.projects.iter().for_each(|project| _ = own_diagnostics(&workspace.db, settings, *project));
         }
         // Of the three programs, the one that was not edited and belongs to the edited project.
         let looked = looked.lock().unwrap();

@@ -34,13 +34,13 @@ mod xml_context;
 mod xml_cursor;
 mod xml_list;
 
-pub use assists::{Assist, AssistKind, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
+pub use assists::{Assist, AssistKind, FixContext, QuickFix, assists, fix_all, quick_fixes, resolve_assist};
 pub use call_hierarchy::{Call, CallItem, call_item, incoming_calls, outgoing_calls};
 pub use code_lens::{CodeLens, LensKind, code_lenses, lens_references};
 pub use completion::{
     Completion, CompletionKind, completes_after_blank, completion_documentation, completions, documentation,
 };
-pub use diagnostics::{CheckSettings, Step, find_ahead, program_diagnostics, project_diagnostics};
+pub use diagnostics::{CheckSettings, program_diagnostics, project_diagnostics};
 pub use document_links::{DocumentLink, document_links};
 pub use edit::{FileEdit, SourceChange};
 pub use file_operations::{will_create_files, will_delete_files, will_rename_files};

@@ -26,7 +26,7 @@ const SOURCE: &str = "val3";
 pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Vec<Diagnostic>)> {
     let Some(settings) = snapshot.settings else { return Vec::new() };
     let mut files: Vec<(File, Vec<Diagnostic>)> = Vec::new();
-    for found in ide::project_diagnostics(snapshot.db(), settings, project) {
+    for found in &ide::project_diagnostics(snapshot.db(), settings, &snapshot.projects, project) {
         let file = found.place.file;
         // There may be many, and whoever writes waits for the end of this.
         snapshot.db.unwind_if_revision_cancelled();

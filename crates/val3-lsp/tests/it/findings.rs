@@ -217,6 +217,65 @@ fn a_client_that_asks_is_told_to_ask_again() {
     assert_eq!(client.end(), 0);
 }
 
+/// Three applications with the same program, whose parameter has the name of the program.
+fn shared_cause() -> String {
+    let program = "public program message(string message)\nbegin\nputln(message)\nend\n";
+    format!("call message(\"\")\n{program}--- one\n{program}--- two\n{program}")
+}
+
+/// The files with a finding of this rule, as the client has them now.
+fn files_with(files: &BTreeMap<String, Vec<Value>>, code: &str) -> Vec<String> {
+    let with = files.iter().filter(|(_, found)| found.iter().any(|found| found["code"] == code));
+    with.map(|(uri, _)| uri.rsplit_once("/usrapp/").unwrap().1.to_owned()).collect()
+}
+
+#[test]
+fn a_cause_that_applications_share_is_sent_once() {
+    let cell = Cell::new(&shared_cause());
+    let message = cell.path("usrapp/main/message.pgx");
+    let mut client = Client::start(&[&cell.folder()]);
+    let text = cell.text("usrapp/main/message.pgx");
+    client.open(&message, text);
+    let mut files: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    let wait_for = |client: &mut Client, files: &mut BTreeMap<String, Vec<Value>>, expected: &str| {
+        while let Some(sent) = client.try_told("textDocument/publishDiagnostics") {
+            let findings = sent["params"]["diagnostics"].as_array().unwrap().clone();
+            files.insert(sent["params"]["uri"].as_str().unwrap().to_owned(), findings);
+        }
+        assert_eq!(files_with(files, "V0123"), [expected]);
+    };
+    wait_for(&mut client, &mut files, "main/message.pgx");
+    assert_eq!(files_with(&files, "V0123").len(), checked(&cell.folder()).iter().filter(|it| it.2 == "V0123").count());
+    let found = files[&uri(&message)].iter().find(|found| found["code"] == "V0123").unwrap();
+    let related = found["relatedInformation"].to_string();
+    assert!(related.contains("/one/") && related.contains("/two/"), "{related}");
+    client.change(&message, 2, &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"));
+    wait_for(&mut client, &mut files, "one/message.pgx");
+    client.change(&message, 3, text);
+    wait_for(&mut client, &mut files, "main/message.pgx");
+    assert_eq!(client.end(), 0);
+}
+
+#[test]
+fn a_cause_that_applications_share_is_reported_once_to_a_client_that_asks() {
+    let cell = Cell::new(&shared_cause());
+    let message = cell.path("usrapp/main/message.pgx");
+    let abilities = json!({ "textDocument": { "diagnostic": {} } });
+    let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+    let text = cell.text("usrapp/main/message.pgx");
+    client.open(&message, text);
+    let ask = |client: &mut Client| {
+        let report = client.ask("workspace/diagnostic", json!({ "previousResultIds": [] }));
+        let items = report["items"].as_array().unwrap().iter();
+        let items = items.map(|it| (it["uri"].as_str().unwrap().to_owned(), it["items"].as_array().unwrap().clone()));
+        files_with(&items.collect(), "V0123")
+    };
+    assert_eq!(ask(&mut client), ["main/message.pgx"]);
+    client.change(&message, 2, &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"));
+    assert_eq!(ask(&mut client), ["one/message.pgx"]);
+    assert_eq!(client.end(), 0);
+}
+
 #[test]
 fn a_finding_is_one_sentence_with_help_and_its_page() {
     let cell = Cell::new("tool tA\nmdesc mA\njoint jA\nmovej(jA,mA,tA)\nwaitEndMove()");
