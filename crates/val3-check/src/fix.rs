@@ -4,6 +4,8 @@
 //! does the same afterwards or what was plainly meant; otherwise it is a guess that a person looks at.
 
 mod apply;
+mod errors;
+mod guard;
 mod rounds;
 mod site;
 mod table;
@@ -11,6 +13,8 @@ mod table;
 mod tests;
 
 pub use apply::FixedFile;
+pub use errors::TrialWorkspace;
+pub use guard::{AddedError, FixGuard};
 pub use rounds::{AppliedFixes, FixTarget, add_suppressions, apply_fixes};
 pub(crate) use site::{Site, rename};
 pub(crate) use table::{of_problem, of_syntax};

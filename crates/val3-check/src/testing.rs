@@ -11,7 +11,7 @@ use val3_analysis::system::Memory;
 use val3_syntax::encoding::decode;
 
 use crate::diagnostic::Diagnostic;
-use crate::fix::{AppliedFixes, FixTarget, add_suppressions, apply_fixes};
+use crate::fix::{AppliedFixes, FixTarget, TrialWorkspace, add_suppressions, apply_fixes};
 use crate::rule::Severity;
 use crate::settings::{Selection, WorkspaceSettings};
 use crate::{check_unit, finish, units};
@@ -100,7 +100,7 @@ pub fn offered_fixes(files: &[(String, Vec<u8>)]) -> Vec<OfferedFix> {
 /// # Panics
 /// If there is no project among the files.
 pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
-    let mut target = MemoryTarget { files: files.to_vec(), checked: checked(files, &Selection::default()) };
+    let mut target = MemoryTarget::new(files);
     let Ok(AppliedFixes { settled, .. }) = apply_fixes(&mut target, true);
     assert!(settled, "the fixes do not settle");
     target.files
@@ -111,23 +111,25 @@ pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
 /// # Panics
 /// If there is no project among the files.
 pub fn silenced_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
-    let mut target = MemoryTarget { files: files.to_vec(), checked: checked(files, &Selection::default()) };
+    let mut target = MemoryTarget::new(files);
     let Ok(_) = add_suppressions(&mut target);
     target.files
 }
 
 /// Files in memory that fixes are applied to. They are read anew after each change.
-struct MemoryTarget {
+pub(crate) struct MemoryTarget {
     files: Vec<(String, Vec<u8>)>,
     checked: (Workspace, Vec<Diagnostic>),
 }
 
+impl MemoryTarget {
+    pub(crate) fn new(files: &[(String, Vec<u8>)]) -> Self {
+        Self { files: files.to_vec(), checked: checked(files, &Selection::default()) }
+    }
+}
+
 impl FixTarget for MemoryTarget {
     type Error = Infallible;
-
-    fn db(&self) -> &dyn Db {
-        &self.checked.0.db
-    }
 
     fn findings(&mut self) -> Result<Vec<Diagnostic>, Infallible> {
         Ok(self.checked.1.clone())
@@ -135,6 +137,12 @@ impl FixTarget for MemoryTarget {
 
     fn occurrences(&mut self) -> Result<Vec<Diagnostic>, Infallible> {
         self.findings()
+    }
+}
+
+impl TrialWorkspace for MemoryTarget {
+    fn db(&self) -> &dyn Db {
+        &self.checked.0.db
     }
 
     fn all_findings(&mut self) -> Vec<Diagnostic> {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use camino::Utf8Path;
 use val3_analysis::db::Db;
 use val3_check::diagnostic::Diagnostic;
-use val3_check::fix::{FixTarget, FixedFile};
+use val3_check::fix::{FixTarget, FixedFile, TrialWorkspace};
 use val3_syntax::encoding::{Encoding, decode};
 
 use crate::engine::Session;
@@ -15,16 +15,18 @@ use crate::user_error::UserError;
 impl FixTarget for Session<'_> {
     type Error = UserError;
 
-    fn db(&self) -> &dyn Db {
-        Session::db(self)
-    }
-
     fn findings(&mut self) -> Result<Vec<Diagnostic>, UserError> {
         Ok(self.check()?.diagnostics)
     }
 
     fn occurrences(&mut self) -> Result<Vec<Diagnostic>, UserError> {
         Ok(Session::occurrences(self)?.diagnostics)
+    }
+}
+
+impl TrialWorkspace for Session<'_> {
+    fn db(&self) -> &dyn Db {
+        Session::db(self)
     }
 
     fn all_findings(&mut self) -> Vec<Diagnostic> {

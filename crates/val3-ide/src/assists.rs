@@ -17,6 +17,7 @@ mod sort_programs;
 mod surround;
 mod switch_to_if;
 mod toggle_access;
+mod trial;
 mod wait_for_arm;
 
 #[cfg(test)]
@@ -29,7 +30,7 @@ use val3_analysis::db::{Db, FileRange};
 use crate::edit::SourceChange;
 use context::Context;
 
-pub use fixes::{QuickFix, fix_all, quick_fixes};
+pub use fixes::{FixContext, QuickFix, fix_all, quick_fixes};
 
 /// What sort of thing an assist does; editors group by it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -69,7 +69,7 @@ fn candidates(db: &dyn Db, symbol: &Symbol) -> Vec<(Project, File)> {
         }
         Symbol::Library(project, _) | Symbol::Type(project, _) => files(db, *project),
         Symbol::Data(project, _) | Symbol::Program(project, _) => {
-            users(db, *project).into_iter().flat_map(|project| files(db, project)).collect()
+            projects_using(db, *project).into_iter().flat_map(|project| files(db, project)).collect()
         }
         _ => all(db).into_iter().flat_map(|project| files(db, project)).collect(),
     }
@@ -84,7 +84,7 @@ fn all(db: &dyn Db) -> Vec<Project> {
 
 /// The projects that can name something of `used`: itself, and those that reach it through libraries and user types.
 /// A field can be named by who does not name its type: `part:sSlot.nHeight`.
-fn users(db: &dyn Db, used: Project) -> Vec<Project> {
+pub(crate) fn projects_using(db: &dyn Db, used: Project) -> Vec<Project> {
     let mut users = FxHashSet::from_iter([used]);
     let projects = all(db);
     loop {

@@ -11,6 +11,7 @@ use crate::FilePosition;
 
 /// The database of a listing and the place of `$0` in it, if it has one.
 pub(crate) struct Marked {
+    pub(crate) system: Memory,
     pub(crate) workspace: Workspace,
     pub(crate) position: Option<FilePosition>,
     /// What stands between two `$0`.
@@ -29,12 +30,13 @@ impl Marked {
             }
         }
         let files = fixture.files.iter().map(|(path, text)| (full(path), text.clone().into_bytes()));
-        let workspace = load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap();
+        let system = Memory::new(files);
+        let workspace = load(&system, &[Utf8PathBuf::from(ROOT)]).unwrap();
         let size = |at: usize| TextSize::try_from(at).unwrap();
         let selected = cursor.as_ref().map(|(_, first, last)| TextRange::new(size(*first), size(*last)));
         let position =
             cursor.map(|(path, first, _)| FilePosition { file: file(&workspace.db, &path), offset: size(first) });
-        Self { workspace, position, selected: selected.filter(|range| !range.is_empty()) }
+        Self { system, workspace, position, selected: selected.filter(|range| !range.is_empty()) }
     }
 
     pub(crate) fn db(&self) -> &Database {

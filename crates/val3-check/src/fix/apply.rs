@@ -9,6 +9,7 @@ use rustc_hash::FxHashMap;
 use val3_analysis::db::{Db, File, FileStatus};
 use val3_syntax::encoding::Encoding;
 
+use super::guard::NewText;
 use crate::diagnostic::{Edit, Fix};
 
 /// A file before and after fixes.
@@ -64,16 +65,30 @@ fn unchanged(db: &dyn Db, file: File) -> Option<FixedFile> {
 
 /// Gives `files` the texts that these fixes, and no others, make of them.
 pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
-    let mut edits: FxHashMap<File, Vec<&Edit>> = FxHashMap::default();
-    for edit in fixes.iter().flat_map(|fix| &fix.edits) {
-        edits.entry(edit.place.file).or_default().push(edit);
-    }
+    let mut edits = edits_by_file(fixes);
     for (file, fixed) in files {
         fixed.after = match edits.remove(file) {
             Some(edits) => edited(&fixed.before, edits).into(),
             None => Arc::clone(&fixed.before),
         };
     }
+}
+
+/// The texts of all files that `fixes` edit, whatever their encoding.
+pub(super) fn new_texts(db: &dyn Db, fixes: &[&Fix]) -> Vec<NewText> {
+    let new = |(file, edits): (File, Vec<&Edit>)| {
+        let before = Arc::clone(file.text(db));
+        NewText { path: file.path(db).clone(), after: edited(&before, edits).into(), before }
+    };
+    edits_by_file(fixes).into_iter().map(new).collect()
+}
+
+fn edits_by_file<'f>(fixes: &[&'f Fix]) -> FxHashMap<File, Vec<&'f Edit>> {
+    let mut edits: FxHashMap<File, Vec<&Edit>> = FxHashMap::default();
+    for edit in fixes.iter().flat_map(|fix| &fix.edits) {
+        edits.entry(edit.place.file).or_default().push(edit);
+    }
+    edits
 }
 
 /// `text` with edits that do not overlap.

@@ -1,30 +1,26 @@
 //! Fixes, round after round, until nothing changes. No fix is applied that would add an error anywhere.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
 
-use camino::{Utf8Path, Utf8PathBuf};
+use camino::Utf8PathBuf;
 use rustc_hash::{FxHashMap, FxHashSet};
-use val3_analysis::db::{Db, File};
+use val3_analysis::db::File;
 
 use super::apply::{FixedFile, apart, apply, edited_files};
+use super::errors::{Errors, TrialWorkspace};
 use crate::diagnostic::{Diagnostic, Fix};
-use crate::rule::Severity;
 use crate::suppression::silencing;
 
-/// Fixes that undo each other would never end.
+/// Limit for fixes that undo each other.
 const ROUNDS: usize = 100;
 
 /// How many mistakes may hide each other in one line.
 const FOLLOW_UPS: usize = 10;
 
-/// A workspace that fixes are tried on.
-pub trait FixTarget {
-    /// What can keep it from being checked.
+/// A workspace that fixes are applied to.
+pub trait FixTarget: TrialWorkspace {
+    /// Why the workspace cannot be checked.
     type Error;
-
-    /// The files as they are at the moment.
-    fn db(&self) -> &dyn Db;
 
     /// The findings whose fixes are wanted.
     ///
@@ -37,12 +33,6 @@ pub trait FixTarget {
     /// # Errors
     /// If the workspace cannot be checked.
     fn occurrences(&mut self) -> Result<Vec<Diagnostic>, Self::Error>;
-
-    /// The findings of the whole workspace, whichever are wanted.
-    fn all_findings(&mut self) -> Vec<Diagnostic>;
-
-    /// Replaces the texts of files. Files and projects that become part of the workspace by it are read.
-    fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>);
 }
 
 /// Result of applying fixes.
@@ -225,7 +215,7 @@ impl<T: FixTarget> Round<'_, T> {
     fn follow_up(&mut self, errors: &Errors) -> Result<(Vec<FixedFile>, usize), T::Error> {
         let found = self.target.findings()?;
         let db = self.target.db();
-        let new = found.iter().filter(|found| errors.count(&key(db, found)) > self.errors.count(&key(db, found)));
+        let new = found.iter().filter(|found| errors.adds(db, found, self.errors));
         let fixes = apart(wanted(new, self.guesses));
         let mut files = edited_files(db, &fixes);
         apply(&mut files, &fixes);
@@ -263,36 +253,4 @@ fn halves_of_files(fixes: Vec<&Fix>) -> (Vec<&Fix>, Vec<&Fix>) {
 
 fn set_texts<T: FixTarget>(target: &mut T, changes: &[FixedFile]) {
     target.set_texts(changes.iter().map(|change| (change.path.as_path(), &change.after)));
-}
-
-/// What an error is known by: its rule, file and message. Its place may move.
-type ErrorKey = (&'static str, Utf8PathBuf, String);
-
-fn key(db: &dyn Db, found: &Diagnostic) -> ErrorKey {
-    (found.rule.code, found.place.file.path(db).clone(), found.message.clone())
-}
-
-/// The errors of a workspace, each with how often it is there.
-#[derive(Debug, Default)]
-struct Errors(FxHashMap<ErrorKey, usize>);
-
-impl Errors {
-    fn of<T: FixTarget>(target: &mut T) -> Self {
-        let found = target.all_findings();
-        let mut errors = Self::default();
-        for error in found.iter().filter(|found| found.severity == Severity::Error) {
-            *errors.0.entry(key(target.db(), error)).or_default() += 1;
-        }
-        errors
-    }
-
-    fn count(&self, error: &ErrorKey) -> usize {
-        self.0.get(error).copied().unwrap_or(0)
-    }
-
-    /// The files with errors that `before` lacks.
-    fn files_with_more_than(&self, before: &Self) -> FxHashSet<Utf8PathBuf> {
-        let new = self.0.iter().filter(|(error, count)| **count > before.count(error));
-        new.map(|((_, path, _), _)| path.clone()).collect()
-    }
 }

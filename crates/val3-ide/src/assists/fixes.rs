@@ -1,26 +1,28 @@
-//! The fixes that come with findings.
+//! The fixes that come with findings. No fix is offered that would add an error anywhere.
 
 use val3_analysis::db::{Db, File, FileRange};
+use val3_analysis::system::System;
 use val3_check::diagnostic::{Diagnostic, Fix};
+use val3_check::fix::{AddedError, FixGuard};
 
+use super::trial::Trial;
 use crate::edit::{FileEdit, SourceChange};
 
-/// The fixes of the findings that `at` touches, each with what it changes: safe ones first.
-pub fn quick_fixes<'d>(diagnostics: &'d [Diagnostic], at: FileRange) -> Vec<QuickFix<'d>> {
-    let touches = |diagnostic: &&Diagnostic| {
-        diagnostic.place.file == at.file && diagnostic.place.range.intersect(at.range).is_some()
-    };
-    let fixes =
-        diagnostics.iter().filter(touches).filter_map(|diagnostic| Some((diagnostic, diagnostic.fix.as_ref()?)));
-    let mut found: Vec<QuickFix<'d>> = fixes.map(|(diagnostic, fix)| QuickFix::new(diagnostic, fix)).collect();
-    found.sort_by_key(|fix| !fix.safe);
-    found
+/// What fixes are tried with before they are offered.
+#[derive(Clone, Copy)]
+pub struct FixContext<'a> {
+    /// The current files.
+    pub db: &'a dyn Db,
+    /// The file system with the texts of open documents.
+    pub system: &'a dyn System,
+    /// Called again and again while a fix is tried. It may unwind if the result is no longer wanted.
+    pub check_cancelled: &'a dyn Fn(),
 }
 
 /// A fix of a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct QuickFix<'d> {
-    /// What it mends.
+    /// The finding that it mends.
     pub diagnostic: &'d Diagnostic,
     /// What it does, as an order.
     pub title: String,
@@ -28,30 +30,58 @@ pub struct QuickFix<'d> {
     pub safe: bool,
     /// What it changes.
     pub change: SourceChange,
+    /// Why it cannot be applied, as a sentence for the user; `None` if it can.
+    pub disabled: Option<String>,
 }
 
-impl<'d> QuickFix<'d> {
-    fn new(diagnostic: &'d Diagnostic, fix: &'d Fix) -> Self {
-        Self { diagnostic, title: capitalised(&fix.title), safe: fix.safe, change: SourceChange::of(edits(fix)) }
+/// The fixes of the findings that `at` touches, safe ones first.
+pub fn quick_fixes<'d>(context: FixContext<'_>, diagnostics: &'d [Diagnostic], at: FileRange) -> Vec<QuickFix<'d>> {
+    let touches = |diagnostic: &&Diagnostic| {
+        diagnostic.place.file == at.file && diagnostic.place.range.intersect(at.range).is_some()
+    };
+    let fixes =
+        diagnostics.iter().filter(touches).filter_map(|diagnostic| Some((diagnostic, diagnostic.fix.as_ref()?)));
+    let fixes: Vec<(&Diagnostic, &Fix)> = fixes.collect();
+    let mut guard = guard(context, fixes.iter().map(|(_, fix)| *fix));
+    let mut found: Vec<QuickFix<'d>> = Vec::new();
+    for (diagnostic, fix) in fixes {
+        let added = guard.as_mut().and_then(|guard| guard.added_error(context.db, &[fix]));
+        found.push(QuickFix {
+            diagnostic,
+            title: capitalised(&fix.title),
+            safe: fix.safe,
+            change: SourceChange::of(edits(fix)),
+            disabled: added.map(|error| reason(&error)),
+        });
     }
+    found.sort_by_key(|fix| !fix.safe);
+    found
+}
+
+/// The safe fixes of a file's findings that can be applied together without adding an error, and do not touch each other.
+pub fn fix_all(context: FixContext<'_>, diagnostics: &[Diagnostic], file: File) -> SourceChange {
+    let of_file = |fix: &&Fix| fix.safe && fix.edits.iter().all(|edit| edit.place.file == file);
+    let fixes: Vec<&Fix> =
+        diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref()).filter(of_file).collect();
+    let guard = guard(context, fixes.iter().copied());
+    let harmless = guard.map(|mut guard| guard.harmless(context.db, fixes)).unwrap_or_default();
+    SourceChange::of(harmless.into_iter().flat_map(edits)).sorted(context.db)
+}
+
+/// A guard for these fixes; `None` without fixes, since it reads and checks all projects that they can affect.
+fn guard<'s, 'f>(context: FixContext<'s>, fixes: impl Iterator<Item = &'f Fix>) -> Option<FixGuard<Trial<'s>>> {
+    let mut fixes = fixes.peekable();
+    fixes.peek()?;
+    Some(FixGuard::new(Trial::new(context.db, context.system, fixes, context.check_cancelled)))
+}
+
+fn reason(error: &AddedError) -> String {
+    let file = error.path.file_name().unwrap_or(error.path.as_str());
+    format!("it would add an error in `{file}`: {}", error.message)
 }
 
 fn edits(fix: &Fix) -> impl Iterator<Item = FileEdit> {
     fix.edits.iter().map(|edit| FileEdit { file: edit.place.file, range: edit.place.range, text: edit.text.clone() })
-}
-
-/// All safe fixes of a file's findings that do not touch each other, at once.
-pub fn fix_all(db: &dyn Db, diagnostics: &[Diagnostic], file: File) -> SourceChange {
-    let of_file = |fix: &&Fix| fix.safe && fix.edits.iter().all(|edit| edit.place.file == file);
-    let mut edits: Vec<FileEdit> = Vec::new();
-    for fix in diagnostics.iter().filter_map(|diagnostic| diagnostic.fix.as_ref()).filter(of_file) {
-        let new: Vec<FileEdit> = self::edits(fix).collect();
-        let apart = |edit: &FileEdit| edits.iter().all(|other| other.range.intersect(edit.range).is_none());
-        if new.iter().all(apart) {
-            edits.extend(new);
-        }
-    }
-    SourceChange::of(edits).sorted(db)
 }
 
 fn capitalised(title: &str) -> String {
@@ -78,12 +108,16 @@ mod tests {
         checked.sum::<val3_check::Checked>().findings
     }
 
+    fn context(marked: &Marked) -> FixContext<'_> {
+        FixContext { db: marked.db(), system: &marked.system, check_cancelled: &|| {} }
+    }
+
     #[test]
     fn the_fix_at_the_cursor() {
         let marked = Marked::new("num nCount\nIF nCount==1\nn$0Cuont=2\nENDIF");
         let at = marked.at();
         let findings = findings(&marked);
-        let fixes = quick_fixes(&findings, FileRange { file: at.file, range: TextRange::empty(at.offset) });
+        let fixes = quick_fixes(context(&marked), &findings, FileRange { file: at.file, range: TextRange::empty(at.offset) });
         let [fix] = fixes.as_slice() else { panic!("{fixes:?}") };
         assert_eq!((fix.title.as_str(), fix.safe), ("Write `nCount`", false));
         expect![[r#"
@@ -97,7 +131,7 @@ mod tests {
     #[test]
     fn all_safe_fixes_of_a_file() {
         let marked = Marked::new("num nCount\nI$0F nCount==1\nnCuont=2\nENDIF");
-        let change = fix_all(marked.db(), &findings(&marked), marked.at().file);
+        let change = fix_all(context(&marked), &findings(&marked), marked.at().file);
         expect![[r#"
             usrapp/main/start.pgx
             -IF nCount==1

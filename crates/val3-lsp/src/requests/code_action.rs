@@ -1,5 +1,6 @@
 //! `textDocument/codeAction` and `codeAction/resolve`
 
+use salsa::Database as _;
 use serde::{Deserialize, Serialize};
 use tower_lsp::lsp_types::{
     CodeAction, CodeActionDisabled, CodeActionKind, CodeActionOrCommand, CodeActionParams, CodeActionResponse, Command,
@@ -7,10 +8,11 @@ use tower_lsp::lsp_types::{
 };
 use val3_analysis::db::{File, FileRange};
 use val3_check::diagnostic::Diagnostic;
-use val3_ide::{Assist, AssistKind, QuickFix};
+use val3_ide::{Assist, AssistKind, CheckSettings, FixContext, QuickFix};
 
 use super::execute_command::apply;
 use crate::convert::{NotPossible, diagnostic, workspace_edit};
+use crate::overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
 /// All safe fixes of a file; no assist is called like that.
@@ -67,39 +69,59 @@ pub(crate) fn code_action(
     Ok(Some(answer.collect()))
 }
 
-/// What is wrong in each project that has a file.
-fn findings(snapshot: &Snapshot, file: File) -> impl Iterator<Item = &Vec<Diagnostic>> {
+/// The findings of each project that has a file.
+fn findings(snapshot: &Snapshot, file: File) -> impl Iterator<Item = Vec<Diagnostic>> {
     let judged = val3_ide::projects_of(snapshot.db(), file).iter().filter(|it| snapshot.projects.contains(it));
-    let settings = snapshot.settings.into_iter();
-    settings.flat_map(move |settings| {
-        judged.clone().map(move |project| val3_ide::project_diagnostics(snapshot.db(), settings, *project))
-    })
+    let found = move |settings: CheckSettings| {
+        let projects = &snapshot.projects;
+        judged.clone().map(move |it| val3_ide::project_diagnostics(snapshot.db(), settings, projects, *it))
+    };
+    snapshot.settings.into_iter().flat_map(found)
+}
+
+/// Calls `ask` with what fixes are tried with.
+fn with_fixes<T>(snapshot: &Snapshot, ask: impl FnOnce(FixContext<'_>) -> T) -> T {
+    let system = overlay::files_of(snapshot);
+    let check_cancelled = || snapshot.db.unwind_if_revision_cancelled();
+    ask(FixContext { db: snapshot.db(), system: &system, check_cancelled: &check_cancelled })
 }
 
 /// The fixes of the findings at a place.
 fn quick_fixes(snapshot: &Snapshot, at: FileRange) -> Vec<CodeAction> {
     let mut actions: Vec<CodeAction> = Vec::new();
     for findings in findings(snapshot, at.file) {
-        for fix in val3_ide::quick_fixes(findings, at) {
-            // Two projects that share a file find most things twice.
-            actions.extend(quick_fix(snapshot, &fix).filter(|action| !actions.contains(action)));
+        for fix in with_fixes(snapshot, |context| val3_ide::quick_fixes(context, &findings, at)) {
+            // Two projects that share a file have most findings in common.
+            actions.extend(quick_fix(snapshot, fix).filter(|action| !actions.contains(action)));
         }
     }
     actions
 }
 
-fn quick_fix(snapshot: &Snapshot, fix: &QuickFix<'_>) -> Option<CodeAction> {
-    Some(CodeAction {
-        title: fix.title.clone(),
+fn quick_fix(snapshot: &Snapshot, fix: QuickFix<'_>) -> Option<CodeAction> {
+    let action = CodeAction {
+        title: fix.title,
         kind: Some(CodeActionKind::QUICKFIX),
         diagnostics: Some(vec![diagnostic(snapshot, fix.diagnostic)]),
-        edit: Some(workspace_edit(snapshot, &fix.change).ok()?),
-        is_preferred: fix.safe.then_some(true),
         ..CodeAction::default()
-    })
+    };
+    match fix.disabled {
+        Some(reason) => disabled(snapshot, action, reason),
+        None => Some(CodeAction {
+            edit: Some(workspace_edit(snapshot, &fix.change).ok()?),
+            is_preferred: fix.safe.then_some(true),
+            ..action
+        }),
+    }
 }
 
-/// All safe fixes of a file at once; of two projects that share it, those of the first that has some.
+/// An action that cannot be done, with the reason, for clients that show it.
+fn disabled(snapshot: &Snapshot, action: CodeAction, reason: String) -> Option<CodeAction> {
+    let is_shown = snapshot.session.client.shows_disabled;
+    is_shown.then_some(CodeAction { disabled: Some(CodeActionDisabled { reason }), ..action })
+}
+
+/// All safe fixes of a file at once; if several projects share it, those of the first with safe fixes.
 fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
     let is_safe = |found: &Diagnostic| found.place.file == at.file && found.fix.as_ref().is_some_and(|fix| fix.safe);
     findings(snapshot, at.file).find(|findings| findings.iter().any(is_safe))?;
@@ -111,8 +133,7 @@ fn fix_all(snapshot: &Snapshot, at: FileRange, place: &Offered, is_lazy: bool) -
 fn assist(snapshot: &Snapshot, at: FileRange, found: Assist, place: &Offered, is_lazy: bool) -> Option<CodeAction> {
     let action = CodeAction { title: found.title, kind: Some(kind(found.kind)), ..CodeAction::default() };
     if let Some(reason) = found.disabled {
-        let shown = snapshot.session.client.shows_disabled;
-        return shown.then_some(CodeAction { disabled: Some(CodeActionDisabled { reason }), ..action });
+        return disabled(snapshot, action, reason);
     }
     offer(snapshot, found.id, at, action, place, is_lazy)
 }
@@ -146,9 +167,10 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
 fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, NotPossible>> {
     let change = match id {
         FIX_ALL => {
-            let changes =
-                findings(snapshot, at.file).map(|findings| val3_ide::fix_all(snapshot.db(), findings, at.file));
-            changes.into_iter().find(|change| !change.is_empty())
+            let change = |findings: Vec<Diagnostic>| {
+                with_fixes(snapshot, |context| val3_ide::fix_all(context, &findings, at.file))
+            };
+            findings(snapshot, at.file).map(change).find(|change| !change.is_empty())
         }
         _ => val3_ide::resolve_assist(snapshot.db(), id, at),
     };
@@ -166,7 +188,10 @@ pub(crate) fn resolve(snapshot: &Snapshot, action: &CodeAction) -> Result<CodeAc
         return Err(Refusal::Outdated);
     }
     let at = FileRange { file, range: snapshot.lines(file).text_range(offered.range) };
-    let edit = edit_of(snapshot, &offered.id, at).ok_or(Refusal::Outdated)?;
+    let edit = edit_of(snapshot, &offered.id, at).ok_or_else(|| match offered.id.as_str() {
+        FIX_ALL => Refusal::Because("each safe fix of this file would add an error".to_owned()),
+        _ => Refusal::Outdated,
+    })?;
     action.edit = Some(edit?);
     Ok(action)
 }

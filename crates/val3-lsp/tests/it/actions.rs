@@ -3,7 +3,8 @@
 use serde_json::{Value, json};
 
 use crate::asking::{START, Session, each, find};
-use crate::client::uri;
+use crate::cell::Cell;
+use crate::client::{Client, uri};
 
 const CELL: &str = "num nCount\nIF nCount==1\nnCuont=2\nENDIF\nnNew=3\ncall missing(nCount)";
 
@@ -147,4 +148,65 @@ fn changes_of_a_file_without_a_project() {
     assert!(!offered.to_string().contains("loose.pjx"), "{offered}");
     assert!(!each(&offered, "title").contains(&"Create program `missing`"), "{offered}");
     assert_eq!(session.client.end(), 0);
+}
+
+const PROJECT: &str = "usrapp/main/main.pjx";
+const STRAY: &str = "usrapp/main/stray.pgx";
+
+/// The program `stray` with this line, in a file that no project lists.
+fn stray(line: &str) -> String {
+    format!(
+        "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Programs xmlns=\"http://www.staubli.com/robotics/VAL3/Program/2\">\n  \
+         <Program name=\"stray\">\n    <Code><![CDATA[begin\n{line}\nend]]></Code>\n  </Program>\n</Programs>\n"
+    )
+}
+
+#[test]
+fn a_fix_that_would_add_an_error_is_disabled() {
+    let listed = |session: &mut Session| {
+        let offered = session.actions_in(PROJECT, "Programs>", json!(["quickfix"]));
+        offered.as_array().unwrap().iter().find(|it| it["title"] == "List `stray.pgx`").cloned()
+    };
+    let session = |abilities: Value, line: &str| {
+        let cell = Cell::new("num nA\nnA=1\nput(nA)");
+        cell.write(STRAY, &stray(line));
+        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+        client.open(&cell.path(PROJECT), cell.text(PROJECT));
+        Session { cell, client }
+    };
+    let mut abilities = able();
+    abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
+    let mut shows_disabled = session(abilities, "nMissing=1");
+    let fix = listed(&mut shows_disabled).unwrap();
+    let reason = fix["disabled"]["reason"].as_str().unwrap();
+    assert!(reason.starts_with("it would add an error in `stray.pgx`: ") && reason.contains("`nMissing`"), "{reason}");
+    assert_eq!((&fix["edit"], &fix["isPreferred"]), (&Value::Null, &Value::Null));
+    assert_eq!(shows_disabled.client.end(), 0);
+    let mut hides_disabled = session(able(), "nMissing=1");
+    assert_eq!(listed(&mut hides_disabled), None);
+    assert_eq!(hides_disabled.client.end(), 0);
+    let mut harmless = session(able(), "nA=2");
+    assert!(listed(&mut harmless).unwrap()["edit"].is_object());
+    assert_eq!(harmless.client.end(), 0);
+}
+
+#[test]
+fn a_fix_that_would_add_an_error_in_another_application_is_disabled() {
+    const LIBRARY: &str = "usrapp/part/weigh.pgx";
+    let renaming = |called: &str| {
+        let cell = Cell::new(&format!(
+            "library part \"Disk://part/part.pjx\"\ncall part:{called}()\n--- part\npublic program weigh()\nbegin\nend"
+        ));
+        let mut abilities = able();
+        abilities["textDocument"]["codeAction"]["disabledSupport"] = json!(true);
+        let mut client = Client::start_with(&[&cell.folder()], abilities, Value::Null);
+        client.open(&cell.path(LIBRARY), &cell.text(LIBRARY).replace("name=\"weigh\"", "name=\"wiegh\""));
+        let mut session = Session { cell, client };
+        let offered = session.actions_in(LIBRARY, "weigh\"", json!(["quickfix"]));
+        assert_eq!(session.client.end(), 0);
+        find(&offered, "title", "Write `weigh`")["disabled"]["reason"].as_str().map(str::to_owned)
+    };
+    assert_eq!(renaming("weigh"), None);
+    let reason = renaming("wiegh").unwrap();
+    assert!(reason.starts_with("it would add an error in `") && reason.contains("`wiegh`"), "{reason}");
 }

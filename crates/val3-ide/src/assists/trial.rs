@@ -1,0 +1,83 @@
+//! A workspace on which fixes are tried before they are offered.
+
+use std::collections::BTreeSet;
+use std::sync::Arc;
+
+use camino::{Utf8Path, Utf8PathBuf};
+use rustc_hash::FxHashSet;
+use salsa::Setter as _;
+use val3_analysis::db::{Db, Project, Sources, path_key};
+use val3_analysis::load::Workspace;
+use val3_analysis::system::{OverlayFs, System};
+use val3_check::diagnostic::{Diagnostic, Fix};
+use val3_check::fix::TrialWorkspace;
+use val3_check::settings::{Selection, WorkspaceSettings};
+use val3_check::{Checked, check_unit, finish, units};
+
+use crate::owner::projects_of;
+use crate::references::projects_using;
+
+/// The projects that fixes can affect, in a database of their own.
+pub(super) struct Trial<'s> {
+    workspace: Workspace,
+    files: OverlayFs<'s>,
+    /// The project files.
+    paths: Vec<Utf8PathBuf>,
+    /// Called between units. It unwinds if the result is no longer wanted.
+    check_cancelled: &'s dyn Fn(),
+}
+
+impl<'s> Trial<'s> {
+    /// The projects with files that `fixes` edit, and all projects that use them.
+    pub(super) fn new<'f>(
+        db: &dyn Db,
+        system: &'s dyn System,
+        fixes: impl Iterator<Item = &'f Fix>,
+        check_cancelled: &'s dyn Fn(),
+    ) -> Self {
+        let edited = fixes.flat_map(|fix| &fix.edits).flat_map(|edit| projects_of(db, edit.place.file));
+        let edited: FxHashSet<Project> = edited.copied().collect();
+        let affected = edited.into_iter().flat_map(|project| projects_using(db, project));
+        let paths: BTreeSet<Utf8PathBuf> = affected.map(|project| project.manifest(db).path(db).clone()).collect();
+        let files = OverlayFs::new(system);
+        let mut trial =
+            Self { workspace: Workspace::empty(), files, paths: paths.into_iter().collect(), check_cancelled };
+        trial.read(true);
+        trial
+    }
+
+    fn read(&mut self, is_stale: bool) {
+        // A faulty configuration has the same effect before and after a fix.
+        let _ = self.workspace.refresh(&self.files, &self.paths, &|_| is_stale);
+    }
+}
+
+impl TrialWorkspace for Trial<'_> {
+    fn db(&self) -> &dyn Db {
+        &self.workspace.db
+    }
+
+    fn all_findings(&mut self) -> Vec<Diagnostic> {
+        let Workspace { db, projects, .. } = &self.workspace;
+        let settings = WorkspaceSettings::new(db, projects, &Selection::default()).unwrap_or_default();
+        let units = units(db, projects);
+        let check = |unit| {
+            (self.check_cancelled)();
+            check_unit(db, unit, &settings)
+        };
+        let checked: Checked = units.iter().copied().map(check).sum();
+        finish(db, &units, &settings, checked).findings
+    }
+
+    fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
+        for (path, text) in texts {
+            self.files.set_text(path, Arc::clone(text));
+            let db = &mut self.workspace.db;
+            let file = Sources::get(db).files(db).get(&path_key(path.as_str())).copied();
+            if let Some(file) = file {
+                file.set_text(db).to(Arc::clone(text));
+            }
+        }
+        self.read(false);
+    }
+}
