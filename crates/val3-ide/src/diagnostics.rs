@@ -6,7 +6,8 @@ use val3_analysis::db::{Db, File, Project};
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
 use val3_check::{
-    Checked, Faults, Unit, check_alone, check_faults, check_member, finish_each, has_shared_cause, is_said_once, join_causes, put_together, units,
+    Checked, Faults, Unit, check_alone, check_faults, check_member, finish_each, has_shared_cause, is_said_once,
+    join_causes, put_together, units,
 };
 
 /// What every application is checked for.

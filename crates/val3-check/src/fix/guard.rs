@@ -40,10 +40,8 @@ impl<T: TrialWorkspace> FixGuard<T> {
         let files = self.target.db();
         let after = Errors::among(files, &found);
         let added = found.iter().find(|found| after.adds(files, found, &self.before));
-        let added = added.map(|error| AddedError {
-            path: error.place.file.path(files).clone(),
-            message: error.message.clone(),
-        });
+        let added = added
+            .map(|error| AddedError { path: error.place.file.path(files).clone(), message: error.message.clone() });
         self.target.set_texts(texts.iter().map(|text| (text.path.as_path(), &text.before)));
         added
     }

@@ -117,7 +117,8 @@ mod tests {
         let marked = Marked::new("num nCount\nIF nCount==1\nn$0Cuont=2\nENDIF");
         let at = marked.at();
         let findings = findings(&marked);
-        let fixes = quick_fixes(context(&marked), &findings, FileRange { file: at.file, range: TextRange::empty(at.offset) });
+        let fixes =
+            quick_fixes(context(&marked), &findings, FileRange { file: at.file, range: TextRange::empty(at.offset) });
         let [fix] = fixes.as_slice() else { panic!("{fixes:?}") };
         assert_eq!((fix.title.as_str(), fix.safe), ("Write `nCount`", false));
         expect![[r#"

@@ -249,7 +249,11 @@ fn a_cause_that_applications_share_is_sent_once() {
     let found = files[&uri(&message)].iter().find(|found| found["code"] == "V0123").unwrap();
     let related = found["relatedInformation"].to_string();
     assert!(related.contains("/one/") && related.contains("/two/"), "{related}");
-    client.change(&message, 2, &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"));
+    client.change(
+        &message,
+        2,
+        &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"),
+    );
     wait_for(&mut client, &mut files, "one/message.pgx");
     client.change(&message, 3, text);
     wait_for(&mut client, &mut files, "main/message.pgx");
@@ -271,7 +275,11 @@ fn a_cause_that_applications_share_is_reported_once_to_a_client_that_asks() {
         files_with(&items.collect(), "V0123")
     };
     assert_eq!(ask(&mut client), ["main/message.pgx"]);
-    client.change(&message, 2, &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"));
+    client.change(
+        &message,
+        2,
+        &text.replace("name=\"message\" type", "name=\"x_s\" type").replace("(message)", "(x_s)"),
+    );
     assert_eq!(ask(&mut client), ["one/message.pgx"]);
     assert_eq!(client.end(), 0);
 }
