@@ -63,6 +63,36 @@ pub trait System: Send + Sync + Debug {
     fn identity(&self, path: &Utf8Path) -> Utf8PathBuf;
 }
 
+impl<S: System + ?Sized> System for &S {
+    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        (**self).read(path)
+    }
+
+    fn read_all(&self, paths: &[Utf8PathBuf]) -> Vec<Option<Content>> {
+        (**self).read_all(paths)
+    }
+
+    fn edited(&self, path: &Utf8Path) -> Option<Arc<str>> {
+        (**self).edited(path)
+    }
+
+    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
+        (**self).stored(path)
+    }
+
+    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
+        (**self).list(path)
+    }
+
+    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
+        (**self).kind(path)
+    }
+
+    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
+        (**self).identity(path)
+    }
+}
+
 /// The content of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Content {

@@ -1,61 +1,30 @@
-//! The disk, with the open documents laid over it.
+//! The disk with the texts of open documents in front of it.
 
-use std::io;
 use std::sync::Arc;
 
-use camino::{Utf8Path, Utf8PathBuf};
-use rustc_hash::FxHashMap;
-use val3_analysis::db::path_key;
-use val3_analysis::system::{Disk, Kind, System};
+use camino::Utf8PathBuf;
+use val3_analysis::system::{Disk, OverlayFs};
 
 use crate::documents::Documents;
 use crate::loose;
+use crate::snapshot::Snapshot;
 
-/// What the loader sees.
-#[derive(Debug)]
-pub(crate) struct Overlay {
-    /// By path key.
-    edited: FxHashMap<String, Arc<str>>,
+/// The files that the loader reads: open documents, and the project files that those without a project get, hide
+/// stored files.
+pub(crate) fn files(documents: &Documents, loose: &[Utf8PathBuf]) -> OverlayFs<Disk> {
+    let mut files = OverlayFs::new(Disk);
+    documents.effective().for_each(|document| files.edit(&document.path, Arc::clone(&document.text)));
+    loose.iter().for_each(|path| files.edit(&loose::manifest_path(path), loose::manifest(path).into()));
+    files
 }
 
-impl Overlay {
-    /// The open documents, and the project files that those without a project get.
-    pub(crate) fn new(documents: &Documents, loose: &[Utf8PathBuf]) -> Self {
-        let open = documents.effective().map(|document| (document.path.clone(), Arc::clone(&document.text)));
-        let given = loose.iter().map(|path| (loose::manifest_path(path), loose::manifest(path).into()));
-        Self { edited: open.chain(given).map(|(path, text)| (path_key(path.as_str()), text)).collect() }
-    }
-
-    fn text(&self, path: &Utf8Path) -> Option<&Arc<str>> {
-        self.edited.get(&path_key(path.as_str()))
-    }
-}
-
-impl System for Overlay {
-    fn read(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        match self.text(path) {
-            Some(text) => Ok(text.as_bytes().to_vec()),
-            None => Disk.read(path),
+/// The same files as they are in a snapshot.
+pub(crate) fn files_of(snapshot: &Snapshot) -> OverlayFs<Disk> {
+    let mut files = files(&snapshot.documents, &[]);
+    for project in snapshot.projects.iter().map(|project| project.manifest(&snapshot.db)) {
+        if !snapshot.is_shown(project) {
+            files.edit(project.path(&snapshot.db), Arc::clone(project.text(&snapshot.db)));
         }
     }
-
-    fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {
-        Disk.read(path)
-    }
-
-    fn edited(&self, path: &Utf8Path) -> Option<Arc<str>> {
-        self.text(path).cloned()
-    }
-
-    fn list(&self, path: &Utf8Path) -> io::Result<Vec<String>> {
-        Disk.list(path)
-    }
-
-    fn kind(&self, path: &Utf8Path) -> Option<Kind> {
-        if self.text(path).is_some() { Some(Kind::File) } else { Disk.kind(path) }
-    }
-
-    fn identity(&self, path: &Utf8Path) -> Utf8PathBuf {
-        if self.text(path).is_some() { path.to_owned() } else { Disk.identity(path) }
-    }
+    files
 }

@@ -72,7 +72,7 @@ impl<S: System> System for OverlayFs<S> {
     }
 
     fn edited(&self, path: &Utf8Path) -> Option<Arc<str>> {
-        self.edited.get(&path_key(path.as_str())).cloned()
+        self.edited.get(&path_key(path.as_str())).cloned().or_else(|| self.below.edited(path))
     }
 
     fn stored(&self, path: &Utf8Path) -> io::Result<Vec<u8>> {

@@ -20,7 +20,7 @@ use crate::references::projects_using;
 /// The projects that fixes can affect, in a database of their own.
 pub(super) struct Trial<'s> {
     workspace: Workspace,
-    files: OverlayFs<'s>,
+    files: OverlayFs<&'s dyn System>,
     /// The project files.
     paths: Vec<Utf8PathBuf>,
     /// Called between units. It unwinds if the result is no longer wanted.
@@ -71,7 +71,7 @@ impl TrialWorkspace for Trial<'_> {
 
     fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
         for (path, text) in texts {
-            self.files.set_text(path, Arc::clone(text));
+            self.files.edit(path, Arc::clone(text));
             let db = &mut self.workspace.db;
             let file = Sources::get(db).files(db).get(&path_key(path.as_str())).copied();
             if let Some(file) = file {

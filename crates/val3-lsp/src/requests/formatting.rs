@@ -9,7 +9,7 @@ use val3_config::Format;
 use val3_ide::FileEdit;
 
 use crate::convert::edits;
-use crate::overlay::Overlay;
+use crate::overlay;
 use crate::snapshot::{Refusal, Snapshot};
 
 type Answer = Result<Option<Vec<TextEdit>>, Refusal>;
@@ -35,7 +35,7 @@ fn style(snapshot: &Snapshot, file: File) -> val3_ide::Style {
     let config = val3_ide::owner(snapshot.db(), file).and_then(|project| project.config(snapshot.db()));
     let usual = Format::default();
     let format = config.map_or(&usual, |config| &config.format);
-    val3_ide::style(&Overlay::new(&snapshot.documents, &[]), format, file.path(snapshot.db()))
+    val3_ide::style(&overlay::files(&snapshot.documents, &[]), format, file.path(snapshot.db()))
 }
 
 fn answer(snapshot: &Snapshot, file: File, found: &[FileEdit]) -> Answer {

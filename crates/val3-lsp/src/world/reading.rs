@@ -16,7 +16,7 @@ use val3_ide::CheckSettings;
 use super::World;
 use crate::convert;
 use crate::loose;
-use crate::overlay::Overlay;
+use crate::overlay;
 use crate::panics::contained;
 use crate::parent::project_above;
 use crate::published::{Finder, ProjectFindings};
@@ -88,7 +88,7 @@ impl World {
     }
 
     fn refresh(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
-        let overlay = Overlay::new(&self.documents, &self.loose);
+        let overlay = overlay::files(&self.documents, &self.loose);
         let folders = &self.session.folders;
         let above = self.documents.iter().filter_map(|document| project_above(&overlay, document, folders));
         let given = self.loose.iter().map(|path| loose::manifest_path(path));
