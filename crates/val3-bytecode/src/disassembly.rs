@@ -4,9 +4,13 @@ use std::fmt::Write;
 
 use val3_lang::memory::{Kind, Lanes};
 
-use crate::{ArgumentSite, CallSite, CopySite, InstructionSite, Op, Operand, Program, ProgramRef, Register, SlotSite};
+use crate::{
+    ArgumentSite, CallSite, CopySite, InstructionSite, Op, Operand, Program, ProgramRef, Register, Subscript,
+    TextOperand, TextSource,
+};
 
-/// The steps of a program, one a line; those that begin an instruction line have its number before them.
+/// The operations of a program, each in a line of its own. One that begins an instruction line has the number of that
+/// line before it.
 ///
 /// Lanes are written as `n3` (numbers), `t0` (texts), `l0` (links), places as `p2`.
 #[must_use]
@@ -32,7 +36,7 @@ fn shown(op: &Op, program: &Program) -> String {
         Op::Call { site } => find(&program.calls, *site, |site| format!("Call {}", call(site))),
         Op::CreateTask { site } => find(&program.tasks, *site, |site| {
             let overrun = site.overrun.map_or(String::new(), |overrun| format!(", {}", operand(overrun, ONE_NUM)));
-            format!("CreateTask t{}, n{}{overrun}, {}", site.name, site.rate, call(&site.call))
+            format!("CreateTask {}, n{}{overrun}, {}", text(site.name), site.rate, call(&site.call))
         }),
         other => format!("{other:?}"),
     }
@@ -66,11 +70,28 @@ fn argument(site: &ArgumentSite) -> String {
             format!("{} {}", base.name(), operand(*value, Kind::builtin(*base, None).size))
         }
         ArgumentSite::UserValue(value) => format!("user {}", operand(*value, ALL)),
-        ArgumentSite::View(whole, start) => format!("{whole:?}{}", from(start)),
-        ArgumentSite::Slot(whole, SlotSite::Whole) => format!("{whole:?}"),
-        ArgumentSite::Slot(whole, SlotSite::Index(first, count)) => format!("{whole:?}[{count} from n{first}]"),
-        ArgumentSite::Slot(whole, SlotSite::Key(key)) => format!("{whole:?}[t{key}]"),
+        ArgumentSite::View(container, start) => format!("{container:?}{}", from(start)),
+        ArgumentSite::Slot(container, at) => format!("{container:?}{}", subscript(*at)),
         ArgumentSite::Library(number) => format!("library {number}"),
+    }
+}
+
+fn subscript(at: Subscript) -> String {
+    match at {
+        Subscript::Whole => String::new(),
+        Subscript::One(i) => format!("[n{i}]"),
+        Subscript::Two([i, j]) => format!("[n{i},n{j}]"),
+        Subscript::Three([i, j, k]) => format!("[n{i},n{j},n{k}]"),
+        Subscript::Key(key) => format!("[{}]", text(key)),
+    }
+}
+
+fn text(operand: TextOperand) -> String {
+    match operand.source() {
+        TextSource::Register(register) => format!("t{register}"),
+        TextSource::Place(place) => format!("p{place}"),
+        TextSource::Constant(number) => format!("constant {number}"),
+        TextSource::First(container) => format!("{container:?}"),
     }
 }
 
@@ -88,6 +109,8 @@ fn operand(operand: Operand, size: Lanes) -> String {
     };
     match operand {
         Operand::Frame(at) => lanes(at),
+        Operand::First(container, behind) if behind == Lanes::default() => format!("{container:?}"),
+        Operand::First(container, behind) => format!("{container:?}+{}", lanes(behind)),
         Operand::Place(place, behind) if behind == Lanes::default() => format!("p{place}"),
         Operand::Place(place, behind) => format!("p{place}+{}", lanes(behind)),
     }

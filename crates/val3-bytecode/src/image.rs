@@ -7,7 +7,7 @@ use val3_lang::types::{BaseType, Container, LengthUnit};
 use val3_lang::values::Text;
 use val3_lang::versions::Version;
 
-use crate::{Program, Step};
+use crate::{Operation, Program};
 
 /// Everything of an application or library that the run time needs.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -129,7 +129,8 @@ impl Image {
     /// Bytes of its programs in memory, as far as they grow with the code.
     #[must_use]
     pub fn code_bytes(&self) -> u64 {
-        let bytes = |program: &Program| bytes_of::<Step>(program.code.len()) + bytes_of::<Text>(program.texts.len());
+        let bytes =
+            |program: &Program| bytes_of::<Operation>(program.code.len()) + bytes_of::<Text>(program.texts.len());
         self.programs.iter().map(bytes).sum()
     }
 

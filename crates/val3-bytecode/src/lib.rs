@@ -7,13 +7,13 @@
 mod disassembly;
 mod image;
 mod op;
+mod operand;
 mod program;
 mod site;
 
 pub use disassembly::disassemble;
 pub use image::{DataDef, FatherLink, Image, Import, ImportKind, LibraryDef, LinkInit, LinkTarget};
-pub use op::{Op, Register, Step, Whole, WholeKind};
-pub use program::{FrameSize, Line, Param, Passing, Program, SourceRange, Storage, Variable};
-pub use site::{
-    ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Operand, Pass, ProgramRef, SlotSite, TaskSite,
-};
+pub use op::{Op, Operation, Register};
+pub use operand::{ContainerKind, ContainerRef, Operand, Subscript, TextOperand, TextSource};
+pub use program::{FrameSize, Param, Program, SourceLine, SourceRange, Storage, Variable};
+pub use site::{ArgumentSite, CallSite, CopySite, Handler, InstructionSite, Pass, ProgramRef, TaskSite};

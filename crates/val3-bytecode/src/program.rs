@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use val3_lang::memory::{Kind, Lanes, PartInit};
-use val3_lang::types::{BaseType, Container};
+use val3_lang::types::Container;
 use val3_lang::values::Text;
 
-use crate::{CallSite, CopySite, InstructionSite, Op, Register, Step, TaskSite};
+use crate::{CallSite, CopySite, InstructionSite, Op, Operation, TaskSite};
 
 /// A program, ready to run.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,14 +28,12 @@ pub struct Program {
     pub stack_bytes: u32,
     /// The numbers of a new frame, as many as it has: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
-    /// The registers among them that hold constants: nothing ever writes them.
-    pub constants: Vec<Register>,
     /// The containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
-    /// What it does, step by step.
-    pub code: Vec<Step>,
+    /// Its operations.
+    pub code: Vec<Operation>,
     /// Instruction lines in the order of the text.
-    pub lines: Vec<Line>,
+    pub lines: Vec<SourceLine>,
     /// Text constants.
     pub texts: Vec<Text>,
     /// Copies and comparisons.
@@ -94,21 +92,8 @@ pub struct Param {
     pub kind: Arc<Kind>,
     /// An element, array or collection.
     pub container: Container,
-    /// Where a call puts it.
-    pub passing: Passing,
-}
-
-/// Where a call puts an argument in the frame of the program.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Passing {
-    /// A copy of a value of a built-in type.
-    Value(BaseType, Lanes),
-    /// A copy of a value of a user type: the container with this number.
-    UserValue(u32),
-    /// A reference to a value: the place with this number.
-    Reference(u32),
-    /// A reference to a container: the view with this number.
-    View(u32),
+    /// Where it is in the frame.
+    pub storage: Storage,
 }
 
 /// Bytes of a file.
@@ -122,7 +107,7 @@ pub struct SourceRange {
 
 /// An instruction line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Line {
+pub struct SourceLine {
     /// Its first step.
     pub op: u32,
     /// Where it stands in the file.
@@ -132,11 +117,11 @@ pub struct Line {
 }
 
 impl Program {
-    /// Its frame has nothing but numbers and places.
+    /// Its frame has neither links nor containers, so that nothing has to be dropped when the program ends.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        let Lanes { text, link, part, .. } = self.frame.lanes;
-        [text, link, part, self.frame.views] == [0; 4]
+        let Lanes { link, part, .. } = self.frame.lanes;
+        [link, part] == [0; 2]
     }
 
     /// The line that a step belongs to, by its number in [`lines`](Self::lines).
@@ -148,7 +133,7 @@ impl Program {
             Some(Op::ForNext { body, .. } | Op::ForNextUp { body, .. }) => body.saturating_sub(1),
             _ => op,
         };
-        let before = |(_, line): &(usize, &Line)| line.op <= op;
+        let before = |(_, line): &(usize, &SourceLine)| line.op <= op;
         self.lines.iter().enumerate().filter(before).max_by_key(|(_, line)| line.op).map(|(number, _)| number)
     }
 }

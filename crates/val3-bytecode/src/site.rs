@@ -1,23 +1,14 @@
-//! What operations with many operands refer to.
+//! Operands of operations that have many: instructions, calls, copies.
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
 use val3_lang::call::Run;
 use val3_lang::instruction::{Instruction, Overload};
-use val3_lang::memory::{Kind, Lanes};
+use val3_lang::memory::Kind;
 use val3_lang::types::BaseType;
 
-use crate::{Register, Whole};
-
-/// Where a value is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Operand {
-    /// On the frame.
-    Frame(Lanes),
-    /// Behind a place that was looked up, or a parameter by reference.
-    Place(Register, Lanes),
-}
+use crate::{ContainerRef, Operand, Register, Subscript, TextOperand};
 
 /// A value is copied, or compared with another.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,22 +29,11 @@ pub enum ArgumentSite {
     /// A value of a user type.
     UserValue(Operand),
     /// A container, an array from an index on where there is one.
-    View(Whole, Option<Register>),
-    /// A place that need not exist.
-    Slot(Whole, SlotSite),
+    View(ContainerRef, Option<Register>),
+    /// A value that need not exist.
+    Slot(ContainerRef, Subscript),
     /// The library identifier.
     Library(u16),
-}
-
-/// Index or key of a place that need not exist.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SlotSite {
-    /// The whole variable.
-    Whole,
-    /// So many indexes, one behind the other.
-    Index(Register, u8),
-    /// A key.
-    Key(Register),
 }
 
 /// An instruction with its arguments.
@@ -110,8 +90,8 @@ pub struct CallSite {
     pub program: ProgramRef,
     /// One argument for each parameter.
     pub arguments: Vec<ArgumentSite>,
-    /// The same, where it is quick: the program is one of this application, its frame is
-    /// [plain](crate::Program::is_plain), and all arguments are numbers on the frame or references.
+    /// The same in a quicker form: for a program of this application whose frame is
+    /// [plain](crate::Program::is_plain), with no argument that is a structure or a user type.
     pub passes: Option<Vec<Pass>>,
 }
 
@@ -120,15 +100,19 @@ pub struct CallSite {
 pub enum Pass {
     /// Copies a number from the frame of the caller to that of the program.
     Number(Register, Register),
+    /// Copies a text to the frame of the program.
+    Text(TextOperand, Register),
     /// Lets the place with this number refer to a value of the caller.
-    Reference(Operand, u32),
+    Reference(Operand, Register),
+    /// Lets the view with this number refer to a container of the caller, an array from an index on.
+    Container(ContainerRef, Option<Register>, Register),
 }
 
 /// The creation of a task (5.10).
 #[derive(Debug, Clone, PartialEq)]
 pub struct TaskSite {
-    /// The text with its name.
-    pub name: Register,
+    /// Its name.
+    pub name: TextOperand,
     /// The number with its priority, or its period in seconds.
     pub rate: Register,
     /// Of a synchronous task, the variable that tells of overruns.

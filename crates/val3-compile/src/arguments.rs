@@ -2,14 +2,15 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_bytecode::{ArgumentSite, Operand, Register, SlotSite, Whole};
+use val3_bytecode::{ArgumentSite, ContainerKind, ContainerRef, Operand, Register, Subscript, TextSource};
 use val3_lang::instruction::Shape;
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::spot::{Spot, Value, is_number};
+use crate::location::{Location, Value, is_number};
+use crate::moves::text_register;
 
 /// A parameter as its argument needs it.
 #[derive(Debug, Clone, Copy)]
@@ -51,8 +52,8 @@ impl Coder<'_, '_> {
             Shape::Reference if formal.base.is_some() => self.by_reference(id),
             // A variable of any type may be an array (`getData`).
             Shape::Reference | Shape::Array { .. } | Shape::Collection | Shape::Whole => {
-                let (whole, start) = self.view(formal.base, id, boxes)?;
-                Ok(ArgumentSite::View(whole, start))
+                let (container, start) = self.view(formal.base, id, boxes)?;
+                Ok(ArgumentSite::View(container, start))
             }
             Shape::Slot | Shape::Item => self.slot(id, boxes),
             Shape::ProgramCall => Err(Limit::Unclear),
@@ -96,7 +97,7 @@ impl Coder<'_, '_> {
 
     /// The place of a variable as an argument.
     fn place_of(&mut self, value: Value) -> Result<ArgumentSite> {
-        let operand = self.operand(value.spot)?;
+        let operand = self.operand(value.location)?;
         match value.base {
             Base::Builtin(base, _) => Ok(ArgumentSite::Value(operand, base)),
             Base::User(_) => Ok(ArgumentSite::UserValue(operand)),
@@ -110,31 +111,36 @@ impl Coder<'_, '_> {
     }
 
     /// A container, an array from an index on.
-    fn view(&mut self, formal: Option<Base>, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<(Whole, Option<Register>)> {
+    fn view(
+        &mut self,
+        formal: Option<Base>,
+        id: ExprId,
+        boxes: &mut Vec<Boxed>,
+    ) -> Result<(ContainerRef, Option<Register>)> {
         if let Expr::Index(of, indexes) = self.body.expr(id)
             && let [index] = **indexes
             && self.base(index).builtin() == Some(BaseType::Num)
         {
-            let whole = self.whole(*of)?.ok_or(Limit::Unclear)?;
-            return Ok((whole, Some(self.num(index)?)));
+            let container = self.container(*of)?.ok_or(Limit::Unclear)?;
+            return Ok((container, Some(self.num(index)?)));
         }
-        match self.whole(id)? {
-            Some(whole) => Ok((whole, None)),
+        match self.container(id)? {
+            Some(container) => Ok((container, None)),
             None => Ok((self.boxed(formal, id, boxes)?, None)),
         }
     }
 
-    fn boxed(&mut self, formal: Option<Base>, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<Whole> {
+    fn boxed(&mut self, formal: Option<Base>, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ContainerRef> {
         let is_variable = !matches!(self.body.expr(id), Expr::Paren(_));
         let variable = if is_variable { self.variable(id)? } else { None };
         let value = match variable {
             Some(variable) => variable,
             None => self.value_as(id, formal.unwrap_or(Base::Unknown))?,
         };
-        let (whole, copy) = self.own_container(value.base)?;
+        let (container, copy) = self.own_container(value.base)?;
         self.copy(copy, value)?;
         boxes.extend(variable.map(|variable| Boxed { copy, variable }));
-        Ok(whole)
+        Ok(container)
     }
 
     /// Gives the variables behind boxes the values that the call has left.
@@ -145,41 +151,39 @@ impl Coder<'_, '_> {
     /// A place that need not exist.
     fn slot(&mut self, id: ExprId, boxes: &mut Vec<Boxed>) -> Result<ArgumentSite> {
         let Expr::Index(of, indexes) = self.body.expr(id) else {
-            let whole = match self.slot_of(id)? {
-                Some(whole) => whole,
+            let container = match self.slot_of(id)? {
+                Some(container) => container,
                 None => self.boxed(None, id, boxes)?,
             };
-            return Ok(ArgumentSite::Slot(whole, SlotSite::Whole));
+            return Ok(ArgumentSite::Slot(container, Subscript::Whole));
         };
-        let whole = self.slot_of(*of)?.ok_or(Limit::Unclear)?;
-        let at = match **indexes {
-            [key] if self.base(key).builtin() == Some(BaseType::String) => SlotSite::Key(self.text(key)?),
-            _ => {
-                let count = u8::try_from(indexes.len()).map_err(|_| Limit::Unclear)?;
-                SlotSite::Index(self.run(indexes)?, count)
+        let container = self.slot_of(*of)?.ok_or(Limit::Unclear)?;
+        let at = match self.subscript(indexes)? {
+            // The key is passed by its place, which a constant does not have.
+            Subscript::Key(key) if matches!(key.source(), TextSource::Constant(_)) => {
+                Subscript::Key(text_register(self.kept_text(key)?)?)
             }
+            at => at,
         };
-        Ok(ArgumentSite::Slot(whole, at))
+        Ok(ArgumentSite::Slot(container, at))
     }
 
     /// The container of a place that need not exist, even in a library that nothing declares.
-    fn slot_of(&mut self, id: ExprId) -> Result<Option<Whole>> {
+    fn slot_of(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         match self.body.expr(id) {
             Expr::Path { library, item } if !self.has_item(library, item) => {
-                let kind = val3_bytecode::WholeKind::Import(self.unit.import_missing(library, item)?);
-                Whole::new(kind).ok_or(Limit::Containers).map(Some)
+                let kind = ContainerKind::Import(self.unit.import_missing(library, item)?);
+                ContainerRef::new(kind).ok_or(Limit::Containers).map(Some)
             }
-            _ => self.whole(id),
+            _ => self.container(id),
         }
     }
 
     /// The first value of a field of a user type, by the number of the field.
-    pub(crate) fn first_of_field(&mut self, of: Value, number: usize) -> Result<Spot> {
+    pub(crate) fn first_of_field(&mut self, of: Value, number: usize) -> Result<Location> {
         let field = u16::try_from(number).map_err(|_| Limit::Items)?;
-        let (place, _) = self.located(of.spot)?;
-        let to = self.frame.view()?;
-        self.emit(val3_bytecode::Op::Field { to, place, field });
-        let whole = Whole::new(val3_bytecode::WholeKind::View(to)).ok_or(Limit::Containers)?;
-        Ok(Spot::First(whole, Lanes::default()))
+        let view = self.field_view(of.location, field)?;
+        let container = ContainerRef::new(ContainerKind::View(view)).ok_or(Limit::Containers)?;
+        Ok(Location::First(container, Lanes::default()))
     }
 }

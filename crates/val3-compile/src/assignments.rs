@@ -8,8 +8,8 @@ use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::location::{Location, Value, is_number};
 use crate::moves::ASSIGNMENT;
-use crate::spot::{Spot, Value, is_number};
 
 impl Coder<'_, '_> {
     /// `target = value`; the value that was written.
@@ -28,14 +28,8 @@ impl Coder<'_, '_> {
             (Some(base), Some(BaseType::Sio)) => self.read_serial(to, from, base),
             (Some(base), _) if is_number(base) => {
                 let register = self.load(from, wanted(to))?;
-                self.store(to.spot, register)?;
+                self.store(to.location, register)?;
                 Ok(Value::num(base, register))
-            }
-            (Some(BaseType::String), _) => {
-                let register = self.load_text(from, wanted(to))?;
-                let text = Value::text(register);
-                self.copy(to, text)?;
-                Ok(text)
             }
             _ => {
                 self.copy(to, from)?;
@@ -87,8 +81,8 @@ impl Coder<'_, '_> {
 
 /// The lanes that a result may go to at once. A variable is written as a whole or not at all.
 fn wanted(to: Value) -> Option<val3_lang::memory::Lanes> {
-    match to.spot {
-        Spot::Lanes(lanes) => Some(lanes),
+    match to.location {
+        Location::Frame(lanes) => Some(lanes),
         _ => None,
     }
 }

@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_bytecode::{CallSite, CopySite, InstructionSite, Line, Op, Register, SourceRange, Step, TaskSite};
+use val3_bytecode::{CallSite, CopySite, InstructionSite, Op, Operation, Register, SourceLine, SourceRange, TaskSite};
 use val3_lang::values::Text;
 use val3_syntax::TextRange;
 
@@ -11,14 +11,14 @@ use crate::error::{Limit, Result};
 /// The steps of a program and what they refer to. Until [`finish`](Self::finish) the targets of jumps are labels.
 #[derive(Debug, Default)]
 pub(crate) struct Code {
-    steps: Vec<Step>,
+    steps: Vec<Operation>,
     /// A line begins with the next step.
     begins: bool,
     labels: Vec<u32>,
     constants: FxHashMap<SmolStr, Register>,
     /// Where the lines of the file begin.
     rows: Vec<u32>,
-    pub(crate) lines: Vec<Line>,
+    pub(crate) lines: Vec<SourceLine>,
     pub(crate) texts: Vec<Text>,
     pub(crate) copies: Vec<CopySite>,
     pub(crate) instructions: Vec<InstructionSite>,
@@ -51,14 +51,14 @@ impl Code {
         if matches!(op, Op::Instruction { .. }) {
             self.begin();
         }
-        let line = std::mem::take(&mut self.begins);
-        self.steps.push(Step { op, line });
+        let begins_line = std::mem::take(&mut self.begins);
+        self.steps.push(Operation { op, begins_line });
     }
 
     /// Begins the line that is still to begin, if there is one, apart from what comes next.
     pub(crate) fn begin(&mut self) {
         if std::mem::take(&mut self.begins) {
-            self.steps.push(Step { op: Op::Line, line: true });
+            self.steps.push(Operation { op: Op::Line, begins_line: true });
         }
     }
 
@@ -103,7 +103,7 @@ impl Code {
 
     /// A line that stands here in the text and [begins](Self::begin_line) further on in the code; its number.
     pub(crate) fn later_line(&mut self, range: TextRange) -> usize {
-        self.lines.push(Line { op: 0, range: source_range(range), row: self.row(range) });
+        self.lines.push(SourceLine { op: 0, range: source_range(range), row: self.row(range) });
         self.lines.len() - 1
     }
 
@@ -120,7 +120,7 @@ impl Code {
     /// The next round of a `for`, which counts as its line.
     pub(crate) fn next_round(&mut self, op: Op) {
         self.begin();
-        self.steps.push(Step { op, line: true });
+        self.steps.push(Operation { op, begins_line: true });
     }
 
     /// The line of the file in which a range begins, from 1.
@@ -164,7 +164,7 @@ impl Code {
     }
 
     /// The steps, with the places of labels in their jumps.
-    pub(crate) fn finish(&mut self) -> Result<Vec<Step>> {
+    pub(crate) fn finish(&mut self) -> Result<Vec<Operation>> {
         u32::try_from(self.steps.len()).map_err(|_| Limit::Operations)?;
         let mut steps = std::mem::take(&mut self.steps);
         for target in steps.iter_mut().filter_map(|step| step.op.target_mut()) {

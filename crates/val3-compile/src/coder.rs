@@ -25,8 +25,10 @@ pub(crate) struct Coder<'u, 'db> {
     pub(crate) types: &'db Inference,
     pub(crate) frame: Frame,
     pub(crate) code: Code,
-    /// The statement at hand.
+    /// The current statement.
     pub(crate) range: TextRange,
+    /// The current part of a statement neither changes variables before its end nor waits.
+    pub(crate) is_pure: bool,
 }
 
 impl Coder<'_, '_> {

@@ -8,7 +8,7 @@ use val3_lang::types::BaseType;
 use crate::code::Label;
 use crate::coder::Coder;
 use crate::error::Result;
-use crate::spot::is_number;
+use crate::location::is_number;
 
 impl Coder<'_, '_> {
     /// Goes to `label` if the expression is `when`, else on to the next operation.
@@ -69,6 +69,11 @@ impl Coder<'_, '_> {
             return self.branch(left, value == when_equal, label);
         }
         let base = self.base(left).builtin();
+        if base == Some(BaseType::String) && self.body.constant(id).is_none() {
+            let ((a, b), to) = (self.texts(left, right)?, label.0);
+            self.emit(if when_equal { Op::IfTextEqual { a, b, to } } else { Op::UnlessTextEqual { a, b, to } });
+            return Ok(());
+        }
         if !base.is_some_and(|base| is_number(base) || base == BaseType::Dio) {
             return self.branch_value(id, when, label);
         }

@@ -1,14 +1,16 @@
 //! Expressions: each yields a value, computed into the lanes that are wanted where it is computed at all.
 
 use val3_analysis::body::{Constant, Expr, ExprId};
-use val3_bytecode::{Op, Register};
+use val3_analysis::ty::Base;
+use val3_bytecode::{Op, Register, TextOperand, TextSource};
 use val3_lang::memory::Lanes;
 use val3_lang::operators::UnaryOp;
 use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::spot::{Value, is_number};
+use crate::location::{Location, Value, is_number};
+use crate::moves::text_register;
 
 impl Coder<'_, '_> {
     /// The value of an expression. A variable stays where it is; a result may go to `want`.
@@ -21,7 +23,10 @@ impl Coder<'_, '_> {
         }
         match self.body.expr(id) {
             Expr::Paren(inner) => self.value(*inner, want),
-            Expr::String(text) => self.text_constant(text, want),
+            Expr::String(text) => {
+                let location = Location::Constant(self.code.text(text)?);
+                Ok(Value { location, base: Base::of(BaseType::String) })
+            }
             Expr::Unary(op, operand) => self.unary(*op, *operand, want),
             Expr::Binary(op, left, right) => self.binary(*op, (*left, *right), want),
             Expr::Assign(target, value) => self.assign(*target, *value),
@@ -58,10 +63,10 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// The register with the text of an expression.
-    pub(crate) fn text(&mut self, id: ExprId) -> Result<Register> {
+    /// The text of an expression.
+    pub(crate) fn text(&mut self, id: ExprId) -> Result<TextOperand> {
         let value = self.value(id, None)?;
-        self.load_text(value, None)
+        self.text_operand(value.location)
     }
 
     /// The numbers of two operands. The left one is read first: a variable that the right side may write to is kept.
@@ -72,16 +77,26 @@ impl Coder<'_, '_> {
     }
 
     /// The texts of two operands, as [`nums`](Self::nums).
-    pub(crate) fn texts(&mut self, left: ExprId, right: ExprId) -> Result<(Register, Register)> {
+    pub(crate) fn texts(&mut self, left: ExprId, right: ExprId) -> Result<(TextOperand, TextOperand)> {
         let a = self.text(left)?;
-        let a = if self.may_write(right) {
-            let kept = self.frame.text()?;
-            self.emit(Op::TextMove { to: kept, from: a });
-            kept
-        } else {
-            a
-        };
+        let is_constant = matches!(a.source(), TextSource::Constant(_));
+        let kept = !is_constant && self.may_write(right) || !self.is_stable(a);
+        let a = if kept { text_register(self.kept_text(a)?)? } else { a };
         Ok((a, self.text(right)?))
+    }
+
+    /// The rest of the statement does not change this text. Those in registers are as stable as numbers there.
+    pub(crate) fn is_stable(&self, text: TextOperand) -> bool {
+        self.is_pure || matches!(text.source(), TextSource::Register(_) | TextSource::Constant(_))
+    }
+
+    /// Nothing else happens while the expression is computed: it calls no instruction, assigns nothing, and reads no
+    /// input.
+    pub(crate) fn is_pure(&self, id: ExprId) -> bool {
+        self.body.within(id).all(|id| {
+            let is_port = matches!(self.base(id).builtin(), Some(BaseType::Dio | BaseType::Sio));
+            !is_port && !matches!(self.body.expr(id), Expr::Call(..) | Expr::Assign(..))
+        })
     }
 
     /// The expression may change variables: it calls an instruction that takes some of them by reference.

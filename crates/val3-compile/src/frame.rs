@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;
-use val3_bytecode::{FrameSize, Register, Storage, Whole, WholeKind};
+use val3_bytecode::{ContainerKind, ContainerRef, FrameSize, Register, Storage};
 use val3_lang::memory::{Kind, Lanes, PartInit, Shape};
 
 use crate::error::{Limit, Result};
@@ -31,8 +31,6 @@ pub(crate) struct Finished {
     pub(crate) size: FrameSize,
     /// The numbers of a new frame.
     pub(crate) nums: Vec<f64>,
-    /// The registers that hold constants.
-    pub(crate) constants: Vec<Register>,
     /// The containers of a new frame.
     pub(crate) parts: Vec<PartInit>,
 }
@@ -97,7 +95,7 @@ impl Frame {
     /// A container of the frame.
     pub(crate) fn part(&mut self, kind: Arc<Kind>, shape: Shape) -> Result<u16> {
         let number = u16::try_from(self.parts.len()).map_err(|_| Limit::Containers)?;
-        Whole::new(WholeKind::Part(number)).ok_or(Limit::Containers)?;
+        ContainerRef::new(ContainerKind::Part(number)).ok_or(Limit::Containers)?;
         self.parts.push(PartInit { kind, shape, values: Vec::new() });
         Ok(number)
     }
@@ -203,10 +201,7 @@ impl Frame {
         let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
         self.nums.resize(num as usize, 0.0);
         let size = FrameSize { lanes: Lanes { num, text, link, part }, places: place, views: view };
-        let pairs = self.pairs.into_values().flat_map(|first| [first, first + 1]);
-        let mut constants: Vec<Register> = self.constants.into_values().chain(pairs).collect();
-        constants.sort_unstable();
-        Finished { size, nums: self.nums, constants, parts: self.parts }
+        Finished { size, nums: self.nums, parts: self.parts }
     }
 }
 

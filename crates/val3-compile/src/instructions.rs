@@ -13,8 +13,8 @@ use val3_lang::versions::Version;
 use crate::arguments::Formal;
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::location::{Value, is_number};
 use crate::places::num_register;
-use crate::spot::{Value, is_number};
 
 /// A call whose form is known.
 struct Called {
@@ -71,7 +71,10 @@ impl Coder<'_, '_> {
         let lanes = self.result(base, want)?;
         called.site.result = Some((Operand::Frame(lanes), base));
         self.execute(called, callee, args)?;
-        Ok(Value { spot: crate::spot::Spot::Lanes(lanes), base: Base::of(base).on_arm(self.unit.items.arm) })
+        Ok(Value {
+            location: crate::location::Location::Frame(lanes),
+            base: Base::of(base).on_arm(self.unit.items.arm),
+        })
     }
 
     /// A call alone on its line.

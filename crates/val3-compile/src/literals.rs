@@ -8,7 +8,7 @@ use val3_lang::types::{Arm, BaseType, Field, fields};
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
 use crate::frame::narrow;
-use crate::spot::{Spot, Value};
+use crate::location::{Location, Value};
 
 /// The values between braces.
 type Values = [Option<ExprId>];
@@ -29,7 +29,7 @@ impl Coder<'_, '_> {
         // Nothing else may leave a link in its lanes.
         let lanes = if kind.size.link > 0 { self.frame.lasting(&kind)? } else { self.frame.value(kind.size)? };
         self.fill(lanes, (builtin, arm), values)?;
-        Ok(Value { spot: Spot::Lanes(lanes), base })
+        Ok(Value { location: Location::Frame(lanes), base })
     }
 
     /// A value that is known before the program runs lies in the frame from the start.
@@ -39,7 +39,7 @@ impl Coder<'_, '_> {
         kind.default.nums = nums;
         kind.default.nums.resize(length, 0.0);
         let lanes = self.frame.lasting(&kind)?;
-        Ok(Value { spot: Spot::Lanes(lanes), base })
+        Ok(Value { location: Location::Frame(lanes), base })
     }
 
     /// The numbers of a structure where all of its values are constants.
@@ -62,13 +62,13 @@ impl Coder<'_, '_> {
         let mut end = 0;
         for (at, field) in fields(base, arm).iter().enumerate() {
             let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
-            let to = Value { spot: Spot::Lanes(lanes + offset), base: Base::Builtin(field.ty, arm) };
+            let to = Value { location: Location::Frame(lanes + offset), base: Base::Builtin(field.ty, arm) };
             end = offset.num + self.kind(to.base)?.size.num;
             let value = values.get(at).copied().flatten();
             match value.map(|id| (id, self.body.expr(self.body.peel(id)))) {
                 Some((_, Expr::Struct(inner))) => self.fill(lanes + offset, (field.ty, arm), inner)?,
                 Some((id, _)) => {
-                    let value = self.value(id, to.spot.lanes())?;
+                    let value = self.value(id, to.location.lanes())?;
                     self.copy(to, value)?;
                 }
                 None => self.clear(lanes.num + offset.num, lanes.num + end)?,
@@ -99,8 +99,8 @@ impl Coder<'_, '_> {
             }
             let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
             let field = Base::Builtin(field.ty, arm);
-            let [to, from] = [self.behind(to.spot, offset)?, self.behind(from.spot, offset)?];
-            self.copy(Value { spot: to, base: field }, Value { spot: from, base: field })?;
+            let [to, from] = [self.behind(to.location, offset)?, self.behind(from.location, offset)?];
+            self.copy(Value { location: to, base: field }, Value { location: from, base: field })?;
         }
         Ok(())
     }
@@ -112,7 +112,7 @@ impl Coder<'_, '_> {
             let Some(id) = *value else { continue };
             let value = self.value_as(id, base)?;
             let field = self.first_of_field(to, number)?;
-            self.copy(Value { spot: field, base }, value)?;
+            self.copy(Value { location: field, base }, value)?;
         }
         Ok(())
     }

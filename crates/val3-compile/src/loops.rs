@@ -1,12 +1,13 @@
 //! Loops (2.2.5).
 
 use val3_analysis::body::{ExprId, Stmt};
-use val3_bytecode::{Op, Register};
+use val3_bytecode::{Op, Register, Subscript};
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
+use crate::location::{Location, Value};
+use crate::moves::text_register;
 use crate::places::num_register;
-use crate::spot::{At, Spot, Value};
 use crate::statements::head;
 
 /// What a `for` counts with.
@@ -58,11 +59,11 @@ impl Coder<'_, '_> {
     /// Computes what a `for` counts with.
     fn counter(&mut self, counter: ExprId, start: ExprId, stop: ExprId, step: Option<ExprId>) -> Result<Counter> {
         let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
-        let variable = Value { spot: self.pinned(variable.spot)?, ..variable };
+        let variable = Value { location: self.pinned(variable.location)?, ..variable };
         let fixed = self.fixed_end(stop, step)?;
         let limit = fixed.map_or_else(|| self.frame.nums(2), Ok)?;
-        let register = match variable.spot {
-            Spot::Lanes(lanes) => num_register(lanes),
+        let register = match variable.location {
+            Location::Frame(lanes) => num_register(lanes),
             _ => self.frame.num()?,
         };
         let start = self.num(start)?;
@@ -112,25 +113,21 @@ impl Coder<'_, '_> {
 
     /// A counter that is not on the frame is counted there and written back before and after each round.
     fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
-        match variable.spot {
-            Spot::Lanes(_) => Ok(()),
-            spot => self.store(spot, counter),
+        match variable.location {
+            Location::Frame(_) => Ok(()),
+            location => self.store(location, counter),
         }
     }
 
     /// The same variable, whatever the block does to those in its index.
-    fn pinned(&mut self, spot: Spot) -> Result<Spot> {
-        let Spot::Element { whole, at, plain } = spot else { return Ok(spot) };
+    fn pinned(&mut self, location: Location) -> Result<Location> {
+        let Location::Element { container, at, plain } = location else { return Ok(location) };
         let at = match at {
-            At::One(index) => At::One(self.kept(index)?),
-            At::Two(i, j) => At::Two(self.kept(i)?, self.kept(j)?),
-            At::Three(i) => At::Three(i),
-            At::Key(key) => {
-                let to = self.frame.text()?;
-                self.emit(Op::TextMove { to, from: key });
-                At::Key(to)
-            }
+            Subscript::One(index) => Subscript::One(self.kept(index)?),
+            Subscript::Two([i, j]) => Subscript::Two([self.kept(i)?, self.kept(j)?]),
+            Subscript::Key(key) => Subscript::Key(text_register(self.kept_text(key)?)?),
+            at @ (Subscript::Whole | Subscript::Three(_)) => at,
         };
-        Ok(Spot::Element { whole, at, plain })
+        Ok(Location::Element { container, at, plain })
     }
 }

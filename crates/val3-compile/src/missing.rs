@@ -19,6 +19,7 @@ impl Coder<'_, '_> {
         compile: impl FnOnce(&mut Self) -> Result<T>,
     ) -> Result<Option<T>> {
         let (code, frame) = (self.code.mark(), self.frame.mark());
+        self.is_pure = ids.iter().all(|id| self.is_pure(*id));
         match compile(self) {
             Err(Limit::Unclear) => {
                 self.code.take_back(code);

@@ -1,7 +1,9 @@
 //! Reading and writing values.
 
 use val3_analysis::ty::Base;
-use val3_bytecode::{CopySite, InstructionSite, Op, Operand, Register, Whole};
+use val3_bytecode::{
+    ContainerKind, ContainerRef, CopySite, InstructionSite, Op, Operand, Register, Subscript, TextOperand, TextSource,
+};
 use val3_lang::memory::Lanes;
 use val3_lang::operators::handlers;
 use val3_lang::types::BaseType;
@@ -9,8 +11,8 @@ use val3_lang::types::BaseType;
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
 use crate::frame::narrow;
+use crate::location::{Location, Value, is_number};
 use crate::places::num_register;
-use crate::spot::{At, Spot, Value, is_number, text_lane};
 
 impl Coder<'_, '_> {
     /// The register with a number, truth value or enumerator. The state of an input is read.
@@ -18,23 +20,26 @@ impl Coder<'_, '_> {
         if value.base.builtin() == Some(BaseType::Dio) {
             return self.read_digital(value, want);
         }
-        if let Spot::Lanes(lanes) = value.spot {
+        if let Location::Frame(lanes) = value.location {
             return Ok(num_register(lanes));
         }
         let to = self.num_result(want)?;
-        match value.spot {
-            Spot::First(whole, lanes) => {
+        match value.location {
+            Location::First(container, lanes) => {
                 let lane = narrow(lanes.num);
-                self.emit(Op::LoadFirst { to, whole, lane });
+                self.emit(Op::LoadFirst { to, container, lane });
             }
-            Spot::Element { whole, at: At::One(index), plain: true } => {
-                self.emit(Op::LoadElement { to, whole, index });
+            Location::Element { container, at: Subscript::One(index), plain: true } => {
+                self.emit(Op::LoadElement { to, container, index });
             }
-            Spot::Element { whole, at: At::Two(i, j), plain: true } => {
-                self.emit(Op::LoadElement2 { to, whole, i, j });
+            Location::Element { container, at: Subscript::Two([i, j]), plain: true } => {
+                self.emit(Op::LoadElement2 { to, container, i, j });
             }
-            spot => {
-                let (place, lanes) = self.located(spot)?;
+            Location::Element { container, at: Subscript::Key(key), plain: true } => {
+                self.emit(Op::LoadKey { to, container, key });
+            }
+            location => {
+                let (place, lanes) = self.located(location)?;
                 self.emit(Op::Load { to, place, lane: narrow(lanes.num) });
             }
         }
@@ -53,18 +58,21 @@ impl Coder<'_, '_> {
     }
 
     /// Writes a number, truth value or enumerator.
-    pub(crate) fn store(&mut self, to: Spot, from: Register) -> Result<()> {
+    pub(crate) fn store(&mut self, to: Location, from: Register) -> Result<()> {
         match to {
-            Spot::Lanes(lanes) => self.move_num(num_register(lanes), from),
-            Spot::First(whole, lanes) => self.emit(Op::StoreFirst { whole, lane: narrow(lanes.num), from }),
-            Spot::Element { whole, at: At::One(index), plain: true } => {
-                self.emit(Op::StoreElement { whole, index, from });
+            Location::Frame(lanes) => self.move_num(num_register(lanes), from),
+            Location::First(container, lanes) => self.emit(Op::StoreFirst { container, lane: narrow(lanes.num), from }),
+            Location::Element { container, at: Subscript::One(index), plain: true } => {
+                self.emit(Op::StoreElement { container, index, from });
             }
-            Spot::Element { whole, at: At::Two(i, j), plain: true } => {
-                self.emit(Op::StoreElement2 { whole, i, j, from });
+            Location::Element { container, at: Subscript::Two([i, j]), plain: true } => {
+                self.emit(Op::StoreElement2 { container, i, j, from });
             }
-            spot => {
-                let (place, lanes) = self.located(spot)?;
+            Location::Element { container, at: Subscript::Key(key), plain: true } => {
+                self.emit(Op::StoreKey { container, key, from });
+            }
+            location => {
+                let (place, lanes) = self.located(location)?;
                 self.emit(Op::Store { place, lane: narrow(lanes.num), from });
             }
         }
@@ -78,55 +86,61 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// The register with a text.
-    pub(crate) fn load_text(&mut self, value: Value, want: Option<Lanes>) -> Result<Register> {
-        if let Spot::Lanes(lanes) = value.spot {
-            return Ok(narrow(lanes.text));
-        }
-        let to = self.text_result(want)?;
-        let (place, _) = self.located(value.spot)?;
-        self.emit(Op::LoadText { to, place });
-        Ok(to)
+    /// A text as operations take it: where it is, if it need not be looked up.
+    pub(crate) fn text_operand(&mut self, location: Location) -> Result<TextOperand> {
+        let source = match location {
+            Location::Frame(lanes) => TextSource::Register(narrow(lanes.text)),
+            Location::Constant(number) => TextSource::Constant(number),
+            Location::First(container, _) if is_there(container) => TextSource::First(container.kind()),
+            location => TextSource::Place(self.located(location)?.0),
+        };
+        TextOperand::new(source).ok_or(Limit::Registers)
     }
 
-    /// Writes a text.
-    fn store_text(&mut self, to: Spot, from: Register) -> Result<()> {
-        match to {
-            Spot::Lanes(lanes) if narrow(lanes.text) == from => {}
-            Spot::Lanes(lanes) => self.emit(Op::TextMove { to: narrow(lanes.text), from }),
-            spot => {
-                let (place, _) = self.located(spot)?;
-                self.emit(Op::StoreText { place, from });
+    /// A text in a register of its own, which nothing else changes.
+    pub(crate) fn kept_text(&mut self, from: TextOperand) -> Result<Register> {
+        let register = self.frame.text()?;
+        let to = text_register(register)?;
+        self.emit(Op::TextMove { to, from });
+        Ok(register)
+    }
+
+    /// Where a value is, for operations that take it in place.
+    pub(crate) fn operand(&mut self, location: Location) -> Result<Operand> {
+        match location {
+            Location::Frame(lanes) => Ok(Operand::Frame(lanes)),
+            Location::First(container, lanes) if is_there(container) => Ok(Operand::First(container, lanes)),
+            Location::Constant(_) => {
+                let constant = self.text_operand(location)?;
+                let register = self.kept_text(constant)?;
+                Ok(Operand::Frame(Lanes { text: register.into(), ..Lanes::default() }))
+            }
+            location => {
+                let (place, lanes) = self.located(location)?;
+                Ok(Operand::Place(place, lanes))
             }
         }
-        Ok(())
-    }
-
-    /// Where a value is, for operations that take it as it is.
-    pub(crate) fn operand(&mut self, spot: Spot) -> Result<Operand> {
-        if let Spot::Lanes(lanes) = spot {
-            return Ok(Operand::Frame(lanes));
-        }
-        let (place, lanes) = self.located(spot)?;
-        Ok(Operand::Place(place, lanes))
     }
 
     /// Makes a variable hold a value of its own type.
     pub(crate) fn copy(&mut self, to: Value, from: Value) -> Result<()> {
         match to.base.builtin() {
             Some(base) if is_number(base) => {
-                let want = to.spot.lanes();
+                let want = to.location.lanes();
                 let register = self.load(from, want)?;
-                self.store(to.spot, register)
+                self.store(to.location, register)
             }
             Some(BaseType::String) => {
-                let want = to.spot.lanes();
-                let register = self.load_text(from, want)?;
-                self.store_text(to.spot, register)
+                let from = self.text_operand(from.location)?;
+                let to = self.text_operand(to.location)?;
+                if to != from {
+                    self.emit(Op::TextMove { to, from });
+                }
+                Ok(())
             }
-            _ if to.spot == from.spot => Ok(()),
+            _ if to.location == from.location => Ok(()),
             _ => {
-                let site = self.copy_site(to.base, from.spot, to.spot)?;
+                let site = self.copy_site(to.base, from.location, to.location)?;
                 self.emit(Op::Copy { site });
                 Ok(())
             }
@@ -134,26 +148,30 @@ impl Coder<'_, '_> {
     }
 
     /// The copy of a value, or the comparison of two, as an entry of the table.
-    pub(crate) fn copy_site(&mut self, base: Base, from: Spot, to: Spot) -> Result<u32> {
+    pub(crate) fn copy_site(&mut self, base: Base, from: Location, to: Location) -> Result<u32> {
         let kind = self.kind(base)?;
         let (from, to) = (self.operand(from)?, self.operand(to)?);
         Ok(self.code.copy_site(CopySite { kind, from, to }))
     }
 
     /// A container of the frame that holds one value, and that value.
-    pub(crate) fn own_container(&mut self, base: Base) -> Result<(Whole, Value)> {
+    pub(crate) fn own_container(&mut self, base: Base) -> Result<(ContainerRef, Value)> {
         let kind = self.kind(base)?;
         let number = self.frame.part(kind, val3_lang::memory::Shape::ELEMENT)?;
-        let whole = Whole::new(val3_bytecode::WholeKind::Part(number)).ok_or(Limit::Containers)?;
-        Ok((whole, Value { spot: Spot::First(whole, Lanes::default()), base }))
+        let container = ContainerRef::new(ContainerKind::Part(number)).ok_or(Limit::Containers)?;
+        Ok((container, Value { location: Location::First(container, Lanes::default()), base }))
     }
+}
 
-    /// A text of the program as a value.
-    pub(crate) fn text_constant(&mut self, text: &smol_str::SmolStr, want: Option<Lanes>) -> Result<Value> {
-        let (to, constant) = (self.text_result(want)?, self.code.text(text)?);
-        self.emit(Op::TextConstant { to, constant });
-        Ok(Value { spot: Spot::Lanes(text_lane(to)), base: Base::of(BaseType::String) })
-    }
+/// The container exists while the program runs. Data of a library may be missing, and whether they are is found out where
+/// the text of the program names them.
+fn is_there(container: ContainerRef) -> bool {
+    matches!(container.kind(), ContainerKind::Data(_) | ContainerKind::Part(_) | ContainerKind::View(_))
+}
+
+/// A register for texts as an operand.
+pub(crate) fn text_register(register: Register) -> Result<TextOperand> {
+    TextOperand::new(TextSource::Register(register)).ok_or(Limit::Registers)
 }
 
 /// What messages call the site of an assignment.

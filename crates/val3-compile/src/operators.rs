@@ -9,7 +9,8 @@ use val3_lang::types::BaseType;
 
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::spot::{Spot, Value, is_number};
+use crate::location::{Location, Value, is_number};
+use crate::moves::text_register;
 
 impl Coder<'_, '_> {
     /// `left op right`
@@ -68,9 +69,10 @@ impl Coder<'_, '_> {
     fn on_texts(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), want: Option<Lanes>) -> Result<Value> {
         let (a, b) = self.texts(left, right)?;
         if op == BinaryOp::Add {
-            let to = self.text_result(want)?;
+            let register = self.text_result(want)?;
+            let to = text_register(register)?;
             self.emit(Op::Concatenate { to, a, b });
-            return Ok(Value::text(to));
+            return Ok(Value::text(register));
         }
         let to = self.num_result(want)?;
         self.emit(Op::TextEqual { to, a, b });
@@ -131,7 +133,7 @@ impl Coder<'_, '_> {
     fn compared(&mut self, op: BinaryOp, left: ExprId, right: ExprId, want: Option<Lanes>) -> Result<Value> {
         let left = self.value(left, None)?;
         let right = self.value(right, None)?;
-        let site = self.copy_site(left.base, left.spot, right.spot)?;
+        let site = self.copy_site(left.base, left.location, right.location)?;
         let to = self.num_result(want)?;
         self.emit(Op::Compare { to, site });
         self.negated(op, to)
@@ -142,16 +144,13 @@ impl Coder<'_, '_> {
         let right = self.value_as(right, left.base)?;
         let to = self.frame.num()?;
         let base = left.base.builtin();
-        if base == Some(BaseType::String) {
-            let (a, b) = (self.load_text(left, None)?, self.load_text(right, None)?);
-            self.emit(Op::TextEqual { to, a, b });
-        } else if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base, self.unit.items.arm)) {
+        if let Some(run) = base.and_then(|base| handlers::binary(BinaryOp::Equal, base, self.unit.items.arm)) {
             let mut site = InstructionSite::named(BinaryOp::Equal.symbol(), Some(run));
             site.arguments = vec![self.argument_of(left)?, self.argument_of(right)?];
             site.result = Some((Operand::Frame(Lanes::nums(to.into())), BaseType::Bool));
             self.code.instruction(site);
         } else {
-            let site = self.copy_site(left.base, left.spot, right.spot)?;
+            let site = self.copy_site(left.base, left.location, right.location)?;
             self.emit(Op::Compare { to, site });
         }
         Ok(to)
@@ -160,18 +159,17 @@ impl Coder<'_, '_> {
     /// Looks a value up now, so that it can be used several times.
     pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
         let base = value.base.builtin();
-        let spot = match value.spot {
+        let location = match value.location {
             _ if base.is_some_and(|base| is_number(base) || base == BaseType::Dio) => {
                 let register = self.load(value, None)?;
                 return Ok(Value::num(BaseType::Num, register));
             }
-            _ if base == Some(BaseType::String) => return Ok(Value::text(self.load_text(value, None)?)),
-            spot @ (Spot::Lanes(_) | Spot::Place(..)) => spot,
-            spot => {
-                let (place, lanes) = self.located(spot)?;
-                Spot::Place(place, lanes)
+            location @ (Location::Frame(_) | Location::Place(..) | Location::Constant(_)) => location,
+            location => {
+                let (place, lanes) = self.located(location)?;
+                Location::Place(place, lanes)
             }
         };
-        Ok(Value { spot, base: value.base })
+        Ok(Value { location, base: value.base })
     }
 }

@@ -1,33 +1,52 @@
 //! Calls between programs of a project, once the frames of all of them are known.
 
-use val3_bytecode::{ArgumentSite, CallSite, Operand, Pass, Passing, Program, ProgramRef};
+use val3_bytecode::{
+    ArgumentSite, CallSite, Operand, Param, Pass, Program, ProgramRef, Storage, TextOperand, TextSource,
+};
+use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
 use crate::frame::narrow;
 
-/// Finds out what calls do for their arguments where that is quick.
+/// Gives calls the quick form of their arguments where they have one.
 pub(crate) fn plan(programs: &mut [Program]) {
-    let passings = |program: &Program| program.params.iter().map(|param| param.passing).collect::<Vec<_>>();
-    let plain: Vec<_> = programs.iter().map(|program| program.is_plain().then(|| passings(program))).collect();
+    let plain: Vec<_> = programs.iter().map(|program| program.is_plain().then(|| program.params.clone())).collect();
     for site in programs.iter_mut().flat_map(|program| &mut program.calls) {
         let callee = match site.program {
             ProgramRef::Own(number) => plain.get(usize::from(number)).and_then(Option::as_deref),
             ProgramRef::Import(_) => None,
         };
-        site.passes = callee.and_then(|passings| passes(passings, site));
+        site.passes = callee.and_then(|params| passes(params, site));
     }
 }
 
-fn passes(params: &[Passing], site: &CallSite) -> Option<Vec<Pass>> {
-    params.iter().zip(&site.arguments).map(|(param, argument)| pass(*param, *argument)).collect()
+fn passes(params: &[Param], site: &CallSite) -> Option<Vec<Pass>> {
+    params.iter().zip(&site.arguments).map(|(param, argument)| pass(param, *argument)).collect()
 }
 
-fn pass(param: Passing, argument: ArgumentSite) -> Option<Pass> {
-    match (param, argument) {
-        (Passing::Value(BaseType::Num | BaseType::Bool, to), ArgumentSite::Value(Operand::Frame(from), _)) => {
-            Some(Pass::Number(narrow(from.num), narrow(to.num)))
+fn pass(param: &Param, argument: ArgumentSite) -> Option<Pass> {
+    match (param.storage, argument) {
+        (Storage::Value(to), ArgumentSite::Value(from, _)) => match (param.kind.base_type()?, from) {
+            (BaseType::Num | BaseType::Bool, Operand::Frame(from)) => {
+                Some(Pass::Number(narrow(from.num), narrow(to.num)))
+            }
+            (BaseType::String, from) => Some(Pass::Text(text(from)?, narrow(to.text))),
+            _ => None,
+        },
+        (Storage::Place(to), ArgumentSite::Value(from, _) | ArgumentSite::UserValue(from)) => {
+            Some(Pass::Reference(from, to))
         }
-        (Passing::Reference(to), ArgumentSite::Value(from, _)) => Some(Pass::Reference(from, to)),
+        (Storage::View(to), ArgumentSite::View(from, start)) => Some(Pass::Container(from, start, to)),
         _ => None,
     }
+}
+
+/// A text that is passed by value.
+fn text(operand: Operand) -> Option<TextOperand> {
+    TextOperand::new(match operand {
+        Operand::Frame(lanes) => TextSource::Register(narrow(lanes.text)),
+        Operand::First(container, lanes) if lanes == Lanes::default() => TextSource::First(container.kind()),
+        Operand::Place(place, lanes) if lanes == Lanes::default() => TextSource::Place(place),
+        Operand::First(..) | Operand::Place(..) => return None,
+    })
 }

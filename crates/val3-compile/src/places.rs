@@ -2,7 +2,7 @@
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
-use val3_bytecode::{Op, Register, Storage, Whole, WholeKind};
+use val3_bytecode::{ContainerKind, ContainerRef, Op, Register, Storage, Subscript};
 use val3_lang::memory::{Lanes, enumerator, field_offset};
 use val3_lang::types::BaseType;
 use val3_lang::{builtins, enumerations};
@@ -10,69 +10,78 @@ use val3_lang::{builtins, enumerations};
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
 use crate::frame::narrow;
-use crate::spot::{At, Spot, Value};
+use crate::location::{Location, Value};
+use crate::moves::text_register;
 
 impl Coder<'_, '_> {
     /// The variable that an expression names; `None` for a value that is computed.
     pub(crate) fn variable(&mut self, id: ExprId) -> Result<Option<Value>> {
         let base = self.base(id);
-        let spot = match self.body.expr(id) {
+        let location = match self.body.expr(id) {
             Expr::Paren(inner) => return self.variable(*inner),
             Expr::Name(name) => match self.frame.find(name) {
-                Some(Storage::Value(lanes)) => Some(Spot::Lanes(lanes)),
-                Some(Storage::Place(place)) => Some(Spot::Place(place, Lanes::default())),
-                Some(_) | None => self.whole(id)?.map(first),
+                Some(Storage::Value(lanes)) => Some(Location::Frame(lanes)),
+                Some(Storage::Place(place)) => Some(Location::Place(place, Lanes::default())),
+                Some(_) | None => self.container(id)?.map(first),
             },
-            Expr::Path { .. } => self.whole(id)?.map(first),
+            Expr::Path { .. } => self.container(id)?.map(first),
             Expr::Index(of, indexes) => Some(self.element(*of, indexes, base)?),
             Expr::Field { base: of, field, .. } => match self.base(*of) {
-                Base::User(_) => self.whole(id)?.map(first),
+                Base::User(_) => self.container(id)?.map(first),
                 _ => Some(self.field(*of, field)?),
             },
             _ => None,
         };
-        Ok(spot.map(|spot| Value { spot, base }))
+        Ok(location.map(|location| Value { location, base }))
     }
 
     /// The container that an expression names without an index; `None` where it is no container of its own.
-    pub(crate) fn whole(&mut self, id: ExprId) -> Result<Option<Whole>> {
+    pub(crate) fn container(&mut self, id: ExprId) -> Result<Option<ContainerRef>> {
         let kind = match self.body.expr(id) {
             Expr::Name(name) => match self.frame.find(name) {
-                Some(Storage::Part(number)) => Some(WholeKind::Part(number)),
-                Some(Storage::View(number)) => Some(WholeKind::View(number)),
+                Some(Storage::Part(number)) => Some(ContainerKind::Part(number)),
+                Some(Storage::View(number)) => Some(ContainerKind::View(number)),
                 Some(Storage::Value(_) | Storage::Place(_)) => None,
                 None => self.global(name),
             },
-            Expr::Path { library, item } => Some(WholeKind::Import(self.unit.import_data(library, item)?)),
+            Expr::Path { library, item } => Some(ContainerKind::Import(self.unit.import_data(library, item)?)),
             Expr::Field { base, field, .. } => match self.base(*base) {
-                Base::User(_) => Some(WholeKind::View(self.user_field(*base, field)?)),
+                Base::User(_) => Some(ContainerKind::View(self.user_field(*base, field)?)),
                 _ => None,
             },
             _ => None,
         };
-        kind.map(|kind| Whole::new(kind).ok_or(Limit::Containers)).transpose()
+        kind.map(|kind| ContainerRef::new(kind).ok_or(Limit::Containers)).transpose()
     }
 
     /// Global data, or a variable that every application has.
-    fn global(&self, name: &str) -> Option<WholeKind> {
+    fn global(&self, name: &str) -> Option<ContainerKind> {
         let builtin = || builtins::BUILTINS.iter().position(|builtin| builtin.is_variable && builtin.name == name);
         let number = |at| u16::try_from(at).ok();
-        self.unit.data(name).map(WholeKind::Data).or_else(|| builtin().and_then(number).map(WholeKind::Builtin))
+        self.unit.data(name).map(ContainerKind::Data).or_else(|| builtin().and_then(number).map(ContainerKind::Builtin))
     }
 
     /// `of[indexes]`
-    fn element(&mut self, of: ExprId, indexes: &[ExprId], base: Base) -> Result<Spot> {
-        let whole = self.whole(of)?.ok_or(Limit::Unclear)?;
+    fn element(&mut self, of: ExprId, indexes: &[ExprId], base: Base) -> Result<Location> {
+        let container = self.container(of)?.ok_or(Limit::Unclear)?;
         let plain = matches!(base.builtin(), Some(BaseType::Num | BaseType::Bool));
-        Ok(Spot::Element { whole, at: self.at(indexes)?, plain })
+        Ok(Location::Element { container, at: self.subscript(indexes)?, plain })
     }
 
-    fn at(&mut self, indexes: &[ExprId]) -> Result<At> {
+    /// The indexes or the key between brackets. A key is read where the element is looked up, unless the statement may
+    /// change it before.
+    pub(crate) fn subscript(&mut self, indexes: &[ExprId]) -> Result<Subscript> {
         Ok(match *indexes {
-            [key] if self.base(key).builtin() == Some(BaseType::String) => At::Key(self.text(key)?),
-            [index] => At::One(self.num(index)?),
-            [i, j] => At::Two(self.num(i)?, self.num(j)?),
-            [_, _, _] => At::Three(self.run(indexes)?),
+            [key] if self.base(key).builtin() == Some(BaseType::String) => {
+                let key = self.text(key)?;
+                Subscript::Key(if self.is_stable(key) { key } else { text_register(self.kept_text(key)?)? })
+            }
+            [index] => Subscript::One(self.num(index)?),
+            [i, j] => Subscript::Two([self.num(i)?, self.num(j)?]),
+            [_, _, _] => {
+                let first = self.run(indexes)?;
+                Subscript::Three([first, first + 1, first + 2])
+            }
             _ => return Err(Limit::Unclear),
         })
     }
@@ -87,21 +96,21 @@ impl Coder<'_, '_> {
     }
 
     /// A field of a built-in type: lanes of its value.
-    fn field(&mut self, of: ExprId, field: &str) -> Result<Spot> {
+    fn field(&mut self, of: ExprId, field: &str) -> Result<Location> {
         let value = self.value(of, None)?;
         let Base::Builtin(base, arm) = value.base else { return Err(Limit::Unclear) };
         let offset = field_offset(base, arm.or(self.unit.items.arm), field).ok_or(Limit::Unclear)?;
-        self.behind(value.spot, offset)
+        self.behind(value.location, offset)
     }
 
-    /// The spot so many lanes behind another.
-    pub(crate) fn behind(&mut self, spot: Spot, offset: Lanes) -> Result<Spot> {
-        Ok(match spot {
-            Spot::Lanes(lanes) => Spot::Lanes(lanes + offset),
-            Spot::First(whole, lanes) => Spot::First(whole, lanes + offset),
-            Spot::Element { .. } | Spot::Place(..) => {
-                let (place, lanes) = self.located(spot)?;
-                Spot::Place(place, lanes + offset)
+    /// The location so many lanes behind another.
+    pub(crate) fn behind(&mut self, location: Location, offset: Lanes) -> Result<Location> {
+        Ok(match location {
+            Location::Frame(lanes) => Location::Frame(lanes + offset),
+            Location::First(container, lanes) => Location::First(container, lanes + offset),
+            Location::Element { .. } | Location::Place(..) | Location::Constant(_) => {
+                let (place, lanes) = self.located(location)?;
+                Location::Place(place, lanes + offset)
             }
         })
     }
@@ -112,33 +121,48 @@ impl Coder<'_, '_> {
         let kind = self.kind(value.base)?;
         let number = kind.fields.iter().position(|known| known.name == field).ok_or(Limit::Unclear)?;
         let field = u16::try_from(number).map_err(|_| Limit::Items)?;
-        let (place, _) = self.located(value.spot)?;
+        self.field_view(value.location, field)
+    }
+
+    /// The container of a field, by the number of the field, in a view.
+    pub(crate) fn field_view(&mut self, of: Location, field: u16) -> Result<Register> {
+        let op: Box<dyn Fn(Register) -> Op> = match of {
+            Location::First(container, _) => Box::new(move |to| Op::FirstField { to, container, field }),
+            Location::Element { container, at: Subscript::One(index), .. } => {
+                Box::new(move |to| Op::ElementField { to, container, index, field })
+            }
+            location => {
+                let (place, _) = self.located(location)?;
+                Box::new(move |to| Op::Field { to, place, field })
+            }
+        };
         let to = self.frame.view()?;
-        self.emit(Op::Field { to, place, field });
+        self.emit(op(to));
         Ok(to)
     }
 
     /// Looks a value up: its place, and how many lanes behind that it is.
-    pub(crate) fn located(&mut self, spot: Spot) -> Result<(Register, Lanes)> {
-        if let Spot::Place(place, lanes) = spot {
+    pub(crate) fn located(&mut self, location: Location) -> Result<(Register, Lanes)> {
+        if let Location::Place(place, lanes) = location {
             return Ok((place, lanes));
         }
         let to = self.frame.place()?;
-        match spot {
-            Spot::First(whole, lanes) => {
-                self.emit(Op::LocateFirst { to, whole });
+        match location {
+            Location::First(container, lanes) => {
+                self.emit(Op::LocateFirst { to, container });
                 Ok((to, lanes))
             }
-            Spot::Element { whole, at, .. } => {
+            Location::Element { container, at, .. } => {
                 self.emit(match at {
-                    At::One(index) => Op::Locate { to, whole, index },
-                    At::Two(i, j) => Op::Locate2 { to, whole, i, j },
-                    At::Three(i) => Op::Locate3 { to, whole, i },
-                    At::Key(key) => Op::LocateKey { to, whole, key },
+                    Subscript::One(index) => Op::Locate { to, container, index },
+                    Subscript::Two([i, j]) => Op::Locate2 { to, container, i, j },
+                    Subscript::Three([i, ..]) => Op::Locate3 { to, container, i },
+                    Subscript::Whole => return Err(Limit::Unclear),
+                    Subscript::Key(key) => Op::LocateKey { to, container, key },
                 });
                 Ok((to, Lanes::default()))
             }
-            Spot::Lanes(_) | Spot::Place(..) => Err(Limit::Unclear),
+            Location::Frame(_) | Location::Place(..) | Location::Constant(_) => Err(Limit::Unclear),
         }
     }
 
@@ -149,8 +173,8 @@ impl Coder<'_, '_> {
     }
 }
 
-fn first(whole: Whole) -> Spot {
-    Spot::First(whole, Lanes::default())
+fn first(container: ContainerRef) -> Location {
+    Location::First(container, Lanes::default())
 }
 
 /// The register of a number that lies on the frame.

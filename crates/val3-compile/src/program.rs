@@ -25,6 +25,7 @@ pub(crate) fn compile(unit: &mut Unit<'_>, file: File, number: u32) -> std::resu
         frame: Frame::default(),
         code: Code::new(file.text(db)),
         range: TextRange::default(),
+        is_pure: false,
     };
     let compiled = coder.program(signature(db, project, file));
     let row = coder.code.row(coder.range);
@@ -44,7 +45,7 @@ impl Coder<'_, '_> {
         self.emit(Op::Return);
         let code = self.code.finish()?;
         let Code { lines, texts, copies, instructions, calls, tasks, .. } = std::mem::take(&mut self.code);
-        let Finished { size, nums, constants, parts } = std::mem::take(&mut self.frame).finish();
+        let Finished { size, nums, parts } = std::mem::take(&mut self.frame).finish();
         Ok(Program {
             name: signature.name.to_string(),
             public: signature.public,
@@ -54,7 +55,6 @@ impl Coder<'_, '_> {
             frame: size,
             stack_bytes,
             nums,
-            constants,
             parts,
             code,
             lines,

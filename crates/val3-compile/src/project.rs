@@ -8,7 +8,7 @@ use val3_analysis::items::parse;
 use val3_analysis::items::program::header;
 use val3_analysis::items::project::{folder, items, program_files};
 use val3_analysis::xml;
-use val3_bytecode::{DataDef, Image, LibraryDef, LinkInit, Whole, WholeKind};
+use val3_bytecode::{ContainerKind, ContainerRef, DataDef, Image, LibraryDef, LinkInit};
 use val3_lang::builtins;
 use val3_lang::types::LengthUnit;
 
@@ -65,7 +65,7 @@ fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<Li
     let (mut data, mut links) = (Vec::new(), Vec::new());
     for (decl, _, loaded) in kinds.data_of(project, |decl| !is_builtin(&decl.name))? {
         let number = u16::try_from(data.len()).map_err(|_| Limit::Containers)?;
-        Whole::new(WholeKind::Data(number)).ok_or(Limit::Containers)?;
+        ContainerRef::new(ContainerKind::Data(number)).ok_or(Limit::Containers)?;
         links.extend(loaded.links.into_iter().map(|found| link(number.into(), found)));
         data.push(DataDef { name: decl.name.to_string(), public: decl.public, init: loaded.init });
     }

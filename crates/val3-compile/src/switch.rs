@@ -7,7 +7,8 @@ use val3_lang::types::BaseType;
 use crate::code::Label;
 use crate::coder::Coder;
 use crate::error::{Limit, Result};
-use crate::spot::{Value, is_number};
+use crate::location::{Value, is_number};
+use crate::moves::text_register;
 use crate::statements::head;
 
 /// The values of a `case`, none for `default`, and its block.
@@ -38,12 +39,30 @@ impl Coder<'_, '_> {
     fn comparisons(&mut self, selector: ExprId, cases: &[Case], labels: &[Label]) -> Result<()> {
         let base = self.base(selector);
         let value = self.value(selector, None)?;
+        if base.builtin() == Some(BaseType::String) {
+            return self.text_cases(value, cases, labels);
+        }
         let value = self.settled(value)?;
         let by_number = base.builtin().is_some_and(|base| is_number(base) || base == BaseType::Dio);
         for ((values, _), label) in cases.iter().zip(labels) {
             for id in values {
                 let mark = self.frame.mark();
                 if by_number { self.number_case(value, *id, *label) } else { self.other_case(value, *id, *label) }?;
+                self.frame.release(mark);
+            }
+        }
+        Ok(())
+    }
+
+    /// The selector is compared in place where no case can change it.
+    fn text_cases(&mut self, selector: Value, cases: &[Case], labels: &[Label]) -> Result<()> {
+        let a = self.text_operand(selector.location)?;
+        let a = if self.is_stable(a) { a } else { text_register(self.kept_text(a)?)? };
+        for ((values, _), label) in cases.iter().zip(labels) {
+            for id in values {
+                let mark = self.frame.mark();
+                let b = self.text(*id)?;
+                self.emit(Op::IfTextEqual { a, b, to: label.0 });
                 self.frame.release(mark);
             }
         }

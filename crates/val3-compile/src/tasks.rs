@@ -18,7 +18,7 @@ impl Coder<'_, '_> {
         let overrun = match overrun {
             Some(id) => {
                 let variable = self.variable(id)?.ok_or(Limit::Unclear)?;
-                Some(self.operand(variable.spot)?)
+                Some(self.operand(variable.location)?)
             }
             None => None,
         };

@@ -6,7 +6,7 @@ use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::items::program::LocalDecl;
 use val3_analysis::items::project::{Param as Declared, resolve_type, signature};
 use val3_analysis::ty::Base;
-use val3_bytecode::{Param, Passing, Storage, Variable};
+use val3_bytecode::{Param, Storage, Variable};
 use val3_lang::instruction::Shape;
 use val3_lang::memory::Shape as Form;
 use val3_lang::types::Container;
@@ -24,28 +24,14 @@ impl Coder<'_, '_> {
 
     fn param(&mut self, param: &Declared) -> Result<Param> {
         let kind = self.kind(param.base)?;
-        let (storage, passing) = match param.container {
-            Container::Element if param.by_reference => {
-                let place = self.frame.lasting_place()?;
-                (Storage::Place(place), Passing::Reference(place.into()))
-            }
-            Container::Element => match kind.base_type() {
-                Some(base) => {
-                    let lanes = self.frame.lasting(&kind)?;
-                    (Storage::Value(lanes), Passing::Value(base, lanes))
-                }
-                None => {
-                    let part = self.frame.part(kind.clone(), Form::ELEMENT)?;
-                    (Storage::Part(part), Passing::UserValue(part.into()))
-                }
-            },
-            Container::Array { .. } | Container::Collection => {
-                let view = self.frame.lasting_view()?;
-                (Storage::View(view), Passing::View(view.into()))
-            }
+        let storage = match param.container {
+            Container::Element if param.by_reference => Storage::Place(self.frame.lasting_place()?),
+            Container::Element if kind.base_type().is_some() => Storage::Value(self.frame.lasting(&kind)?),
+            Container::Element => Storage::Part(self.frame.part(kind.clone(), Form::ELEMENT)?),
+            Container::Array { .. } | Container::Collection => Storage::View(self.frame.lasting_view()?),
         };
         self.frame.declare(param.name.clone(), storage);
-        Ok(Param { name: param.name.to_string(), kind, container: param.container, passing })
+        Ok(Param { name: param.name.to_string(), kind, container: param.container, storage })
     }
 
     /// Gives the locals their places. One value of a built-in type lies in lanes, unless the code uses it as an array.

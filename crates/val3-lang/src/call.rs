@@ -104,6 +104,7 @@ pub struct Call<'c> {
 
 impl<'c> Call<'c> {
     /// A call with these arguments, whose value goes to `result`.
+    #[inline]
     pub fn new(
         (memory, ports, tasks): (&'c mut Memory, &'c mut dyn Ports, &'c mut dyn Tasks),
         (now, waiting): (Time, Option<Waiting>),
@@ -118,6 +119,7 @@ impl<'c> Call<'c> {
     ///
     /// # Errors
     /// 61 if there is none: the program was compiled wrongly.
+    #[inline]
     pub fn argument(&mut self) -> Result<Argument> {
         let found = self.arguments.get(self.next).copied().ok_or(Fault::INTERPRETER)?;
         self.next += 1;
@@ -126,6 +128,7 @@ impl<'c> Call<'c> {
 
     /// Where the value of the instruction goes; `None` where the program drops it.
     #[must_use]
+    #[inline]
     pub fn result(&self) -> Option<Place> {
         self.result
     }

@@ -21,7 +21,7 @@ mod stores;
 pub use kind::{Element, FieldKind, Kind, KindBase, PartInit, enumerator, field_offset, path_offset};
 pub use lanes::Lanes;
 pub use owner::Owner;
-pub use place::{Link, Place, Slot, SlotAt, StoreId, View};
+pub use place::{Link, Place, Slot, StoreId, Subscript, View};
 pub use room::{MEMORY, Room, bytes_of};
 pub use stack::Stack;
 pub use store::{Shape, Store};
@@ -135,6 +135,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if the value is gone.
+    #[inline]
     pub fn nums<const N: usize>(&self, at: Place, offset: u32) -> Result<[f64; N]> {
         let index = (at.num + offset) as usize;
         let nums = match at.store {
@@ -148,6 +149,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if the value is gone.
+    #[inline]
     pub fn set_nums<const N: usize>(&mut self, at: Place, offset: u32, values: [f64; N]) -> Result<()> {
         let index = (at.num + offset) as usize;
         let nums = match at.store {
@@ -163,6 +165,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if the value is gone.
+    #[inline]
     pub fn text(&self, at: Place) -> Result<&Text> {
         let found = match at.store {
             StoreId::STACK => self.stack.texts.get(at.text as usize),
@@ -171,16 +174,26 @@ impl Memory {
         found.ok_or(Fault::INDEX_TOO_LARGE)
     }
 
-    /// Writes a text.
+    /// A text to be written.
     ///
     /// # Errors
     /// 20 if the value is gone.
-    pub fn set_text(&mut self, at: Place, value: Text) -> Result<()> {
+    #[inline]
+    pub fn text_mut(&mut self, at: Place) -> Result<&mut Text> {
         let found = match at.store {
             StoreId::STACK => self.stack.texts.get_mut(at.text as usize),
             id => self.store_mut(id)?.texts.get_mut(at.text as usize),
         };
-        *found.ok_or(Fault::INDEX_TOO_LARGE)? = value;
+        found.ok_or(Fault::INDEX_TOO_LARGE)
+    }
+
+    /// Writes a text.
+    ///
+    /// # Errors
+    /// 20 if the value is gone.
+    #[inline]
+    pub fn set_text(&mut self, at: Place, value: Text) -> Result<()> {
+        *self.text_mut(at)? = value;
         Ok(())
     }
 
@@ -188,6 +201,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if the value is gone.
+    #[inline]
     pub fn link(&self, at: Place, offset: u32) -> Result<Link> {
         let index = (at.link + offset) as usize;
         let found = match at.store {
@@ -224,6 +238,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 if the value is gone.
+    #[inline]
     pub fn part(&self, at: Place, offset: u32) -> Result<StoreId> {
         let index = (at.part + offset) as usize;
         let found = match at.store {

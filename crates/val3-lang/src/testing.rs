@@ -9,14 +9,14 @@ mod outside;
 
 use std::collections::BTreeMap;
 
-use self::notation::{Line, Spoken, Variable};
+use self::notation::{At, Line, Spoken, Variable};
 use self::outside::Nothing;
 pub(crate) use self::outside::TaskList;
 use crate::call::{Argument, Call, Flow, Stored, Waiting};
 use crate::fault::{Fault, Result};
 use crate::instruction::{Instruction, Overload, Param};
 use crate::instructions;
-use crate::memory::{Memory, Place, Shape, Slot, SlotAt, StoreId, View};
+use crate::memory::{Memory, Place, Shape, Slot, StoreId, Subscript, View};
 use crate::ports::{Ports, Tasks, Time};
 use crate::types::{BaseType, LengthUnit};
 use crate::values::{Text, printed};
@@ -182,13 +182,10 @@ impl Bench {
             (Wanted::Value, Spoken::Num(number)) => self.constant(BaseType::Num, &[*number]),
             (Wanted::Value, Spoken::Bool(value)) => self.constant(BaseType::Bool, &[f64::from(u8::from(*value))]),
             (Wanted::Value, Spoken::Structure(numbers)) => self.constant(param.ty.unwrap(), numbers),
-            (Wanted::Value, Spoken::Text(text)) => {
-                let place = Place::first(self.value_of(BaseType::String));
-                self.memory.set_text(place, Text::from(*text)).unwrap();
-                Argument::Value(place, BaseType::String)
-            }
+            (Wanted::Value, Spoken::Text(text)) => Argument::Value(self.text(Text::from(*text)), BaseType::String),
             (Wanted::Slot | Wanted::Item, Spoken::Name(name, at)) => {
-                Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at: *at })
+                let at = self.subscript(at);
+                Argument::Slot(Slot { view: self.variable(name).map(|(view, _)| view), at })
             }
             (Wanted::Reference, Spoken::Name(name, at)) if param.ty.is_none() => {
                 Argument::View(self.part_of(self.view(name), at))
@@ -224,19 +221,37 @@ impl Bench {
         self.variable(name).unwrap_or_else(|| panic!("no variable {name}")).0
     }
 
-    fn part_of(&self, view: View, at: &SlotAt) -> View {
+    /// A text that has no name.
+    fn text(&mut self, text: Text) -> Place {
+        let place = Place::first(self.value_of(BaseType::String));
+        self.memory.set_text(place, text).unwrap();
+        place
+    }
+
+    fn subscript(&mut self, at: &At) -> Subscript<f64, Place> {
+        match *at {
+            Subscript::Whole => Subscript::Whole,
+            Subscript::One(index) => Subscript::One(index),
+            Subscript::Two(indexes) => Subscript::Two(indexes),
+            Subscript::Three(indexes) => Subscript::Three(indexes),
+            Subscript::Key(key) => Subscript::Key(self.text(key)),
+        }
+    }
+
+    fn part_of(&self, view: View, at: &At) -> View {
         match at {
-            SlotAt::Whole => view,
-            SlotAt::Index([index, ..], 1) => {
+            Subscript::Whole => view,
+            Subscript::One(index) => {
                 View { start: self.memory.store(view.store).unwrap().number1(view, *index).unwrap(), ..view }
             }
             _ => panic!("no part of an array"),
         }
     }
 
-    fn place(&self, spoken: &Spoken<'_>) -> Place {
+    fn place(&mut self, spoken: &Spoken<'_>) -> Place {
         let Spoken::Name(name, at) = spoken else { panic!("no variable") };
-        self.memory.locate(&Slot { view: Some(self.view(name)), at: *at }).unwrap()
+        let slot = Slot { view: Some(self.view(name)), at: self.subscript(at) };
+        self.memory.locate(&slot).unwrap()
     }
 
     fn printed(&self, place: Place, base: BaseType) -> Result<String> {

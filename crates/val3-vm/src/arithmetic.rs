@@ -1,24 +1,7 @@
 //! What operations compute that takes more than an expression.
 
-use val3_bytecode::Register;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;
-use val3_lang::values::Text;
-
-/// `to = a + b`, in place where that can be.
-pub(crate) fn concatenate(texts: &mut [Text], to: Register, (a, b): (Register, Register)) -> Result<()> {
-    let [to, a, b] = [to, a, b].map(usize::from);
-    if let Ok([text, right]) = texts.get_disjoint_mut([to, b])
-        && to == a
-    {
-        *text += right;
-        return Ok(());
-    }
-    let (left, right) = texts.get(a).zip(texts.get(b)).ok_or(Fault::INTERPRETER)?;
-    let sum = *left + right;
-    *texts.get_mut(to).ok_or(Fault::INTERPRETER)? = sum;
-    Ok(())
-}
 
 /// A truth value as a number.
 #[inline]

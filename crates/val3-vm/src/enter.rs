@@ -1,24 +1,24 @@
 //! Programs that begin and end: frames on the stack of a task (2.6).
 
-use val3_bytecode::{Param, Passing, Program};
+use val3_bytecode::{Param, Program, Storage};
+use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{Link, Memory, Place, Room, StoreId, View, bytes_of};
 use val3_lang::values::Text;
 
-use crate::arguments::{Given, on_frame};
+use crate::operands::on_frame;
+use crate::registers::FIXED_REGISTERS;
 use crate::task::Base;
-use crate::window::NARROW;
 
 /// Makes the frame of `program` at `base`; its parameters are [passed](pass) then. If it cannot be made, nothing of it
 /// remains.
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     enter_plain(memory, program, base, most)?;
     let (end, stack, room) = (base.behind(program), &mut memory.stack, &mut memory.stores.room);
-    fill(&mut stack.views, room, (base.view, end.view), View::whole(StoreId::STACK))?;
-    fill(&mut stack.texts, room, (base.text, end.text), Text::new())?;
-    clear(&mut stack.texts, base.text, end.text, Text::new());
     fill(&mut stack.links, room, (base.link, end.link), Link::None)?;
-    clear(&mut stack.links, base.link, end.link, Link::None);
+    if let Some(links) = stack.links.get_mut(base.link as usize..end.link as usize) {
+        links.fill(Link::None);
+    }
     for part in &program.parts {
         let store = memory.create_local(part).inspect_err(|_| leave(memory, base))?;
         memory.stack.parts.push(store);
@@ -32,28 +32,42 @@ pub(crate) fn enter_with(
     program: &Program,
     base: &Base,
     most: u32,
-    arguments: &[Given],
+    arguments: &[Argument],
 ) -> Result<()> {
     enter(memory, program, base, most)?;
     let mut given = program.params.iter().zip(arguments);
     given.try_for_each(|(param, argument)| pass(memory, base, param, *argument)).inspect_err(|_| leave(memory, base))
 }
 
-/// As [`enter`], for a program whose frame has nothing but numbers and places.
+/// As [`enter`], for a program whose frame has neither links nor containers.
 ///
-/// The stack has the numbers of a narrow frame behind each base.
+/// After each base the stack has at least [`FIXED_REGISTERS`] numbers.
 #[inline(always)]
 pub(crate) fn enter_plain(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     if base.bytes.saturating_add(program.stack_bytes) > most {
         return Err(Fault::STACK_FULL);
     }
     let (stack, room) = (&mut memory.stack, &mut memory.stores.room);
-    let lanes = program.frame.lanes.num.max(NARROW);
+    let lanes = program.frame.lanes.num.max(FIXED_REGISTERS);
     fill(&mut stack.nums, room, (base.num, base.num + lanes), 0.0)?;
     let places = (base.place, base.place + program.frame.places);
     fill(&mut stack.places, room, places, Place::first(StoreId::STACK))?;
+    let size = &program.frame;
+    fill(&mut stack.views, room, (base.view, base.view + size.views), View::whole(StoreId::STACK))?;
+    if size.lanes.text > 0 {
+        open_texts(memory, base.text, size.lanes.text)?;
+    }
+    let stack = &mut memory.stack;
     let template = base.num as usize..base.num as usize + program.nums.len();
     stack.nums.get_mut(template).ok_or(Fault::INTERPRETER)?.copy_from_slice(&program.nums);
+    Ok(())
+}
+
+/// Makes room for the texts of a frame, and empties them.
+fn open_texts(memory: &mut Memory, start: u32, count: u32) -> Result<()> {
+    let end = start + count;
+    fill(&mut memory.stack.texts, &mut memory.stores.room, (start, end), Text::new())?;
+    memory.stack.texts.get_mut(start as usize..end as usize).unwrap_or_default().iter_mut().for_each(Text::clear);
     Ok(())
 }
 
@@ -70,22 +84,24 @@ pub(crate) fn leave(memory: &mut Memory, base: &Base) {
 
 /// Gives a parameter of the frame at `base` its argument.
 #[inline]
-pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Given) -> Result<()> {
+pub(crate) fn pass(memory: &mut Memory, base: &Base, param: &Param, argument: Argument) -> Result<()> {
     let from = match argument {
-        Given::Value(place) => place,
-        Given::Container(view) => match param.passing {
-            Passing::View(number) => return write(&mut memory.stack.views, base.view + number, view),
+        Argument::Value(place, _) | Argument::UserValue(place) => place,
+        Argument::View(view) => match param.storage {
+            Storage::View(number) => return write(&mut memory.stack.views, base.view + u32::from(number), view),
             _ => memory.element(view, 0)?,
         },
+        Argument::Slot(_) | Argument::Library(_) => return Err(Fault::INTERPRETER),
     };
-    match param.passing {
-        Passing::Value(_, lanes) => memory.copy(&param.kind, from, on_frame(base, lanes)),
-        Passing::UserValue(part) => {
-            let part = memory.stack.parts.get((base.part + part) as usize).copied().ok_or(Fault::INTERPRETER)?;
+    match param.storage {
+        Storage::Value(lanes) => memory.copy(&param.kind, from, on_frame(base, lanes)),
+        Storage::Part(number) => {
+            let at = base.part as usize + usize::from(number);
+            let part = memory.stack.parts.get(at).copied().ok_or(Fault::INTERPRETER)?;
             memory.copy(&param.kind, from, Place::first(part))
         }
-        Passing::Reference(number) => write(&mut memory.stack.places, base.place + number, from),
-        Passing::View(_) => Err(Fault::INTERPRETER),
+        Storage::Place(number) => write(&mut memory.stack.places, base.place + u32::from(number), from),
+        Storage::View(_) => Err(Fault::INTERPRETER),
     }
 }
 
@@ -111,10 +127,4 @@ fn grow<T: Copy>(lanes: &mut Vec<T>, room: &mut Room, end: u32, value: T) -> Res
     room.take(bytes_of::<T>((end as usize).saturating_sub(lanes.len())))?;
     lanes.resize(end as usize, value);
     Ok(())
-}
-
-fn clear<T: Copy>(lanes: &mut [T], start: u32, end: u32, value: T) {
-    if let Some(lanes) = lanes.get_mut(start as usize..end as usize) {
-        lanes.fill(value);
-    }
 }

@@ -1,11 +1,11 @@
-//! The interpreter: steps of the innermost program of one task, until its turn ends.
+//! The interpreter: executes the operations of the innermost program of one task until its turn ends.
 //!
 //! Here are the operations on numbers; [`values`](crate::values) has those on texts and structures,
 //! [`calls`](crate::calls) programs that call others, [`instruction`](crate::instruction) instructions.
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, Op, WholeKind};
+use val3_bytecode::{ContainerKind, Op};
 use val3_lang::call::Wait;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::{StoreId, View};
@@ -15,46 +15,43 @@ use crate::arithmetic::{is_beyond, remainder, truth};
 use crate::calls::program_of;
 use crate::enter::leave;
 use crate::instance::Imported;
+use crate::operands::{Scope, located};
+use crate::registers::{FixedRegisters, Registers};
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
-use crate::window::{Narrow, Window};
 use crate::{Frame, Instance, Outcome};
 
 /// Where the interpreter is, and the lines that it may still begin.
 pub(crate) struct Cursor {
-    /// The next step.
+    /// The next operation.
     pub(crate) next: usize,
-    /// The first step of the line at hand.
+    /// The first operation of the current line.
     pub(crate) line: u32,
     pub(crate) budget: u32,
 }
 
 /// Why the interpreter leaves a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Leave {
-    /// The task goes on in a program of another application, or with a frame of another width.
+    /// The task continues in a program of another application, or with a frame of another width, or with libraries that
+    /// were loaded just now.
     Elsewhere,
     /// The turn is over.
     Turn(Outcome),
 }
 
-/// A container of the frame or of a library, where there is one: parts, views and applications are those of the
-/// machine. It is marked as rare so that the way to global data, by far the most frequent, needs no registers for it.
-#[cold]
-fn container(
-    kind: WholeKind,
-    frame: &Frame,
-    (parts, views, instances): (&[StoreId], &[View], &[Instance]),
-) -> Option<View> {
+/// A local container, or one of a library; `None` if it is missing. These are rarer than global data and views.
+#[inline(never)]
+fn container(kind: ContainerKind, frame: &Frame, parts: &[StoreId], instance: &Instance) -> Option<View> {
     match kind {
-        WholeKind::Part(number) => parts.get(frame.base.part as usize + usize::from(number)).copied().map(View::whole),
-        WholeKind::View(number) => views.get(frame.base.view as usize + usize::from(number)).copied(),
-        WholeKind::Import(number) => {
-            match instances.get(usize::from(frame.instance.0))?.imports.get(usize::from(number)) {
-                Some(Some(Imported::Data(store))) => Some(View::whole(*store)),
-                _ => None,
-            }
+        ContainerKind::Part(number) => {
+            parts.get(frame.base.part as usize + usize::from(number)).copied().map(View::whole)
         }
-        WholeKind::Data(_) | WholeKind::Builtin(_) => None,
+        ContainerKind::Import(number) => match instance.imports.get(usize::from(number)) {
+            Some(Some(Imported::Data(store))) => Some(View::whole(*store)),
+            _ => None,
+        },
+        ContainerKind::Data(_) | ContainerKind::View(_) | ContainerKind::Builtin(_) => None,
     }
 }
 
@@ -62,70 +59,80 @@ impl TurnContext<'_> {
     /// Executes lines until the budget is used up or the turn ends.
     pub(crate) fn interpret(&mut self, thread: &mut Thread) -> Result<Outcome> {
         loop {
-            let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
-            let instance = self.instance(frame.instance)?;
-            let (image, data) = (Arc::clone(&instance.image), Arc::clone(&instance.data));
-            let left = if Narrow::suits(program_of(&frame, &image)?) {
-                self.programs::<Narrow>(thread, frame, (&image, &data))
-            } else {
-                self.programs::<[f64]>(thread, frame, (&image, &data))
-            };
-            if let Leave::Turn(stop) = left? {
-                return Ok(stop);
+            // An instruction that loads a library replaces the instances; these are then no longer current.
+            let instances = Arc::clone(&self.space.instances);
+            while Arc::ptr_eq(&instances, &self.space.instances) {
+                let frame = *thread.frames.last().ok_or(Fault::INTERPRETER)?;
+                let instance = instances.get(usize::from(frame.instance.0)).ok_or(Fault::INTERPRETER)?;
+                let left = if FixedRegisters::suits(program_of(&frame, &instance.image)?) {
+                    self.programs::<FixedRegisters>(thread, frame, instance)
+                } else {
+                    self.programs::<[f64]>(thread, frame, instance)
+                };
+                if let Leave::Turn(stop) = left? {
+                    return Ok(stop);
+                }
             }
         }
     }
 
     /// Executes programs of one application until it is left.
     #[inline(never)]
-    fn programs<W: Window + ?Sized>(
+    fn programs<R: Registers + ?Sized>(
         &mut self,
         thread: &mut Thread,
         frame: Frame,
-        application: (&Image, &[StoreId]),
+        instance: &Instance,
     ) -> Result<Leave> {
         let mut at = Cursor { next: thread.next as usize, line: thread.line, budget: self.budget };
-        let left = self.steps::<W>(thread, frame, application, &mut at);
+        let left = self.operations::<R>(thread, frame, instance, &mut at);
         thread.next = u32::try_from(at.next).unwrap_or(u32::MAX);
         thread.line = at.line;
         self.budget = at.budget;
         left
     }
 
-    /// The steps. `at` is kept in registers: whoever needs it gets it as a value.
+    /// Executes operations. `at` stays in registers of the processor, so others get its fields as values.
     #[allow(clippy::too_many_lines, reason = "one arm an operation, each of them short")]
     #[allow(clippy::neg_cmp_op_on_partial_ord, reason = "a comparison with what is no number does not hold")]
     #[allow(clippy::inline_always, reason = "only then is the cursor in registers")]
     #[inline(always)]
-    fn steps<W: Window + ?Sized>(
+    fn operations<R: Registers + ?Sized>(
         &mut self,
         thread: &mut Thread,
         mut frame: Frame,
-        (image, data): (&Image, &[StoreId]),
+        instance: &Instance,
         at: &mut Cursor,
     ) -> Result<Leave> {
+        let (image, data) = (&*instance.image, &*instance.data);
         let mut program = program_of(&frame, image)?;
-        let mut nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
+        let mut nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
 
-        // Whatever reaches into the memory as a whole; the numbers are looked up anew behind it.
+        macro_rules! scope {
+            () => {
+                Scope { instance, program, base: frame.base }
+            };
+        }
+        // Runs `$work`, which may reallocate the stack, then borrows the registers again.
         macro_rules! outside {
             ($work:expr) => {{
                 self.budget = at.budget;
                 let result = $work;
                 at.budget = self.budget;
-                nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
                 result
             }};
         }
-        // `$found` in the container `$view`; `None` where it takes the general way, which tells why there is none.
+        // `$found` in the container `$view`; `None` where the general way has to find it, or the error.
         macro_rules! found {
-            ($view:ident in $whole:expr, $found:expr) => {{
-                let view = match $whole.data() {
-                    Some(number) => data.get(usize::from(number)).copied().map(View::whole),
-                    None => {
-                        let (parts, views) = (&*self.space.memory.stack.parts, &*self.space.memory.stack.views);
-                        container($whole.kind(), &frame, (parts, views, &self.space.instances))
+            ($view:ident in $container:expr, $found:expr) => {{
+                let view = match $container.kind() {
+                    ContainerKind::Data(number) => data.get(usize::from(number)).copied().map(View::whole),
+                    ContainerKind::View(number) => {
+                        let at = frame.base.view as usize + usize::from(number);
+                        self.space.memory.stack.views.get(at).copied()
                     }
+                    kind => container(kind, &frame, &self.space.memory.stack.parts, instance),
                 };
                 match view {
                     Some($view) => $found,
@@ -138,7 +145,7 @@ impl TurnContext<'_> {
             ($step:ident, $to:expr, $found:expr) => {
                 match $found {
                     Some(number) => nums.set($to, *number)?,
-                    None => outside!(self.on_values($step.op, &frame, program))?,
+                    None => outside!(self.on_values($step.op, scope!()))?,
                 }
             };
         }
@@ -147,11 +154,35 @@ impl TurnContext<'_> {
             ($step:ident, $from:expr, $found:expr) => {
                 match $found {
                     Some(number) => *number = nums.get($from)?,
-                    None => outside!(self.on_values($step.op, &frame, program))?,
+                    None => outside!(self.on_values($step.op, scope!()))?,
                 }
             };
         }
-        // Goes on in the program with another frame.
+        // Writes a view of a container that was found.
+        macro_rules! view {
+            ($step:ident, $to:expr, $found:expr) => {
+                match $found {
+                    Some(store) => {
+                        let at = frame.base.view as usize + usize::from($to);
+                        *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = View::whole(store);
+                    }
+                    None => outside!(self.on_values($step.op, scope!()))?,
+                }
+            };
+        }
+        // Writes the place of a value that was found.
+        macro_rules! place {
+            ($step:ident, $to:expr, $found:expr) => {
+                match $found {
+                    Some(place) => {
+                        let at = frame.base.place as usize + usize::from($to);
+                        *self.space.memory.stack.places.get_mut(at).ok_or(Fault::INTERPRETER)? = place;
+                    }
+                    None => outside!(self.on_values($step.op, scope!()))?,
+                }
+            };
+        }
+        // Continues in the program of another frame.
         macro_rules! change {
             ($frame:expr) => {{
                 let other: Frame = $frame;
@@ -160,20 +191,20 @@ impl TurnContext<'_> {
                 }
                 frame = other;
                 program = program_of(&frame, image)?;
-                if !W::suits(program) {
+                if !R::suits(program) {
                     return Ok(Leave::Elsewhere);
                 }
-                nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
             }};
         }
 
         while let Some(step) = program.code.get(at.next) {
-            if step.line {
+            if step.begins_line {
                 match at.budget.checked_sub(1) {
                     Some(left) => at.budget = left,
                     None => return Ok(Leave::Turn(Outcome::Busy)),
                 }
-                #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more steps")]
+                #[allow(clippy::cast_possible_truncation, reason = "the compiler refuses programs of more operations")]
                 (at.line = at.next as u32);
             }
             at.next += 1;
@@ -243,37 +274,97 @@ impl TurnContext<'_> {
                 Op::Equal { to, a, b } => nums.set(to, truth(nums.get(a)? == nums.get(b)?))?,
                 Op::NotEqual { to, a, b } => nums.set(to, truth(nums.get(a)? != nums.get(b)?))?,
 
-                Op::LoadFirst { to, whole, lane } => {
-                    load!(step, to, found!(view in whole, self.space.memory.stores.first(view, lane)));
+                Op::LoadFirst { to, container, lane } => {
+                    load!(step, to, found!(view in container, self.space.memory.stores.first(view, lane)));
                 }
-                Op::StoreFirst { whole, lane, from } => {
-                    store!(step, from, found!(view in whole, self.space.memory.stores.first_mut(view, lane)));
+                Op::StoreFirst { container, lane, from } => {
+                    store!(step, from, found!(view in container, self.space.memory.stores.first_mut(view, lane)));
                 }
-                Op::LoadElement { to, whole, index } => {
+                Op::LoadElement { to, container, index } => {
                     let at = nums.get(index)?;
-                    load!(step, to, found!(view in whole, self.space.memory.stores.element(view, at)));
+                    load!(step, to, found!(view in container, self.space.memory.stores.element(view, at)));
                 }
-                Op::StoreElement { whole, index, from } => {
+                Op::StoreElement { container, index, from } => {
                     let at = nums.get(index)?;
-                    store!(step, from, found!(view in whole, self.space.memory.stores.element_mut(view, at)));
+                    store!(step, from, found!(view in container, self.space.memory.stores.element_mut(view, at)));
                 }
-                Op::LoadElement2 { to, whole, i, j } => {
+                Op::LoadElement2 { to, container, i, j } => {
                     let at = [nums.get(i)?, nums.get(j)?];
-                    load!(step, to, found!(view in whole, self.space.memory.stores.element2(view, at)));
+                    load!(step, to, found!(view in container, self.space.memory.stores.element2(view, at)));
                 }
-                Op::StoreElement2 { whole, i, j, from } => {
+                Op::StoreElement2 { container, i, j, from } => {
                     let at = [nums.get(i)?, nums.get(j)?];
-                    store!(step, from, found!(view in whole, self.space.memory.stores.element2_mut(view, at)));
+                    store!(step, from, found!(view in container, self.space.memory.stores.element2_mut(view, at)));
+                }
+                Op::LoadKey { to, container, key } => {
+                    let value = {
+                        let memory = &self.space.memory;
+                        memory.num(scope!().keyed(memory, container, key)?, 0)?
+                    };
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                    nums.set(to, value)?;
+                }
+                Op::StoreKey { container, key, from } => {
+                    let value = nums.get(from)?;
+                    let place = scope!().keyed(&self.space.memory, container, key)?;
+                    self.space.memory.set_num(place, 0, value)?;
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
                 }
                 Op::Load { to, place, lane } => {
-                    let value = self.load_num(&frame, place, lane)?;
-                    nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                    let value =
+                        self.space.memory.num(located(&self.space.memory, &frame.base, place)?, u32::from(lane))?;
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
                     nums.set(to, value)?;
                 }
                 Op::Store { place, lane, from } => {
                     let value = nums.get(from)?;
-                    self.store_num(&frame, (place, lane), value)?;
-                    nums = W::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                    let place = located(&self.space.memory, &frame.base, place)?;
+                    self.space.memory.set_num(place, u32::from(lane), value)?;
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                }
+
+                Op::FirstField { to, container, field } => {
+                    view!(step, to, found!(view in container, self.space.memory.stores.field(view, field)));
+                }
+                Op::ElementField { to, container, index, field } => {
+                    let at = nums.get(index)?;
+                    view!(step, to, found!(view in container, self.space.memory.stores.element_field(view, at, field)));
+                }
+
+                Op::Field { to, place, field } => {
+                    let place = located(&self.space.memory, &frame.base, place)?;
+                    let store = self.space.memory.part(place, u32::from(field))?;
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                    view!(step, to, Some(store));
+                }
+                Op::LocateFirst { to, container } => {
+                    place!(step, to, found!(view in container, self.space.memory.stores.first_place(view)));
+                }
+                Op::Locate { to, container, index } => {
+                    let at = nums.get(index)?;
+                    place!(step, to, found!(view in container, self.space.memory.stores.element_place(view, at)));
+                }
+                Op::LocateKey { to, container, key } => {
+                    let found = scope!().keyed(&self.space.memory, container, key)?;
+                    nums = R::of(&mut self.space.memory.stack.nums, &frame, program)?;
+                    place!(step, to, Some(found));
+                }
+
+                Op::TextMove { to, from } => outside!(self.move_text(&scope!(), to, from))?,
+                Op::Concatenate { to, a, b } => outside!(self.concatenate(&scope!(), to, [a, b]))?,
+                Op::TextEqual { to, a, b } => {
+                    let equal = outside!(self.texts_equal(&scope!(), a, b))?;
+                    nums.set(to, truth(equal))?;
+                }
+                Op::IfTextEqual { a, b, to } => {
+                    if outside!(self.texts_equal(&scope!(), a, b))? {
+                        at.next = to as usize;
+                    }
+                }
+                Op::UnlessTextEqual { a, b, to } => {
+                    if !outside!(self.texts_equal(&scope!(), a, b))? {
+                        at.next = to as usize;
+                    }
                 }
 
                 Op::ForTest { counter, limit, exit } => {
@@ -300,7 +391,7 @@ impl TurnContext<'_> {
 
                 Op::Call { site } => {
                     let site = program.calls.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    let inner = self.call(image, (&frame, program), site, (at.next, at.line))?;
+                    let inner = self.call(&frame, &scope!(), site, (at.next, at.line))?;
                     if let Err(fault) = thread.push(inner, &mut self.space.memory.stores.room) {
                         leave(&mut self.space.memory, &inner.base);
                         return Err(fault);
@@ -311,7 +402,7 @@ impl TurnContext<'_> {
                 Op::Return => {
                     leave(&mut self.space.memory, &frame.base);
                     let [.., caller, _] = thread.frames.as_slice() else {
-                        // The frame stays: it tells where the task has ended.
+                        // The frame stays: it says where the task has ended.
                         return Ok(Leave::Turn(Outcome::Finished));
                     };
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
@@ -321,14 +412,14 @@ impl TurnContext<'_> {
                 }
                 Op::Instruction { site } => {
                     let site = program.instructions.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    if let Some(stop) = outside!(self.instruction(thread, image, (&frame, at.line), site))? {
-                        at.next -= usize::from(matches!(stop, Outcome::Waiting(_)));
-                        return Ok(Leave::Turn(stop));
+                    if let Some(leave) = outside!(self.instruction(thread, scope!(), (&frame, at.line), site))? {
+                        at.next -= usize::from(matches!(leave, Leave::Turn(Outcome::Waiting(_))));
+                        return Ok(leave);
                     }
                 }
                 Op::CreateTask { site } => {
                     let site = program.tasks.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                    outside!(self.create_task(image, (&frame, at.line), site))?;
+                    outside!(self.create_task(scope!(), (&frame, at.line), site))?;
                 }
                 Op::WaitUntil { condition, retry } => {
                     if nums.get(condition)? == 0.0 {
@@ -345,21 +436,10 @@ impl TurnContext<'_> {
                     };
                     nums.set(to, truth(answer))?;
                 }
-                // All others by name: only then is no number of an operation beyond the table of jumps.
-                Op::TextConstant { .. }
-                | Op::TextMove { .. }
-                | Op::Concatenate { .. }
-                | Op::TextEqual { .. }
-                | Op::LocateFirst { .. }
-                | Op::Locate { .. }
-                | Op::Locate2 { .. }
-                | Op::Locate3 { .. }
-                | Op::LocateKey { .. }
-                | Op::Field { .. }
-                | Op::LoadText { .. }
-                | Op::StoreText { .. }
-                | Op::Copy { .. }
-                | Op::Compare { .. } => outside!(self.on_values(step.op, &frame, program))?,
+                // All others are listed, so that the table of jumps covers every operation.
+                Op::Locate2 { .. } | Op::Locate3 { .. } | Op::Copy { .. } | Op::Compare { .. } => {
+                    outside!(self.on_values(step.op, scope!()))?
+                }
             }
         }
         Err(Fault::INTERPRETER)

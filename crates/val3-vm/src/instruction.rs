@@ -1,42 +1,44 @@
 //! Instructions: their arguments, their call, and what they ask of the run time.
 
 use smallvec::SmallVec;
-use val3_bytecode::{Handler, Image, InstructionSite};
+use val3_bytecode::{Handler, InstructionSite};
 use val3_lang::call::{Argument, Call, Flow, Wait, Waiting};
 use val3_lang::fault::Result;
 use val3_lang::memory::Memory;
 use val3_lang::ports::{Ports, Tasks, Time, nanoseconds};
 
-use crate::arguments::place;
+use crate::execute::Leave;
+use crate::operands::Scope;
 use crate::services::{Changes, Services};
 use crate::task::Thread;
 use crate::turn_context::TurnContext;
 use crate::{Frame, Outcome, TaskState};
 
 impl TurnContext<'_> {
-    /// Executes an instruction; `Some` if the turn ends with it.
+    /// Executes an instruction; `Some` if the interpreter has to leave the program with it.
     pub(crate) fn instruction(
         &mut self,
         thread: &mut Thread,
-        image: &Image,
+        scope: Scope<'_>,
         (frame, line): (&Frame, u32),
         site: &InstructionSite,
-    ) -> Result<Option<Outcome>> {
+    ) -> Result<Option<Leave>> {
         let now = self.now();
         self.ports.origin(self.origin(now, frame, line));
         let Some(Handler(run)) = site.run else {
             self.ports.lacking(&site.name);
-            return Ok(Some(Outcome::Lacking));
+            return Ok(Some(Leave::Turn(Outcome::Lacking)));
         };
-        let scope = self.scope(frame)?;
+        let memory = &self.space.memory;
         let mut arguments = SmallVec::<[Argument; 4]>::new();
         for argument in &site.arguments {
-            arguments.push(scope.argument(argument)?);
+            arguments.push(scope.argument(memory, argument)?);
         }
-        let result = site.result.map(|(operand, _)| place(&self.space.memory, &frame.base, operand)).transpose()?;
+        let result = site.result.map(|(operand, _)| scope.place(memory, operand)).transpose()?;
+        let image = &scope.instance.image;
         let mut services = Services {
             roster: self.roster,
-            instances: &mut self.space.instances,
+            instances: &self.space.instances,
             changes: Changes::new(),
             request: None,
             owner: frame.instance,
@@ -51,8 +53,9 @@ impl TurnContext<'_> {
         if !changes.is_empty() {
             self.end_with_turn();
         }
+        let leave = request.is_some().then_some(Leave::Elsewhere);
         if let Some(request) = request {
-            let code = self.fulfil(thread, frame.instance, request);
+            let code = self.fulfil(thread, frame.instance, *request);
             result.map_or(Ok(()), |place| self.space.memory.set_num(place, 0, code))?;
         }
         match flow {
@@ -60,10 +63,11 @@ impl TurnContext<'_> {
             Flow::Wait(wait) => {
                 thread.waiting = Some(Waiting::then(thread.waiting, wait, now));
                 thread.wait = Some(wait);
-                return Ok(Some(Outcome::Waiting(wait.wake)));
+                return Ok(Some(Leave::Turn(Outcome::Waiting(wait.wake))));
             }
         }
-        Ok(if is_stopped { Some(Outcome::Halted) } else { self.pause(thread, now) })
+        let stop = if is_stopped { Some(Outcome::Halted) } else { self.pause(thread, now) };
+        Ok(stop.map(Leave::Turn).or(leave))
     }
 
     /// Ends the turn after an instruction that takes time outside the program, and suspends it where the host interrupts.

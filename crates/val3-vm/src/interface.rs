@@ -1,6 +1,6 @@
 //! The items that an application expects of a library, and those that a library has (6.3, 6.6).
 
-use val3_bytecode::{DataDef, Import, ImportKind, Param, Passing};
+use val3_bytecode::{DataDef, Import, ImportKind, Param, Storage};
 use val3_lang::memory::{Kind, KindBase, Shape};
 use val3_lang::types::Container;
 
@@ -56,7 +56,7 @@ fn is_data(data: &DataDef, kind: &Kind, container: Container) -> bool {
 }
 
 fn is_param(own: &Param, kind: &Kind, container: Container, by_reference: bool) -> bool {
-    let own_reference = matches!(own.passing, Passing::Reference(_) | Passing::View(_));
+    let own_reference = matches!(own.storage, Storage::Place(_) | Storage::View(_));
     own.container == container && own_reference == by_reference && is_same(&own.kind, kind)
 }
 

@@ -3,7 +3,6 @@
 //! This crate has no clock, no input and no arm: instructions reach them through ports. Runs of the same images with the
 //! same answers of the ports execute the same operations.
 
-mod arguments;
 mod arithmetic;
 mod calls;
 mod enter;
@@ -13,7 +12,10 @@ mod instance;
 mod instruction;
 mod interface;
 mod libraries;
+mod library_references;
+mod operands;
 mod outcome;
+mod registers;
 mod resume;
 mod roster;
 mod schedule;
@@ -22,10 +24,8 @@ mod space;
 mod task;
 mod turn;
 mod turn_context;
-mod usage;
 mod values;
 mod vm;
-mod window;
 
 pub use host::{Host, LibraryOp, Loaded};
 pub use instance::{Imported, Instance, InstanceId};

@@ -138,7 +138,7 @@ impl Space {
                 used.extend(library.filter(|library| !used.contains(library)));
             }
         }
-        let loaded = (0u16..).map(InstanceId).zip(&self.instances).filter(|(_, instance)| instance.loaded);
+        let loaded = (0u16..).map(InstanceId).zip(self.instances.iter()).filter(|(_, instance)| instance.loaded);
         loaded.map(|(id, _)| id).filter(|id| !used.contains(id)).collect()
     }
 
@@ -147,7 +147,7 @@ impl Space {
     }
 
     fn unload(&mut self, id: InstanceId) {
-        let Some(instance) = self.instances.get_mut(usize::from(id.0)) else { return };
+        let Some(instance) = self.instance_mut(id) else { return };
         instance.loaded = false;
         instance.libraries.fill(None);
         let data = std::mem::take(&mut instance.data);

@@ -1,6 +1,5 @@
 //! Tasks and libraries as the task that runs reaches them.
 
-use smallvec::SmallVec;
 use val3_lang::fault::{Fault, Result};
 use val3_lang::memory::View;
 use val3_lang::ports::{CodePlace, Request, TaskChange, TaskNumber, Tasks};
@@ -11,16 +10,16 @@ use crate::roster::Roster;
 use crate::{Instance, InstanceId, TaskState};
 
 /// Changes of tasks, with their names and where they are.
-pub(crate) type Changes = SmallVec<[(TaskNumber, String, TaskChange, Option<CodePlace>); 1]>;
+pub(crate) type Changes = Vec<(TaskNumber, String, TaskChange, Option<CodePlace>)>;
 
 /// The tasks and libraries that the programs of `owner` can reach.
 pub(crate) struct Services<'v> {
     pub(crate) roster: &'v mut Roster,
-    pub(crate) instances: &'v mut Vec<Instance>,
+    pub(crate) instances: &'v [Instance],
     /// The changes of tasks.
     pub(crate) changes: Changes,
     /// The request to the run time.
-    pub(crate) request: Option<Request>,
+    pub(crate) request: Option<Box<Request>>,
     pub(crate) owner: InstanceId,
 }
 
@@ -86,7 +85,7 @@ impl Tasks for Services<'_> {
     }
 
     fn request(&mut self, request: Request) {
-        self.request = Some(request);
+        self.request = Some(Box::new(request));
     }
 
     fn path(&self, library: Option<u16>) -> String {

@@ -15,7 +15,8 @@ use crate::{Host, Instance, InstanceId};
 pub struct Space {
     /// All data.
     pub memory: Memory,
-    pub(crate) instances: Vec<Instance>,
+    /// A task that runs holds the instances as they were when its turn began, or when it has last loaded a library.
+    pub(crate) instances: Arc<Vec<Instance>>,
 }
 
 impl Space {
@@ -23,6 +24,11 @@ impl Space {
     #[must_use]
     pub fn instance(&self, id: InstanceId) -> Option<&Instance> {
         self.instances.get(usize::from(id.0))
+    }
+
+    /// What is in memory under a number, to be changed.
+    pub(crate) fn instance_mut(&mut self, id: InstanceId) -> Option<&mut Instance> {
+        Arc::make_mut(&mut self.instances).get_mut(usize::from(id.0))
     }
 
     /// Takes an application or library into memory, with its data as its files say.
@@ -48,9 +54,9 @@ impl Space {
             loaded: true,
             image,
         };
-        match self.instances.get_mut(at) {
+        match self.instance_mut(id) {
             Some(slot) => *slot = instance,
-            None => self.instances.push(instance),
+            None => Arc::make_mut(&mut self.instances).push(instance),
         }
         if let Some(instance) = self.instance(id) {
             host.loaded(id.0, &instance.image, &instance.data);
@@ -82,7 +88,7 @@ impl Space {
         host.loaded(id.0, &image, &data);
         self.memory.stores.room.give_back(before.code_bytes());
         self.memory.stores.room.count(image.code_bytes());
-        if let Some(instance) = self.instances.get_mut(usize::from(id.0)) {
+        if let Some(instance) = self.instance_mut(id) {
             instance.imports = vec![None; image.imports.len()];
             (instance.image, instance.data) = (image, data);
         }
@@ -117,7 +123,7 @@ impl Space {
         let promised =
             |at: usize| instance.image.imports.get(at).is_some_and(|import| import.kind != ImportKind::Missing);
         let complete = found.iter().all(|(at, item)| item.is_some() || !promised(*at));
-        if let Some(instance) = self.instances.get_mut(usize::from(user.0)) {
+        if let Some(instance) = self.instance_mut(user) {
             if let Some(slot) = instance.libraries.get_mut(usize::from(alias)) {
                 *slot = Some(library);
             }

@@ -2,14 +2,15 @@
 
 use std::sync::Arc;
 
-use val3_bytecode::{Image, Passing, TaskSite};
+use val3_bytecode::{Storage, TaskSite};
+use val3_lang::call::Argument;
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Lanes, Memory, Place};
+use val3_lang::memory::{Memory, Place};
 use val3_lang::ports::{TaskChange, Time};
 use val3_lang::tasks::{period_steps, priority};
 
-use crate::arguments::{Given, on_frame, place};
 use crate::enter::enter_with;
+use crate::operands::Scope;
 use crate::task::{Base, NewThread, Thread};
 use crate::turn_context::TurnContext;
 use crate::{CYCLE, Frame, InstanceId, Outcome, Rate};
@@ -71,15 +72,20 @@ impl TurnContext<'_> {
     }
 
     /// `taskCreate` and `taskCreateSync` (5.10).
-    pub(crate) fn create_task(&mut self, image: &Image, (frame, line): (&Frame, u32), site: &TaskSite) -> Result<()> {
+    pub(crate) fn create_task(
+        &mut self,
+        scope: Scope<'_>,
+        (frame, line): (&Frame, u32),
+        site: &TaskSite,
+    ) -> Result<()> {
         self.ports.origin(self.origin(self.now(), frame, line));
-        let scope = self.scope(frame)?;
-        let name = Lanes { text: u32::from(site.name), ..Lanes::default() };
-        let name = self.space.memory.text(on_frame(&frame.base, name))?.as_str().to_owned();
+        let (memory, image) = (&self.space.memory, &scope.instance.image);
+        let name = scope.text(memory, site.name)?.as_str().to_owned();
         self.roster.check_name(frame.instance, &name, image.version)?;
-        let rate = scope.num(site.rate)?;
-        let overrun = site.overrun.map(|operand| place(&self.space.memory, &frame.base, operand)).transpose()?;
-        let arguments = site.call.arguments.iter().map(|site| scope.given(site)).collect::<Result<Vec<_>>>()?;
+        let rate = scope.num(memory, site.rate)?;
+        let overrun = site.overrun.map(|operand| scope.place(memory, operand)).transpose()?;
+        let arguments = site.call.arguments.iter().map(|site| scope.argument(memory, site));
+        let arguments = arguments.collect::<Result<Vec<_>>>()?;
         let rate = self.rate(rate, overrun)?;
         let program = self.resolve(frame.instance, site.call.program)?;
         let thread = self.new_thread(program, &arguments)?;
@@ -109,11 +115,11 @@ impl TurnContext<'_> {
 
     /// The thread of a new task. Its frame is made after those of its creator, from which values are copied, and then
     /// cut off.
-    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Given]) -> Result<Thread> {
+    pub(crate) fn new_thread(&mut self, program: (InstanceId, u16), arguments: &[Argument]) -> Result<Thread> {
         let (instance, number) = program;
         let image = Arc::clone(&self.space.instance(instance).ok_or(Fault::INTERPRETER)?.image);
         let callee = image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;
-        let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.passing));
+        let references = callee.params.iter().zip(arguments).filter(|(param, _)| is_reference(param.storage));
         if references.map(|(_, argument)| argument).any(|argument| is_local(&self.space.memory, *argument)) {
             return Err(Fault::INVALID_PARAMETER);
         }
@@ -139,15 +145,16 @@ fn length<T>(lanes: &[T]) -> u32 {
     u32::try_from(lanes.len()).unwrap_or(u32::MAX)
 }
 
-fn is_reference(passing: Passing) -> bool {
-    matches!(passing, Passing::Reference(_) | Passing::View(_))
+fn is_reference(parameter: Storage) -> bool {
+    matches!(parameter, Storage::Place(_) | Storage::View(_))
 }
 
 /// A local variable of the creator: the task may outlive it (5.10).
-fn is_local(memory: &Memory, argument: Given) -> bool {
+fn is_local(memory: &Memory, argument: Argument) -> bool {
     match argument {
-        Given::Value(place) => memory.is_local(place.store),
-        Given::Container(view) => memory.is_local(view.store),
+        Argument::Value(place, _) | Argument::UserValue(place) => memory.is_local(place.store),
+        Argument::View(view) => memory.is_local(view.store),
+        Argument::Slot(_) | Argument::Library(_) => false,
     }
 }
 

@@ -3,7 +3,6 @@
 use val3_lang::fault::{Fault, Result};
 use val3_lang::ports::{CodePlace, Origin, TaskNumber, Time};
 
-use crate::arguments::Scope;
 use crate::roster::Roster;
 use crate::{Frame, Grant, Host, Instance, InstanceId, Space};
 
@@ -40,9 +39,5 @@ impl TurnContext<'_> {
     pub(crate) fn origin(&self, time: Time, frame: &Frame, line: u32) -> Origin {
         let at = CodePlace { instance: frame.instance.0, program: frame.program, line };
         Origin { time, task: self.task, at }
-    }
-
-    pub(crate) fn scope(&self, frame: &Frame) -> Result<Scope<'_>> {
-        Ok(Scope { memory: &self.space.memory, instance: self.instance(frame.instance)?, base: frame.base })
     }
 }

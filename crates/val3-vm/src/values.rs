@@ -1,167 +1,134 @@
 //! Operations on texts, structures and places.
 
-use val3_bytecode::{CopySite, Op, Program, Register, Whole};
+use val3_bytecode::{CopySite, Op, Register, TextOperand};
 use val3_lang::fault::{Fault, Result};
-use val3_lang::memory::{Place, View};
-use val3_lang::values::Text;
+use val3_lang::memory::{Place, StoreId, View};
 
-use crate::Frame;
-use crate::arguments::{located, place};
-use crate::arithmetic::{concatenate, truth};
+use crate::arithmetic::truth;
+use crate::operands::Scope;
 use crate::turn_context::TurnContext;
 
 impl TurnContext<'_> {
     /// Executes an operation that does more than compute numbers.
     #[inline(never)]
-    pub(crate) fn on_values(&mut self, op: Op, frame: &Frame, program: &Program) -> Result<()> {
+    pub(crate) fn on_values(&mut self, op: Op, scope: Scope<'_>) -> Result<()> {
+        let memory = &self.space.memory;
         match op {
-            Op::TextConstant { to, constant } => {
-                let text = program.texts.get(usize::from(constant)).ok_or(Fault::INTERPRETER)?;
-                self.set_text(frame, to, *text)
+            Op::LoadFirst { to, container, lane } => {
+                let place = memory.element(scope.view(memory, container)?, 0)?;
+                self.set(&scope, to, memory.num(place, u32::from(lane))?)
             }
-            Op::TextMove { to, from } => self.set_text(frame, to, *self.text(frame, from)?),
-            Op::Concatenate { to, a, b } => {
-                let first = frame.base.text as usize;
-                let texts = self.space.memory.stack.texts.get_mut(first..).ok_or(Fault::INTERPRETER)?;
-                concatenate(texts, to, (a, b))
+            Op::StoreFirst { container, lane, from } => {
+                let place = memory.element(scope.view(memory, container)?, 0)?;
+                let value = scope.num(memory, from)?;
+                self.space.memory.set_num(place, u32::from(lane), value)
             }
-            Op::TextEqual { to, a, b } => self.set(frame, to, truth(self.text(frame, a)? == self.text(frame, b)?)),
-
-            Op::LoadFirst { to, whole, lane } => {
-                let place = self.space.memory.element(self.view(frame, whole)?, 0)?;
-                self.set(frame, to, self.space.memory.num(place, u32::from(lane))?)
+            Op::LoadElement { to, container, index } => {
+                let place = scope.element(memory, container, index)?;
+                self.set(&scope, to, memory.num(place, 0)?)
             }
-            Op::StoreFirst { whole, lane, from } => {
-                let place = self.space.memory.element(self.view(frame, whole)?, 0)?;
-                self.space.memory.set_num(place, u32::from(lane), self.get(frame, from)?)
+            Op::StoreElement { container, index, from } => {
+                let place = scope.element(memory, container, index)?;
+                let value = scope.num(memory, from)?;
+                self.space.memory.set_num(place, 0, value)
             }
-            Op::LoadElement { to, whole, index } => {
-                let place = self.element(frame, whole, index)?;
-                self.set(frame, to, self.space.memory.num(place, 0)?)
+            Op::LoadElement2 { to, container, i, j } => {
+                let place = scope.element2(memory, container, [i, j])?;
+                self.set(&scope, to, memory.num(place, 0)?)
             }
-            Op::StoreElement { whole, index, from } => {
-                let place = self.element(frame, whole, index)?;
-                self.space.memory.set_num(place, 0, self.get(frame, from)?)
-            }
-            Op::LoadElement2 { to, whole, i, j } => {
-                let place = self.element2(frame, whole, [i, j])?;
-                self.set(frame, to, self.space.memory.num(place, 0)?)
-            }
-            Op::StoreElement2 { whole, i, j, from } => {
-                let place = self.element2(frame, whole, [i, j])?;
-                self.space.memory.set_num(place, 0, self.get(frame, from)?)
+            Op::StoreElement2 { container, i, j, from } => {
+                let place = scope.element2(memory, container, [i, j])?;
+                let value = scope.num(memory, from)?;
+                self.space.memory.set_num(place, 0, value)
             }
 
-            Op::LocateFirst { to, whole } => {
-                let place = self.space.memory.element(self.view(frame, whole)?, 0)?;
-                self.set_place(frame, to, place)
+            Op::LocateFirst { to, container } => {
+                self.set_place(&scope, to, memory.element(scope.view(memory, container)?, 0)?)
             }
-            Op::Locate { to, whole, index } => self.set_place(frame, to, self.element(frame, whole, index)?),
-            Op::Locate2 { to, whole, i, j } => self.set_place(frame, to, self.element2(frame, whole, [i, j])?),
-            Op::Locate3 { to, whole, i } => {
-                let at = [self.get(frame, i)?, self.get(frame, i + 1)?, self.get(frame, i + 2)?];
-                let view = self.view(frame, whole)?;
-                let store = self.space.memory.store(view.store)?;
-                self.set_place(frame, to, store.place(view.store, store.number3(at)?))
+            Op::Locate { to, container, index } => self.set_place(&scope, to, scope.element(memory, container, index)?),
+            Op::Locate2 { to, container, i, j } => {
+                self.set_place(&scope, to, scope.element2(memory, container, [i, j])?)
             }
-            Op::LocateKey { to, whole, key } => {
-                let (view, key) = (self.view(frame, whole)?, self.text(frame, key)?);
-                let store = self.space.memory.store(view.store)?;
-                self.set_place(frame, to, store.place(view.store, store.number_of(key)?))
+            Op::Locate3 { to, container, i } => {
+                let at = [scope.num(memory, i)?, scope.num(memory, i + 1)?, scope.num(memory, i + 2)?];
+                let view = scope.view(memory, container)?;
+                let store = memory.store(view.store)?;
+                self.set_place(&scope, to, store.place(view.store, store.number3(at)?))
             }
-            Op::Field { to, place, field } => {
-                let place = located(&self.space.memory, &frame.base, place)?;
-                let view = View::whole(self.space.memory.part(place, u32::from(field))?);
-                let at = frame.base.view as usize + usize::from(to);
-                *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = view;
-                Ok(())
+            Op::FirstField { to, container, field } => {
+                let place = memory.element(scope.view(memory, container)?, 0)?;
+                self.set_view(&scope, to, memory.part(place, u32::from(field))?)
             }
-            Op::LoadText { to, place } => {
-                let text = *self.space.memory.text(located(&self.space.memory, &frame.base, place)?)?;
-                self.set_text(frame, to, text)
-            }
-            Op::StoreText { place, from } => {
-                let place = located(&self.space.memory, &frame.base, place)?;
-                self.space.memory.set_text(place, *self.text(frame, from)?)
+            Op::ElementField { to, container, index, field } => {
+                let place = scope.element(memory, container, index)?;
+                self.set_view(&scope, to, memory.part(place, u32::from(field))?)
             }
 
             Op::Copy { site } => {
-                let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                let (from, to) = self.both(frame, site)?;
+                let site = scope.program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                let (from, to) = self.both(&scope, site)?;
                 self.space.memory.copy(&site.kind, from, to)
             }
             Op::Compare { to, site } => {
-                let site = program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
-                let (a, b) = self.both(frame, site)?;
-                self.set(frame, to, truth(self.space.memory.equal(&site.kind, a, b)?))
+                let site = scope.program.copies.get(site as usize).ok_or(Fault::INTERPRETER)?;
+                let (a, b) = self.both(&scope, site)?;
+                self.set(&scope, to, truth(memory.equal(&site.kind, a, b)?))
             }
             _ => Err(Fault::INTERPRETER),
         }
     }
 
-    /// A number at a place.
+    /// `to = from`
+    #[inline(never)]
+    pub(crate) fn move_text(&mut self, scope: &Scope<'_>, to: TextOperand, from: TextOperand) -> Result<()> {
+        let memory = &mut self.space.memory;
+        let text = *scope.text(memory, from)?;
+        *scope.text_mut(memory, to)? = text;
+        Ok(())
+    }
+
+    /// `to = a + b`, in place where `to` is `a`.
+    #[inline(never)]
+    pub(crate) fn concatenate(&mut self, scope: &Scope<'_>, to: TextOperand, [a, b]: [TextOperand; 2]) -> Result<()> {
+        let memory = &mut self.space.memory;
+        let right = *scope.text(memory, b)?;
+        if to == a {
+            *scope.text_mut(memory, to)? += &right;
+        } else {
+            let sum = *scope.text(memory, a)? + &right;
+            *scope.text_mut(memory, to)? = sum;
+        }
+        Ok(())
+    }
+
+    /// `a == b`
     #[inline]
-    pub(crate) fn load_num(&self, frame: &Frame, place: Register, lane: u16) -> Result<f64> {
-        let place = located(&self.space.memory, &frame.base, place)?;
-        self.space.memory.num(place, u32::from(lane))
+    pub(crate) fn texts_equal(&self, scope: &Scope<'_>, a: TextOperand, b: TextOperand) -> Result<bool> {
+        let memory = &self.space.memory;
+        Ok(scope.text(memory, a)? == scope.text(memory, b)?)
     }
 
-    /// Writes what [`load_num`](Self::load_num) reads.
-    #[inline]
-    pub(crate) fn store_num(&mut self, frame: &Frame, (place, lane): (Register, u16), value: f64) -> Result<()> {
-        let place = located(&self.space.memory, &frame.base, place)?;
-        self.space.memory.set_num(place, u32::from(lane), value)
-    }
-
-    fn view(&self, frame: &Frame, whole: Whole) -> Result<View> {
-        self.scope(frame)?.view(whole)
-    }
-
-    /// A value of an array.
-    fn element(&self, frame: &Frame, whole: Whole, index: Register) -> Result<Place> {
-        let view = self.view(frame, whole)?;
-        let store = self.space.memory.store(view.store)?;
-        Ok(store.place(view.store, store.number1(view, self.get(frame, index)?)?))
-    }
-
-    /// A value of an array of two dimensions.
-    fn element2(&self, frame: &Frame, whole: Whole, [i, j]: [Register; 2]) -> Result<Place> {
-        let view = self.view(frame, whole)?;
-        let store = self.space.memory.store(view.store)?;
-        Ok(store.place(view.store, store.number2([self.get(frame, i)?, self.get(frame, j)?])?))
-    }
-
-    fn get(&self, frame: &Frame, register: Register) -> Result<f64> {
-        let at = frame.base.num as usize + usize::from(register);
-        self.space.memory.stack.nums.get(at).copied().ok_or(Fault::INTERPRETER)
-    }
-
-    fn set(&mut self, frame: &Frame, register: Register, value: f64) -> Result<()> {
-        let at = frame.base.num as usize + usize::from(register);
+    fn set(&mut self, scope: &Scope<'_>, register: Register, value: f64) -> Result<()> {
+        let at = scope.base.num as usize + usize::from(register);
         *self.space.memory.stack.nums.get_mut(at).ok_or(Fault::INTERPRETER)? = value;
         Ok(())
     }
 
-    fn text(&self, frame: &Frame, register: Register) -> Result<&Text> {
-        let at = frame.base.text as usize + usize::from(register);
-        self.space.memory.stack.texts.get(at).ok_or(Fault::INTERPRETER)
-    }
-
-    fn set_text(&mut self, frame: &Frame, register: Register, text: Text) -> Result<()> {
-        let at = frame.base.text as usize + usize::from(register);
-        *self.space.memory.stack.texts.get_mut(at).ok_or(Fault::INTERPRETER)? = text;
-        Ok(())
-    }
-
-    fn set_place(&mut self, frame: &Frame, register: Register, place: Place) -> Result<()> {
-        let at = frame.base.place as usize + usize::from(register);
+    fn set_place(&mut self, scope: &Scope<'_>, register: Register, place: Place) -> Result<()> {
+        let at = scope.base.place as usize + usize::from(register);
         *self.space.memory.stack.places.get_mut(at).ok_or(Fault::INTERPRETER)? = place;
         Ok(())
     }
 
+    fn set_view(&mut self, scope: &Scope<'_>, register: Register, store: StoreId) -> Result<()> {
+        let at = scope.base.view as usize + usize::from(register);
+        *self.space.memory.stack.views.get_mut(at).ok_or(Fault::INTERPRETER)? = View::whole(store);
+        Ok(())
+    }
+
     /// The two values of a copy or comparison.
-    fn both(&self, frame: &Frame, site: &CopySite) -> Result<(Place, Place)> {
+    fn both(&self, scope: &Scope<'_>, site: &CopySite) -> Result<(Place, Place)> {
         let memory = &self.space.memory;
-        Ok((place(memory, &frame.base, site.from)?, place(memory, &frame.base, site.to)?))
+        Ok((scope.place(memory, site.from)?, scope.place(memory, site.to)?))
     }
 }

@@ -17,8 +17,8 @@ fn chains() {
             n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=3, n18=1
                1     0  Move { to: 1, from: 17 }
                      1  Move { to: 0, from: 17 }
-               2     2  StoreElement { whole: Data(1), index: 18, from: 1 }
-                     3  StoreElement { whole: Data(1), index: 0, from: 1 }
+               2     2  StoreElement { container: Data(1), index: 18, from: 1 }
+                     3  StoreElement { container: Data(1), index: 0, from: 1 }
                      4  Return
         "#]],
     );
@@ -31,13 +31,12 @@ fn outputs_are_set_and_inputs_read() {
         expect![[r#"
             n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1
                1     0  Equal { to: 18, a: 0, b: 17 }
-                     1  LocateFirst { to: 0, whole: Data(0) }
-                     2  Instruction =(dio p0, bool n18)
-               2     3  LocateFirst { to: 0, whole: Data(0) }
-                     4  Instruction =(dio p0) -> n2/t0/l0
-               3     5  Line
-                     6  Instruction =(dio l0) -> n2/t0/l0
-                     7  Return
+                     1  Instruction =(dio Data(0), bool n18)
+               2     2  Line
+                     3  Instruction =(dio Data(0)) -> n2/t0/l0
+               3     4  Line
+                     5  Instruction =(dio l0) -> n2/t0/l0
+                     6  Return
         "#]],
     );
 }
@@ -79,9 +78,9 @@ fn points_and_tools_keep_their_links() {
         "pA[n]={{1,2,3,,,},{lefty}}\ntT={{,,n},dOut,1}",
         expect![[r#"
             n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, t n3/t0/l0, md n9/t0/l0, d n17/t0/l0, n9=100, n10=100, n11=100, n12=9999, n13=9999, n15=50, n16=50, n17=1, n18=2, n19=3, n23=2, n35=1
-               1     0  Locate { to: 0, whole: Data(3), index: 0 }
+               1     0  Locate { to: 0, container: Data(3), index: 0 }
                      1  Copy p0 from n17
-                     2  Locate { to: 1, whole: Data(3), index: 0 }
+                     2  Locate { to: 1, container: Data(3), index: 0 }
                      3  Copy p1+n6 from n23
                2     4  Move { to: 26, from: 34 }
                      5  Move { to: 27, from: 34 }
@@ -89,17 +88,14 @@ fn points_and_tools_keep_their_links() {
                      7  Move { to: 29, from: 34 }
                      8  Move { to: 30, from: 34 }
                      9  Move { to: 31, from: 34 }
-                    10  LocateFirst { to: 0, whole: Data(0) }
-                    11  Copy l3 from p0
-                    12  Move { to: 32, from: 35 }
-                    13  Move { to: 33, from: 34 }
-                    14  LocateFirst { to: 1, whole: Data(2) }
-                    15  Copy p1 from n26
-                    16  LocateFirst { to: 2, whole: Data(2) }
-                    17  Copy p2+l1 from l3
-                    18  StoreFirst { whole: Data(2), lane: 6, from: 32 }
-                    19  StoreFirst { whole: Data(2), lane: 7, from: 33 }
-                    20  Return
+                    10  Copy l3 from Data(0)
+                    11  Move { to: 32, from: 35 }
+                    12  Move { to: 33, from: 34 }
+                    13  Copy Data(2) from n26
+                    14  Copy Data(2)+l1 from l3
+                    15  StoreFirst { container: Data(2), lane: 6, from: 32 }
+                    16  StoreFirst { container: Data(2), lane: 7, from: 33 }
+                    17  Return
         "#]],
     );
 }

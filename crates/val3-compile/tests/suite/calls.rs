@@ -48,12 +48,11 @@ fn arguments() {
         expect![[r#"
             l_n n0/t0/l0, n1=1, n3=2
                1     0  Add { to: 2, a: 0, b: 1 }
-                     1  Locate { to: 0, whole: Data(0), index: 0 }
-                     2  LocateFirst { to: 1, whole: Data(1) }
-                     3  Call program 1(num n2, num p0, Data(0) from n3, Data(3), user p1)
-               2     4  TextConstant { to: 0, constant: 0 }
-                     5  Call import 0(string t0)
-                     6  Return
+                     1  Locate { to: 0, container: Data(0), index: 0 }
+                     2  Call program 1(num n2, num p0, Data(0) from n3, Data(3), user Data(1))
+               2     3  TextMove { to: Register(0), from: Constant(0) }
+                     4  Call import 0(string t0)
+                     5  Return
         "#]],
     );
 }
@@ -62,33 +61,30 @@ fn arguments() {
 fn parameters() {
     let image = image(&format!("{PROGRAMS}call pick(1,nA,nA,sColl,tS)\nend\n{OTHERS}"));
     let pick = program(&image, "pick");
-    let passing: Vec<String> = pick.params.iter().map(|param| format!("{} {:?}", param.name, param.passing)).collect();
+    let passing: Vec<String> = pick.params.iter().map(|param| format!("{} {:?}", param.name, param.storage)).collect();
     let shown = format!("{}\n{}", passing.join("\n"), val3_bytecode::disassemble(pick));
     expect![[r#"
-        x_n Value(Num, Lanes { num: 0, text: 0, link: 0, part: 0 })
-        x_r Reference(0)
+        x_n Value(Lanes { num: 0, text: 0, link: 0, part: 0 })
+        x_r Place(0)
         x_a View(0)
         x_c View(1)
-        x_t UserValue(0)
+        x_t Part(0)
            1     0  Store { place: 0, lane: 0, from: 0 }
-           2     1  LocateFirst { to: 1, whole: Part(0) }
-                 2  Field { to: 2, place: 1, field: 0 }
-                 3  LoadFirst { to: 2, whole: View(2), lane: 0 }
-                 4  StoreElement { whole: View(0), index: 1, from: 2 }
-           3     5  TextConstant { to: 0, constant: 0 }
-                 6  TextConstant { to: 1, constant: 1 }
-                 7  LocateKey { to: 1, whole: View(1), key: 0 }
-                 8  StoreText { place: 1, from: 1 }
-           4     9  Load { to: 2, place: 0, lane: 0 }
-                10  StoreFirst { whole: Part(1), lane: 0, from: 2 }
-                11  Call program 0(Part(1))
-                12  LoadFirst { to: 3, whole: Part(1), lane: 0 }
-                13  Store { place: 0, lane: 0, from: 3 }
-           5    14  StoreFirst { whole: Part(2), lane: 0, from: 0 }
-                15  Call program 0(Part(2))
-                16  LoadFirst { to: 0, whole: Part(2), lane: 0 }
-           6    17  Call program 0(View(0) from n4)
-                18  Return
+           2     1  FirstField { to: 2, container: Part(0), field: 0 }
+                 2  LoadFirst { to: 2, container: View(2), lane: 0 }
+                 3  StoreElement { container: View(0), index: 1, from: 2 }
+           3     4  LocateKey { to: 1, container: View(1), key: Constant(0) }
+                 5  TextMove { to: Place(1), from: Constant(1) }
+           4     6  Load { to: 2, place: 0, lane: 0 }
+                 7  StoreFirst { container: Part(1), lane: 0, from: 2 }
+                 8  Call program 0(Part(1))
+                 9  LoadFirst { to: 3, container: Part(1), lane: 0 }
+                10  Store { place: 0, lane: 0, from: 3 }
+           5    11  StoreFirst { container: Part(2), lane: 0, from: 0 }
+                12  Call program 0(Part(2))
+                13  LoadFirst { to: 0, container: Part(2), lane: 0 }
+           6    14  Call program 0(View(0) from n4)
+                15  Return
     "#]]
     .assert_eq(&shown);
 }
@@ -99,15 +95,11 @@ fn tasks() {
         "taskCreate \"t\"+\"1\", 10, forward(nA)\ntaskCreateSync \"s\", 0.004, bLate, part:tell(\"x\")",
         expect![[r#"
             l_n n0/t0/l0, n1=10, n2=0.004
-               1     0  TextConstant { to: 0, constant: 0 }
-                     1  TextConstant { to: 1, constant: 1 }
-                     2  Concatenate { to: 2, a: 0, b: 1 }
-                     3  CreateTask t2, n1, program 0(Data(0))
-               2     4  TextConstant { to: 0, constant: 2 }
-                     5  LocateFirst { to: 0, whole: Data(2) }
-                     6  TextConstant { to: 1, constant: 3 }
-                     7  CreateTask t0, n2, p0, import 0(string t1)
-                     8  Return
+               1     0  Concatenate { to: Register(0), a: Constant(0), b: Constant(1) }
+                     1  CreateTask t0, n1, program 0(Data(0))
+               2     2  TextMove { to: Register(0), from: Constant(3) }
+                     3  CreateTask constant 2, n2, Data(2), import 0(string t0)
+                     4  Return
         "#]],
     );
 }

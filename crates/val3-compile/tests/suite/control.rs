@@ -16,7 +16,7 @@ fn conditions_jump_where_they_are_decided() {
         expect![[r#"
             i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=3, n4=4, n5=1, n6=2
                1     0  UnlessLess { a: 2, b: 0, to: 5 }
-                     1  LoadFirst { to: 3, whole: Data(0), lane: 0 }
+                     1  LoadFirst { to: 3, container: Data(0), lane: 0 }
                      2  IfEqual { a: 3, b: 4, to: 5 }
                2     3  Move { to: 0, from: 5 }
                      4  Jump { to: 10 }
@@ -70,7 +70,7 @@ fn the_counter_of_a_loop_may_be_any_variable() {
         "for i=1 to nX step -2\nb=true\nendFor",
         expect![[r#"
             i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n4=1, n5=-2
-               1     0  LoadFirst { to: 2, whole: Data(0), lane: 0 }
+               1     0  LoadFirst { to: 2, container: Data(0), lane: 0 }
                      1  Move { to: 3, from: 5 }
                      2  Move { to: 0, from: 4 }
                      3  ForTest { counter: 0, limit: 2, exit: 6 }
@@ -85,12 +85,12 @@ fn the_counter_of_a_loop_may_be_any_variable() {
             i n0/t0/l0, b n1/t0/l0, s n2/t0/l0, n2=10, n3=1, n5=1
                1     0  Move { to: 4, from: 5 }
                      1  ForTest { counter: 4, limit: 2, exit: 7 }
-                     2  StoreFirst { whole: Data(0), lane: 0, from: 4 }
+                     2  StoreFirst { container: Data(0), lane: 0, from: 4 }
                2     3  Move { to: 1, from: 5 }
-                     4  LoadFirst { to: 6, whole: Data(0), lane: 0 }
+                     4  LoadFirst { to: 6, container: Data(0), lane: 0 }
                      5  Move { to: 4, from: 6 }
                      6  ForNextUp { counter: 4, limit: 2, body: 2 }
-                     7  StoreFirst { whole: Data(0), lane: 0, from: 4 }
+                     7  StoreFirst { container: Data(0), lane: 0, from: 4 }
                      8  Return
         "#]],
     );
@@ -120,13 +120,11 @@ fn cases_are_compared_one_after_the_other() {
         "switch s\ncase \"a\"\ni=0\nbreak\nendSwitch",
         expect![[r#"
             i n0/t0/l0, b n1/t0/l0, s n2/t0/l0
-               1     0  TextConstant { to: 1, constant: 0 }
-                     1  TextEqual { to: 2, a: 0, b: 1 }
-                     2  JumpIf { condition: 2, to: 4 }
-                     3  Jump { to: 6 }
-               2     4  Move { to: 0, from: 3 }
-                     5  Jump { to: 6 }
-                     6  Return
+               1     0  IfTextEqual { a: Register(0), b: Constant(0), to: 2 }
+                     1  Jump { to: 4 }
+               2     2  Move { to: 0, from: 2 }
+                     3  Jump { to: 4 }
+                     4  Return
         "#]],
     );
 }
@@ -144,7 +142,7 @@ fn waiting_computes_the_condition_anew() {
                      4  WaitUntil { condition: 2, retry: 1 }
                2     5  Add { to: 2, a: 0, b: 4 }
                      6  Move { to: 5, from: 2 }
-                     7  LoadFirst { to: 6, whole: Data(0), lane: 0 }
+                     7  LoadFirst { to: 6, container: Data(0), lane: 0 }
                      8  Equal { to: 8, a: 6, b: 7 }
                      9  Watch { to: 1, condition: 8, seconds: 5, retry: 7 }
                3    10  Move { to: 2, from: 9 }

@@ -21,7 +21,7 @@ impl Libraries for NoLibraries {
 }
 
 /// How long an application may run, in nanoseconds of its own time.
-const LONGEST: Time = 100_000_000_000;
+const LONGEST: Time = 1_000_000_000_000;
 
 /// What a line takes, in nanoseconds.
 pub(crate) const LINE_COST: Time = 2_000;

@@ -17,10 +17,9 @@ fn results_go_where_they_are_wanted() {
             n n0/t0/l0, m n1/t0/l0, b n2/t0/l0, s n3/t0/l0, t n3/t1/l0, j n9/t1/l0, f n15/t1/l0, c n21/t1/l1, n24=2, n26=-5
                1     0  Multiply { to: 25, a: 1, b: 24 }
                      1  Add { to: 0, a: 0, b: 25 }
-               2     2  TextConstant { to: 1, constant: 0 }
-                     3  Concatenate { to: 0, a: 0, b: 1 }
-               3     4  Move { to: 0, from: 26 }
-                     5  Return
+               2     2  Concatenate { to: Register(0), a: Register(0), b: Constant(0) }
+               3     3  Move { to: 0, from: 26 }
+                     4  Return
         "#]],
     );
 }
@@ -37,17 +36,15 @@ fn truth_values() {
                      3  Move { to: 2, from: 24 }
                2     4  Not { to: 24, a: 2 }
                      5  NotEqual { to: 2, a: 2, b: 24 }
-               3     6  TextConstant { to: 1, constant: 0 }
-                     7  TextEqual { to: 2, a: 0, b: 1 }
-                     8  Not { to: 2, a: 2 }
-               4     9  LocateFirst { to: 0, whole: Data(0) }
-                    10  Instruction =(dio p0) -> n24/t0/l0
-                    11  JumpUnless { condition: 24, to: 15 }
-                    12  LocateFirst { to: 1, whole: Data(0) }
-                    13  Instruction =(dio p1) -> n26/t0/l0
-                    14  Equal { to: 24, a: 26, b: 27 }
-                    15  Move { to: 2, from: 24 }
-                    16  Return
+               3     6  TextEqual { to: 2, a: Register(0), b: Constant(0) }
+                     7  Not { to: 2, a: 2 }
+               4     8  Line
+                     9  Instruction =(dio Data(0)) -> n24/t0/l0
+                    10  JumpUnless { condition: 24, to: 13 }
+                    11  Instruction =(dio Data(0)) -> n26/t0/l0
+                    12  Equal { to: 24, a: 26, b: 27 }
+                    13  Move { to: 2, from: 24 }
+                    14  Return
         "#]],
     );
 }

@@ -20,17 +20,13 @@ fn values_and_references() {
                      1  Function { function: Sin, to: 0, a: 4, b: 4, c: 4 }
                2     2  Line
                      3  Instruction toNum(string t0, num n0, bool n2) -> n3/t0/l0
-               3     4  TextConstant { to: 1, constant: 0 }
-                     5  Concatenate { to: 2, a: 0, b: 1 }
-                     6  Instruction putln(string t2)
-               4     7  LocateFirst { to: 0, whole: Data(3) }
-                     8  LocateFirst { to: 1, whole: Data(4) }
-                     9  LocateFirst { to: 2, whole: Data(5) }
-                    10  Instruction movej(point p0, tool p1, mdesc p2)
-               5    11  LocateFirst { to: 0, whole: Builtin(1) }
-                    12  LocateFirst { to: 1, whole: Data(5) }
-                    13  Instruction movej(joint n5, tool p0, mdesc p1)
-                    14  Return
+               3     4  Concatenate { to: Register(1), a: Register(0), b: Constant(0) }
+                     5  Instruction putln(string t1)
+               4     6  Line
+                     7  Instruction movej(point Data(3), tool Data(4), mdesc Data(5))
+               5     8  LocateFirst { to: 0, container: Builtin(1) }
+                     9  Instruction movej(joint n5, tool p0, mdesc Data(5))
+                    10  Return
         "#]],
     );
 }
@@ -40,13 +36,13 @@ fn containers_and_slots() {
     check(
         "n=size(nA)\nn=size(nA[2])\ninsert(nA[n])\nb=isDefined(sColl[s])\nb=isDefined(part:nW)\ns=first(sColl)\nresize(nA,1,9)\nn=size(l_n)",
         expect![[r#"
-            n n0/t0/l0, l_n Part(0), b n1/t0/l0, s n2/t0/l0, n2=2, n4=1, n5=9
+            n n0/t0/l0, l_n Part(0), b n1/t0/l0, s n2/t0/l0, n2=2, n3=1, n4=9
                1     0  Line
                      1  Instruction size(Data(0)) -> n0/t0/l0
                2     2  Line
                      3  Instruction size(Data(0) from n2) -> n0/t0/l0
-               3     4  Move { to: 3, from: 0 }
-                     5  Instruction insert(Data(0)[1 from n3])
+               3     4  Line
+                     5  Instruction insert(Data(0)[n0])
                4     6  Line
                      7  Instruction isDefined(Data(1)[t0]) -> n1/t0/l0
                5     8  Line
@@ -54,7 +50,7 @@ fn containers_and_slots() {
                6    10  Line
                     11  Instruction first(Data(1)) -> n2/t0/l0
                7    12  Line
-                    13  Instruction resize(Data(0), num n4, num n5)
+                    13  Instruction resize(Data(0), num n3, num n4)
                8    14  Line
                     15  Instruction size(Part(0)) -> n0/t0/l0
                     16  Return
@@ -68,12 +64,12 @@ fn what_is_no_container_is_passed_in_one() {
         "toBinary(pA.trsf.x,1,\"4.0l\",nA)",
         expect![[r#"
             n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1
-               1     0  LoadFirst { to: 3, whole: Data(3), lane: 0 }
-                     1  StoreFirst { whole: Part(0), lane: 0, from: 3 }
-                     2  TextConstant { to: 1, constant: 0 }
+               1     0  LoadFirst { to: 3, container: Data(3), lane: 0 }
+                     1  StoreFirst { container: Part(0), lane: 0, from: 3 }
+                     2  TextMove { to: Register(1), from: Constant(0) }
                      3  Instruction toBinary(Part(0), num n4, string t1, Data(0))
-                     4  LoadFirst { to: 5, whole: Part(0), lane: 0 }
-                     5  StoreFirst { whole: Data(3), lane: 0, from: 5 }
+                     4  LoadFirst { to: 5, container: Part(0), lane: 0 }
+                     5  StoreFirst { container: Data(3), lane: 0, from: 5 }
                      6  Return
         "#]],
     );
@@ -85,7 +81,7 @@ fn libraries() {
         "n=part:libLoad(\"Disk://part\")\npart:libSave()",
         expect![[r#"
             n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0
-               1     0  TextConstant { to: 1, constant: 0 }
+               1     0  TextMove { to: Register(1), from: Constant(0) }
                      1  Instruction libLoad(library 0, string t1) -> n0/t0/l0
                2     2  Line
                      3  Instruction libSave(library 0)
@@ -100,8 +96,8 @@ fn truth_values_are_read_from_inputs() {
         "n=sel(dOut,1,2)",
         expect![[r#"
             n n0/t0/l0, l_n n1/t0/l0, b n2/t0/l0, s n3/t0/l0, n4=1, n5=2
-               1     0  LocateFirst { to: 0, whole: Data(2) }
-                     1  Instruction =(dio p0) -> n3/t0/l0
+               1     0  Line
+                     1  Instruction =(dio Data(2)) -> n3/t0/l0
                      2  Function { function: Sel, to: 0, a: 3, b: 4, c: 5 }
                      3  Return
         "#]],
@@ -118,10 +114,10 @@ fn printing() {
                      1  Instruction ?(num n0)
                2     2  Line
                      3  Instruction ?(string t0)
-               3     4  LocateFirst { to: 0, whole: Data(3) }
-                     5  Instruction ?(point p0)
-               4     6  LocateFirst { to: 0, whole: Data(2) }
-                     7  Instruction ?(dio p0)
+               3     4  Line
+                     5  Instruction ?(point Data(3))
+               4     6  Line
+                     7  Instruction ?(dio Data(2))
                      8  Return
         "#]],
     );

@@ -65,14 +65,14 @@ fn programs_of_the_old_dialect() {
     expect![[r#"
         start
            1     0  Call program 0(Data(0) from n0, num n1)
-           2     1  StoreFirst { whole: Part(0), lane: 0, from: 2 }
-                 2  LoadFirst { to: 3, whole: Data(0), lane: 0 }
+           2     1  StoreFirst { container: Part(0), lane: 0, from: 2 }
+                 2  LoadFirst { to: 3, container: Data(0), lane: 0 }
                  3  Call program 0(Part(0), num n3)
                  4  Return
         old
-           1     0  LoadFirst { to: 2, whole: View(0), lane: 0 }
+           1     0  LoadFirst { to: 2, container: View(0), lane: 0 }
                  1  UnlessLess { a: 2, b: 3, to: 3 }
-           2     2  StoreElement { whole: View(0), index: 0, from: 1 }
+           2     2  StoreElement { container: View(0), index: 0, from: 1 }
                  3  Return
     "#]]
     .assert_eq(&shown);

@@ -49,6 +49,7 @@ impl Stored for PointValue {
 macro_rules! stored {
     ($($ty:ty),*) => {
         $(impl Give for $ty {
+            #[inline]
             fn give(self, call: &mut Call<'_>) -> Result<()> {
                 match call.result() {
                     Some(place) => self.write(call.memory, place),
@@ -70,12 +71,14 @@ pub trait Outcome {
 }
 
 impl<T: Give> Outcome for T {
+    #[inline]
     fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
         self.give(call).map(Flow::Done)
     }
 }
 
 impl<T: Give> Outcome for Flow<T> {
+    #[inline]
     fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
         match self {
             Self::Done(value) => value.give(call).map(Flow::Done),
@@ -85,6 +88,7 @@ impl<T: Give> Outcome for Flow<T> {
 }
 
 impl<T: Outcome> Outcome for Result<T> {
+    #[inline]
     fn settle(self, call: &mut Call<'_>) -> Result<Flow> {
         self?.settle(call)
     }

@@ -110,41 +110,49 @@ pub trait Stored: Sized {
 }
 
 impl Stored for f64 {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         memory.num(at, 0)
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_num(at, 0, self)
     }
 }
 
 impl Stored for bool {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         Ok(memory.num(at, 0)? != 0.0)
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_num(at, 0, f64::from(u8::from(self)))
     }
 }
 
 impl Stored for Text {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         memory.text(at).copied()
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_text(at, self)
     }
 }
 
 impl Stored for Trsf {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let [x, y, z, rx, ry, rz] = memory.nums(at, 0)?;
         Ok(Self { x, y, z, rx, ry, rz })
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_nums(at, 0, [self.x, self.y, self.z, self.rx, self.ry, self.rz])
     }
@@ -152,31 +160,37 @@ impl Stored for Trsf {
 
 /// A joint position: six numbers, those that the arm lacks are 0.
 impl Stored for [f64; 6] {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         memory.nums(at, 0)
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_nums(at, 0, self)
     }
 }
 
 impl Stored for ConfigValue {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         Ok(Self(memory.nums(at, 0)?))
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_nums(at, 0, self.0)
     }
 }
 
 impl Stored for MdescValue {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let [accel, vel, decel, tvel, rvel, blend, leave, reach] = memory.nums(at, 0)?;
         Ok(Self { accel, vel, decel, tvel, rvel, blend, leave, reach })
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         let Self { accel, vel, decel, tvel, rvel, blend, leave, reach } = self;
         memory.set_nums(at, 0, [accel, vel, decel, tvel, rvel, blend, leave, reach])
@@ -260,6 +274,7 @@ impl<T: Stored> Arr<T> {
     }
 }
 
+#[inline]
 fn place(call: &mut Call<'_>) -> Result<Place> {
     match call.argument()? {
         Argument::Value(place, _) | Argument::UserValue(place) => Ok(place),
@@ -271,7 +286,8 @@ fn place(call: &mut Call<'_>) -> Result<Place> {
 macro_rules! by_value {
     ($($ty:ty),*) => {
         $(impl Take for $ty {
-            fn take(call: &mut Call<'_>) -> Result<Self> {
+            #[inline]
+    fn take(call: &mut Call<'_>) -> Result<Self> {
                 let place = place(call)?;
                 Self::read(call.memory, place)
             }
@@ -283,7 +299,8 @@ by_value!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, MdescValue);
 macro_rules! by_place {
     ($($ty:ident),*) => {
         $(impl Take for $ty {
-            fn take(call: &mut Call<'_>) -> Result<Self> {
+            #[inline]
+    fn take(call: &mut Call<'_>) -> Result<Self> {
                 place(call).map(Self)
             }
         })*
@@ -292,6 +309,7 @@ macro_rules! by_place {
 by_place!(ScreenRef, FrameRef, ToolRef, PointRef);
 
 impl Take for IoRef {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         let place = place(call)?;
         Self::read(call.memory, place)
@@ -299,6 +317,7 @@ impl Take for IoRef {
 }
 
 impl Stored for IoRef {
+    #[inline]
     fn read(memory: &Memory, at: Place) -> Result<Self> {
         let port = match memory.link(at, 0)? {
             Link::Port(port) => Some(port),
@@ -307,24 +326,28 @@ impl Stored for IoRef {
         Ok(Self { place: at, port })
     }
 
+    #[inline]
     fn write(self, memory: &mut Memory, at: Place) -> Result<()> {
         memory.set_link(at, 0, self.port.map_or(Link::None, Link::Port))
     }
 }
 
 impl<T> Take for Var<T> {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         Ok(Self { place: place(call)?, value: PhantomData })
     }
 }
 
 impl<T> Take for Arr<T> {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         Ok(Self { view: View::take(call)?, value: PhantomData })
     }
 }
 
 impl Take for View {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
             Argument::View(view) => Ok(view),
@@ -334,6 +357,7 @@ impl Take for View {
 }
 
 impl Take for Slot {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
             Argument::Slot(slot) => Ok(slot),
@@ -343,6 +367,7 @@ impl Take for Slot {
 }
 
 impl Take for Any {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
             Argument::Value(place, base) => Ok(Self { place, base: Some(base) }),
@@ -357,6 +382,7 @@ impl Take for Any {
 pub struct LibraryRef(pub u16);
 
 impl Take for LibraryRef {
+    #[inline]
     fn take(call: &mut Call<'_>) -> Result<Self> {
         match call.argument()? {
             Argument::Library(number) => Ok(Self(number)),

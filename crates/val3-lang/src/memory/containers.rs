@@ -3,7 +3,7 @@
 use std::ops::Bound;
 
 use super::store::{KEY_BYTES, number_within};
-use super::{Lanes, Memory, Owner, Place, Shape, Slot, SlotAt, Store, StoreId, View};
+use super::{Lanes, Memory, Owner, Place, Shape, Slot, Store, StoreId, Subscript, View};
 use crate::fault::{Fault, Result};
 use crate::values::Text;
 use crate::values::numbers::round;
@@ -41,11 +41,11 @@ impl Memory {
         let view = slot.container()?;
         let store = self.store(view.store)?;
         let number = match slot.at {
-            SlotAt::Whole => store.number1(view, 0.0),
-            SlotAt::Index([index, ..], 1) => store.number1(view, index),
-            SlotAt::Index([i, j, _], 2) => store.number2([i, j]),
-            SlotAt::Index(indexes, _) => store.number3(indexes),
-            SlotAt::Key(key) => store.number_of(&key),
+            Subscript::Whole => store.number1(view, 0.0),
+            Subscript::One(index) => store.number1(view, index),
+            Subscript::Two(indexes) => store.number2(indexes),
+            Subscript::Three(indexes) => store.number3(indexes),
+            Subscript::Key(key) => store.number_of(self.text(key)?),
         };
         Ok(store.place(view.store, number?))
     }
@@ -54,6 +54,7 @@ impl Memory {
     ///
     /// # Errors
     /// 20 beyond the size, or if the container is gone.
+    #[inline]
     pub fn element(&self, view: View, number: u32) -> Result<Place> {
         let store = self.store(view.store)?;
         let number = view.start + number;

@@ -27,6 +27,7 @@ impl Owner {
 
 impl Memory {
     /// Whose a container is.
+    #[inline]
     pub(super) fn owner(&self, id: StoreId) -> Owner {
         match id {
             StoreId::STACK => Owner::Program,
@@ -64,6 +65,7 @@ impl Memory {
     ///
     /// # Errors
     /// 82 if that is out of its reach.
+    #[inline]
     pub fn check_reference(&self, at: Place, reference: Place) -> Result<()> {
         self.check_link(self.owner(at.store), Link::Data(reference))
     }
@@ -73,6 +75,7 @@ impl Memory {
     /// # Errors
     /// 165 if it would outlive what it refers to. 82 if that belongs to a library which the owner does not declare, or
     /// in which it is private.
+    #[inline]
     pub(super) fn check_link(&self, owner: Owner, link: Link) -> Result<()> {
         let Link::Data(reference) = link else { return Ok(()) };
         match (owner, self.owner(reference.store)) {

@@ -2,7 +2,6 @@
 
 use super::Lanes;
 use crate::fault::{Fault, Result};
-use crate::values::Text;
 
 /// A container of the memory. One that was removed has no successor under the same name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -74,13 +73,13 @@ impl View {
     }
 }
 
-/// A place in a container that need not exist: `insert(x[3])`, `isDefined(x["k"])`.
+/// A value of a container that need not exist: `insert(x[3])`, `isDefined(x["k"])`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slot {
     /// The container; `None` where a library lacks it.
     pub view: Option<View>,
-    /// The index or key; none for the whole variable.
-    pub at: SlotAt,
+    /// Which of its values.
+    pub at: Subscript<f64, Place>,
 }
 
 impl Slot {
@@ -93,15 +92,19 @@ impl Slot {
     }
 }
 
-/// An index, a key, or none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum SlotAt {
-    /// The whole variable.
+/// Which value of a container is meant. Indexes and keys are values at run time and registers in the code.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Subscript<I, K> {
+    /// The variable has no subscript: its first value, or all of them.
     Whole,
-    /// Up to three indexes.
-    Index([f64; 3], u8),
+    /// One index.
+    One(I),
+    /// Two indexes.
+    Two([I; 2]),
+    /// Three indexes.
+    Three([I; 3]),
     /// A key.
-    Key(Text),
+    Key(K),
 }
 
 /// What a value is linked to.

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use super::{Element, Kind, Lanes, Link, Owner, Place, StoreId, View, bytes_of};
 use crate::fault::{Fault, Result};
-use crate::types::BaseType;
 use crate::values::Text;
 use crate::values::numbers::BELOW_HALF;
 
@@ -35,6 +34,7 @@ impl Shape {
 
     /// The number of values. One that a file declares may be beyond all memory.
     #[must_use]
+    #[inline]
     pub fn len(&self) -> u32 {
         match self {
             Self::Array { sizes, .. } => sizes.iter().fold(1, |product: u32, size| product.saturating_mul(*size)),
@@ -150,13 +150,34 @@ impl Store {
         std::mem::swap(&mut self.parts, &mut other.parts);
     }
 
-    pub(super) fn gone(generation: u32) -> Self {
-        let kind = Arc::new(Kind::builtin(BaseType::Num, None));
-        Self { generation, ..Self::filled(kind, Shape::array(0)) }
+    /// Takes the values of another array of the same type and sizes, in place. `false` for any other container.
+    pub(super) fn overwrite(&mut self, from: &Self) -> bool {
+        let alike = match (&self.shape, &from.shape) {
+            (Shape::Array { sizes, .. }, Shape::Array { sizes: others, .. }) => sizes == others,
+            _ => false,
+        };
+        let alike = alike && from.parts.is_empty() && self.kind.size == from.kind.size;
+        if alike {
+            self.nums.copy_from_slice(&from.nums);
+            self.texts.copy_from_slice(&from.texts);
+            self.links.copy_from_slice(&from.links);
+        }
+        alike
+    }
+
+    /// Removes the container: no reference has its new generation. Returns the containers in its values.
+    pub(super) fn empty(&mut self) -> Vec<StoreId> {
+        self.generation += 1;
+        self.shape = Shape::array(0);
+        self.owner = Owner::Controller;
+        self.gaps = Vec::new();
+        (self.nums, self.texts, self.links) = (Vec::new(), Vec::new(), Vec::new());
+        std::mem::take(&mut self.parts)
     }
 
     /// The place of a value by its number among all values.
     #[must_use]
+    #[inline]
     pub fn place(&self, id: StoreId, number: u32) -> Place {
         Place::new(id, self.kind.size * number)
     }
@@ -252,7 +273,7 @@ pub(super) fn number_within(view: View, size: u32, index: f64) -> Result<u32> {
     within(index, size.saturating_sub(view.start)).map(|at| at + view.start)
 }
 
-/// Numbers so many times, one behind the other. Memory that is zero already is not written for one that is zero.
+/// Copies of some numbers, one after the other. For a single number that is 0, `vec!` takes memory that is zero already.
 fn repeated(numbers: &[f64], count: usize) -> Vec<f64> {
     match numbers {
         [one] => vec![*one; count],

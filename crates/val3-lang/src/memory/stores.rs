@@ -1,7 +1,8 @@
 //! The containers, each under an identity that no later one has.
 
-use super::{Room, Store, StoreId, View};
+use super::{Place, Room, Store, StoreId, View};
 use crate::fault::{Fault, Result};
+use crate::values::Text;
 
 /// All containers of a controller.
 #[derive(Debug, Clone, Default)]
@@ -40,9 +41,8 @@ impl Stores {
     /// Drops a container and those in it. References to it end in run-time error 20.
     pub fn remove(&mut self, id: StoreId) {
         let Ok(store) = self.get_mut(id) else { return };
-        let (generation, bytes) = (store.generation, store.bytes());
-        let parts = std::mem::take(&mut store.parts);
-        *store = Store::gone(generation + 1);
+        let bytes = store.bytes();
+        let parts = store.empty();
         self.free.push(id.index);
         self.room.give_back(bytes);
         parts.into_iter().for_each(|part| self.remove(part));
@@ -58,6 +58,18 @@ impl Stores {
         let [one, other] = self.items.get_disjoint_mut(places).map_err(|_| Fault::INTERPRETER)?;
         one.exchange(other);
         Ok(())
+    }
+
+    /// Makes a container hold the values of another one of the same type and sizes. `false`, and nothing is changed,
+    /// where sizes differ, or where the values hold containers.
+    ///
+    /// # Errors
+    /// 20 if one of them is gone.
+    pub(super) fn overwrite(&mut self, to: StoreId, from: StoreId) -> Result<bool> {
+        self.get(to).and(self.get(from))?;
+        let indexes = [to.index as usize, from.index as usize];
+        let [to, from] = self.items.get_disjoint_mut(indexes).map_err(|_| Fault::INTERPRETER)?;
+        Ok(to.overwrite(from))
     }
 
     /// A container.
@@ -105,6 +117,53 @@ impl Stores {
     pub fn first_mut(&mut self, view: View, lane: u16) -> Option<&mut f64> {
         let store = self.living_mut(view.store)?;
         store.nums.get_mut((view.start * store.kind.size.num) as usize + usize::from(lane))
+    }
+
+    /// The container of a field of the first value of a view.
+    #[inline(always)]
+    #[must_use]
+    pub fn field(&self, view: View, field: u16) -> Option<StoreId> {
+        let store = self.living(view.store)?;
+        store.parts.get((view.start * store.kind.size.part) as usize + usize::from(field)).copied()
+    }
+
+    /// The container of a field of a value of an array.
+    #[inline(always)]
+    #[must_use]
+    pub fn element_field(&self, view: View, index: f64, field: u16) -> Option<StoreId> {
+        let store = self.living(view.store)?;
+        let value = store.lane1(view, index)?;
+        store.parts.get(value * store.kind.size.part as usize + usize::from(field)).copied()
+    }
+
+    /// The place of the first value of a view.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_place(&self, view: View) -> Option<Place> {
+        let store = self.living(view.store)?;
+        (view.start < store.shape.len()).then(|| store.place(view.store, view.start))
+    }
+
+    /// The place of a value of an array.
+    #[inline(always)]
+    #[must_use]
+    pub fn element_place(&self, view: View, index: f64) -> Option<Place> {
+        let store = self.living(view.store)?;
+        let number = u32::try_from(store.lane1(view, index)?).ok()?;
+        (number < store.shape.len()).then(|| store.place(view.store, number))
+    }
+
+    /// The text of the first value of a view.
+    #[inline(always)]
+    #[must_use]
+    pub fn first_text(&self, view: View) -> Option<&Text> {
+        self.living(view.store)?.texts.get(view.start as usize)
+    }
+
+    /// As [`first_text`](Self::first_text), to be written.
+    #[inline(always)]
+    pub fn first_text_mut(&mut self, view: View) -> Option<&mut Text> {
+        self.living_mut(view.store)?.texts.get_mut(view.start as usize)
     }
 
     /// A value of an array of numbers or truth values.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::memory::{Kind, PartInit, Shape, SlotAt};
+use crate::memory::{Kind, PartInit, Shape, Subscript};
 use crate::types::BaseType;
 use crate::values::Text;
 
@@ -28,7 +28,7 @@ pub(super) enum Spoken<'t> {
     /// Numbers in braces.
     Structure(Vec<f64>),
     /// A variable, with the index or key behind it.
-    Name(&'t str, SlotAt),
+    Name(&'t str, At),
 }
 
 impl<'t> Variable<'t> {
@@ -37,13 +37,11 @@ impl<'t> Variable<'t> {
         let base = BaseType::DECLARABLE.into_iter().find(|found| found.name() == base).unwrap();
         let (name, at) = indexed(name);
         let shape = match at {
-            SlotAt::Whole => Shape::ELEMENT,
-            SlotAt::Key(_) => Shape::Collection(BTreeMap::new()),
-            SlotAt::Index(indexes, dims) => {
-                let mut sizes = indexes.map(|index| index as u32);
-                sizes.iter_mut().skip(usize::from(dims)).for_each(|size| *size = 1);
-                Shape::Array { dims, sizes }
-            }
+            Subscript::Whole => Shape::ELEMENT,
+            Subscript::Key(_) => Shape::Collection(BTreeMap::new()),
+            Subscript::One(size) => Shape::array(size as u32),
+            Subscript::Two([x, y]) => Shape::Array { dims: 2, sizes: [x as u32, y as u32, 1] },
+            Subscript::Three(sizes) => Shape::Array { dims: 3, sizes: sizes.map(|size| size as u32) },
         };
         Self { name, base, shape }
     }
@@ -85,16 +83,24 @@ impl<'t> Spoken<'t> {
     }
 }
 
-fn indexed(text: &str) -> (&str, SlotAt) {
+/// An index or key as a line writes it.
+pub(super) type At = Subscript<f64, Text>;
+
+fn indexed(text: &str) -> (&str, At) {
     let Some((name, at)) = text.strip_suffix(']').and_then(|text| text.split_once('[')) else {
-        return (text, SlotAt::Whole);
+        return (text, Subscript::Whole);
     };
     if let Some(key) = at.strip_prefix('"').and_then(|at| at.strip_suffix('"')) {
-        return (name, SlotAt::Key(Text::from(key)));
+        return (name, Subscript::Key(Text::from(key)));
     }
-    let mut indexes = [0.0; 3];
-    let count = at.split(',').zip(&mut indexes).map(|(text, index)| *index = text.parse().unwrap()).count();
-    (name, SlotAt::Index(indexes, u8::try_from(count).unwrap()))
+    let indexes: Vec<f64> = at.split(',').map(|text| text.parse().unwrap()).collect();
+    let at = match *indexes {
+        [index] => Subscript::One(index),
+        [i, j] => Subscript::Two([i, j]),
+        [i, j, k] => Subscript::Three([i, j, k]),
+        _ => panic!("{text} has too many indexes"),
+    };
+    (name, at)
 }
 
 /// What stands between commas that are in no quotes, braces or brackets.

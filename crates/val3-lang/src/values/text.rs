@@ -28,6 +28,12 @@ impl Text {
         &self.0
     }
 
+    /// Empties it.
+    #[inline]
+    pub fn clear(&mut self) {
+        self.0.clear();
+    }
+
     /// Appends what fits; whether that was all of `part`.
     #[inline]
     fn push(&mut self, part: &str) -> bool {

@@ -1,7 +1,7 @@
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};
-use crate::memory::{Slot, SlotAt};
+use crate::memory::{Slot, Subscript};
 use crate::values::{Text, strings};
 
 instruction! {
@@ -39,10 +39,13 @@ instruction! {
 fn from_container(call: &mut Call<'_>, variable: Slot) -> Result<bool> {
     let view = variable.container()?;
     match variable.at {
-        SlotAt::Key(key) => call.memory.delete_key(view.store, &key)?,
-        SlotAt::Index([index, ..], 1) => call.memory.delete_at(view, index)?,
-        SlotAt::Whole => call.memory.delete_at(view, 0.0)?,
-        SlotAt::Index(..) => return Err(Fault::INVALID_PARAMETER),
+        Subscript::Key(key) => {
+            let key = *call.memory.text(key)?;
+            call.memory.delete_key(view.store, &key)?;
+        }
+        Subscript::One(index) => call.memory.delete_at(view, index)?,
+        Subscript::Whole => call.memory.delete_at(view, 0.0)?,
+        Subscript::Two(_) | Subscript::Three(_) => return Err(Fault::INVALID_PARAMETER),
     }
     Ok(true)
 }

@@ -1,7 +1,7 @@
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};
-use crate::memory::{Slot, SlotAt};
+use crate::memory::{Slot, Subscript};
 use crate::values::{Text, strings};
 
 instruction! {
@@ -51,10 +51,13 @@ instruction! {
 fn into_container(call: &mut Call<'_>, variable: Slot) -> Result<bool> {
     let (view, limit) = (variable.container()?, call.version.container_limit());
     let index = match variable.at {
-        SlotAt::Key(key) => return call.memory.insert_key(view.store, key, limit),
-        SlotAt::Index([index, ..], 1) => index,
-        SlotAt::Whole => 0.0,
-        SlotAt::Index(..) => return Err(Fault::INVALID_PARAMETER),
+        Subscript::Key(key) => {
+            let key = *call.memory.text(key)?;
+            return call.memory.insert_key(view.store, key, limit);
+        }
+        Subscript::One(index) => index,
+        Subscript::Whole => 0.0,
+        Subscript::Two(_) | Subscript::Three(_) => return Err(Fault::INVALID_PARAMETER),
     };
     call.memory.insert_at(view, index, limit)?;
     Ok(true)

@@ -1,6 +1,6 @@
 use crate::call::Call;
 use crate::declare::instruction;
-use crate::memory::{Slot, SlotAt};
+use crate::memory::{Slot, Subscript};
 
 instruction! {
     /// Tells whether a value exists in an array or a collection, or a variable in a library.
@@ -25,7 +25,7 @@ instruction! {
 
 /// A variable without index or key is there even if it is an empty collection.
 fn is_defined(call: &mut Call<'_>, variable: Slot) -> bool {
-    variable.view.is_some() && (variable.at == SlotAt::Whole || call.memory.locate(&variable).is_ok())
+    variable.view.is_some() && (variable.at == Subscript::Whole || call.memory.locate(&variable).is_ok())
 }
 
 #[cfg(test)]

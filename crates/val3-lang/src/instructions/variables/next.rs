@@ -3,7 +3,7 @@ use std::ops::Bound;
 use crate::call::Call;
 use crate::declare::instruction;
 use crate::fault::{Fault, Result};
-use crate::memory::{Slot, SlotAt};
+use crate::memory::{Slot, Subscript};
 use crate::values::Text;
 
 instruction! {
@@ -27,9 +27,9 @@ instruction! {
 
 /// The key need not be in the collection: then it is the one behind where it would stand.
 fn next(call: &mut Call<'_>, variable: Slot) -> Result<Text> {
-    let SlotAt::Key(key) = variable.at else { return Err(Fault::INVALID_PARAMETER) };
+    let Subscript::Key(key) = variable.at else { return Err(Fault::INVALID_PARAMETER) };
     let store = variable.container()?.store;
-    Ok(call.memory.key_from(store, Bound::Excluded(&key))?.unwrap_or_default())
+    Ok(call.memory.key_from(store, Bound::Excluded(call.memory.text(key)?))?.unwrap_or_default())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! References to the data of a library (2.6), which keep it in memory (6.6).
 
-use val3_bytecode::Passing;
+use val3_bytecode::Storage;
 use val3_lang::memory::{Stack, StoreId};
 
 use crate::task::Thread;
@@ -29,10 +29,14 @@ impl TurnContext<'_> {
         let instance = self.space.instance(frame.instance);
         let program = instance.and_then(|instance| instance.image.programs.get(usize::from(frame.program)));
         let params = program.map(|program| program.params.as_slice()).unwrap_or_default();
-        let found = params.iter().filter_map(|param| match param.passing {
-            Passing::Reference(number) => stack.places.get((frame.base.place + number) as usize).map(|at| at.store),
-            Passing::View(number) => stack.views.get((frame.base.view + number) as usize).map(|view| view.store),
-            Passing::Value(..) | Passing::UserValue(_) => None,
+        let found = params.iter().filter_map(|param| match param.storage {
+            Storage::Place(number) => {
+                stack.places.get(frame.base.place as usize + usize::from(number)).map(|at| at.store)
+            }
+            Storage::View(number) => {
+                stack.views.get(frame.base.view as usize + usize::from(number)).map(|view| view.store)
+            }
+            Storage::Value(_) | Storage::Part(_) => None,
         });
         found.collect()
     }

@@ -7,13 +7,13 @@ use crate::Frame;
 
 /// How many numbers a narrow frame has at most. The stack has that many behind the start of each frame, so that a
 /// register of one byte always finds its number.
-pub(crate) const NARROW: u32 = 256;
+pub(crate) const FIXED_REGISTERS: u32 = 256;
 
 /// The numbers of a narrow frame.
-pub(crate) type Narrow = [f64; NARROW as usize];
+pub(crate) type FixedRegisters = [f64; FIXED_REGISTERS as usize];
 
 /// The numbers of a frame.
-pub(crate) trait Window {
+pub(crate) trait Registers {
     /// The frames of a program are of this width.
     fn suits(program: &Program) -> bool;
 
@@ -26,10 +26,10 @@ pub(crate) trait Window {
 }
 
 /// A frame of at most 256 numbers: nearly every one. No access to it needs a check.
-impl Window for Narrow {
+impl Registers for FixedRegisters {
     #[inline(always)]
     fn suits(program: &Program) -> bool {
-        program.frame.lanes.num <= NARROW
+        program.frame.lanes.num <= FIXED_REGISTERS
     }
 
     #[inline(always)]
@@ -53,9 +53,9 @@ impl Window for Narrow {
 }
 
 /// A frame of any width.
-impl Window for [f64] {
+impl Registers for [f64] {
     fn suits(program: &Program) -> bool {
-        program.frame.lanes.num > NARROW
+        program.frame.lanes.num > FIXED_REGISTERS
     }
 
     fn of<'s>(nums: &'s mut [f64], frame: &Frame, program: &Program) -> Result<&'s mut Self> {

@@ -1,7 +1,7 @@
 //! Where values are.
 
 use val3_analysis::ty::Base;
-use val3_bytecode::{Register, Whole};
+use val3_bytecode::{ContainerRef, Register, Subscript};
 use val3_lang::memory::Lanes;
 use val3_lang::types::BaseType;
 
@@ -9,48 +9,37 @@ use val3_lang::types::BaseType;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Value {
     /// Where it is.
-    pub(crate) spot: Spot,
+    pub(crate) location: Location,
     /// Its type.
     pub(crate) base: Base,
 }
 
 /// Where a value is, or how it is reached.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Spot {
+pub(crate) enum Location {
     /// On the frame.
-    Lanes(Lanes),
-    /// In the first value of a container, so many lanes behind its start.
-    First(Whole, Lanes),
+    Frame(Lanes),
+    /// In the first value of a container, from these lanes of it on.
+    First(ContainerRef, Lanes),
     /// A value of a container.
     Element {
         /// The container.
-        whole: Whole,
+        container: ContainerRef,
         /// Which of its values.
-        at: At,
+        at: Subscript,
         /// It is a number or truth value, which is read and written without looking it up.
         plain: bool,
     },
-    /// So many lanes behind a place.
+    /// In a value that was looked up, from these lanes of it on.
     Place(Register, Lanes),
-}
-
-/// Which value of a container.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum At {
-    /// Under an index.
-    One(Register),
-    /// Under two indexes.
-    Two(Register, Register),
-    /// Under three indexes that follow one another.
-    Three(Register),
-    /// Under a key.
-    Key(Register),
+    /// A text constant of the program.
+    Constant(u16),
 }
 
 impl Value {
     /// A value of a built-in type on the frame.
     pub(crate) fn on_frame(base: BaseType, lanes: Lanes) -> Self {
-        Self { spot: Spot::Lanes(lanes), base: Base::of(base) }
+        Self { location: Location::Frame(lanes), base: Base::of(base) }
     }
 
     /// A number, truth value or enumerator in a register.
@@ -60,23 +49,18 @@ impl Value {
 
     /// A text in a register.
     pub(crate) fn text(register: Register) -> Self {
-        Self::on_frame(BaseType::String, text_lane(register))
+        Self::on_frame(BaseType::String, Lanes { text: register.into(), ..Lanes::default() })
     }
 }
 
-impl Spot {
+impl Location {
     /// The lanes, where it is on the frame.
     pub(crate) fn lanes(self) -> Option<Lanes> {
         match self {
-            Self::Lanes(lanes) => Some(lanes),
+            Self::Frame(lanes) => Some(lanes),
             _ => None,
         }
     }
-}
-
-/// The lanes of a text.
-pub(crate) fn text_lane(register: Register) -> Lanes {
-    Lanes { text: register.into(), ..Lanes::default() }
 }
 
 /// A type whose values are one number: numbers, truth values and enumerators.
