@@ -12,10 +12,10 @@ rule! {
     /// An argument is a constant number that the instruction refuses with a run-time error.
     ///
     /// ## Why
-    /// The line stops its task whenever it runs: error 11 for a number that the function is not defined for (3.2.3),
-    /// error 70 for a parameter out of its range. Up to s7 `power` takes no base of 0 or below, whatever the
-    /// exponent; from s8 on it takes a negative base to a whole exponent, and 0 to a positive one. `resize` takes a
-    /// dimension that the array has.
+    /// The line stops its task whenever it runs. Error 11 means that the function is not defined for the number
+    /// (3.2.3), error 70 that a parameter is out of its range. Up to s7 `power` accepts no base of 0 or below, whatever
+    /// the exponent. From s8 on it accepts a negative base with a whole exponent, and a base of 0 with a positive one.
+    /// `resize` accepts a dimension that the array has and a size of at least 1.
     ///
     /// ## Bad
     /// ```val3
@@ -91,16 +91,19 @@ mod tests {
               | run-time error 70: invalid parameter
             start.pgx:11 `4` `resize` takes 1 to 3 for `nDimension`, not 4
               | run-time error 70: invalid parameter
+            start.pgx:12 `0` `resize` takes at least 1 for `nSize`, not 0
+              | run-time error 70: invalid parameter
         "#]]
         .assert_eq(&check(
             &RULE,
             "string s\ntrsf t\nnum n\njoint j\ntool tT\nmdesc m\ns=left(s,-1)\ns=mid(s,2,-1)\ns=insert(s,\"a\",-1)\n\
-             setTextMode(4)\nt=interpolateL(t,t,2)\nmovejf(j,tT,m,1001)\nresize(n,4,1)",
+             setTextMode(4)\nt=interpolateL(t,t,2)\nmovejf(j,tT,m,1001)\nresize(n,4,1)\nresize(n,1,0)",
         ));
         assert_eq!(
             check(
                 &RULE,
-                "string s\ntrsf t\ns=left(s,0)\nsetTextMode(3)\nt=interpolateL(t,t,1.9)\nt=interpolateC(t,t,t,-0.9)"
+                "string s\ntrsf t\nnum n\nresize(n,1,1)\ns=left(s,0)\nsetTextMode(3)\nt=interpolateL(t,t,1.9)\n\
+                 t=interpolateC(t,t,t,-0.9)"
             ),
             ""
         );

@@ -115,7 +115,7 @@ const fn between(low: Bound<f64>, high: Bound<f64>, beyond: Beyond) -> Range {
 static RANGES: [(&str, &str, Range); 43] = [
     ("size", DIMENSION, between(Included(1.0), Included(3.0), Beyond::Instead("the result is 0"))),
     ("resize", DIMENSION, between(Included(1.0), Included(3.0), INVALID_PARAMETER)),
-    ("resize", "nSize", COUNT),
+    ("resize", "nSize", between(Included(1.0), Unbounded, INVALID_PARAMETER)),
     ("asin", "nValue", SINE),
     ("acos", "nValue", SINE),
     ("sqrt", "nValue", NOT_NEGATIVE),

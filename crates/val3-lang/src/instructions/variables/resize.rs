@@ -37,6 +37,7 @@ fn resize(call: &mut Call<'_>, variable: View, dimension: f64, size: f64) -> Res
 
 #[cfg(test)]
 mod tests {
+    use crate::arguments::range;
     use crate::testing::Bench;
     use crate::versions::Version;
 
@@ -46,6 +47,15 @@ mod tests {
         assert_eq!([bench.run("resize(nGrid,2,4)"), bench.show("nGrid")], ["", "1, 2, 3, 0, 4, 5, 6, 0"]);
         assert_eq!([bench.run("resize(nGrid,1,1)"), bench.show("nGrid")], ["", "1, 2, 3, 0"]);
         assert_eq!([bench.run("resize(nGrid,2,2)"), bench.show("nGrid")], ["", "1, 2"]);
+    }
+
+    #[test]
+    fn the_range_of_the_size_is_that_of_the_check() {
+        let range = range("resize", "nSize").unwrap();
+        for size in [-1.0, 0.0, 1.0, 2.0] {
+            let mut bench = Bench::default().global("num nRow[2]");
+            assert_eq!(bench.run(&format!("resize(nRow,1,{size})")).is_empty(), range.takes(size), "{size}");
+        }
     }
 
     #[test]
