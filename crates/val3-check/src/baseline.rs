@@ -1,7 +1,7 @@
-//! Findings that are known and not reported: those of the day when the check was introduced.
+//! StoredFinding findings, which are not reported: those that existed when the check was introduced.
 //!
-//! A finding is known by its [`Fingerprint`] and by how many such findings there are. So it stays known when lines
-//! move, and becomes new when its line is edited: who touches a line, mends it.
+//! A finding is identified by its [`Fingerprint`] and the number of equal findings. So it remains known when lines
+//! move, and becomes new when its line is edited: an edited line should be corrected.
 
 use std::collections::BTreeMap;
 
@@ -10,34 +10,34 @@ use serde::{Deserialize, Serialize};
 
 use crate::fingerprint::Fingerprint;
 
-/// The form of the file that this version reads and writes.
+/// Version of the file format.
 const VERSION: u32 = 1;
 
-/// Known findings, each with how often it is there.
+/// StoredFinding findings with their numbers.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(try_from = "Stored", into = "Stored")]
 pub struct Baseline(BTreeMap<Fingerprint, usize>);
 
-/// What a baseline says about the findings of a check.
+/// Result of the comparison of a check with a baseline.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Verdict {
-    /// For each finding whether it is new, in their order.
+    /// For each finding, in their order: whether it is new.
     pub new: Vec<bool>,
-    /// What is known and was not found again.
+    /// StoredFinding findings that were not found again.
     pub gone: Baseline,
 }
 
 impl Baseline {
-    /// How many findings are known.
+    /// Number of known findings.
     pub fn count(&self) -> usize {
         self.0.values().sum()
     }
 
-    /// Holds `found` against what is known: first what is the same in every part; then what says something else about
-    /// the same line, because the tool or code elsewhere changed. Where `is_gone` says that a known file is no longer
-    /// there, it was renamed: the same may be said in any other file, and something else about the same line (as that
-    /// names the program) in a file of the same folder.
-    pub fn judge(&self, found: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Verdict {
+    /// Compares `found` with the known findings. Equal findings in all parts are matched first, then findings on the
+    /// same line with another message, because the tool or code elsewhere changed. If `is_gone` reports that a known
+    /// file no longer exists, it was renamed: then a finding in any other file may match if the message is equal, and
+    /// one in the same folder if only the line is (the message may contain the name of the program).
+    pub fn compare(&self, found: &[Fingerprint], is_gone: impl Fn(&str) -> bool) -> Verdict {
         let mut gone = self.clone();
         let mut new = vec![true; found.len()];
         let any = |_: &Fingerprint| true;
@@ -52,7 +52,8 @@ impl Baseline {
         Verdict { new, gone }
     }
 
-    /// Takes out, of what `may_be` allows, one for each new finding of the same `key`, which is then not new.
+    /// For each new finding, removes a known one with the same `key` that `may_be` accepts. The finding is then not
+    /// new.
     fn take(
         &mut self,
         found: &[Fingerprint],
@@ -81,7 +82,7 @@ impl Baseline {
         }
     }
 
-    /// Drops the entries for which `keep` does not hold.
+    /// Removes the entries for which `keep` is false.
     pub fn retain(&mut self, mut keep: impl FnMut(&Fingerprint) -> bool) {
         self.0.retain(|fingerprint, _| keep(fingerprint));
     }
@@ -93,15 +94,15 @@ impl Extend<Fingerprint> for Baseline {
     }
 }
 
-/// A baseline as it stands in a file.
+/// A baseline in the form of its file.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 struct Stored {
     version: u32,
-    findings: Vec<Known>,
+    findings: Vec<StoredFinding>,
 }
 
 #[derive(Debug, Clone, Serialize, Deserialize)]
-struct Known {
+struct StoredFinding {
     #[serde(flatten)]
     fingerprint: Fingerprint,
     #[serde(default = "once", skip_serializing_if = "is_once")]
@@ -119,7 +120,7 @@ fn is_once(count: &usize) -> bool {
 
 impl From<Baseline> for Stored {
     fn from(baseline: Baseline) -> Self {
-        let known = |(fingerprint, count)| Known { fingerprint, count };
+        let known = |(fingerprint, count)| StoredFinding { fingerprint, count };
         Self { version: VERSION, findings: baseline.0.into_iter().map(known).collect() }
     }
 }
@@ -132,7 +133,7 @@ impl TryFrom<Stored> for Baseline {
             return Err(format!("its form has the number {}, and this version reads {VERSION}", stored.version));
         }
         let mut baseline = Self::default();
-        for Known { fingerprint, count } in stored.findings {
+        for StoredFinding { fingerprint, count } in stored.findings {
             *baseline.0.entry(fingerprint).or_default() += count;
         }
         Ok(baseline)
@@ -143,7 +144,7 @@ impl TryFrom<Stored> for Baseline {
 mod tests {
     use super::*;
 
-    /// `file: line: message`, of which the last two may be left out.
+    /// Parses `file: line: message`, of which the last two parts are optional.
     fn found(written: &str) -> Fingerprint {
         let mut parts = written.split(": ").map(str::to_owned);
         let mut part = || parts.next().unwrap_or_default();
@@ -158,7 +159,7 @@ mod tests {
 
     fn new(known: &[&str], now: &[&str]) -> Vec<bool> {
         let now: Vec<_> = now.iter().map(|now| found(now)).collect();
-        baseline(known).judge(&now, |file| file == "old/p").new
+        baseline(known).compare(&now, |file| file == "old/p").new
     }
 
     #[test]
@@ -194,6 +195,6 @@ mod tests {
     #[test]
     fn what_is_gone() {
         let known = baseline(&["f: a", "f: a", "f: b"]);
-        assert_eq!(known.judge(&[found("f: a")], |_| false).gone, baseline(&["f: a", "f: b"]));
+        assert_eq!(known.compare(&[found("f: a")], |_| false).gone, baseline(&["f: a", "f: b"]));
     }
 }

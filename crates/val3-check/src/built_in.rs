@@ -1,6 +1,6 @@
-//! What the language says about a type that a finding names.
+//! Properties of the types that a finding names.
 //!
-//! Types come as the analysis writes them: `num`, `pointRx`, `blend`. User types and containers are unknown here.
+//! Types are in the notation of the analysis: `num`, `pointRx`, `blend`. User types and containers are unknown here.
 
 use val3_lang::{
     enumerations,
@@ -9,7 +9,7 @@ use val3_lang::{
 
 use crate::english::one_of;
 
-/// The built-in type called `ty`, and the arm that its suffix asks for.
+/// The built-in type named `ty`, and the arm that its suffix requires.
 pub(crate) fn parse(ty: &str) -> Option<(BaseType, Option<Arm>)> {
     let enumeration = || {
         let ty = enumerations::ENUMERATORS.iter().find(|row| row.ty.name() == ty)?.ty;
@@ -18,7 +18,7 @@ pub(crate) fn parse(ty: &str) -> Option<(BaseType, Option<Arm>)> {
     BaseType::from_file_name(ty).or_else(enumeration)
 }
 
-/// The names of its fields, in their order; `None` for a type that is not built in.
+/// The names of its fields in order; `None` for a type that is not built in.
 pub(crate) fn field_names(ty: &str) -> Option<Vec<&'static str>> {
     let (ty, arm) = parse(ty)?;
     Some(fields(ty, arm).iter().map(|field| field.name).collect())

@@ -1,4 +1,4 @@
-//! One mistake, one message: faults that only echo a fault of the text are left out.
+//! Removes faults that are consequences of a fault of the text, so that one mistake gives one message.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::db::{Db, File};
@@ -6,9 +6,9 @@ use val3_analysis::items::faults::text_faults;
 use val3_analysis::problem::{Problem, ProblemKind};
 use val3_syntax::TextSize;
 
-/// The problems in `file` that say something its text does not say already: those on a line that cannot be read are
-/// dropped, and where elements are not closed properly, those about elements in a wrong place.
-pub(crate) fn without_echoes<'p>(db: &dyn Db, file: File, problems: &'p [Problem]) -> Vec<&'p Problem> {
+/// The problems in `file` that are not consequences of faults of its text. Problems on a line that cannot be read are
+/// removed, and those about misplaced elements if elements are not closed properly.
+pub(crate) fn without_cascades<'p>(db: &dyn Db, file: File, problems: &'p [Problem]) -> Vec<&'p Problem> {
     let errors = &text_faults(db, file).errors;
     if errors.is_empty() || problems.is_empty() {
         return problems.iter().collect();

@@ -1,4 +1,4 @@
-//! The check: which pieces of work there are, and what is wrong in each.
+//! The check: its units of work and their findings.
 
 use std::cell::OnceCell;
 use std::iter::Sum;
@@ -10,21 +10,22 @@ use val3_analysis::problem::{FileRole, Problem, ProblemKind};
 use val3_analysis::{data_check, header_check, infer, interfaces, project_check};
 use val3_syntax::error::{SyntaxError, SyntaxErrorKind};
 
+use crate::cascades::without_cascades;
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
-use crate::echoes::without_echoes;
 use crate::fix::Site;
 use crate::lint::Program;
 use crate::one_cause::join_causes;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
-use crate::suppression::{self, Used};
+use crate::shared_causes::merge_causes;
+use crate::suppression::{self, UsedComments};
 use crate::{fix, keywords, lint, related};
 
-/// The rule of which one finding an application is enough.
+/// A rule that reports one finding per application.
 const MISSING_ADD_ON: &str = "V0104";
 
-/// A piece of work that needs no other: pieces may be checked side by side, each on its own clone of the database.
+/// A unit of work. Units are independent, so they may be checked in parallel, each on its own clone of the database.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// A `.pgx`: header and code.
@@ -47,12 +48,12 @@ impl Unit {
         let configuration = self.project().configuration(db);
         configuration.is_some_and(|configuration| {
             let file = configuration.file(db);
-            // A project that is here in spite of its folder being excluded was asked for by its name.
+            // A project in an excluded folder was requested by name if it is here.
             file.excludes(self.file(db).path(db)) && !file.excludes(self.project().manifest(db).path(db))
         })
     }
 
-    /// The file that is looked at.
+    /// The checked file.
     pub fn file(self, db: &dyn Db) -> File {
         match self {
             Self::Program(_, file) | Self::Data(_, file) => file,
@@ -61,13 +62,13 @@ impl Unit {
     }
 }
 
-/// The pieces of work of some projects, without excluded files, in the order of the projects' files.
+/// The units of some projects, without excluded files, in the order of the projects' files.
 pub fn units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     let is_wanted = |unit: &Unit| matches!(unit, Unit::Project(_)) || !unit.is_excluded(db);
     all_units(db, projects).into_iter().filter(is_wanted).collect()
 }
 
-/// The pieces of work of some projects, with excluded files.
+/// The units of some projects, with excluded files.
 fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
     let of_project = |project: &Project| {
         let project = *project;
@@ -76,7 +77,7 @@ fn all_units(db: &dyn Db, projects: &[Project]) -> Vec<Unit> {
         std::iter::once(Unit::Project(project)).chain(data).chain(programs)
     };
     let mut units: Vec<Unit> = projects.iter().flat_map(of_project).collect();
-    // A file that is named twice is checked once.
+    // A file that is listed twice is checked once.
     let mut seen = rustc_hash::FxHashSet::default();
     units.retain(|unit| seen.insert(*unit));
     units
@@ -96,15 +97,15 @@ pub fn refusals(db: &dyn Db, project: Project) -> Vec<Diagnostic> {
     refusals
 }
 
-/// What the check of one piece of work gives.
+/// Result of the check of a unit.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Checked {
-    /// Everything that is wrong and wanted, by position.
+    /// The reported findings, sorted by position.
     pub findings: Vec<Diagnostic>,
-    /// How many findings comments silence.
+    /// Number of silenced findings.
     pub silenced: usize,
-    /// The comments that did.
-    pub(crate) used: Used,
+    /// The comments that silenced them.
+    pub(crate) used: UsedComments,
 }
 
 impl Sum for Checked {
@@ -118,11 +119,12 @@ impl Sum for Checked {
     }
 }
 
-/// What is wrong in a piece of work whatever the rules find: faults of its text, its declarations and its types.
+/// The faults of a unit that are found without lints: those of its text, its declarations and its types.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Faults {
     found: Vec<Diagnostic>,
-    /// There are faults, asked for or not: what a lint would say beside one is most often its echo.
+    /// The unit has faults, reported or not. Lints do not run then, because most of their findings would be
+    /// consequences of the faults.
     any: bool,
 }
 
@@ -131,7 +133,7 @@ pub fn check_unit(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Chec
     let check = Check::new(db, unit, settings);
     let faults = check.faults();
     let (alone, member) = (check.alone(&faults), check.member(&faults));
-    put_together(db, faults, alone, member)
+    merge_findings(db, faults, alone, member)
 }
 
 /// The first part of [`check_unit`]; the other two need it.
@@ -139,18 +141,18 @@ pub fn check_faults(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings) -> Fa
     Check::new(db, unit, settings).faults()
 }
 
-/// The second part of [`check_unit`]: it looks at no other program, so that an edit elsewhere seldom concerns it.
-pub fn check_alone(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
+/// The second stage of [`check_unit`]. It reads no other program, so an edit elsewhere rarely affects it.
+pub fn check_local(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
     Check::new(db, unit, settings).alone(faults)
 }
 
-/// The third part of [`check_unit`]: what shows when the whole application is in view.
-pub fn check_member(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
+/// The third stage of [`check_unit`]: lints that need the whole application.
+pub fn check_in_application(db: &dyn Db, unit: Unit, settings: &WorkspaceSettings, faults: &Faults) -> Vec<Diagnostic> {
     Check::new(db, unit, settings).member(faults)
 }
 
-/// The end of [`check_unit`]: what its parts have found.
-pub fn put_together(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member: Vec<Diagnostic>) -> Checked {
+/// The last stage of [`check_unit`]: merges the findings of the others.
+pub fn merge_findings(db: &dyn Db, faults: Faults, alone: Vec<Diagnostic>, member: Vec<Diagnostic>) -> Checked {
     let mut found = faults.found;
     found.extend(alone);
     found.extend(member);
@@ -172,29 +174,29 @@ pub fn finish_each(db: &dyn Db, units: &[Unit], settings: &WorkspaceSettings, mu
         if let Unit::Program(project, file) = *unit {
             let settings = settings.of(db, project);
             let idle = suppression::unused(db, project, file, settings, &checked.used);
-            checked.findings.extend(idle.into_iter().filter_map(|found| settings.judged(found)));
+            checked.findings.extend(idle.into_iter().filter_map(|found| settings.with_level(found)));
         }
     }
     let mut seen = rustc_hash::FxHashSet::default();
     checked.findings.retain(|diagnostic| {
-        !is_said_once(diagnostic.rule) || seen.insert((diagnostic.application, diagnostic.message.clone()))
+        !is_once_per_application(diagnostic.rule) || seen.insert((diagnostic.application, diagnostic.message.clone()))
     });
     checked
 }
 
-/// One finding of this rule is enough for an application, so that the place where it stands means little.
-pub fn is_said_once(rule: &Rule) -> bool {
+/// The rule reports one finding per application, so the location of the finding is not significant.
+pub fn is_once_per_application(rule: &Rule) -> bool {
     rule.code == MISSING_ADD_ON
 }
 
 /// A fault of a text, a declaration or a type.
-struct Fault {
+struct DetectedFault {
     diagnostic: Diagnostic,
     /// The controller's compiler refuses it.
     is_refused: bool,
 }
 
-impl Fault {
+impl DetectedFault {
     fn refusal(self) -> Option<Diagnostic> {
         self.is_refused.then_some(self.diagnostic)
     }
@@ -203,7 +205,7 @@ impl Fault {
 impl Faults {
     fn add(&mut self, diagnostic: Diagnostic, settings: &Settings) {
         self.any |= diagnostic.severity == Severity::Error;
-        self.found.extend(settings.judged(diagnostic));
+        self.found.extend(settings.with_level(diagnostic));
     }
 }
 
@@ -211,7 +213,7 @@ struct Check<'db> {
     db: &'db dyn Db,
     unit: Unit,
     settings: &'db Settings,
-    /// The program as lints see it, once they look.
+    /// The program as lints see it, created on demand.
     program: OnceCell<Program<'db>>,
 }
 
@@ -226,7 +228,7 @@ impl<'db> Check<'db> {
         faults
     }
 
-    fn each_fault(&self, take: &mut dyn FnMut(Fault)) {
+    fn each_fault(&self, take: &mut dyn FnMut(DetectedFault)) {
         let db = self.db;
         match self.unit {
             Unit::Program(project, file) => {
@@ -235,7 +237,7 @@ impl<'db> Check<'db> {
                 if !broken {
                     self.problems(file, infer::problems(db, project, file), take);
                     let advice = [keywords::spelling(db, project, file), suppression::unknown(db, project, file)];
-                    let fault = |diagnostic| Fault { diagnostic, is_refused: false };
+                    let fault = |diagnostic| DetectedFault { diagnostic, is_refused: false };
                     advice.into_iter().flatten().map(fault).for_each(take);
                 }
             }
@@ -255,7 +257,7 @@ impl<'db> Check<'db> {
     fn alone(&self, faults: &Faults) -> Vec<Diagnostic> {
         match self.unit {
             Unit::Program(project, file) if !faults.any => {
-                self.judged(lint::program(self.program(project, file), self.settings))
+                self.with_levels(lint::program(self.program(project, file), self.settings))
             }
             _ => Vec::new(),
         }
@@ -265,34 +267,34 @@ impl<'db> Check<'db> {
         if faults.any {
             return Vec::new();
         }
-        self.judged(match self.unit {
+        self.with_levels(match self.unit {
             Unit::Program(project, file) => lint::member(self.program(project, file), self.settings),
             Unit::Data(project, file) => lint::data(self.db, project, file, self.settings),
             Unit::Project(project) => lint::project(self.db, project, self.settings),
         })
     }
 
-    fn judged(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
-        found.into_iter().filter_map(|diagnostic| self.settings.judged(diagnostic)).collect()
+    fn with_levels(&self, found: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        found.into_iter().filter_map(|diagnostic| self.settings.with_level(diagnostic)).collect()
     }
 
     fn program(&self, project: Project, file: File) -> &Program<'db> {
         self.program.get_or_init(|| Program::new(self.db, project, file, &self.settings.options))
     }
 
-    /// The faults of a file's text; true if the rest of it cannot be judged.
-    fn text(&self, file: File, take: &mut dyn FnMut(Fault)) -> bool {
+    /// The faults of a file's text. Returns true if the rest of the file cannot be checked.
+    fn text(&self, file: File, take: &mut dyn FnMut(DetectedFault)) -> bool {
         if matches!(file.status(self.db), FileStatus::Unreadable(_)) {
             return true;
         }
         let errors = &text_faults(self.db, file).errors;
         let mut too_deep = false;
         for error in errors {
-            // What nests too deep does so in many places; one of them is enough to find it.
+            // Text that is nested too deeply has many such faults; one of them is enough.
             let again = error.kind == SyntaxErrorKind::NestingTooDeep && std::mem::replace(&mut too_deep, true);
             if !again {
-                // Nothing that cannot be read is loaded.
-                take(Fault { diagnostic: self.of_syntax(file, error), is_refused: true });
+                // The controller loads nothing that it cannot read.
+                take(DetectedFault { diagnostic: self.of_syntax(file, error), is_refused: true });
             }
         }
         errors.iter().any(|error| error.kind == SyntaxErrorKind::ConflictMarker)
@@ -309,8 +311,8 @@ impl<'db> Check<'db> {
         Diagnostic { fix: fix::of_syntax(&error.kind, &site), ..diagnostic }
     }
 
-    fn problems(&self, file: File, problems: &[Problem], take: &mut dyn FnMut(Fault)) {
-        for problem in without_echoes(self.db, file, problems) {
+    fn problems(&self, file: File, problems: &[Problem], take: &mut dyn FnMut(DetectedFault)) {
+        for problem in without_cascades(self.db, file, problems) {
             let (rule, wording) = word_problem(&problem.kind);
             let related = problem
                 .related
@@ -322,7 +324,7 @@ impl<'db> Check<'db> {
             let doubt = self.doubt(&problem.kind);
             diagnostic.severity = doubt.unwrap_or(diagnostic.severity);
             diagnostic.fix = fix::of_problem(&problem.kind, &Site::new(self.db, place.file, place.range, None));
-            take(Fault { diagnostic, is_refused: problem.kind.is_refused() && doubt.is_none() });
+            take(DetectedFault { diagnostic, is_refused: problem.kind.is_refused() && doubt.is_none() });
         }
     }
 
@@ -348,12 +350,12 @@ impl<'db> Check<'db> {
         }
     }
 
-    /// The level of a fault that may lie in what is at hand: a controller can have add-ons and libraries that a
-    /// repository lacks.
+    /// The level of a fault that may only exist in the checked files: a controller can have add-ons and libraries that
+    /// a repository lacks.
     fn doubt(&self, kind: &ProblemKind) -> Option<Severity> {
         let project = self.unit.project();
         let (is_uncertain, severity) = match kind {
-            // Hardly a repository holds the tables, so that their absence says nothing.
+            // Few repositories contain the tables, so their absence is not significant.
             ProblemKind::MissingAddOn { .. } => {
                 let lists_none = project.cell(self.db).is_none_or(|cell| cell.config(self.db).add_ons.is_empty());
                 (lists_none, Severity::Info)
@@ -361,11 +363,12 @@ impl<'db> Check<'db> {
             ProblemKind::FileMissing { what: FileRole::Library | FileRole::Type, .. } => {
                 (!self.is_in_usrapp(project), Severity::Warning)
             }
-            // Every known writer gives the attribute; whether a controller needs it, no source says.
+            // Every known tool writes the attribute. No source says whether a controller requires it.
             ProblemKind::MissingAttribute { default: Some(_), .. } => (true, Severity::Warning),
             // Another medium, the name of a connection, or a part of a cell.
             ProblemKind::UnresolvedPath { near: None, .. } => (true, Severity::Info),
-            // No public document lists every instruction of s8; what resembles a known one is still a slip.
+            // No public document lists every instruction of s8. A name that resembles a known one is still a
+            // misspelling.
             ProblemKind::UnknownInstruction { near: None, is: None, .. } => {
                 (project::items(self.db, project).version.major >= 8, Severity::Warning)
             }

@@ -4,9 +4,9 @@ use val3_lang::types::BaseType;
 
 use crate::built_in;
 
-/// How a programmer makes a value of type `wanted` of one of type `found`; empty where no way is usual.
+/// How a programmer converts a value of type `found` to type `wanted`; empty if there is no usual way.
 ///
-/// The types are given as the analysis writes them; the suffix of an arm makes no difference.
+/// The types are in the notation of the analysis. The suffix of an arm makes no difference.
 pub(crate) fn advice(found: &str, wanted: &str) -> String {
     let base = |ty| built_in::parse(ty).map(|(ty, _)| ty);
     match (built_in::values(wanted), base(found), base(wanted)) {

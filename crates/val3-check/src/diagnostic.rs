@@ -1,4 +1,4 @@
-//! A finding, worded and placed, free of any output format.
+//! A finding with its message and location, independent of output formats.
 
 use val3_analysis::db::{File, FileRange};
 
@@ -11,37 +11,38 @@ pub struct Diagnostic {
     pub rule: &'static Rule,
     /// Its level.
     pub severity: Severity,
-    /// What is wrong, in one sentence without a final full stop.
+    /// The message: one sentence without a final full stop.
     pub message: String,
-    /// Where.
+    /// The location.
     pub place: FileRange,
-    /// A few words under the place ("this is a `string`"); may be empty.
+    /// A few words about the location ("this is a `string`"); may be empty.
     pub label: String,
-    /// The other sides of the fault.
+    /// The other locations that the finding involves.
     pub related: Vec<RelatedNote>,
-    /// What to write instead; may be empty.
+    /// Advice for a correction; may be empty.
     pub help: String,
-    /// The program the place lies in, for findings in code or in a program's header.
+    /// The program that contains the location, for findings in code or in a program's header.
     pub program: Option<String>,
     /// The `.pjx` of the application.
     pub application: Option<File>,
-    /// How to mend it.
+    /// A correction.
     pub fix: Option<Fix>,
 }
 
-/// A change that mends a finding.
+/// A change that corrects a finding.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Fix {
-    /// What it does, as an order: "write `endIf`".
+    /// The change as an imperative: "write `endIf`".
     pub title: String,
-    /// The program does the same as before, or what was plainly meant: applied without asking.
+    /// The change keeps the behaviour of the program or is certainly what was meant. It may be applied without
+    /// confirmation.
     pub safe: bool,
-    /// What changes; the edits do not overlap.
+    /// The edits, which do not overlap.
     pub edits: Vec<Edit>,
 }
 
 impl Fix {
-    /// A fix that is applied without asking.
+    /// A fix that may be applied without confirmation.
     pub(crate) fn safe(title: impl Into<String>, edits: Vec<Edit>) -> Self {
         Self { title: title.into(), safe: true, edits }
     }
@@ -55,25 +56,25 @@ impl Fix {
 /// Replaces a range of a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// Where.
+    /// The replaced range.
     pub place: FileRange,
-    /// What stands there afterwards, as it is written in the file (escaped where the code is).
+    /// The new text, in the form of the file (escaped where the code is).
     pub text: String,
 }
 
 /// Maximum number of uses that a finding lists when it represents many.
 pub(crate) const MOST_RELATED: usize = 10;
 
-/// Another side of a finding.
+/// Another location that a finding involves.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RelatedNote {
-    /// Where.
+    /// The location.
     pub place: FileRange,
-    /// What stands there, in a few words.
+    /// A few words about it.
     pub message: String,
 }
 
-/// What a rule says about one fault; the place comes from the analysis.
+/// The wording of a fault; its location comes from the analysis.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Wording {
     /// See [`Diagnostic::message`].
@@ -91,7 +92,7 @@ impl Wording {
     }
 }
 
-/// One part a line, without the empty ones, for snapshots.
+/// One part per line, without the empty ones, for snapshots.
 #[cfg(test)]
 impl std::fmt::Display for Wording {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {

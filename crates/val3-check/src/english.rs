@@ -4,7 +4,7 @@ use val3_analysis::problem::NameKind;
 
 use crate::phrase::{did_you_mean, name_kind};
 
-/// The name that was probably meant, or other advice where none is near.
+/// The similar name as a question, or other advice if there is none.
 pub(crate) fn meant(name: &str, near: Option<&str>, otherwise: &str) -> String {
     match near {
         None => otherwise.to_owned(),
@@ -21,7 +21,7 @@ pub(crate) fn one_of<T: AsRef<str>>(names: &[T]) -> String {
     or(&quoted)
 }
 
-/// "1, 2 or 3": the parts as they are.
+/// "1, 2 or 3": the parts without backticks.
 pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
     let parts: Vec<_> = parts.iter().map(AsRef::as_ref).collect();
     match parts.as_slice() {
@@ -31,7 +31,7 @@ pub(crate) fn or<T: AsRef<str>>(parts: &[T]) -> String {
     }
 }
 
-/// "1, 2 and 3": the parts as they are.
+/// "1, 2 and 3": the parts without backticks.
 pub(crate) fn and<T: AsRef<str>>(parts: &[T]) -> String {
     let parts: Vec<_> = parts.iter().map(AsRef::as_ref).collect();
     match parts.as_slice() {
@@ -40,7 +40,7 @@ pub(crate) fn and<T: AsRef<str>>(parts: &[T]) -> String {
     }
 }
 
-/// "`a`, `b` and `c`"; of many names the first few.
+/// "`a`, `b` and `c`". Of many names only the first few.
 pub(crate) fn all_of<T: AsRef<str>>(names: &[T]) -> String {
     const SHOWN: usize = 5;
     let mut parts: Vec<_> = names.iter().take(SHOWN).map(|name| format!("`{}`", name.as_ref())).collect();
@@ -55,7 +55,7 @@ pub(crate) fn a(name: &str) -> String {
     format!("{} `{name}`", article(name))
 }
 
-/// What a name names, with its article: "a program"; data is a mass noun and has none.
+/// A kind of name with its article: "a program". "Data" is a mass noun and has none.
 pub(crate) fn a_name_kind(kind: NameKind) -> String {
     let noun = name_kind(kind);
     match kind {
@@ -64,7 +64,7 @@ pub(crate) fn a_name_kind(kind: NameKind) -> String {
     }
 }
 
-/// `mdesc` is spoken with its first letter on its own: "em-desc".
+/// `mdesc` is pronounced "em-desc", so it takes "an".
 fn article(word: &str) -> &'static str {
     let vowel = word.starts_with(['a', 'e', 'i', 'o', 'A', 'E', 'I', 'O']) || word == "mdesc";
     if vowel { "an" } else { "a" }

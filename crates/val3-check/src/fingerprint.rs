@@ -1,35 +1,36 @@
-//! What a finding is known by, although lines around it come and go.
+//! The identity of a finding, which does not depend on the lines around it.
 
 use serde::{Deserialize, Serialize};
 use val3_analysis::db::{Db, File};
 
-use crate::check::is_said_once;
+use crate::check::is_once_per_application;
 use crate::diagnostic::Diagnostic;
 
-/// The most characters of a line that are kept.
+/// Maximum number of characters of a line in a fingerprint.
 const LINE_LIMIT: usize = 200;
 
-/// What makes a finding the same after an edit elsewhere. Baselines and the formats of code scanning services share it.
+/// The parts of a finding that an edit elsewhere does not change. Baselines and the formats of code scanning services
+/// share it.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub struct Fingerprint {
-    /// The file, seen from the folder of the baseline or of the repository, with `/`.
+    /// The path of the file, relative to the folder of the baseline or of the repository, with `/`.
     pub file: String,
     /// The code of the rule.
     pub rule: String,
-    /// The text of the line without the blanks around it; of a long line the part from the marked place on. Empty for
-    /// a rule that is said once an application, wherever that is.
+    /// The text of the line without the blanks around it. Of a long line the part from the marked position on. Empty
+    /// for a rule that reports one finding per application.
     pub line: String,
-    /// What was said. It may change with a version of the tool or with code elsewhere.
+    /// The message. It may change with a version of the tool or with code elsewhere.
     #[serde(default)]
     pub message: String,
 }
 
 impl Fingerprint {
-    /// The fingerprint of a finding; `path` names a file, seen from where the fingerprints are kept.
+    /// The fingerprint of a finding. `path` gives the path of a file relative to the place of the fingerprints.
     pub fn new(db: &dyn Db, diagnostic: &Diagnostic, path: impl Fn(File) -> String) -> Self {
         let rule = diagnostic.rule.code.to_owned();
         let message = diagnostic.message.clone();
-        match diagnostic.application.filter(|_| is_said_once(diagnostic.rule)) {
+        match diagnostic.application.filter(|_| is_once_per_application(diagnostic.rule)) {
             Some(application) => Self { file: path(application), rule, line: String::new(), message },
             None => {
                 let file = diagnostic.place.file;
@@ -40,7 +41,7 @@ impl Fingerprint {
     }
 }
 
-/// The line around `at`, as a fingerprint keeps it.
+/// The line around `at`, as fingerprints contain it.
 fn line_around(text: &str, at: usize) -> String {
     let (before, behind) = text.split_at_checked(at).unwrap_or((text, ""));
     let start = before.rfind('\n').map_or(0, |end| end + 1);
@@ -52,7 +53,7 @@ fn line_around(text: &str, at: usize) -> String {
     trimmed(text.get(at..end).unwrap_or("")).chars().take(LINE_LIMIT).collect()
 }
 
-/// Without blanks and without the line end that escaped code spells.
+/// The line without blanks and without the entity of a line end in escaped code.
 fn trimmed(line: &str) -> &str {
     let line = line.trim();
     line.strip_suffix("&#13;").unwrap_or(line).trim_end()

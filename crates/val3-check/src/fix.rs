@@ -1,7 +1,8 @@
 //! Fixes: what rules need to word them, and how they are applied.
 //!
-//! A fix says which ranges of which files to replace, in the characters of the file. It is *safe* when the program
-//! does the same afterwards or what was plainly meant; otherwise it is a guess that a person looks at.
+//! A fix lists ranges of files to replace, with their new text in the characters of the file. It is *safe* if the
+//! program keeps its behaviour or the change is certainly what was meant. Otherwise it is a guess that needs
+//! confirmation.
 
 mod apply;
 mod errors;

@@ -2,21 +2,21 @@
 
 pub mod baseline;
 mod built_in;
+mod cascades;
 mod check;
 mod conversion;
 pub mod diagnostic;
-mod echoes;
 mod english;
 pub mod fingerprint;
 pub mod fix;
 mod keywords;
 mod lint;
-mod one_cause;
 mod phrase;
 mod related;
 pub mod rule;
 pub mod rules;
 pub mod settings;
+mod shared_causes;
 mod statistics;
 pub mod suppression;
 #[doc(hidden)]

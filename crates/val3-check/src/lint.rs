@@ -1,15 +1,15 @@
-//! Rules that look at what a program does, beyond what the controller's compiler asks: the lints.
+//! Lints: rules about the behaviour of a program, beyond the errors of the controller's compiler.
 //!
-//! A lint is a function over a [`Program`] or a [`ProjectView`]; it runs on files without faults only, so that one
-//! mistake makes one message.
+//! A lint is a function over a [`Program`] or a [`ProjectView`]. It only runs on files without faults, so that one
+//! mistake gives one message.
 
 mod choices;
 mod edit;
-mod elsewhere;
 mod findings;
 #[cfg(test)]
-pub(crate) mod fixed;
+pub(crate) mod fix_testing;
 mod locals;
+mod locations;
 mod motion;
 pub(crate) mod naming;
 mod points;

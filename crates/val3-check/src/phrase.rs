@@ -9,7 +9,7 @@ pub(crate) fn did_you_mean(near: Option<&str>) -> String {
     near.map(|near| format!("did you mean `{near}`?")).unwrap_or_default()
 }
 
-/// The near miss, or other advice where nothing is near.
+/// The similar name as a question, or other advice if there is none.
 pub(crate) fn did_you_mean_or(near: Option<&str>, otherwise: &str) -> String {
     near.map_or_else(|| otherwise.to_owned(), |near| did_you_mean(Some(near)))
 }
@@ -20,7 +20,7 @@ pub(crate) fn runtime_error(number: u16) -> String {
     format!("run-time error {number}: {short}")
 }
 
-/// What a name names, as the manual calls it: `program`, `library identifier`.
+/// A kind of name in the manual's terms: `program`, `library identifier`.
 pub(crate) fn name_kind(kind: NameKind) -> &'static str {
     match kind {
         NameKind::Data => "data",
@@ -55,7 +55,7 @@ pub(crate) fn opening_bracket(closing: char) -> char {
     }
 }
 
-/// What a file is in a project: `program file`, `library`.
+/// The role of a file in a project: `program file`, `library`.
 pub(crate) fn file_role(role: FileRole) -> &'static str {
     match role {
         FileRole::Project => "project file",
@@ -66,14 +66,15 @@ pub(crate) fn file_role(role: FileRole) -> &'static str {
     }
 }
 
-/// The last key of an array of this `size` attribute: `2,3` for `3 4`; `None` if a dimension is empty or no number.
+/// The last key of an array with this `size` attribute: `2,3` for `3 4`. `None` if a dimension is empty or not a
+/// number.
 pub(crate) fn last_key(size: &str) -> Option<String> {
     let last = |dimension: &str| dimension.parse::<u32>().ok()?.checked_sub(1);
     let keys: Option<Vec<String>> = size.split_whitespace().map(|d| Some(last(d)?.to_string())).collect();
     keys.filter(|keys| !keys.is_empty()).map(|keys| keys.join(","))
 }
 
-/// What stands in place of something else: `text`, or the end of the line if it is empty.
+/// The text that was found in place of something else: `text`, or the end of the line if it is empty.
 pub(crate) fn found_text(text: &str) -> String {
     if text.is_empty() {
         return "the line ends".to_owned();

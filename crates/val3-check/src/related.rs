@@ -1,11 +1,11 @@
-//! Notes at the other side of a fault.
+//! Notes about the other locations of a fault.
 
 use val3_analysis::problem::Role;
 use val3_syntax::error::SyntaxErrorKind;
 
 use crate::phrase::{opening_bracket, xml_part};
 
-/// What stands at the other side of a fault that the analysis found.
+/// The role of another location of a fault that the analysis found.
 pub(crate) fn role(role: Role) -> String {
     match role {
         Role::Declared => "declared here",
@@ -20,7 +20,7 @@ pub(crate) fn role(role: Role) -> String {
     .to_owned()
 }
 
-/// What stands at the related range of a fault of the text.
+/// The role of the related range of a fault of the text.
 pub(crate) fn other_side(kind: &SyntaxErrorKind) -> String {
     use SyntaxErrorKind as Kind;
     match kind {

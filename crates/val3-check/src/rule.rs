@@ -1,15 +1,15 @@
-//! What a rule is: its code, name, level and page.
+//! The definition of a rule: its code, name, level and page.
 
 use crate::lint::{DataFile, Findings, Program, ProjectView};
 
-/// How serious a finding is.
+/// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Advice.
     Info,
     /// Nearly always a mistake.
     Warning,
-    /// The controller refuses to load it, or it certainly fails when it runs.
+    /// The controller refuses to load it, or it certainly fails at run time.
     Error,
 }
 
@@ -34,11 +34,11 @@ pub struct Rule {
     pub name: &'static str,
     /// The level unless configured otherwise.
     pub severity: Severity,
-    /// Whether it is reported without being asked for; conventions of a shop are not.
+    /// Whether the rule is on by default; rules that enforce conventions are not.
     pub on: bool,
-    /// The page in Markdown, one leading blank a line: what, why, a bad and a good example.
+    /// The page in Markdown, with one leading blank per line: what, why, a bad and a good example.
     pub page: &'static str,
-    /// How it finds its faults; `None` where the parser or the analysis does.
+    /// The function that finds its faults; `None` if the parser or the analysis finds them.
     pub(crate) lint: Option<Lint>,
 }
 
@@ -47,16 +47,16 @@ pub struct Rule {
 pub(crate) enum Lint {
     /// In each program without faults.
     Program(fn(&Program<'_>, &mut Findings)),
-    /// In each program without faults, looking also at what the other programs of its application do. Rules that
-    /// follow the arm are all of this kind, so that it is followed once.
+    /// In each program without faults, with access to the other programs of its application. Rules about the state of
+    /// the arm are all of this kind, so that it is computed once.
     Member(fn(&Program<'_>, &mut Findings)),
     /// In each `.dtx`.
     Data(fn(&DataFile<'_>, &mut Findings)),
-    /// In each project; its findings lie in the `.pjx`.
+    /// In each project; its findings are in the `.pjx`.
     Project(fn(&ProjectView<'_>, &mut Findings)),
 }
 
-/// Codes are unique: equal codes are the same rule.
+/// Codes are unique, so rules with equal codes are equal.
 impl PartialEq for Rule {
     fn eq(&self, other: &Self) -> bool {
         self.code == other.code
@@ -65,9 +65,8 @@ impl PartialEq for Rule {
 
 impl Eq for Rule {}
 
-/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`. Behind the level stands `off` for a
-/// rule that is silent until configured, and `, Program: check`, `, Member: check`, `, Data: check` or
-/// `, Project: check` for a lint.
+/// Declares the rule of a file: `/// page`, then `V0203 "argument-type" Error`. After the level comes `off` for a rule
+/// that is off by default, and `, Program: check`, `, Member: check`, `, Data: check` or `, Project: check` for a lint.
 macro_rules! rule {
     ($(#[doc = $line:literal])* $code:ident $name:literal $severity:ident $($off:ident)? $(, $target:ident: $check:ident)?) => {
         $(#[doc = $line])*

@@ -1,6 +1,6 @@
-//! The rules, one a file.
+//! The rules, one per file.
 //!
-//! A new rule is a file in `rules/`, its name in the list below, and an arm that leads a fault to it.
+//! A new rule is a file in `rules/`, its name in the list below, and an arm that maps a fault to it.
 
 use val3_analysis::problem::ProblemKind;
 use val3_syntax::error::{Expected, SyntaxErrorKind};
@@ -232,7 +232,7 @@ pub fn find(code_or_name: &str) -> Option<&'static Rule> {
         .find(|rule| rule.code.eq_ignore_ascii_case(code_or_name) || rule.name.eq_ignore_ascii_case(code_or_name))
 }
 
-/// A match over kinds of faults, one line a rule: `pattern => rule::function(fields);`.
+/// A match over kinds of faults, one line per rule: `pattern => rule::function(fields);`.
 macro_rules! words {
     ($kind:ident: $($pattern:pat => $rule:ident::$function:ident($($argument:expr),*);)*) => {
         match $kind {
@@ -241,7 +241,7 @@ macro_rules! words {
     };
 }
 
-/// The rule of a fault of the text, and what it says.
+/// The rule and wording of a fault of the text.
 pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
     use SyntaxErrorKind as Kind;
     words! { kind:
@@ -291,7 +291,7 @@ pub(crate) fn word_syntax(kind: &SyntaxErrorKind) -> (&'static Rule, Wording) {
     }
 }
 
-/// The rule of a fault that the analysis found, and what it says.
+/// The rule and wording of a fault that the analysis found.
 pub(crate) fn word_problem(kind: &ProblemKind) -> (&'static Rule, Wording) {
     use ProblemKind as Kind;
     words! { kind:

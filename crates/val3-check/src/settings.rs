@@ -1,6 +1,6 @@
-//! Which findings an application gets, and at which level: from its `val3.toml` and the command line.
+//! The findings that an application reports and their levels, from its `val3.toml` and the command line.
 
-mod words;
+mod selectors;
 
 use std::collections::BTreeSet;
 
@@ -8,33 +8,33 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::db::{Configuration, Db, Project};
 use val3_config::{ConfigError, ConfigFile, Level, Options};
 
-pub use words::{Exactness, meant_by};
+pub use selectors::{Exactness, meant_by};
 
 use crate::diagnostic::Diagnostic;
 use crate::rule::{Rule, Severity};
 
-/// What a command line says about findings. It wins over every configuration.
+/// The choice of findings on a command line. It overrides every configuration.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Selection {
-    /// Codes of the only findings that are wanted; `None` for all.
+    /// Codes of the only findings to report; `None` for all.
     pub only: Option<BTreeSet<&'static str>>,
-    /// Codes among these that were named one by one: they are wanted even where a configuration turns them off.
+    /// Those codes that were given individually. They are reported even if a configuration turns them off.
     pub named: BTreeSet<&'static str>,
-    /// Codes of findings that are not wanted.
+    /// Codes of findings that are not reported.
     pub never: BTreeSet<&'static str>,
 }
 
 /// The settings of one application.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Settings {
-    /// Levels by code, where they are configured.
+    /// Configured levels by code.
     levels: FxHashMap<&'static str, Configured>,
     selection: Selection,
     /// Options of rules.
     pub options: Options,
 }
 
-/// The level of a rule, and the key that says it.
+/// The configured level of a rule, and its key in the configuration.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Configured {
     level: Level,
@@ -43,10 +43,10 @@ struct Configured {
 }
 
 impl Settings {
-    /// The settings that a configuration and a command line give.
+    /// Combines a configuration and a command line.
     ///
     /// # Errors
-    /// If a key of `[rules]` means no rule, or two keys mean the same one.
+    /// If a key of `[rules]` names no rule, or two keys name the same one.
     pub fn new(file: Option<&ConfigFile>, selection: &Selection) -> Result<Self, ConfigError> {
         let mut settings = Self { selection: selection.clone(), ..Self::default() };
         if let Some(file) = file {
@@ -61,12 +61,12 @@ impl Settings {
     fn configure(&mut self, file: &ConfigFile, key: &str, level: Level) -> Result<(), ConfigError> {
         let meant = meant_by(key);
         if meant.is_empty() {
-            return Err(words::unknown(file, key));
+            return Err(selectors::unknown(file, key));
         }
         for (rule, exactness) in meant {
             let known = self.levels.get(rule.code);
             if let Some(twice) = known.filter(|known| known.exactness == exactness) {
-                return Err(words::twice(file, key, &twice.key));
+                return Err(selectors::twice(file, key, &twice.key));
             }
             if known.is_none_or(|known| known.exactness < exactness) {
                 self.levels.insert(rule.code, Configured { level, exactness, key: key.to_owned() });
@@ -75,7 +75,7 @@ impl Settings {
         Ok(())
     }
 
-    /// The level of a finding that would usually have the level `usual`; `None` where it is not wanted.
+    /// The level of a finding whose default level is `usual`; `None` if it is not reported.
     pub fn severity(&self, rule: &Rule, usual: Severity) -> Option<Severity> {
         let Selection { only, named, never } = &self.selection;
         if never.contains(rule.code) || only.as_ref().is_some_and(|only| !only.contains(rule.code)) {
@@ -92,23 +92,23 @@ impl Settings {
         }
     }
 
-    /// A finding at the level it gets; `None` where it is not wanted.
-    pub(crate) fn judged(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
+    /// The finding with its configured level; `None` if it is not reported.
+    pub(crate) fn with_level(&self, mut diagnostic: Diagnostic) -> Option<Diagnostic> {
         diagnostic.severity = self.severity(diagnostic.rule, diagnostic.severity)?;
         Some(diagnostic)
     }
 
-    /// Whether findings of this rule are wanted; costly rules ask before they look.
+    /// Whether findings of this rule are reported; costly rules check this first.
     pub fn wants(&self, rule: &Rule) -> bool {
         self.severity(rule, rule.severity).is_some()
     }
 
-    /// The key of `[rules]` that gives a rule its level, where one does.
+    /// The key of `[rules]` that sets the level of a rule.
     pub fn key_of(&self, rule: &Rule) -> Option<&str> {
         self.levels.get(rule.code).map(|configured| configured.key.as_str())
     }
 
-    /// Whether the command line decides on a rule, whatever is configured.
+    /// Whether the command line decides about a rule, whatever is configured.
     pub fn is_chosen(&self, rule: &Rule) -> bool {
         let Selection { only, named, never } = &self.selection;
         let left_out = only.as_ref().is_some_and(|only| !only.contains(rule.code));
@@ -128,7 +128,7 @@ impl WorkspaceSettings {
     /// Reads the configurations of `projects`.
     ///
     /// # Errors
-    /// Those of [`Settings::new`], one a configuration.
+    /// Those of [`Settings::new`], one per configuration.
     pub fn new(db: &dyn Db, projects: &[Project], selection: &Selection) -> Result<Self, Vec<ConfigError>> {
         let unconfigured = Settings { selection: selection.clone(), ..Settings::default() };
         let mut settings = Self { by_configuration: FxHashMap::default(), unconfigured };

@@ -1,4 +1,4 @@
-//! One cause, one message: findings of several applications that have the same cause.
+//! Merges findings of several applications that have the same cause.
 
 use std::collections::hash_map::Entry;
 
@@ -8,13 +8,13 @@ use val3_analysis::db::{Db, FileRange};
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
 use crate::rules::{ambiguous_name, library_item_unknown};
 
-/// What several applications may suffer from.
+/// A cause that several applications may share.
 #[derive(PartialEq, Eq, Hash)]
 enum Cause<'db> {
     /// A name that variables share with a program or library. Libraries that are loaded in place of each other have the
     /// same programs with the same parameters.
     Name(&'db str),
-    /// A library whose project does not list what is used: its list.
+    /// A library whose project does not list the items that are used: the location of its list.
     Library(FileRange),
 }
 
@@ -51,7 +51,7 @@ fn cause<'db>(db: &'db dyn Db, finding: &Diagnostic) -> Option<Cause<'db>> {
     if finding.rule == &ambiguous_name::RULE {
         return file.text(db).get(std::ops::Range::<usize>::from(range)).map(Cause::Name);
     }
-    // Only what a project leaves out is reported outside programs.
+    // This rule only reports outside of programs if a project lacks entries.
     let is_about_project = finding.rule == &library_item_unknown::RULE && finding.program.is_none();
     finding.related.first().filter(|_| is_about_project).map(|list| Cause::Library(list.place))
 }

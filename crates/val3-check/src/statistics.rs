@@ -1,4 +1,4 @@
-//! What was looked at.
+//! The amount of checked code.
 
 use std::iter::Sum;
 
@@ -6,7 +6,7 @@ use memchr::memchr_iter;
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::items::project;
 
-/// Counts over the projects that were asked for.
+/// Counts over the requested projects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Statistics {
     /// Projects: applications, libraries and types.
@@ -19,7 +19,7 @@ pub struct Statistics {
     pub code_lines: usize,
 }
 
-/// Counts what `project` holds.
+/// Counts the contents of `project`.
 pub fn statistics(db: &dyn Db, project: Project) -> Statistics {
     let programs = project::program_files(db, project);
     Statistics {
@@ -54,7 +54,7 @@ fn code_lines(db: &dyn Db, file: File) -> usize {
     lines.map(<[u8]>::trim_ascii).filter(|line| !line.is_empty() && !line.starts_with(b"//") && !is_mark(line)).count()
 }
 
-/// A line that holds nothing but the marks of a CDATA section.
+/// A line that contains only the marks of a CDATA section.
 fn is_mark(line: &[u8]) -> bool {
     matches!(line, b"<![CDATA[" | b"]]>")
 }

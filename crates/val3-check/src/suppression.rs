@@ -1,4 +1,4 @@
-//! Findings that a comment in the code silences, and comments that silence nothing.
+//! Findings that a comment silences, and comments that silence nothing.
 
 mod comments;
 mod faults;
@@ -15,17 +15,17 @@ use crate::diagnostic::Diagnostic;
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 
-/// The places of the words in comments that silenced something.
-pub(crate) type Used = FxHashSet<FileRange>;
+/// The locations of the words in comments that silenced something.
+pub(crate) type UsedComments = FxHashSet<FileRange>;
 
-/// Whether comments can silence findings of a rule: not where the text cannot be read, since the controller then
-/// refuses the whole application, and not where the comment itself is meant.
+/// Whether comments can silence findings of a rule. They cannot if the text cannot be read, since the controller then
+/// refuses the whole application, or if the finding is about the comment itself.
 pub fn can_be_silenced(rule: &Rule) -> bool {
     let of_comments = [unused_suppression::RULE.code, unknown_suppression::RULE.code];
     !rule.code.starts_with("V00") && !of_comments.contains(&rule.code)
 }
 
-/// Takes out the findings that comments silence.
+/// Removes the findings that comments silence.
 pub(crate) fn apply(db: &dyn Db, found: Vec<Diagnostic>) -> Checked {
     let mut checked = Checked::default();
     for diagnostic in found {
@@ -51,7 +51,7 @@ fn silencers(db: &dyn Db, diagnostic: &Diagnostic) -> Vec<FileRange> {
     words.map(|word| FileRange { file, range: word.range }).collect()
 }
 
-/// Spares looking at data and project files, of which there are few but large ones.
+/// Avoids searching data and project files, which are few but large.
 fn may_have_code(db: &dyn Db, file: File) -> bool {
     file.path(db).extension().is_some_and(|extension| extension.eq_ignore_ascii_case("pgx"))
 }

@@ -1,4 +1,4 @@
-//! For tests: the check of files in memory.
+//! For tests: checks files in memory.
 
 use std::convert::Infallible;
 use std::ops::Range;
@@ -31,7 +31,7 @@ pub struct CheckedFinding {
     pub message: String,
 }
 
-/// Checks every project among `files`, given as path and bytes; a relative path counts from the root.
+/// Checks every project among `files`, given as path and bytes. A relative path starts at the root.
 ///
 /// # Panics
 /// If there is no project among the files.
@@ -39,7 +39,7 @@ pub fn check_files(files: &[(String, Vec<u8>)]) -> Vec<CheckedFinding> {
     check_selected(files, &Selection::default())
 }
 
-/// As [`check_files`], with what a command line says about findings.
+/// As [`check_files`], with the selection of a command line.
 ///
 /// # Panics
 /// As [`check_files`].
@@ -69,11 +69,11 @@ pub fn check_selected(files: &[(String, Vec<u8>)], selection: &Selection) -> Vec
 pub struct OfferedFix {
     /// The code of the finding.
     pub code: &'static str,
-    /// What the fix does.
+    /// The title of the fix.
     pub title: String,
-    /// It is applied without asking.
+    /// It may be applied without confirmation.
     pub safe: bool,
-    /// File, range of its decoded text, and what stands there afterwards.
+    /// File, range of its decoded text, and the new text.
     pub edits: Vec<(String, Range<usize>, String)>,
 }
 
@@ -106,7 +106,7 @@ pub fn fixed_files(files: &[(String, Vec<u8>)]) -> Vec<(String, Vec<u8>)> {
     target.files
 }
 
-/// The files with comments that silence what is found in programs.
+/// The files with comments that silence the findings in programs.
 ///
 /// # Panics
 /// If there is no project among the files.
@@ -173,7 +173,7 @@ fn checked(files: &[(String, Vec<u8>)], selection: &Selection) -> (Workspace, Ve
     (workspace, found)
 }
 
-/// The path as the caller gave it.
+/// The path in the form that the caller gave.
 fn shown(path: &str, files: &[(String, Vec<u8>)]) -> String {
     let relative = path.strip_prefix('/').unwrap_or(path);
     let given = files.iter().find(|(given, _)| given == path || given == relative);

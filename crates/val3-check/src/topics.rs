@@ -1,4 +1,4 @@
-//! Every page there is: what `val3 explain` prints, and what the book and editors show.
+//! All pages that `val3 explain` prints and that the book and editors show.
 
 use val3_lang::instruction::{Availability, Instruction};
 use val3_lang::library_errors::{LIBRARY_ERRORS, LibraryError};
@@ -9,23 +9,23 @@ use val3_lang::{instructions, page};
 use crate::rule::Rule;
 use crate::rules;
 
-/// Where the book is published.
+/// The address of the published book.
 const BOOK: &str = env!("CARGO_PKG_HOMEPAGE");
 
 /// One page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Topic {
-    /// What it is about.
+    /// The kind of its subject.
     pub kind: Kind,
-    /// The words that ask for it, the first as it is listed.
+    /// The words that find it. The first one is listed.
     pub names: Vec<String>,
-    /// One line that says what it is.
+    /// A description of one line.
     pub summary: String,
     /// The page in Markdown.
     pub page: String,
 }
 
-/// What a page is about, in the order of the list.
+/// The kind of a page's subject, in the order of the list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     /// A rule of `val3 check`.
@@ -36,7 +36,7 @@ pub enum Kind {
     Instruction,
     /// A run-time error.
     RuntimeError,
-    /// A result of `libLoad` and its like.
+    /// A result of `libLoad` and similar instructions.
     LibraryError,
 }
 
@@ -65,7 +65,7 @@ impl Kind {
 }
 
 impl Topic {
-    /// The name of its page in the book, without an extension: signs are written as words.
+    /// The name of its page in the book, without an extension. Special characters are written as words.
     pub fn file_stem(&self) -> String {
         let signs = [("$", "addon-"), ("?", "print"), ("//", "comment"), ("=", "assignment")];
         let title = self.names.first().cloned().unwrap_or_default();
@@ -78,7 +78,7 @@ pub fn address(rule: &Rule) -> String {
     format!("{BOOK}/{}/{}.html", Kind::Finding.folder(), rule.code)
 }
 
-/// Every topic, kind by kind.
+/// Every topic, sorted by kind.
 pub fn all() -> Vec<Topic> {
     let mut topics: Vec<Topic> = rules::all().iter().map(|rule| finding(rule)).collect();
     topics.extend(STATEMENTS.iter().map(statement));
@@ -120,7 +120,7 @@ fn instruction(row: &Instruction) -> Topic {
     }
 }
 
-/// Where an instruction comes from: the section of the manual, the version or the add-on.
+/// The origin of an instruction: the section of the manual, the version or the add-on.
 fn origin(row: &Instruction) -> String {
     match row.availability {
         Availability::Manual => sourced("instruction", row.section),
@@ -130,7 +130,7 @@ fn origin(row: &Instruction) -> String {
     }
 }
 
-/// What something is and where the manual describes it, if it does.
+/// A description with its section of the manual, if there is one.
 fn sourced(what: &str, section: &str) -> String {
     if section.is_empty() { what.to_owned() } else { format!("{what}, manual {section}") }
 }

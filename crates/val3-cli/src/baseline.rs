@@ -115,7 +115,7 @@ impl BaselineFile<'_> {
         let fingerprints: Vec<Fingerprint> = found.iter().map(|diagnostic| self.fingerprint(diagnostic)).collect();
         let files = self.checked_files();
         let is_gone = |file: &str| !files.contains(file) && self.is_gone(file);
-        let mut verdict = baseline.judge(&fingerprints, is_gone);
+        let mut verdict = baseline.compare(&fingerprints, is_gone);
         verdict.gone.retain(|known| self.was_looked_for(known, &files));
         if self.mode == Mode::Write {
             verdict.new.fill(false);

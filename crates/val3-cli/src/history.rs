@@ -16,7 +16,7 @@ impl History {
     pub(crate) fn mark(&mut self, report: &mut Report) {
         let found: Vec<Fingerprint> = report.findings.iter().map(|finding| finding.fingerprint.clone()).collect();
         if let Some(last) = &self.last {
-            let verdict = last.judge(&found, |_| false);
+            let verdict = last.compare(&found, |_| false);
             for (finding, is_new) in report.findings.iter_mut().zip(&verdict.new) {
                 finding.is_new = *is_new;
             }

@@ -82,7 +82,7 @@ pub fn program_diagnostics(
 #[salsa::tracked]
 fn checked(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Checked {
     let member = member(db, settings, unit).clone();
-    put_together(db, faults(db, settings, unit).clone(), alone(db, settings, unit).clone(), member)
+    merge_findings(db, faults(db, settings, unit).clone(), alone(db, settings, unit).clone(), member)
 }
 
 #[salsa::tracked]
@@ -93,12 +93,12 @@ fn faults(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Faults {
 /// Kept by itself: an edit that changes what the application does leaves it as it is in all programs but one.
 #[salsa::tracked]
 fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
-    check_alone(db, unit, settings.settings(db), faults(db, settings, unit))
+    check_local(db, unit, settings.settings(db), faults(db, settings, unit))
 }
 
 #[salsa::tracked]
 fn member(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
-    check_member(db, unit, settings.settings(db), faults(db, settings, unit))
+    check_in_application(db, unit, settings.settings(db), faults(db, settings, unit))
 }
 
 #[cfg(test)]
@@ -198,7 +198,7 @@ mod tests {
                     let expected: Vec<_> = whole.iter().filter(|found| found.place.file == *file).cloned().collect();
                     match program_diagnostics(db, settings, project, *file) {
                         Some(found) => assert_eq!(sorted(found), sorted(expected.clone())),
-                        None => assert!(whole.iter().any(|found| is_said_once(found.rule))),
+                        None => assert!(whole.iter().any(|found| is_once_per_application(found.rule))),
                     }
                     judged.extend(expected.iter().map(|found| found.rule.code));
                 }

@@ -99,7 +99,7 @@ const STEPS = {
     await user.terminal("info[V0531]");
     await user.terminal("3 infos in 1 of");
     await user.keys("Control+Shift+M");
-    await user.problems("lies in the folder and is not listed", 3);
+    await user.problems("is in the folder but not listed", 3);
     await user.focusEditor();
   },
 

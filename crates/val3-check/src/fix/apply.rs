@@ -15,17 +15,17 @@ use crate::diagnostic::{Edit, Fix};
 /// A file before and after fixes.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FixedFile {
-    /// Where it lies.
+    /// Its path.
     pub path: Utf8PathBuf,
-    /// How its bytes stand for its text.
+    /// The encoding of the file.
     pub encoding: Encoding,
-    /// The text as it was read.
+    /// The original text.
     pub before: Arc<str>,
     /// The text with the fixes.
     pub after: Arc<str>,
 }
 
-/// The fixes that change something and do not touch an earlier one: all of them can be applied at once.
+/// The fixes that change something and do not touch an earlier one, so that they can be applied together.
 pub(super) fn apart<'f>(fixes: impl IntoIterator<Item = &'f Fix>) -> Vec<&'f Fix> {
     let mut taken: FxHashMap<File, BTreeMap<u32, u32>> = FxHashMap::default();
     let mut chosen = Vec::new();
@@ -50,7 +50,7 @@ fn range(edit: &Edit) -> Range<u32> {
     edit.place.range.start().into()..edit.place.range.end().into()
 }
 
-/// The files that `fixes` edit, as they are.
+/// The files that `fixes` edit, unchanged.
 pub(super) fn edited_files(db: &dyn Db, fixes: &[&Fix]) -> FxHashMap<File, FixedFile> {
     let files = fixes.iter().flat_map(|fix| &fix.edits).map(|edit| edit.place.file);
     files.filter_map(|file| Some((file, unchanged(db, file)?))).collect()
@@ -63,7 +63,7 @@ fn unchanged(db: &dyn Db, file: File) -> Option<FixedFile> {
     Some(FixedFile { path: file.path(db).clone(), encoding: *encoding, before, after })
 }
 
-/// Gives `files` the texts that these fixes, and no others, make of them.
+/// Sets the texts of `files` to the result of exactly these fixes.
 pub(super) fn apply(files: &mut FxHashMap<File, FixedFile>, fixes: &[&Fix]) {
     let mut edits = edits_by_file(fixes);
     for (file, fixed) in files {
@@ -125,7 +125,7 @@ mod tests {
         load(&Memory::new(files), &[Utf8PathBuf::from(ROOT)]).unwrap()
     }
 
-    /// A fix that writes `new` over each `old` of the program.
+    /// A fix that replaces each `old` of the program by `new`.
     fn fix(workspace: &Workspace, changes: &[(&str, &str)]) -> Fix {
         let files = val3_analysis::db::Sources::get(&workspace.db).files(&workspace.db);
         let file = *files.values().find(|file| file.path(&workspace.db).as_str().ends_with(PROGRAM)).unwrap();
@@ -138,7 +138,7 @@ mod tests {
         Fix::safe("", changes.iter().map(edit).collect())
     }
 
-    /// The statements after fixes, and how many were applied.
+    /// The statements after fixes, and the number of applied fixes.
     fn applied(changes: &[&[(&str, &str)]]) -> (Vec<String>, usize) {
         let workspace = workspace();
         let fixes: Vec<_> = changes.iter().map(|changes| fix(&workspace, changes)).collect();

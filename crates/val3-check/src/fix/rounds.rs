@@ -1,4 +1,4 @@
-//! Fixes, round after round, until nothing changes. No fix is applied that would add an error anywhere.
+//! Applies fixes in rounds until nothing changes. No fix is applied that would add an error anywhere.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::suppression::silencing;
 /// Limit for fixes that undo each other.
 const ROUNDS: usize = 100;
 
-/// How many mistakes may hide each other in one line.
+/// Maximum number of mistakes that may hide each other in one line.
 const FOLLOW_UPS: usize = 10;
 
 /// A workspace that fixes are applied to.
@@ -28,7 +28,7 @@ pub trait FixTarget: TrialWorkspace {
     /// If the workspace cannot be checked.
     fn findings(&mut self) -> Result<Vec<Diagnostic>, Self::Error>;
 
-    /// As [`findings`](Self::findings), with each place of what is reported once for an application.
+    /// As [`findings`](Self::findings), with each location of the findings that are reported once per application.
     ///
     /// # Errors
     /// If the workspace cannot be checked.
@@ -38,17 +38,17 @@ pub trait FixTarget: TrialWorkspace {
 /// Result of applying fixes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AppliedFixes {
-    /// The files that differ, by path.
+    /// The changed files, by path.
     pub files: Vec<FixedFile>,
-    /// How many fixes were applied.
+    /// Number of applied fixes.
     pub count: usize,
-    /// How many fixes are left out because each would add an error.
+    /// Number of fixes that were refused because each would add an error.
     pub refused: usize,
     /// Another round would change nothing.
     pub settled: bool,
 }
 
-/// Applies the safe fixes of what is found, and the guesses if `guesses` says so. The target is left with them.
+/// Applies the safe fixes of the findings, and the guesses if `guesses` is set. The target keeps the changes.
 ///
 /// # Errors
 /// Those of the target.
@@ -74,7 +74,7 @@ pub fn apply_fixes<T: FixTarget>(target: &mut T, guesses: bool) -> Result<Applie
     Ok(applied)
 }
 
-/// Writes comments into the programs that silence what is found. The target is left with them.
+/// Writes comments into the programs that silence the findings. The target keeps the changes.
 ///
 /// # Errors
 /// Those of the target.
@@ -108,7 +108,7 @@ fn wanted<'d>(found: impl IntoIterator<Item = &'d Diagnostic>, guesses: bool) ->
     fixes.filter(move |fix| fix.safe || guesses)
 }
 
-/// A file that was changed before keeps its first text.
+/// A file that was changed before keeps its original text.
 fn add(files: &mut BTreeMap<Utf8PathBuf, FixedFile>, change: FixedFile) {
     match files.get_mut(&change.path) {
         Some(known) => known.after = change.after,
@@ -128,15 +128,15 @@ struct Round<'t, T> {
 
 /// Result of applying a set of fixes on trial.
 struct Attempt {
-    /// How many fixes were applied.
+    /// Number of applied fixes.
     count: usize,
-    /// What they changed, in this order.
+    /// The changed files, in order.
     changes: Vec<FixedFile>,
     /// The errors afterwards.
     errors: Errors,
-    /// The files with errors that were not there before.
+    /// The files with new errors.
     faulty: FxHashSet<Utf8PathBuf>,
-    /// The first fixes brought errors to light, whose fixes were applied as well.
+    /// The first fixes revealed errors whose fixes were applied as well.
     followed_up: bool,
 }
 
@@ -188,7 +188,7 @@ impl<T: FixTarget> Round<'_, T> {
         Ok((best, refused))
     }
 
-    /// Applies these fixes, and then those of errors that come to light.
+    /// Applies these fixes, and then those of errors that they reveal.
     fn attempt(&mut self, fixes: &[&Fix]) -> Result<Attempt, T::Error> {
         apply(&mut self.files, fixes);
         let mut changes: Vec<FixedFile> = self.files.values().cloned().collect();
@@ -211,7 +211,7 @@ impl<T: FixTarget> Round<'_, T> {
         }
     }
 
-    /// Applies the fixes of errors that were not there before: one mistake often hides the next one of its line.
+    /// Applies the fixes of new errors: a mistake often hides the next one on its line.
     fn follow_up(&mut self, errors: &Errors) -> Result<(Vec<FixedFile>, usize), T::Error> {
         let found = self.target.findings()?;
         let db = self.target.db();
@@ -235,7 +235,7 @@ impl<T: FixTarget> Round<'_, T> {
     }
 }
 
-/// The first half of the fixes of each file, and the second, which is empty where each file has one fix.
+/// The first half of the fixes of each file, and the second half, which is empty if each file has one fix.
 fn halves_of_files(fixes: Vec<&Fix>) -> (Vec<&Fix>, Vec<&Fix>) {
     let file = |fix: &Fix| fix.edits.first().map(|edit| edit.place.file);
     let mut counts: FxHashMap<Option<File>, usize> = FxHashMap::default();

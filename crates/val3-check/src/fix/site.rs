@@ -1,4 +1,4 @@
-//! The place of a fault as the fix of its rule sees it.
+//! The location of a fault, as the fix of its rule sees it.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -15,9 +15,9 @@ use crate::diagnostic::{Edit, Fix};
 pub(crate) struct Site<'a> {
     db: &'a dyn Db,
     file: File,
-    /// What is marked.
+    /// The marked range.
     pub(crate) range: TextRange,
-    /// The other side, in the same file.
+    /// The other range of the fault, in the same file.
     pub(crate) related: Option<TextRange>,
 }
 
@@ -27,18 +27,18 @@ impl<'a> Site<'a> {
         Self { db, file, range, related }
     }
 
-    /// What is marked, as it stands in the file.
+    /// The marked text, in the form of the file.
     pub(crate) fn text(&self) -> &'a str {
         self.slice(self.range.start(), self.range.end())
     }
 
-    /// What stands on the line before the marked text.
+    /// The text before the marked text on its line.
     pub(crate) fn before(&self) -> &'a str {
         self.slice(self.line_start(self.range.start()), self.range.start())
     }
 
-    /// What stands on the line behind the marked text.
-    pub(crate) fn behind(&self) -> &'a str {
+    /// The text after the marked text on its line.
+    pub(crate) fn after(&self) -> &'a str {
         let rest = self.slice(self.range.end(), TextSize::of(self.whole()));
         rest.split(['\r', '\n']).next().unwrap_or(rest)
     }
@@ -49,12 +49,12 @@ impl<'a> Site<'a> {
         line.get(..line.len() - line.trim_start().len()).unwrap_or("")
     }
 
-    /// The same fault seen from its other side.
+    /// The same fault with its other range as the marked one.
     pub(crate) fn other_side(&self) -> Option<Self> {
         Some(Self { range: self.related?, related: Some(self.range), ..*self })
     }
 
-    /// The marked text, or the part of it on one side of `:` or before `[`, if it is `name`.
+    /// The marked text if it is `name`, or the part of it on one side of `:` or before `[`.
     fn part(&self, name: &str) -> Option<TextRange> {
         let text = self.text();
         if decode_entities(text) == name {
@@ -68,18 +68,18 @@ impl<'a> Site<'a> {
         is_last.then(|| TextRange::new(self.range.end() - len, self.range.end()))
     }
 
-    /// Replaces `range` with `text`, which is escaped where the file asks for it.
+    /// Replaces `range` with `text`, which is escaped if the file requires it.
     pub(crate) fn replace(&self, range: TextRange, text: &str) -> Edit {
         self.write(range, &self.escaped(range.start(), text))
     }
 
-    /// Replaces `range` with characters of the file, as they are.
+    /// Replaces `range` with characters of the file, without escaping them.
     pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
         Edit { place: FileRange { file: self.file, range }, text: text.to_owned() }
     }
 
-    /// Puts a line of its own before the line of the marked text, or behind the marked place if that is the end of the
-    /// code. `None` where the line does not start in the code.
+    /// Inserts a line before the line of the marked text, or after the marked position if that is the end of the code.
+    /// `None` if the line does not start in the code.
     pub(crate) fn insert_line(&self, line: &str) -> Option<Edit> {
         let start = self.line_start(self.range.start());
         let line_end = self.line_end_before(start);
@@ -92,21 +92,22 @@ impl<'a> Site<'a> {
         in_code.then(|| self.write(TextRange::empty(at), &text))
     }
 
-    /// Puts code on a line of its own before the line on which the marked text starts, indented alike.
+    /// Inserts code on a line of its own before the line on which the marked text starts, with the same indentation.
     pub(crate) fn line_before(&self, code: &str) -> Edit {
         let start = self.line_start(self.range.start());
         let (code, line_end) = (self.escaped(self.range.start(), code), self.line_end_before(start));
         self.write(TextRange::empty(start), &format!("{}{code}{line_end}", self.indentation(self.range)))
     }
 
-    /// Puts code on a line of its own behind the marked statement, indented like the line it starts on.
+    /// Inserts code on a line of its own after the marked statement, with the indentation of its first line.
     pub(crate) fn line_after(&self, code: &str) -> Edit {
         let line_end = self.line_end_before(self.line_start(self.range.start()));
         let code = self.escaped(self.range.end(), code);
         self.write(TextRange::empty(self.range.end()), &format!("{line_end}{}{code}", self.indentation(self.range)))
     }
 
-    /// Puts another element after the marked one: on a line of its own, indented alike, if the marked one has one.
+    /// Inserts an element after the marked one, on a line of its own and with the same indentation if the marked one
+    /// has a line of its own.
     pub(crate) fn element_after(&self, element: &str) -> Edit {
         let behind = TextRange::empty(self.range.end());
         if !self.before().trim().is_empty() {
@@ -118,20 +119,20 @@ impl<'a> Site<'a> {
 
     /// Removes the line of the marked text with its line end.
     pub(crate) fn remove_line(&self) -> Edit {
-        let end = self.range.end() + TextSize::of(self.behind());
+        let end = self.range.end() + TextSize::of(self.after());
         let rest = self.slice(end, TextSize::of(self.whole()));
         let line_end = ["\r\n", "\n", "\r"].into_iter().find(|line_end| rest.starts_with(line_end)).unwrap_or("");
         self.write(TextRange::new(self.line_start(self.range.start()), end + TextSize::of(line_end)), "")
     }
 
-    /// The code around the place.
+    /// The code that contains the location.
     fn code(&self) -> Option<TextRange> {
         let parse = parse(self.db, self.file);
         let code = parse.view().path_to(self.range).find(|node| node.kind() == SyntaxKind::CODE)?;
         Some(code.range())
     }
 
-    /// In a CDATA section characters stand for themselves; everywhere else in a file some are escaped.
+    /// Escapes text outside of a CDATA section. Inside one, no character is escaped.
     fn escaped<'t>(&self, at: TextSize, text: &'t str) -> Cow<'t, str> {
         let is_plain = !text.contains(['&', '<', '>', '"']);
         let before = self.slice(TextSize::new(0), at);
@@ -148,7 +149,7 @@ impl<'a> Site<'a> {
         at - (TextSize::of(before) - TextSize::of(before.get(..start).unwrap_or("")))
     }
 
-    /// How the line that ends at `start` ends; at the start of the file, how its lines end.
+    /// The line end at `start`; at the start of the file, the line end that the file uses.
     fn line_end_before(&self, start: TextSize) -> &'a str {
         let before = self.slice(TextSize::new(0), start);
         let ends = ["&#13;\r\n", "&#13;\n", "\r\n", "\r", "\n"];
@@ -164,7 +165,7 @@ impl<'a> Site<'a> {
     }
 }
 
-/// Writes `near` instead of `name`: a guess.
+/// Replaces `name` with `near`: a guess.
 pub(crate) fn rename(site: &Site<'_>, name: &str, near: Option<&str>) -> Option<Fix> {
     let near = near?;
     let part = site.part(name)?;

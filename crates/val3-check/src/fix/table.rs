@@ -1,4 +1,4 @@
-//! Which rule mends which fault; a fault without a line here has no fix.
+//! The fixes of faults, by kind. A fault without a line here has no fix.
 
 use val3_analysis::problem::ProblemKind;
 use val3_syntax::error::SyntaxErrorKind;

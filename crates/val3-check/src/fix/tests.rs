@@ -1,4 +1,4 @@
-//! What fixes make of programs, in both dialects.
+//! Results of fixes, in both dialects.
 
 use expect_test::{Expect, expect};
 use val3_test::{Fixture, ROOT};
@@ -29,13 +29,13 @@ fn check_as(change: fn(&str) -> String, listing: &str, expect: Expect) {
     expect.assert_eq(&shown);
 }
 
-/// What stands in `<Code>`; other files from their second line on.
+/// The content of `<Code>`; of other files the lines from the second on.
 fn code(text: &str) -> &str {
     let code = text.split_once("<Code>").or_else(|| text.split_once('\n')).unwrap_or(("", text)).1;
     code.split("</Code>").next().unwrap().trim_start_matches("<![CDATA[").trim_end_matches("]]>")
 }
 
-/// Escapes the code of a program, as the old dialect has it.
+/// Escapes the code of a program, as in the old dialect.
 fn escaped(text: &str) -> String {
     let Some((head, rest)) = text.split_once("<![CDATA[") else { return text.to_owned() };
     let (code, tail) = rest.split_once("]]>").unwrap();

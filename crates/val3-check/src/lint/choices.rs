@@ -1,4 +1,4 @@
-//! Which enumerators the fields of positions and motion descriptors hold: `mFast.blend`, `pPick.config.elbow`.
+//! The enumerators of fields of positions and motion descriptors: `mFast.blend`, `pPick.config.elbow`.
 
 use std::rc::Rc;
 
@@ -14,19 +14,19 @@ use val3_lang::types::{AttributeValue, BaseType, attributes};
 
 use super::Program;
 
-/// Fields whose value is certain, written as in code and without indexes: `l_mFast.blend`.
+/// Fields whose value is certain, in the spelling of the code but without indexes: `l_mFast.blend`.
 pub(crate) type Choices = FxHashMap<SmolStr, Choice>;
 
 /// The certain value of an enumerated field.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Choice {
     pub(crate) value: &'static Enumerator,
-    /// A person chose it: it is no default.
+    /// The value is not a default.
     pub(crate) is_chosen: bool,
 }
 
 impl Program<'_> {
-    /// What is certain before each point about fields that the program itself sets.
+    /// The certain values, before each point, of fields that the program itself sets.
     pub(crate) fn choices(&self) -> Facts<Rc<Choices>> {
         let start = self.header.locals.iter().flat_map(|local| {
             let ty = BaseType::from_file_name(&local.type_name).filter(|_| local.sizes == [1]);
@@ -45,8 +45,8 @@ impl Program<'_> {
         })
     }
 
-    /// The value of `field` of the variable `id`, if it is certain: set by this program, or as the data file has it
-    /// where no program ever changes the variable.
+    /// The value of `field` of the variable `id`, if it is certain: set by this program, or given in the data file of a
+    /// variable that no program ever changes.
     pub(crate) fn choice(&self, known: &Choices, id: ExprId, field: &str) -> Option<Choice> {
         let id = self.moved_from(id);
         let set = self.path(id).and_then(|path| known.get(&join(&path, field)).copied());
@@ -57,15 +57,15 @@ impl Program<'_> {
         })
     }
 
-    /// The point that a computed point has its configuration from.
+    /// The point from which a computed point takes its configuration.
     fn moved_from(&self, id: ExprId) -> ExprId {
         let id = self.body.peel(id);
         let call = self.call_of(id).filter(|call| keeps_configuration(call.instruction));
         call.and_then(|call| call.args.first().copied()).map_or(id, |point| self.moved_from(point))
     }
 
-    /// The value that a global variable has as long as the application runs: the one of its data file, if no program
-    /// changes it.
+    /// The value that a global variable has during the whole run of the application: the one of its data file, if no
+    /// program changes it.
     pub(crate) fn initial(&self, id: ExprId) -> Option<&Initial> {
         let id = self.body.peel(id);
         let (name, key) = match self.body.expr(id) {
@@ -77,7 +77,8 @@ impl Program<'_> {
         initial(self.db, item.file).get(name)?.get(&key)
     }
 
-    /// No program of a sound application changes the data, and it is not offered to others as that of a library is.
+    /// No program of an application without faults changes the data, and other applications cannot access it as they
+    /// can access that of a library.
     pub(crate) fn is_constant(&self, name: &str) -> bool {
         let application = self.application();
         let users = application.users.get(name).into_iter().flatten();
@@ -109,7 +110,7 @@ impl Program<'_> {
             known.retain(|field, _| self.is_own(field));
         }
         for access in self.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read) {
-            let written = self.loose_path(access.id);
+            let written = self.path_without_indexes(access.id);
             known.retain(|field, _| !is_part(field, &written) && !is_part(&written, field));
         }
         if let PointKind::Assign { target, value } = point.kind
@@ -120,7 +121,7 @@ impl Program<'_> {
         Rc::new(known)
     }
 
-    /// What `target=value` makes certain.
+    /// The values that are certain after `target=value`.
     fn assigned(&self, before: &Choices, target: &SmolStr, value: ExprId) -> Vec<(SmolStr, Choice)> {
         let Some(ty) = self.inference.ty(value).base.builtin() else { return Vec::new() };
         if ty.is_enumeration() {
@@ -137,31 +138,31 @@ impl Program<'_> {
         enumerated(ty).filter_map(copied).collect()
     }
 
-    /// The variable or field as it is written, where no index stands in it.
+    /// The variable or field in the spelling of the code, if it has no index.
     fn path(&self, id: ExprId) -> Option<SmolStr> {
         let has_index = self.body.within(id).any(|part| matches!(self.body.expr(part), Expr::Index(..)));
-        (!has_index && self.effects.root(id).is_some()).then(|| self.loose_path(id))
+        (!has_index && self.effects.root(id).is_some()).then(|| self.path_without_indexes(id))
     }
 
     /// The variable or field without its indexes.
-    pub(crate) fn loose_path(&self, id: ExprId) -> SmolStr {
+    pub(crate) fn path_without_indexes(&self, id: ExprId) -> SmolStr {
         match self.body.expr(id) {
             Expr::Name(name) => name.clone(),
             Expr::Path { library, item } => format_smolstr!("{library}:{item}"),
-            Expr::Field { base, field, .. } => join(&self.loose_path(*base), field),
-            Expr::Index(base, _) | Expr::Paren(base) => self.loose_path(*base),
+            Expr::Field { base, field, .. } => join(&self.path_without_indexes(*base), field),
+            Expr::Index(base, _) | Expr::Paren(base) => self.path_without_indexes(*base),
             _ => SmolStr::default(),
         }
     }
 
-    /// A field of a local variable, which no other program can change.
+    /// The field belongs to a local variable, which no other program can change.
     fn is_own(&self, field: &str) -> bool {
         let name = field.split('.').next().unwrap_or(field);
         self.header.locals.iter().any(|local| local.name == name)
     }
 }
 
-/// The enumerated fields of a type, as code writes them behind the variable.
+/// The enumerated fields of a type, in the spelling of the code after the variable.
 pub(super) fn enumerated(ty: BaseType) -> impl Iterator<Item = (&'static str, BaseType)> {
     attributes(ty, None).iter().filter_map(|attribute| match attribute.value {
         AttributeValue::Choice(choice) => Some((attribute.field, choice)),

@@ -1,4 +1,4 @@
-//! What the fixes of lints need beyond a [`Site`].
+//! Edits for the fixes of lints, in addition to those of [`Site`].
 
 use val3_analysis::body::ExprId;
 use val3_syntax::{TextRange, TextSize};
@@ -8,17 +8,17 @@ use crate::diagnostic::Edit;
 use crate::fix::Site;
 
 impl<'db> Program<'db> {
-    /// A place of the program as fixes see it.
+    /// A location of the program as fixes see it.
     pub(crate) fn site(&self, range: TextRange) -> Site<'db> {
         Site::new(self.db, self.file, range, None)
     }
 
-    /// Replaces `range` with characters of the file, as they are.
+    /// Replaces `range` with characters of the file, without escaping them.
     pub(crate) fn write(&self, range: TextRange, text: &str) -> Edit {
         self.site(range).write(range, text)
     }
 
-    /// Where the operator `op` stands between two operands; `None` if it is spelt with entity references.
+    /// The location of the operator `op` between two operands; `None` if it is spelt with entity references.
     pub(crate) fn operator(&self, left: ExprId, right: ExprId, op: &str) -> Option<TextRange> {
         let (start, end) = (self.range(left).end(), self.range(right).start());
         let between = self.file.text(self.db).get(usize::from(start)..usize::from(end))?;

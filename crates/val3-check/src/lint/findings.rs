@@ -1,4 +1,4 @@
-//! Where lints put what they find.
+//! Collects the findings of lints.
 
 use val3_analysis::db::{File, FileRange};
 use val3_syntax::TextRange;
@@ -15,14 +15,14 @@ pub(crate) struct Findings {
 }
 
 impl Findings {
-    /// Findings in `file`, a program called `program` or another file, of the application with the project file
-    /// `application`.
+    /// Findings in `file`, which contains a program named `program` or no program, of the application with the project
+    /// file `application`.
     pub(crate) fn new(file: File, program: Option<String>, application: File) -> Self {
         Self { file, program, application, found: Vec::new() }
     }
 
-    /// Reports a finding; what it returns may be filled with what else there is to say.
-    pub(crate) fn report(&mut self, rule: &'static Rule, range: TextRange, wording: Wording) -> Reported<'_> {
+    /// Reports a finding. The result adds optional parts to it.
+    pub(crate) fn report(&mut self, rule: &'static Rule, range: TextRange, wording: Wording) -> ReportedFinding<'_> {
         self.found.push(Diagnostic {
             rule,
             severity: rule.severity,
@@ -35,29 +35,29 @@ impl Findings {
             application: Some(self.application),
             fix: None,
         });
-        Reported { diagnostic: self.found.last_mut(), file: self.file }
+        ReportedFinding { diagnostic: self.found.last_mut(), file: self.file }
     }
 
-    /// Everything that was found.
+    /// All findings.
     pub(crate) fn into_diagnostics(self) -> Vec<Diagnostic> {
         self.found
     }
 }
 
 /// A finding that was just reported.
-pub(crate) struct Reported<'f> {
+pub(crate) struct ReportedFinding<'f> {
     diagnostic: Option<&'f mut Diagnostic>,
     file: File,
 }
 
-impl Reported<'_> {
-    /// Names another side of the finding, in the same file.
+impl ReportedFinding<'_> {
+    /// Adds another location in the same file.
     pub(crate) fn related(self, range: TextRange, message: impl Into<String>) -> Self {
         let place = FileRange { file: self.file, range };
         self.related_in(place, message)
     }
 
-    /// Names another side of the finding, in any file.
+    /// Adds another location in any file.
     pub(crate) fn related_in(mut self, place: FileRange, message: impl Into<String>) -> Self {
         if let Some(diagnostic) = &mut self.diagnostic {
             diagnostic.related.push(RelatedNote { place, message: message.into() });
@@ -65,7 +65,7 @@ impl Reported<'_> {
         self
     }
 
-    /// Names another side of the finding, if its place is known.
+    /// Adds another location if it is known.
     pub(crate) fn related_at(self, place: Option<FileRange>, message: impl Into<String>) -> Self {
         match place {
             Some(place) => self.related_in(place, message),
@@ -73,7 +73,7 @@ impl Reported<'_> {
         }
     }
 
-    /// Gives the finding another level than that of its rule.
+    /// Sets another level than that of the rule.
     pub(crate) fn level(mut self, severity: Severity) -> Self {
         if let Some(diagnostic) = &mut self.diagnostic {
             diagnostic.severity = severity;
@@ -81,7 +81,7 @@ impl Reported<'_> {
         self
     }
 
-    /// Offers a change, if there are edits for it.
+    /// Adds a fix if there are edits for it.
     pub(crate) fn fix(mut self, title: impl Into<String>, safe: bool, edits: impl IntoIterator<Item = Edit>) -> Self {
         let edits: Vec<Edit> = edits.into_iter().collect();
         if let Some(diagnostic) = self.diagnostic.as_mut().filter(|_| !edits.is_empty()) {

@@ -1,4 +1,4 @@
-//! The way of values through local variables.
+//! The data flow through local variables.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use val3_analysis::body::ExprId;
@@ -8,10 +8,10 @@ use val3_lang::instruction::Shape;
 
 use super::Program;
 
-/// A set of local variables, a bit each. Those behind the 128th are not followed: they count as written and read.
+/// A set of local variables, one bit each. Variables after the 128th are not tracked: they count as written and read.
 pub(crate) type Locals = u128;
 
-/// What each point does to local variables.
+/// The accesses to local variables at each point.
 pub(crate) struct LocalUse<'db>(PerPoint<(Locals, &'db Access)>);
 
 impl<'db> LocalUse<'db> {
@@ -34,7 +34,7 @@ impl<'db> LocalUse<'db> {
         Self(uses)
     }
 
-    /// What a point does, in the order of evaluation.
+    /// The accesses at a point, in the order of evaluation.
     pub(crate) fn at(&self, point: PointId) -> &[(Locals, &'db Access)] {
         self.0.at(point)
     }
@@ -48,7 +48,7 @@ impl<'db> LocalUse<'db> {
         forward(flow, 0, step, join)
     }
 
-    /// The variables whose value may still be used behind each point.
+    /// The variables whose value may still be used after each point.
     pub(crate) fn needed(&self, flow: &Flow) -> Facts<Locals> {
         let step = |id: PointId, _: &Point, behind: &Locals| {
             self.at(id).iter().rev().fold(*behind, |needed, (bit, access)| match access.kind {
@@ -67,7 +67,7 @@ fn join(known: &mut Locals, more: &Locals) -> bool {
     *known != before
 }
 
-/// Variables whose size or existence is asked for, not their value.
+/// Variables whose size or existence is read, but not their value.
 fn measured(program: &Program<'_>) -> FxHashSet<ExprId> {
     let is_whole = |shape| matches!(shape, Shape::Whole | Shape::Slot | Shape::Item | Shape::Collection);
     let arguments = program.calls().iter().flat_map(|call| {

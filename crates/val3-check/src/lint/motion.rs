@@ -1,4 +1,4 @@
-//! What the arm is doing while the program runs ahead of it.
+//! The state of the arm while the program runs ahead of it.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
@@ -12,37 +12,37 @@ use val3_lang::motion::{self, MotionRole};
 use super::choices::{Choice, enumerated};
 use super::{Call, Choices, Program};
 
-/// What is certain about the arm and its moves before each point of a program.
+/// The certain facts about the arm and its moves before each point of a program.
 pub(crate) struct Motion {
     arm: Facts<ArmState>,
-    /// Found out when somebody asks.
+    /// Computed on demand.
     choices: OnceCell<Facts<Rc<Choices>>>,
-    /// Where the calls that record moves stand.
+    /// The points of the calls that record moves.
     moves: FxHashMap<ExprId, PointId>,
 }
 
-/// What is certain about the arm, on whatever way the program got here.
+/// The certain facts about the arm, on every path to a point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct ArmState {
     /// The call that recorded the last move.
     pub(crate) last: Option<ExprId>,
-    /// What the arm is doing.
+    /// The movement of the arm.
     pub(crate) phase: Phase,
 }
 
-/// What the arm is doing.
+/// The movement of the arm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) enum Phase {
     /// Nothing is certain.
     #[default]
     Unknown,
-    /// A move was recorded, and since then the program has waited for nothing.
+    /// A move was recorded, and the program has not waited since then.
     Moving,
-    /// It is stopped, and nothing has let it go on.
+    /// The arm is stopped, and nothing has restarted it.
     Stopped {
         /// The call that stopped it.
         by: ExprId,
-        /// A recorded move is certainly not done yet.
+        /// A recorded move is certainly not finished yet.
         pending: bool,
     },
 }
@@ -59,14 +59,14 @@ impl Phase {
         }
     }
 
-    /// A recorded move is certainly not done yet.
+    /// A recorded move is certainly not finished yet.
     fn has_pending_move(self) -> bool {
         matches!(self, Self::Moving | Self::Stopped { pending: true, .. })
     }
 }
 
-/// A call that has to do with the arm, and what is certain before it.
-pub(crate) struct Step<'db> {
+/// A call that concerns the arm, and the certain facts before it.
+pub(crate) struct ArmCall<'db> {
     pub(crate) call: Call<'db>,
     pub(crate) role: MotionRole,
     pub(crate) arm: ArmState,
@@ -84,19 +84,19 @@ impl Motion {
         Self { arm, choices: OnceCell::new(), moves }
     }
 
-    /// Where the call that records a move stands.
+    /// The point of the call that records a move.
     pub(crate) fn point_of(&self, call: ExprId) -> Option<PointId> {
         self.moves.get(&call).copied()
     }
 
-    /// What is certain about the arm before a point.
+    /// The certain facts about the arm before a point.
     pub(crate) fn arm(&self, point: PointId) -> ArmState {
         self.arm.before(point).copied().unwrap_or_default()
     }
 }
 
 impl ArmState {
-    /// Keeps what holds on both ways.
+    /// Keeps the facts that hold on both paths.
     fn join(&mut self, other: &Self) -> bool {
         let before = *self;
         if self.last != other.last {
@@ -116,7 +116,7 @@ impl ArmState {
             (MotionRole::Move(_), Some(by)) => Phase::Stopped { by, pending: true },
             (MotionRole::Move(_), None) => Phase::Moving,
             (MotionRole::Stop, _) => Phase::Stopped { by: call.id, pending: self.phase.has_pending_move() },
-            // A program that asks may have found that every move is done.
+            // A program that reads the progress may have found that every move is finished.
             (MotionRole::Progress, Some(by)) => Phase::Stopped { by, pending: false },
             (MotionRole::Position, _) => self.phase,
             (MotionRole::Arrive | MotionRole::Restart | MotionRole::Progress, _) => Phase::Unknown,
@@ -130,7 +130,7 @@ fn is_move(call: &Call<'_>) -> bool {
 }
 
 impl<'db> Program<'db> {
-    /// Where the move that `call` records leads.
+    /// The target of the move that `call` records.
     pub(crate) fn target(&self, call: ExprId) -> Option<ExprId> {
         self.move_argument(call, motion::target)
     }
@@ -145,14 +145,14 @@ impl<'db> Program<'db> {
         call.args.get(position(call.form?)?).copied()
     }
 
-    /// The move that `call` records is to round its target: its descriptor certainly says so, and not by default.
+    /// The move that `call` records has a rounded corner: its descriptor certainly sets one, and not by default.
     pub(crate) fn is_blended(&self, call: ExprId) -> bool {
         let descriptor = self.descriptor(call);
         let choices = descriptor.map(|id| self.choices_of(call, id)).unwrap_or_default();
         choices.iter().any(|choice| choice.is_chosen && motion::is_blend(choice.value))
     }
 
-    /// The certain values of the enumerated fields of `argument`, a variable, at the move that `call` records.
+    /// The certain values of the enumerated fields of the variable `argument` at the move that `call` records.
     pub(crate) fn choices_of(&self, call: ExprId, argument: ExprId) -> Vec<Choice> {
         let known = self.motion().and_then(|motion| {
             let choices = motion.choices.get_or_init(|| self.choices());
@@ -163,24 +163,24 @@ impl<'db> Program<'db> {
         enumerated(ty).filter_map(|(field, _)| self.choice(known, argument, field)).collect()
     }
 
-    /// What is certain about the arm; `None` for a program that has nothing to do with it.
+    /// The certain facts about the arm; `None` for a program that does not use it.
     pub(crate) fn motion(&self) -> Option<&Motion> {
         let new = || self.calls().iter().any(|call| call.role.is_some()).then(|| Motion::new(self));
         self.motion.get_or_init(new).as_ref()
     }
 
-    /// Every call that has to do with the arm, with what is certain before it; points that no way reaches left out.
-    pub(crate) fn motion_steps(&self) -> &[Step<'db>] {
-        self.motion_steps.get_or_init(|| self.find_motion_steps())
+    /// Every call that concerns the arm, with the certain facts before it. Unreachable points are omitted.
+    pub(crate) fn arm_calls(&self) -> &[ArmCall<'db>] {
+        self.arm_calls.get_or_init(|| self.find_arm_calls())
     }
 
-    fn find_motion_steps(&self) -> Vec<Step<'db>> {
+    fn find_arm_calls(&self) -> Vec<ArmCall<'db>> {
         let Some(motion) = self.motion() else { return Vec::new() };
         let mut steps = Vec::new();
         for (id, _) in self.flow().points() {
             let Some(mut arm) = motion.arm.before(id).copied() else { continue };
             for call in self.calls_at(id) {
-                steps.extend(call.role.map(|role| Step { call: *call, role, arm }));
+                steps.extend(call.role.map(|role| ArmCall { call: *call, role, arm }));
                 arm = arm.after(call);
             }
         }
@@ -189,7 +189,7 @@ impl<'db> Program<'db> {
 
     fn arm_after(&self, id: PointId, point: &Point, before: ArmState) -> ArmState {
         let after = self.calls_at(id).iter().fold(before, |arm, call| arm.after(call));
-        // Whatever the program does with the arm, it is not known here.
+        // The effect of the called program on the arm is not known here.
         if matches!(point.kind, PointKind::Call(_)) { ArmState::default() } else { after }
     }
 }

@@ -1,4 +1,4 @@
-//! How names begin: what the rules on prefixes share.
+//! Prefixes of names, for the rules about them.
 
 use smol_str::SmolStr;
 use val3_analysis::db::Db;
@@ -8,7 +8,7 @@ use val3_config::Options;
 use crate::diagnostic::Wording;
 use crate::english::a;
 
-/// The type as code writes it, of no particular arm.
+/// The type in the spelling of the code, without the suffix of an arm.
 pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     match base {
         Base::Builtin(base, _) => base.name().into(),
@@ -16,9 +16,9 @@ pub(crate) fn type_name(db: &dyn Db, base: Base) -> SmolStr {
     }
 }
 
-/// What is wrong with the name of a `what` of this type that does not begin as the shop asks: with `scope` and the
-/// letters of the type.
-pub(crate) fn judge(options: &Options, what: &str, ty: &str, scope: &str, name: &str) -> Option<Wording> {
+/// The wording for a `what` of this type whose name does not begin with the configured prefix: that of its `scope` and
+/// the letters of the type.
+pub(crate) fn check_name(options: &Options, what: &str, ty: &str, scope: &str, name: &str) -> Option<Wording> {
     let letters = options.prefixes.get(ty)?;
     let prefix = format!("{scope}{letters}");
     (!begins(name, &prefix)).then(|| {
@@ -30,11 +30,11 @@ pub(crate) fn judge(options: &Options, what: &str, ty: &str, scope: &str, name: 
     })
 }
 
-/// The name begins with the prefix, and the rest is a word of its own: `nCount` and `n2` with `n`, `number` not. The
-/// names `n` and `l_n` are short for one.
+/// The name begins with the prefix, and the rest is a separate word: `nCount` and `n2` begin with `n`, `number` does
+/// not. The names `n` and `l_n` are short forms and count as well.
 fn begins(name: &str, prefix: &str) -> bool {
     name.strip_prefix(prefix).is_some_and(|rest| !rest.starts_with(|first: char| first.is_ascii_lowercase()))
-        // What inputs and outputs do is often told with further letters: `diDoor`, `doLamp`, `aiWeight`.
+        // Inputs and outputs often have further letters: `diDoor`, `doLamp`, `aiWeight`.
         || name.strip_prefix(prefix).is_some_and(|rest| {
             let mut letters = rest.chars();
             matches!(letters.next(), Some('i' | 'o')) && letters.next().is_some_and(|next| next.is_ascii_uppercase())

@@ -1,4 +1,4 @@
-//! What lints ask about the points of the control-flow graph.
+//! Properties of the points of the control-flow graph, for lints.
 
 use val3_analysis::body::{Constant, ExprId, Stmt, StmtKind};
 use val3_analysis::flow::{PerPoint, Point, PointId, PointKind};
@@ -29,12 +29,12 @@ impl<'db> Program<'db> {
         calls.split_at(calls.len() - inside).1
     }
 
-    /// A loop that is left by `return` alone: `while true`, `until false`.
+    /// A loop that only `return` leaves: `while true`, `until false`.
     pub(crate) fn is_endless(&self, condition: ExprId) -> bool {
         matches!(self.text(condition).trim_matches(['(', ')', ' ']), "true" | "false")
     }
 
-    /// The condition of a loop that goes round for ever.
+    /// The condition of an endless loop.
     pub(crate) fn endless_condition(&self, stmt: &Stmt) -> Option<ExprId> {
         let (condition, round) = match &stmt.kind {
             StmtKind::While { condition: Some(condition), .. } => (*condition, true),
@@ -44,7 +44,7 @@ impl<'db> Program<'db> {
         (self.body.constant(condition) == Some(Constant::Bool(round))).then_some(condition)
     }
 
-    /// Whether the way `branch` of a point can be taken, as far as constant conditions tell.
+    /// Whether `branch` of a point can be taken, as far as constant conditions show.
     pub(crate) fn is_taken(&self, point: &Point, branch: usize) -> bool {
         let PointKind::Test { condition: Some(condition), .. } = point.kind else { return true };
         match self.body.constant(condition) {
@@ -53,8 +53,7 @@ impl<'db> Program<'db> {
         }
     }
 
-    /// An expression that only looks: it waits for nothing and changes nothing, so that asking it twice is the same
-    /// as asking it once.
+    /// An expression without side effects or waits, so that evaluating it twice equals evaluating it once.
     pub(crate) fn is_pure(&self, id: ExprId) -> bool {
         self.calls_within(id)
             .iter()

@@ -16,11 +16,11 @@ use val3_lang::instruction::{Instruction, Overload, Param};
 use val3_lang::motion::{MotionRole, role};
 use val3_syntax::TextRange;
 
-use super::motion::Step;
+use super::motion::ArmCall;
 use super::variable_use::VariableUse;
 use super::{LocalUse, Motion};
 
-/// A program without faults, with all that is known of it.
+/// A program without faults, with the results of its analysis.
 pub(crate) struct Program<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
@@ -29,13 +29,13 @@ pub(crate) struct Program<'db> {
     pub(crate) items: &'db Items,
     pub(crate) body: &'db Body,
     pub(crate) inference: &'db Inference,
-    /// What the application asks of rules.
+    /// The options of rules in the configuration.
     pub(crate) options: &'db Options,
-    /// What its lines do to variables.
+    /// The effects of its lines on variables.
     pub(crate) effects: Effects<'db>,
-    /// What the arm does, once somebody has asked.
+    /// The state of the arm, computed on demand.
     pub(super) motion: OnceCell<Option<Motion>>,
-    pub(super) motion_steps: OnceCell<Vec<Step<'db>>>,
+    pub(super) arm_calls: OnceCell<Vec<ArmCall<'db>>>,
     calls: OnceCell<Vec<Call<'db>>>,
     pub(super) calls_by_point: OnceCell<PerPoint<Call<'db>>>,
     local_use: OnceCell<LocalUse<'db>>,
@@ -49,17 +49,17 @@ pub(crate) struct Call<'db> {
     /// The whole call.
     pub(crate) id: ExprId,
     pub(crate) instruction: &'static Instruction,
-    /// The form that suits the arguments.
+    /// The form that matches the arguments.
     pub(crate) form: Option<&'static Overload>,
-    /// The name that is called.
+    /// The name of the instruction.
     pub(crate) callee: ExprId,
     pub(crate) args: &'db [ExprId],
-    /// What it does to the recorded moves.
+    /// Its effect on the recorded moves.
     pub(crate) role: Option<MotionRole>,
 }
 
 impl<'db> Call<'db> {
-    /// The arguments with their parameters, where the form is known.
+    /// The arguments with their parameters, if the form is known.
     pub(crate) fn arguments(self) -> impl Iterator<Item = (&'static Param, ExprId)> {
         let params = self.form.map_or(&[][..], |form| form.params);
         params.iter().zip(self.args.iter().copied())
@@ -79,7 +79,7 @@ impl<'db> Program<'db> {
             options,
             effects: Effects::new(db, project, file),
             motion: OnceCell::new(),
-            motion_steps: OnceCell::new(),
+            arm_calls: OnceCell::new(),
             calls: OnceCell::new(),
             calls_by_point: OnceCell::new(),
             local_use: OnceCell::new(),
@@ -98,12 +98,12 @@ impl<'db> Program<'db> {
         flow(self.db, self.file)
     }
 
-    /// What each of its points does to local variables.
+    /// The accesses of each of its points to local variables.
     pub(crate) fn local_use(&self) -> &LocalUse<'db> {
         self.local_use.get_or_init(|| LocalUse::new(self))
     }
 
-    /// What it does to its locals and parameters as a whole.
+    /// A summary of its accesses to locals and parameters.
     pub(crate) fn variable_use(&self) -> &VariableUse {
         self.variable_use.get_or_init(|| VariableUse::new(self))
     }
@@ -113,7 +113,7 @@ impl<'db> Program<'db> {
         self.stmts.get_or_init(|| self.body.stmts())
     }
 
-    /// What its application does as a whole.
+    /// The summary of its application.
     pub(crate) fn application(&self) -> &'db Application {
         application(self.db, self.project)
     }
@@ -140,22 +140,22 @@ impl<'db> Program<'db> {
         Some(Call { id, instruction, form, callee: *callee, args, role: role(instruction) })
     }
 
-    /// Where the name of the program stands.
+    /// The location of the program's name.
     pub(crate) fn head(&self) -> TextRange {
         declarations::program(self.db, self.file).map_or_else(TextRange::default, |place| place.range)
     }
 
-    /// Where an expression stands.
+    /// The location of an expression.
     pub(crate) fn range(&self, id: ExprId) -> TextRange {
         self.body.range(id)
     }
 
-    /// The text of an expression as it stands in the file.
+    /// The text of an expression, in the form of the file.
     pub(crate) fn text(&self, id: ExprId) -> &'db str {
         self.slice(self.range(id))
     }
 
-    /// A part of the file as it stands there.
+    /// A part of the file's text.
     pub(crate) fn slice(&self, range: TextRange) -> &'db str {
         self.file.text(self.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("")
     }

@@ -10,7 +10,7 @@ pub(crate) struct ProjectView<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) items: &'db Items,
-    /// What the application asks of rules.
+    /// The options of rules in the configuration.
     pub(crate) options: &'db Options,
 }
 
@@ -19,7 +19,7 @@ impl<'db> ProjectView<'db> {
         Self { db, project, items: items(db, project), options }
     }
 
-    /// What its programs do together. Asking for it reads every program of the project.
+    /// The summary of its programs. Computing it reads every program of the project.
     pub(crate) fn application(&self) -> &'db Application {
         application(self.db, self.project)
     }

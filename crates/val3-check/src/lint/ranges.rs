@@ -1,4 +1,4 @@
-//! Constant arguments beyond what their instruction takes.
+//! Constant arguments outside the range of their parameter.
 
 use std::fmt::{self, Display};
 use std::ops::Bound;
@@ -9,7 +9,7 @@ use val3_lang::instructions::{POWER, RESIZE};
 
 use super::{Call, Program};
 
-/// A constant number that its instruction does not take.
+/// A constant number that its instruction does not accept.
 pub(crate) struct OutOfRange {
     pub(crate) argument: ExprId,
     pub(crate) callee: &'static str,
@@ -19,10 +19,10 @@ pub(crate) struct OutOfRange {
 }
 
 impl OutOfRange {
-    /// What is wrong, in one sentence.
+    /// The message: one sentence.
     pub(crate) fn message(&self) -> String {
         let Self { callee, parameter, value, range, .. } = self;
-        format!("`{callee}` takes {} for `{parameter}`, not {value}", Spoken(range))
+        format!("`{callee}` takes {} for `{parameter}`, not {value}", RangeInWords(range))
     }
 }
 
@@ -42,7 +42,7 @@ pub(crate) fn out_of_range(program: &Program<'_>) -> Vec<OutOfRange> {
 }
 
 impl Program<'_> {
-    /// What an instruction takes as a parameter. It may depend on the version and on the other arguments.
+    /// The range of a parameter. It may depend on the version and on the other arguments.
     fn range_of(&self, call: &Call<'_>, parameter: &str) -> Option<&'static Range> {
         let range = range(call.instruction.name, parameter)?;
         match (call.instruction.name, parameter, call.args) {
@@ -58,9 +58,9 @@ impl Program<'_> {
 }
 
 /// A range in words: "1 to 100", "more than 0", "at least 0".
-pub(crate) struct Spoken<'r>(pub(crate) &'r Range);
+pub(crate) struct RangeInWords<'r>(pub(crate) &'r Range);
 
-impl Display for Spoken<'_> {
+impl Display for RangeInWords<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let low = match self.0.low {
             Bound::Included(low) => Some(format!("at least {low}")),
@@ -86,7 +86,7 @@ mod tests {
 
     #[test]
     fn ranges_are_spoken() {
-        let spoken = |name, parameter| Spoken(range(name, parameter).unwrap()).to_string();
+        let spoken = |name, parameter| RangeInWords(range(name, parameter).unwrap()).to_string();
         assert_eq!(spoken("setTextMode", "nMode"), "0 to 3");
         assert_eq!(spoken("ln", "nValue"), "more than 0");
         assert_eq!(spoken("sqrt", "nValue"), "at least 0");

@@ -1,4 +1,4 @@
-//! Takes a declaration out of a file.
+//! Removes a declaration from a file.
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::declarations::element_around;
@@ -9,8 +9,8 @@ use val3_syntax::{TextRange, TextSize};
 
 use crate::diagnostic::Edit;
 
-/// The edit that removes an element of a file, with the line end before it if it has a line of its own. A list that it
-/// was the last element of becomes an empty tag, or goes as well where such lists are left out: in programs.
+/// The edit that removes an element of a file, with the line end before it if it has a line of its own. If it was the
+/// last element of a list, the list becomes an empty tag, or is removed in programs, which omit empty lists.
 pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
     let text = file.text(db);
     let parse = parse(db, file);
@@ -19,7 +19,7 @@ pub(crate) fn of_element(db: &dyn Db, file: File, element: TextRange) -> Edit {
     let (range, text) = match list {
         None => (with_blanks(text, element), ""),
         Some(list) if is_program(file.path(db).as_str()) => (with_blanks(text, list.view().range()), ""),
-        Some(list) => (behind_attributes(list, text), " />"),
+        Some(list) => (after_attributes(list, text), " />"),
     };
     Edit { place: FileRange { file, range }, text: text.to_owned() }
 }
@@ -41,7 +41,7 @@ fn list_of(root: Element<'_>, inner: TextRange) -> Option<Element<'_>> {
     }
 }
 
-/// Between the tags of `list` is nothing but blanks and `element`.
+/// There are only blanks and `element` between the tags of `list`.
 fn holds_only(list: Element<'_>, element: TextRange, text: &str) -> bool {
     let is_blank = |from: TextSize, to: TextSize| {
         text.get(from.into()..to.into()).is_some_and(|between| between.trim().is_empty())
@@ -51,15 +51,15 @@ fn holds_only(list: Element<'_>, element: TextRange, text: &str) -> bool {
 }
 
 /// From the last attribute in the start tag of a list to the end of the list.
-fn behind_attributes(list: Element<'_>, text: &str) -> TextRange {
+fn after_attributes(list: Element<'_>, text: &str) -> TextRange {
     let tag = list.tag_range();
     let start = text.get(tag.start().into()..tag.end().into()).unwrap_or("");
     let attributes = start.trim_end_matches('>').trim_end();
     TextRange::new(tag.start() + TextSize::of(attributes), list.view().range().end())
 }
 
-/// The range with the blanks before it, and with the line end before them if the range has its lines for itself.
-/// Ranges of neighbours touch, so that they are removed one after the other and the last one takes the list with it.
+/// The range with the blanks before it, and with the line end before them if the range has lines of its own. Ranges of
+/// neighbours touch, so they are removed one after the other, and the last one removes the list.
 fn with_blanks(text: &str, range: TextRange) -> TextRange {
     let (before, behind) = (text.get(..range.start().into()), text.get(range.end().into()..));
     let (Some(before), Some(behind)) = (before, behind) else { return range };

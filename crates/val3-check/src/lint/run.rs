@@ -10,12 +10,12 @@ use crate::settings::Settings;
 
 type ProgramLint = fn(&Program<'_>, &mut Findings);
 
-/// What the lints find in a program that look at nothing but it.
+/// The findings of the lints that read a single program.
 pub(crate) fn program(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
     of_program(program, settings, |lint| if let Lint::Program(check) = lint { Some(check) } else { None })
 }
 
-/// What those find in it that look at its whole application.
+/// The findings in a program of the lints that read its whole application.
 pub(crate) fn member(program: &Program<'_>, settings: &Settings) -> Vec<Diagnostic> {
     of_program(program, settings, |lint| if let Lint::Member(check) = lint { Some(check) } else { None })
 }
@@ -27,7 +27,7 @@ fn of_program(program: &Program<'_>, settings: &Settings, kind: fn(Lint) -> Opti
     found.into_diagnostics()
 }
 
-/// What they find in the data in `file`.
+/// The findings in the data of `file`.
 pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Settings) -> Vec<Diagnostic> {
     let data = DataFile::new(db, project, file, &settings.options);
     let mut found = Findings::new(file, None, project.manifest(db));
@@ -37,7 +37,7 @@ pub(crate) fn data(db: &dyn Db, project: Project, file: File, settings: &Setting
     found.into_diagnostics()
 }
 
-/// What they find in the project file of `project`.
+/// The findings in the project file of `project`.
 pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec<Diagnostic> {
     let view = ProjectView::new(db, project, &settings.options);
     let file = project.manifest(db);
@@ -48,7 +48,7 @@ pub(crate) fn project(db: &dyn Db, project: Project, settings: &Settings) -> Vec
     found.into_diagnostics()
 }
 
-/// The lints of a kind that are asked for.
+/// The lints of a kind that are on.
 fn wanted<C>(settings: &Settings, kind: fn(Lint) -> Option<C>) -> impl Iterator<Item = C> {
     rules::all().iter().filter_map(move |rule| rule.lint.and_then(kind).filter(|_| settings.wants(rule)))
 }

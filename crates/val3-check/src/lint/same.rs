@@ -1,17 +1,18 @@
-//! Expressions that yield the same.
+//! Expressions with equal values.
 
 use val3_analysis::body::{Expr, ExprId};
 
 use super::Program;
 
 impl Program<'_> {
-    /// Both expressions have the same value if one is asked right after the other: they are written alike and call
-    /// nothing.
+    /// Both expressions have the same value if they are evaluated directly after each other: their text is the same and
+    /// they call nothing.
     pub(crate) fn is_same(&self, left: ExprId, right: ExprId) -> bool {
         self.may_be_same(left, right) && self.body.is_same(left, right) && !self.has_call(right)
     }
 
-    /// Decided by the outermost parts alone, so that a long chain of operators is not walked for each of its links.
+    /// A quick test of the outermost parts alone, so that a long chain of operators is not compared for each of its
+    /// operands.
     fn may_be_same(&self, left: ExprId, right: ExprId) -> bool {
         let (left, right) = (self.body.expr(self.body.peel(left)), self.body.expr(self.body.peel(right)));
         match (left, right) {

@@ -14,9 +14,9 @@ pub(crate) struct TaskCreation<'db> {
     pub(crate) name: ExprId,
     /// The priority, or the period of a synchronous task.
     pub(crate) pace: ExprId,
-    /// The variable that tells an overrun of a synchronous task.
+    /// The variable that receives the overrun of a synchronous task.
     pub(crate) overrun: Option<ExprId>,
-    /// The program of the task and what it is handed.
+    /// The program of the task and its arguments.
     pub(crate) call: ProgramCall<'db>,
 }
 
@@ -24,14 +24,14 @@ pub(crate) struct TaskCreation<'db> {
 pub(crate) struct ProgramCall<'db> {
     /// The name of the program.
     callee: ExprId,
-    /// What the program is handed.
+    /// The arguments.
     args: &'db [ExprId],
     /// Its parameters, where they are known.
     signature: Option<&'db Signature>,
 }
 
 impl<'db> ProgramCall<'db> {
-    /// The arguments with their parameters, where those are known.
+    /// The arguments with their parameters, if those are known.
     pub(crate) fn arguments(&self) -> impl Iterator<Item = (&'db Param, ExprId)> {
         let params = self.signature.map_or(&[][..], |signature| &signature.params);
         params.iter().zip(self.args.iter().copied())
@@ -63,13 +63,13 @@ impl<'db> Program<'db> {
         Some(TaskCreation { name, pace, overrun, call: self.program_call(call)? })
     }
 
-    /// The call of a program, as `call` and the task statements hold it.
+    /// The call of a program in a `call` or a task statement.
     pub(crate) fn program_call(&self, call: ExprId) -> Option<ProgramCall<'db>> {
         let Expr::Call(callee, args) = self.body.expr(call) else { return None };
         Some(ProgramCall { callee: *callee, args, signature: self.effects.program(*callee) })
     }
 
-    /// Where the program that is called declares its parameter `name`.
+    /// The location where the called program declares its parameter `name`.
     pub(crate) fn parameter(&self, call: &ProgramCall<'_>, name: &SmolStr) -> Option<FileRange> {
         let (_, file) = self.effects.program_file(call.callee)?;
         declarations::param(self.db, file, name.clone())

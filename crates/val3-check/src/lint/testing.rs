@@ -1,4 +1,4 @@
-//! For the tests of lints: what one rule says about a listing.
+//! For the tests of lints: the findings of one rule in a listing.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +18,7 @@ pub(crate) fn levels(rule: &Rule, listing: &str) -> Vec<Severity> {
     findings(rule, listing).1.into_iter().map(|diagnostic| diagnostic.severity).collect()
 }
 
-/// The findings with the code `code` after a whole check of a listing: file, message, and how many related places.
+/// The findings with the code `code` after a whole check of a listing: file, message, and number of related locations.
 pub(crate) fn finished(listing: &str, code: &str) -> Vec<String> {
     let fixture = Fixture::parse(listing);
     let files =
@@ -47,8 +47,8 @@ fn findings(rule: &Rule, listing: &str) -> (Workspace, Vec<Diagnostic>) {
     (workspace, found)
 }
 
-/// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and
-/// related places.
+/// The findings of `rule` in a listing of `val3-test`: line of the file and its text, message, label, help and related
+/// locations.
 pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     let (workspace, found) = findings(rule, listing);
     let db = &workspace.db;
@@ -73,7 +73,7 @@ pub(crate) fn check(rule: &Rule, listing: &str) -> String {
     shown
 }
 
-/// Settings that ask for one rule, also where it is off by default.
+/// Settings that turn on a single rule, even if it is off by default.
 pub(crate) fn settings_for(db: &dyn Db, projects: &[Project], rule: &Rule) -> WorkspaceSettings {
     let only = BTreeSet::from([rule.code]);
     let selection = Selection { only: Some(only.clone()), named: only, ..Selection::default() };

@@ -1,4 +1,4 @@
-//! What the rules on unused data share.
+//! Common parts of the rules about unused data.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::application::{Use, unlisted_may_use};
@@ -8,14 +8,14 @@ use val3_analysis::items::fathers::fathers;
 
 use super::{DataFile, ProjectView};
 
-/// Every use of the project's private data is known. A project without programs holds the data of others: the fields
-/// of a user type, inputs and outputs.
-pub(crate) fn is_judged(view: &ProjectView<'_>) -> bool {
+/// Every use of the project's private data is known. A project without programs contains data for others: the fields of
+/// a user type, inputs and outputs.
+pub(crate) fn has_known_uses(view: &ProjectView<'_>) -> bool {
     view.application().closed && !view.items.programs.is_empty()
 }
 
-/// What the programs do to private data; `None` where others may use it too: public data, fathers of other data, data
-/// whose name a text may hold, and data that a program uses which the project does not list.
+/// The uses of private data in programs; `None` if others may use it too: public data, fathers of other data, data
+/// whose name a text may contain, and data used by a program that the project does not list.
 pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     let item = view.items.data.get(name).filter(|item| !item.decl.public)?;
     let is_built_in = val3_lang::builtins::find(name).is_some();
@@ -24,9 +24,9 @@ pub(crate) fn uses(view: &ProjectView<'_>, name: &str) -> Option<Use> {
     (!is_father && !may_be_used()).then(|| view.application().uses_of(name))
 }
 
-/// The declarations in a file whose names are `guilty`.
+/// The declarations in a file whose names fulfil `guilty`.
 pub(crate) fn declared(data: &DataFile<'_>, guilty: impl Fn(&str) -> bool) -> Vec<Declared> {
-    // The names alone are at hand; where they stand is read from the file.
+    // Items contain only names; their locations are read from the file.
     let items = data::data(data.view.db, data.file);
     let names: FxHashSet<&str> = items.iter().map(|item| item.name.as_str()).filter(|name| guilty(name)).collect();
     if names.is_empty() {

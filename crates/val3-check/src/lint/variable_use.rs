@@ -9,7 +9,7 @@ use val3_lang::types::BaseType;
 
 use super::Program;
 
-/// What a program does to its own variables, by their names. Those that it does not use are missing.
+/// A program's accesses to its own variables, by name. Unused variables are missing.
 #[derive(Debug, Default)]
 pub(crate) struct VariableUse {
     pub(crate) locals: FxHashMap<SmolStr, Use>,
@@ -31,7 +31,7 @@ impl VariableUse {
     }
 }
 
-/// The local or parameter stands for an input, an output or a line: writing it is its use.
+/// The local or parameter is an input, an output or a line, for which a write is a use.
 pub(crate) fn is_linkable(program: &Program<'_>, name: &str) -> bool {
     let locals = program.header.locals.iter().map(|local| (&local.name, &local.type_name));
     let mut variables = locals.chain(program.header.params.iter().map(|param| (&param.name, &param.type_name)));

@@ -1,4 +1,4 @@
-//! V0123: a variable that is called like a program or a library identifier.
+//! V0123: a variable with the name of a program or a library identifier.
 
 use val3_analysis::db::{Db, File, FileRange};
 use val3_analysis::items::declarations::{self, Declared, all_locals, all_params};
@@ -13,8 +13,8 @@ rule! {
     /// A local variable or a parameter has the name of a program or of a library identifier of the project.
     ///
     /// ## Why
-    /// VAL 3 tells them apart by where they stand, people do not: `pick=true` looks like something done to the program
-    /// `pick`. Each name is reported once, in the first program that has such a variable.
+    /// VAL 3 distinguishes them by their position in the line, but readers confuse them: `pick=true` looks like an
+    /// action of the program `pick`. Each name is reported once, in the first program that has such a variable.
     ///
     /// ## Bad
     /// ```val3
@@ -38,7 +38,7 @@ rule! {
     V0123 "ambiguous-name" Info, Member: check
 }
 
-/// Each name is reported once, where the first program of the project declares it.
+/// Reports each name once, in the first program of the project that declares it.
 fn check(program: &Program<'_>, found: &mut Findings) {
     let shared = shared_names(program.db, program.project);
     if shared.is_empty() {

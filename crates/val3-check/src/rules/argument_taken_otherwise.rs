@@ -1,4 +1,4 @@
-//! V0226: a constant argument that the instruction takes as something else.
+//! V0226: a constant argument that the instruction changes or ignores.
 
 use val3_lang::arguments::Beyond;
 
@@ -8,12 +8,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An argument is a constant number beyond its range, and the instruction does something else than what it says.
+    /// A constant argument is out of range, and the instruction silently uses another value or does nothing.
     ///
     /// ## Why
-    /// Some instructions raise no error but make do: `gotoxy` counts columns modulo 40 and lines modulo 14, so that
-    /// line 14 is line 0 (4.3); `setMonitorSpeed` changes nothing (8.1); `delay` and `watch` do not wait (5.10). The
-    /// program runs and is wrong.
+    /// Some instructions raise no error for such a value. `gotoxy` counts columns modulo 40 and lines modulo 14, so
+    /// that line 14 is line 0 (4.3). `setMonitorSpeed` changes nothing (8.1). `delay` and `watch` do not wait (5.10).
+    /// The program continues with a wrong result.
     ///
     /// ## Bad
     /// ```val3

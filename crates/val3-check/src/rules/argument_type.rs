@@ -10,11 +10,11 @@ use crate::{
 };
 
 rule! {
-    /// An argument has a type that the parameter does not take.
+    /// The type of an argument is not accepted by the parameter.
     ///
     /// ## Why
-    /// Each argument of an instruction or program must have the type of its parameter; VAL 3 converts nothing by
-    /// itself. Many instructions have several forms, such as `movej` for a joint position and for a point; the
+    /// Each argument of an instruction or program must have the type of its parameter. VAL 3 performs no automatic
+    /// conversions. Many instructions have several forms, such as `movej` for a joint position and for a point; the
     /// arguments together must fit one of them. The controller does not load an application with a call that fits no
     /// form.
     ///

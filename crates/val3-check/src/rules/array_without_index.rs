@@ -1,4 +1,4 @@
-//! V0234: a whole array where one value is taken.
+//! V0234: an array without an index as a single value.
 
 use val3_analysis::body::{ExprId, StmtKind};
 use val3_analysis::effects::Root;
@@ -10,11 +10,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program is called with an array of several values where it takes a single one.
+    /// An array of several values is passed to a parameter that takes a single value.
     ///
     /// ## Why
-    /// A container is never passed by value (2.6). Where one value is wanted, the name of a one-dimensional array stands
-    /// for its value with index 0, and the others are silently left out. Write `[0]` if the first one is meant.
+    /// A container is never passed by value (2.6). Where a single value is needed, the name of a one-dimensional array
+    /// means its value with index 0, and the other values are silently ignored. Write `[0]` if the first one is meant.
     ///
     /// ## Bad
     /// ```val3
@@ -62,8 +62,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// A variable that was declared with several values. Parameters are not reported: many programs hand an element over
-/// as an array.
+/// A variable that was declared with several values. Parameters are not reported: many programs pass an element on as
+/// an array.
 fn is_array(program: &Program<'_>, id: ExprId) -> bool {
     let ty = program.inference.ty(id);
     let is_param = matches!(program.effects.root(id), Some(Root::Param(_)));

@@ -9,7 +9,7 @@ use crate::{
 };
 
 rule! {
-    /// `=` stands inside an expression, where only `==` can compare.
+    /// `=` is used inside an expression, where only the comparison `==` is possible.
     ///
     /// ## Why
     /// `=` gives a value to a variable and `==` compares two values. To keep the two apart, VAL 3 allows `=` only as the
@@ -39,7 +39,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
-        "`=` assigns a value and cannot stand inside an expression",
+        "`=` assigns a value and is not allowed inside an expression",
         "did you mean `==`?",
         "write `==` to compare; to assign, use a line of its own",
     )
@@ -61,7 +61,7 @@ mod tests {
     #[test]
     fn a_condition_that_would_assign() {
         expect![[r#"
-            `=` assigns a value and cannot stand inside an expression
+            `=` assigns a value and is not allowed inside an expression
             | did you mean `==`?
             ? write `==` to compare; to assign, use a line of its own
         "#]]

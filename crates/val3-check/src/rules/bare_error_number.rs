@@ -10,12 +10,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The number of a run-time error stands in the code.
+    /// The number of a run-time error is written in the code.
     ///
     /// ## Why
-    /// Nobody knows that 20 is an index that is too large. Data with a name says it wherever it is used. Only
-    /// comparisons with the status of a task are looked at; -1, 0 and 1 are no errors. This is a convention of a shop,
-    /// and off unless it is asked for.
+    /// Few readers know that 20 means an index that is too large. A constant with a name explains it wherever it is
+    /// used. The rule only examines comparisons with the status of a task; -1, 0 and 1 are not errors. The rule is off
+    /// by default, because it enforces a convention that not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -58,7 +58,7 @@ fn word(error: &RuntimeError) -> Wording {
     Wording::new(
         format!("{} is a run-time error: {}", error.number, error.short),
         error.short,
-        "give the number a name: data of its own",
+        "declare data with a name for this number, and compare with that",
     )
 }
 
@@ -74,10 +74,10 @@ mod tests {
         expect![[r#"
             start.pgx:5 `20` 20 is a run-time error: index too large
               | index too large
-              ? give the number a name: data of its own
+              ? declare data with a name for this number, and compare with that
             start.pgx:6 `30` 30 is a run-time error: no such task
               | no such task
-              ? give the number a name: data of its own
+              ? declare data with a name for this number, and compare with that
         "#]]
         .assert_eq(&check(&RULE, "if taskStatus(\"a\")==20\nelseIf (taskStatus(\"a\"))!=30\nendIf"));
     }

@@ -10,11 +10,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The code of a key stands as a number in the code.
+    /// The code of a key is written as a number in the code.
     ///
     /// ## Why
-    /// Nobody knows that 271 is F1. Data with a name (`nKeyF1`) says it wherever it is used. Only places are looked at
-    /// where a number is surely a key. This is a convention of a shop, and off unless it is asked for.
+    /// Few readers know that 271 is F1. A constant with a name (`nKeyF1`) explains it wherever it is used. The rule
+    /// only examines numbers that are certainly keys. The rule is off by default, because it enforces a convention that
+    /// not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -45,7 +46,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// What is compared with the key that was just read.
+/// The expressions that are compared with the key that was just read.
 fn compared(program: &Program<'_>) -> Vec<ExprId> {
     let sides = program.body.exprs().filter_map(|(_, expr, _)| match expr {
         Expr::Binary(BinaryOp::Equal | BinaryOp::NotEqual, left, right) => Some((*left, *right)),
@@ -79,7 +80,7 @@ fn word(key: &Key) -> Wording {
     Wording::new(
         format!("{} is the key {} of the pendant", key.code, key.name),
         format!("the key {}", key.name),
-        "give the number a name: data of its own",
+        "declare data with a name for this number, and compare with that",
     )
 }
 
@@ -95,13 +96,13 @@ mod tests {
         expect![[r#"
             start.pgx:5 `255` 255 is the key Esc of the pendant
               | the key Esc
-              ? give the number a name: data of its own
+              ? declare data with a name for this number, and compare with that
             start.pgx:5 `282` 282 is the key 2 of the pendant
               | the key 2
-              ? give the number a name: data of its own
+              ? declare data with a name for this number, and compare with that
             start.pgx:8 `270` 270 is the key Return of the pendant
               | the key Return
-              ? give the number a name: data of its own
+              ? declare data with a name for this number, and compare with that
         "#]]
         .assert_eq(&check(
             &RULE,

@@ -1,4 +1,4 @@
-//! V0241: more numbers or bytes than an array holds.
+//! V0241: an array too small for `toBinary` or `fromBinary`.
 
 use val3_analysis::body::ExprId;
 use val3_lang::arguments::bytes;
@@ -12,11 +12,12 @@ use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
-    /// `toBinary` or `fromBinary` needs more room than an array has.
+    /// `toBinary` or `fromBinary` needs a larger array.
     ///
     /// ## Why
-    /// Both check before they begin: more values asked for than the first array has, or too small an array for the
-    /// result, is run-time error 70 (3.3.3). Each number takes as many bytes as its format says: `8.0b` takes eight.
+    /// Both instructions check the sizes first. If the source array has fewer values than requested, or the target
+    /// array is too small for the result, they raise run-time error 70 (3.3.3). The format gives the number of bytes
+    /// for each value: `8.0b` needs eight.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// `bytes`: those of each value, where the number counts values but is often thought to count bytes.
+/// `bytes` is the size of each value, if the number counts values but is often mistaken for a number of bytes.
 fn check_array(program: &Program<'_>, array: ExprId, needed: f64, bytes: Option<f64>, found: &mut Findings) {
     let Some(size) = program.certain_size(array).filter(|size| f64::from(*size) < needed) else { return };
     let counts_bytes = bytes.is_some_and(|bytes| needed == bytes * f64::from(size));

@@ -1,4 +1,4 @@
-//! V0403: a tool is opened or closed where the move before it was to be rounded.
+//! V0403: a tool is opened or closed after a move with a rounded corner.
 
 use val3_lang::motion::MotionRole;
 use val3_lang::types::BaseType;
@@ -8,13 +8,12 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A tool is opened or closed behind a move whose descriptor asks for a rounded corner.
+    /// `open` or `close` follows a move whose descriptor asks for a rounded corner.
     ///
     /// ## Why
-    /// `open` and `close` wait until the arm has arrived, so the arm stops at the target and the corner is not
-    /// rounded (9.5.4, 10.1.2.2). A descriptor with `blend=off` says what really happens, and keeps it so when the
-    /// tool is one day switched elsewhere. The default, `joint` with the default distances, asks for nothing and is not
-    /// reported.
+    /// `open` and `close` wait until the arm has arrived, so the arm stops at the target and the corner is not rounded
+    /// (9.5.4, 10.1.2.2). A descriptor with `blend=off` describes the real movement and preserves it if the instruction
+    /// is moved later. The default, `joint` with the default distances, is not reported.
     ///
     /// ## Bad
     /// ```val3
@@ -47,7 +46,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for step in program.motion_steps() {
+    for step in program.arm_calls() {
         let is_tool = |id| program.inference.ty(id).base.builtin() == Some(BaseType::Tool);
         let (MotionRole::Arrive, Phase::Moving, Some(last)) = (step.role, step.arm.phase, step.arm.last) else {
             continue;

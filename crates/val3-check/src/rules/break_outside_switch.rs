@@ -1,9 +1,9 @@
-//! V0017: `break` where no branch is open.
+//! V0017: `break` outside a `switch` branch.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// `break` stands where no `case` or `default` is open.
+    /// `break` is used outside a `case` or `default` branch.
     ///
     /// ## Why
     /// `break` closes a branch of `switch` and does nothing else. It does not leave a loop, as it does in other

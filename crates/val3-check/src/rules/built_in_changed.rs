@@ -17,9 +17,9 @@ rule! {
     /// `world` or `flange`, or a field of them, gets a value.
     ///
     /// ## Why
-    /// Every frame is given in `world` and every tool in `flange`, directly or through others. Once one of them has
-    /// changed, each computation with points, frames or tools is run-time error 161 or 160 (9.4.1, 9.5.1). The error
-    /// shows far from the line that causes it.
+    /// Every frame refers to `world` and every tool to `flange`, directly or through others. After a change to one of
+    /// them, each computation with points, frames or tools raises run-time error 161 or 160 (9.4.1, 9.5.1). The error
+    /// appears far from the line that causes it.
     ///
     /// ## Bad
     /// ```val3
@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The arguments that an instruction gives a value.
+/// The arguments that an instruction writes to.
 fn changed(call: Call<'_>) -> impl Iterator<Item = ExprId> {
     let acts = call.form.is_some_and(|form| form.class == Class::Modifier);
     let is_linked = move |position: usize| position == 0 && call.instruction.name == LINK;
@@ -72,7 +72,7 @@ fn changed(call: Call<'_>) -> impl Iterator<Item = ExprId> {
     arguments.map(|(_, (_, argument))| argument)
 }
 
-/// The built-in variable that `id` is or is a part of. Files of s5 and s6 declare it.
+/// The built-in variable that `id` is or belongs to. Files of s5 and s6 declare it.
 fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
     match program.body.expr(id) {
         Expr::Index(base, _) | Expr::Field { base, .. } | Expr::Paren(base) => built_in(program, *base),
@@ -84,7 +84,7 @@ fn built_in(program: &Program<'_>, id: ExprId) -> Option<&'static Builtin> {
     }
 }
 
-/// A coordinate of 0, or all of them: what `world` and `flange` have anyway.
+/// Coordinates that are all 0, which is the value of `world` and `flange` anyway.
 fn is_zero(program: &Program<'_>, value: ExprId) -> bool {
     match program.body.expr(program.body.peel(value)) {
         Expr::Struct(values) => values.iter().all(|value| value.is_some_and(|value| is_zero(program, value))),

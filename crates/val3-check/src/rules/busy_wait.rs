@@ -1,4 +1,4 @@
-//! V0309: an empty loop that waits for something.
+//! V0309: an empty loop used for waiting.
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_lang::instructions::WAIT;
@@ -10,11 +10,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A loop without a line in it asks its condition over and over until something else changes it.
+    /// A loop with an empty block repeats its test until something else changes the condition.
     ///
     /// ## Why
-    /// The loop takes all the time it can get from the other tasks, among them the one it waits for. The instruction
-    /// `wait` asks once a turn and lets the others run.
+    /// The loop takes all available time from the other tasks, including the one it waits for. The instruction `wait`
+    /// tests its condition once per turn and lets the other tasks run.
     ///
     /// ## Bad
     /// ```val3
@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// What makes the loop a `wait`; nothing where a comment would be lost.
+/// The edits that replace the loop by a `wait`. Empty if they would remove a comment.
 fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) -> Vec<Edit> {
     let condition = program.body.peel(condition);
     let negation = if is_while { negation(program, condition) } else { Negation::Of(condition) };
@@ -69,13 +69,13 @@ fn edits(program: &Program<'_>, stmt: &Stmt, condition: ExprId, is_while: bool) 
     [Some(open), flip, Some(close)].into_iter().flatten().collect()
 }
 
-/// How a condition is turned round.
+/// How to negate a condition.
 enum Negation {
-    /// It is the opposite of this one.
+    /// Use this expression, which is the opposite.
     Of(ExprId),
-    /// Its operator becomes the other one.
+    /// Replace the operator by its opposite.
     Flipped(Edit),
-    /// With `!` before brackets around it.
+    /// Write `!` and put the condition in brackets.
     Around,
 }
 
@@ -94,7 +94,7 @@ fn negation(program: &Program<'_>, condition: ExprId) -> Negation {
 
 fn word() -> Wording {
     Wording::new(
-        "this empty loop waits, and takes time from what it waits for",
+        "this empty loop takes processor time from the task that it waits for",
         "asked over and over",
         "use `wait(…)`, or `watch(…)` with a time limit",
     )
@@ -105,21 +105,21 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::fixed::fixed;
+    use crate::lint::fix_testing::fixed;
     use crate::lint::testing::check;
 
     #[test]
     fn empty_loops() {
         expect![[r#"
-            start.pgx:5 `d==false` this empty loop waits, and takes time from what it waits for
+            start.pgx:5 `d==false` this empty loop takes processor time from the task that it waits for
               | asked over and over
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
-            start.pgx:9 `(d)` this empty loop waits, and takes time from what it waits for
+            start.pgx:9 `(d)` this empty loop takes processor time from the task that it waits for
               | asked over and over
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
-            start.pgx:10 `!(d)` this empty loop waits, and takes time from what it waits for
+            start.pgx:10 `!(d)` this empty loop takes processor time from the task that it waits for
               | asked over and over
               ? use `wait(…)`, or `watch(…)` with a time limit
               ! wait for it
@@ -145,7 +145,7 @@ mod tests {
     #[test]
     fn a_comment_is_kept() {
         expect![[r#"
-            start.pgx:5 `d` this empty loop waits, and takes time from what it waits for
+            start.pgx:5 `d` this empty loop takes processor time from the task that it waits for
               | asked over and over
               ? use `wait(…)`, or `watch(…)` with a time limit
         "#]]

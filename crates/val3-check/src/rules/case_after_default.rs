@@ -1,4 +1,4 @@
-//! V0019: a branch behind `default`.
+//! V0019: a branch after `default`.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -6,8 +6,8 @@ rule! {
     /// A `case` follows `default`.
     ///
     /// ## Why
-    /// The branches are tested from top to bottom, and `default` takes every value that is left. It must therefore
-    /// be the last branch: a `case` behind it could never be reached, and the controller refuses the program.
+    /// The branches are tested from top to bottom, and `default` takes every remaining value. It must therefore be the
+    /// last branch. The controller refuses a program with a `case` after it.
     ///
     /// ## Bad
     /// ```val3

@@ -1,12 +1,12 @@
-//! V0018: a branch where no `switch` is open.
+//! V0018: a branch outside a `switch`.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// `case` or `default` stands outside `switch`.
+    /// `case` or `default` is used outside `switch`.
     ///
     /// ## Why
-    /// A branch belongs to the `switch` around it. When `endSwitch` stands too early, or the line with `switch` was
+    /// A branch belongs to the `switch` around it. If `endSwitch` comes too early, or the line with `switch` was
     /// deleted, the branch has nothing to compare with, and the controller refuses the program.
     ///
     /// ## Bad

@@ -6,8 +6,8 @@ rule! {
     /// The value of a `case` has another type than the `switch`.
     ///
     /// ## Why
-    /// `switch` compares its value with the value of each `case`, as `==` does (2.2.5). Both must have the same type;
-    /// otherwise the branch could never be taken, and the controller does not load the application.
+    /// `switch` compares its value with the value of each `case`, as `==` does (2.2.5). Both must have the same type.
+    /// Otherwise the branch could never be taken, and the controller does not load the application.
     ///
     /// ## Bad
     /// ```val3

@@ -3,12 +3,12 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// Code stands before `begin` or after `end`.
+    /// There is code before `begin` or after `end`.
     ///
     /// ## Why
-    /// A program is what stands between `begin` and `end`. Around them only blank lines are possible. The
-    /// controller refuses other text there. When lines follow `end`, that `end` is often one too many,
-    /// meant to be an `endIf` or `endFor`.
+    /// The code of a program is enclosed by `begin` and `end`. Only blank lines are allowed before and after it. The
+    /// controller refuses other text there. If lines follow `end`, that `end` is often a mistake for `endIf` or
+    /// `endFor`.
     ///
     /// ## Bad
     /// ```val3
@@ -47,9 +47,9 @@ rule! {
 /// Words the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
-        "code stands outside `begin` and `end`",
+        "this code is outside `begin` and `end`",
         "not part of the program",
-        "move it between `begin` and `end`; if an `end` stands too early, remove that one",
+        "move it between `begin` and `end`; if an earlier `end` is wrong, remove that one",
     )
 }
 
@@ -62,9 +62,9 @@ mod tests {
     #[test]
     fn a_line_behind_end() {
         expect![[r#"
-            code stands outside `begin` and `end`
+            this code is outside `begin` and `end`
             | not part of the program
-            ? move it between `begin` and `end`; if an `end` stands too early, remove that one
+            ? move it between `begin` and `end`; if an earlier `end` is wrong, remove that one
         "#]]
         .assert_eq(&word().to_string());
     }

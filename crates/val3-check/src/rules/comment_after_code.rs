@@ -1,4 +1,4 @@
-//! V0024: a comment behind code.
+//! V0024: a comment after code.
 
 use val3_syntax::{TextRange, TextSize};
 
@@ -9,11 +9,11 @@ use crate::{
 };
 
 rule! {
-    /// A comment stands behind code on the same line.
+    /// A comment follows code on the same line.
     ///
     /// ## Why
-    /// `//` must be the first thing on its line. VAL 3 has no comments behind an instruction, and the
-    /// controller refuses the program.
+    /// `//` must be the first text on its line. VAL 3 has no comments after an instruction, and the controller refuses
+    /// the program.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0313: a program with too many ways through it.
+//! V0313: a program with too many paths.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::flow::PointKind;
@@ -14,7 +14,7 @@ rule! {
     /// the option `complexity` (20).
     ///
     /// ## Why
-    /// Every decision doubles the ways through a program that somebody has to think of and to test. Parts of it make
+    /// Every decision can double the number of paths that must be understood and tested. Move parts of the program into
     /// programs of their own. A decision is an `if`, `elseIf`, `while`, `until`, `for` or `case`, and an `and` or `or`
     /// in a condition.
     ///
@@ -70,7 +70,7 @@ fn word(program: &str, complexity: usize, limit: usize) -> Wording {
     Wording::new(
         format!("the program `{program}` has a complexity of {complexity}, more than {limit}"),
         "many decisions",
-        "make programs of its parts",
+        "move parts of it into programs of their own",
     )
 }
 
@@ -91,7 +91,7 @@ mod tests {
         expect![[r#"
             start.pgx:3 `start` the program `start` has a complexity of 22, more than 20
               | many decisions
-              ? make programs of its parts
+              ? move parts of it into programs of their own
         "#]]
         .assert_eq(&check(&RULE, &format!("{}do\nuntil b", ifs(10))));
         let cases = |count: usize| {

@@ -1,4 +1,4 @@
-//! V0404: a compliant move behind a move that was to be rounded.
+//! V0404: a compliant move after a move with a rounded corner.
 
 use val3_lang::motion::{MotionRole, Path};
 
@@ -10,8 +10,8 @@ rule! {
     /// A compliant move follows a move whose descriptor asks for a rounded corner.
     ///
     /// ## Why
-    /// The arm stops at both ends of a compliant move (11.1.4), so the corner is not rounded. The move before should
-    /// say so with `blend=off`.
+    /// The arm stops at both ends of a compliant move (11.1.4), so the corner is not rounded. Give the previous move a
+    /// descriptor with `blend=off`.
     ///
     /// ## Bad
     /// ```val3
@@ -47,7 +47,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let role_of = |call| program.call_of(call).and_then(|call| call.role);
-    for step in program.motion_steps() {
+    for step in program.arm_calls() {
         let compliant = MotionRole::Move(Path::Compliant);
         let is_compliant = step.role == compliant && step.arm.phase == Phase::Moving;
         let Some(last) =

@@ -12,8 +12,8 @@ rule! {
     /// A number that was computed with fractions is compared with `==` or `!=`.
     ///
     /// ## Why
-    /// Numbers have about 14 digits (3.2.1). What comes out of a division, a root, an angle or a clock is rounded
-    /// somewhere behind, so that two ways to the same number rarely meet exactly: compare within a tolerance. Counters
+    /// Numbers have about 14 digits (3.2.1). The results of divisions, roots, angles and clocks are rounded, so two
+    /// computations of the same number rarely give exactly the same value. Compare within a tolerance instead. Counters
     /// and other whole numbers are exact and not reported.
     ///
     /// ## Bad
@@ -45,7 +45,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The number is rounded; one that the code states as it stands is exact.
+/// The number is rounded. A number that is written in the code is exact.
 fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
     let is_inexact = |id: &ExprId| is_inexact(program, *id);
     match program.body.expr(id) {
@@ -60,12 +60,12 @@ fn is_inexact(program: &Program<'_>, id: ExprId) -> bool {
     }
 }
 
-/// A division by 2, 4, 8 … loses nothing.
+/// A division by 2, 4, 8 … is exact.
 fn halves(program: &Program<'_>, divisor: ExprId) -> bool {
     program.body.number(divisor).is_some_and(|number| number.abs() >= 1.0 && number.abs().log2().fract() == 0.0)
 }
 
-/// A constant such as 0.1, which has no end in binary.
+/// A constant such as 0.1, which has no exact binary form.
 fn is_fraction(program: &Program<'_>, id: ExprId) -> bool {
     const BINARY_PLACES: f64 = 1024.0;
     program.body.number(id).is_some_and(|number| (number * BINARY_PLACES).fract() != 0.0)
@@ -74,7 +74,7 @@ fn is_fraction(program: &Program<'_>, id: ExprId) -> bool {
 fn word(op: &str, side: &str) -> Wording {
     Wording::new(
         format!("`{op}` compares `{side}`, which is rounded"),
-        "two such numbers rarely meet exactly",
+        "rounded numbers are rarely exactly equal",
         "compare the difference: `abs(…-…)<1e-6`",
     )
 }
@@ -90,16 +90,16 @@ mod tests {
     fn rounded_numbers() {
         expect![[r#"
             start.pgx:5 `n/3==1` `==` compares `n/3`, which is rounded
-              | two such numbers rarely meet exactly
+              | rounded numbers are rarely exactly equal
               ? compare the difference: `abs(…-…)<1e-6`
             start.pgx:6 `sqrt(n)!=2` `!=` compares `sqrt(n)`, which is rounded
-              | two such numbers rarely meet exactly
+              | rounded numbers are rarely exactly equal
               ? compare the difference: `abs(…-…)<1e-6`
             start.pgx:7 `1==(n*0.1)` `==` compares `(n*0.1)`, which is rounded
-              | two such numbers rarely meet exactly
+              | rounded numbers are rarely exactly equal
               ? compare the difference: `abs(…-…)<1e-6`
             start.pgx:8 `clock()-n==2` `==` compares `clock()-n`, which is rounded
-              | two such numbers rarely meet exactly
+              | rounded numbers are rarely exactly equal
               ? compare the difference: `abs(…-…)<1e-6`
         "#]]
         .assert_eq(&check(&RULE, "num n\nbool b\nb=n/3==1\nb=sqrt(n)!=2\nb=1==(n*0.1)\nb=clock()-n==2"));

@@ -1,4 +1,4 @@
-//! V0343: a task whose name the code does not spell out.
+//! V0343: a task whose name is computed.
 
 use val3_analysis::flow::PointKind;
 
@@ -10,9 +10,9 @@ rule! {
     /// A task is created under a name that is computed.
     ///
     /// ## Why
-    /// Who looks for a task by its name does not find it in the code, and no check can tell whether the name is free,
-    /// of the right length, and the one that `taskKill` uses. Where one program serves several tasks, a computed name
-    /// is the plain way: this is a convention of some shops, and off unless it is asked for.
+    /// A search for the name of the task does not find it in the code. The check cannot verify that the name is free,
+    /// has a valid length, and is the one that `taskKill` uses. A computed name is usual where one program serves
+    /// several tasks. The rule is off by default, because it enforces a convention that not every shop has.
     ///
     /// ## Bad
     /// ```val3

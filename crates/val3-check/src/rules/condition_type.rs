@@ -1,14 +1,14 @@
-//! V0207: a condition that is no bool.
+//! V0207: a condition that is not a `bool`.
 
 use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
 
 rule! {
-    /// The condition of `if`, `elseIf`, `while` or `until` is no `bool`.
+    /// The condition of `if`, `elseIf`, `while` or `until` is not a `bool`.
     ///
     /// ## Why
-    /// A condition must be true or false (2.2.5). VAL 3 does not take a number for one, as other languages do with
-    /// zero: a number or text is compared with something first. The controller does not load an application with a
-    /// condition of another type.
+    /// A condition must be true or false (2.2.5). Unlike other languages, VAL 3 does not accept a number as a
+    /// condition: compare the number or text with a value. The controller does not load an application with a condition
+    /// of another type.
     ///
     /// ## Bad
     /// ```val3

@@ -9,12 +9,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A line or circle leads to a point that asks for another configuration than the point before.
+    /// The target of a line or circle requires another configuration than the point before.
     ///
     /// ## Why
-    /// On its way from one configuration to another the arm passes through positions that lie on no line or circle
-    /// of the tool, so the move cannot be done (10.1.4.2): the task stops with a run-time error, at this move or at
-    /// a later one. Only a joint move changes the configuration.
+    /// Between two configurations the arm passes through positions that lie on no line or circle of the tool, so the
+    /// move is impossible (10.1.4.2). The task stops with a run-time error at this move or a later one. Only a joint
+    /// move changes the configuration.
     ///
     /// ## Bad
     /// ```val3
@@ -45,7 +45,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    for step in program.motion_steps() {
+    for step in program.arm_calls() {
         if step.role != MotionRole::Move(Path::Cartesian) {
             continue;
         }
@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// What the target of a move certainly asks of the configuration.
+/// The parts of the configuration that the target of a move certainly requires.
 fn definite(program: &Program<'_>, call: ExprId) -> Vec<&'static Enumerator> {
     let target = program.target(call);
     let choices = target.map(|target| program.choices_of(call, target)).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! V0004: a merge that nobody finished.
+//! V0004: an unresolved merge conflict.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -6,9 +6,9 @@ rule! {
     /// A line that version control wrote to mark a merge conflict is still in the file.
     ///
     /// ## Why
-    /// When two people changed the same lines, version control keeps both versions and marks them with
-    /// `<<<<<<<`, `=======` and `>>>>>>>`. Nothing on the controller knows these lines: the file is
-    /// neither XML nor VAL 3 until somebody has chosen a version and removed the marks.
+    /// When two people changed the same lines, version control keeps both versions and marks them with `<<<<<<<`,
+    /// `=======` and `>>>>>>>`. The controller does not know these lines: the file is neither XML nor VAL 3 until one
+    /// version is chosen and the marks are removed.
     ///
     /// ## Bad
     /// ```val3

@@ -9,12 +9,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A condition has the same value whenever it is asked.
+    /// A condition has the same value each time it is evaluated.
     ///
     /// ## Why
-    /// One of its ways is never taken, so it is either left over from a test or compares the wrong things. The
-    /// endless loops `while true` and `until false` are usual and not reported; neither is `if false` around comments
-    /// alone, which switches nothing off.
+    /// One of its branches is never taken. The condition is left over from a test, or it compares the wrong values. The
+    /// endless loops `while true` and `until false` are usual and not reported. An `if false` that contains only
+    /// comments disables nothing and is not reported either.
     ///
     /// ## Bad
     /// ```val3
@@ -48,7 +48,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The conditions written as `false` whose lines are comments: there is nothing that they keep from running.
+/// The conditions `false` whose blocks contain only comments, so that they disable nothing.
 fn idle_conditions(program: &Program<'_>) -> FxHashSet<ExprId> {
     let is_false = |id: &ExprId| matches!(program.body.expr(program.body.peel(*id)), Expr::Bool(false));
     let arms = program.stmts().iter().flat_map(|stmt| match &stmt.kind {

@@ -47,7 +47,7 @@ pub(crate) fn word(callee: &str, parameter: &str, expected: &str, found: &str) -
     )
 }
 
-/// What to write where the slip is a usual one.
+/// Advice for the usual mistakes.
 fn advice(expected: &str, found: &str) -> &'static str {
     match (expected.contains('['), found.contains('[')) {
         (true, false) => "pass a whole array or collection, without an index or key",

@@ -1,4 +1,4 @@
-//! V0007: a character that no XML file may contain.
+//! V0007: a character that is not allowed in XML.
 
 use crate::{
     diagnostic::{Fix, Wording},
@@ -10,10 +10,10 @@ rule! {
     /// A file contains a control character, such as NUL.
     ///
     /// ## Why
-    /// XML allows no control characters but tab, line feed and carriage return, and no way to write the others: the
-    /// file is not well-formed, and the controller does not load the application. Such characters come from a transfer
-    /// that broke off, from a disk that was full, or with text that was copied from a terminal. NUL after every
-    /// letter means that the file was saved as UTF-16 without its mark; save it as UTF-8.
+    /// The only control characters that XML allows are tab, line feed and carriage return. With any other one the file
+    /// is not well-formed, and the controller does not load the application. Such characters come from an interrupted
+    /// transfer, a full disk, or text that was copied from a terminal. NUL after every letter means that the file was
+    /// saved as UTF-16 without a byte order mark; save it as UTF-8.
     ///
     /// One finding is reported for each line.
     ///

@@ -1,4 +1,4 @@
-//! V0116: private data that programs write and never read.
+//! V0116: private data that programs write but never read.
 
 use val3_analysis::items::declarations::Declared;
 use val3_lang::types::BaseType;
@@ -8,12 +8,12 @@ use crate::lint::{DataFile, Findings, unused_data};
 use crate::rule::rule;
 
 rule! {
-    /// Programs write private data, and none ever reads it.
+    /// Programs write private data, but no program reads it.
     ///
     /// ## Why
-    /// What is never read is not needed, or the program that should read it reads something else: often one of two
-    /// similar names. A value that people watch on the pendant is a good reason to keep it. Inputs and outputs are not
-    /// reported, since writing them is their use.
+    /// Data that is never read is not needed, or a program reads the wrong data: often one of two similar names. Data
+    /// may be written only so that people can watch it on the pendant. Inputs and outputs are not reported, because
+    /// writing them is their use.
     ///
     /// ## Bad
     /// ```val3
@@ -40,7 +40,7 @@ rule! {
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
     let view = &data.view;
-    if !unused_data::is_judged(view) {
+    if !unused_data::has_known_uses(view) {
         return;
     }
     let is_idle = |name: &str| {
@@ -54,7 +54,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
 }
 
 fn word(name: &str) -> Wording {
-    Wording::new(format!("programs write `{name}`, and none reads it"), "never read", "remove it, or read it")
+    Wording::new(format!("programs write `{name}`, but no program reads it"), "never read", "remove it, or read it")
 }
 
 #[cfg(test)]
@@ -67,10 +67,10 @@ mod tests {
     #[test]
     fn only_written() {
         expect![[r#"
-            main.dtx:4 `nA` programs write `nA`, and none reads it
+            main.dtx:4 `nA` programs write `nA`, but no program reads it
               | never read
               ? remove it, or read it
-            main.dtx:5 `trB` programs write `trB`, and none reads it
+            main.dtx:5 `trB` programs write `trB`, but no program reads it
               | never read
               ? remove it, or read it
         "#]]

@@ -1,4 +1,4 @@
-//! V0710: global data whose name does not begin as the shop asks.
+//! V0710: global data whose name does not begin with the configured prefix.
 
 use val3_analysis::items::declarations::{Declared, all_data};
 
@@ -6,13 +6,13 @@ use crate::lint::{DataFile, Findings, naming};
 use crate::rule::rule;
 
 rule! {
-    /// The name of global data does not begin with the letters that stand for its type.
+    /// The name of global data does not begin with the prefix of its type.
     ///
     /// ## Why
-    /// Where names tell the type (`nCount`, `pPick`, `bReady`), a line of code can be read without its declarations.
-    /// The letters for each type are the option `prefixes`; a type without an entry may be called anything. A user
-    /// type is asked by its own name. This is a convention of a shop, and off unless it is asked
-    /// for.
+    /// If names show the type (`nCount`, `pPick`, `bReady`), a line of code can be read without its declarations. The
+    /// option `prefixes` gives the letters for each type; the name of data of a type without an entry is not checked. A
+    /// user type has an entry under its own name. The rule is off by default, because it enforces a convention that not
+    /// every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -31,7 +31,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
     for Declared { name, range, .. } in all_data(view.db, data.file) {
         let item = view.items.data.get(&name).filter(|_| val3_lang::builtins::find(&name).is_none());
         let Some(ty) = item.map(|item| naming::type_name(view.db, item.base)) else { continue };
-        if let Some(wording) = naming::judge(view.options, "data", &ty, "", &name) {
+        if let Some(wording) = naming::check_name(view.options, "data", &ty, "", &name) {
             found.report(&RULE, range, wording);
         }
     }

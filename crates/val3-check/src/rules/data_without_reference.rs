@@ -12,11 +12,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A global point, frame or tool has no father in its data file, nothing gives it one, and a program uses it.
+    /// A program uses a global point, frame or tool that has no father in its data file and is never linked.
     ///
     /// ## Why
-    /// Whatever computes or moves with it stops the task with run-time error 162, 163 or 164. Files that a tool wrote
-    /// or a person merged lose the father easily.
+    /// An instruction that computes or moves with it stops the task with run-time error 162, 163 or 164. The father is
+    /// easily lost in files that a tool wrote or a person merged.
     ///
     /// ## Bad
     /// ```val3
@@ -71,7 +71,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// `world` and `flange`, which files of s5 and s6 declare: everything else hangs on them.
+/// `world` and `flange`, which files of s5 and s6 declare. They are the last fathers of all frames and tools.
 fn is_built_in(data: &str, ty: BaseType) -> bool {
     builtins::find(data).is_some_and(|builtin| builtin.is_variable && builtin.ty == ty)
 }

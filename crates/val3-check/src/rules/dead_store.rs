@@ -17,9 +17,8 @@ rule! {
     /// A value is computed and stored in a local variable, and is overwritten or forgotten before anything uses it.
     ///
     /// ## Why
-    /// Something was meant to happen with it: another variable was meant, or a line is missing or stands in the
-    /// wrong order. A constant that a variable starts with is not reported, nor the result of an instruction that
-    /// acts.
+    /// The value was meant to be used: another variable was meant, a line is missing, or the lines are in the wrong
+    /// order. A constant initial value is not reported, nor the result of an instruction that has other effects.
     ///
     /// ## Bad
     /// ```val3
@@ -60,7 +59,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         };
         let is_needed = needed.behind(id).is_none_or(|needed| needed & bit != 0);
         let Root::Local(name) = &access.root else { continue };
-        // To assign an output sets it.
+        // An assignment to an output sets it.
         if program.inference.ty(access.id).base.builtin().is_some_and(BaseType::is_linkable) {
             continue;
         }
@@ -71,7 +70,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The next line that writes all of a variable behind `from`, on the first way that leads to one.
+/// The next line after `from` that overwrites the whole variable, on the first path that reaches one.
 fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option<TextRange> {
     let flow = program.flow();
     let mut seen = vec![false; flow.len()];
@@ -89,13 +88,14 @@ fn overwritten(program: &Program<'_>, from: PointId, variable: Locals) -> Option
     None
 }
 
-/// More than a first value made of literals, and nothing but a value: what acts is not called for its result alone.
+/// A computed value without side effects: not an initial value made of literals, and not the result of an instruction
+/// that has other effects.
 fn is_computed(program: &Program<'_>, value: ExprId) -> bool {
     let is_variable = |id| matches!(program.body.expr(id), Expr::Name(_) | Expr::Path { .. } | Expr::Call(..));
     program.body.within(value).any(is_variable) && program.is_pure(value)
 }
 
-/// Variables that are used somewhere: others are told as unused.
+/// Variables that are used somewhere. Others are reported as unused.
 fn used(program: &Program<'_>) -> Locals {
     let uses = program.flow().points().flat_map(|(id, _)| program.local_use().at(id));
     let reads = uses.filter(|(_, access)| matches!(access.kind, AccessKind::Read | AccessKind::Reference));

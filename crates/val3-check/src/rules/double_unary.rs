@@ -3,12 +3,12 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// Two unary operators stand in a row.
+    /// Two unary operators follow each other.
     ///
     /// ## Why
-    /// `-` and `!` in front of a value cannot follow each other directly, as in `--nA` or `!!bA`. The controller
-    /// refuses the line. Behind an operator with two sides one sign is allowed: `nA*-1`. Where both signs are
-    /// meant, brackets keep them apart.
+    /// `-` and `!` before a value cannot follow each other directly, as in `--nA` or `!!bA`. The controller refuses the
+    /// line. After a binary operator one sign is allowed: `nA*-1`. If both signs are meant, separate them with
+    /// brackets.
     ///
     /// ## Bad
     /// ```val3
@@ -29,7 +29,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
-        "two unary operators stand in a row",
+        "two unary operators follow each other",
         "two signs",
         "remove one, or put the inner part in brackets: `-(-nA)`",
     )
@@ -44,7 +44,7 @@ mod tests {
     #[test]
     fn two_signs() {
         expect![[r#"
-            two unary operators stand in a row
+            two unary operators follow each other
             | two signs
             ? remove one, or put the inner part in brackets: `-(-nA)`
         "#]]

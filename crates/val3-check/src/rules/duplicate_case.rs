@@ -1,4 +1,4 @@
-//! V0306: a `case` value that stands there twice.
+//! V0306: a `case` value that occurs twice.
 
 use rustc_hash::FxHashMap;
 use val3_analysis::body::{ExprId, StmtKind};
@@ -8,10 +8,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A `switch` asks for the same value twice.
+    /// Two branches of a `switch` have the same value.
     ///
     /// ## Why
-    /// The first `case` with the value is taken, the second one never is. One of them was meant for another value.
+    /// The first `case` with the value is always taken, so the second one never runs. One of them was meant for another
+    /// value.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0721: two constants of a group with one value.
+//! V0721: two constants of a group with the same value.
 
 use std::collections::BTreeMap;
 
@@ -11,13 +11,13 @@ use crate::lint::{DataFile, Findings};
 use crate::rule::rule;
 
 rule! {
-    /// Two numbers that belong to one list of names have the same value.
+    /// Two numbers of a group of named constants have the same value.
     ///
     /// ## Why
-    /// `nState_IDLE`, `nState_RUN` and their like stand for different things, so their values should differ: two equal
-    /// ones are often a copied line. A group is three or more numbers whose names share their first word, which no
-    /// program writes, and of which all but a pair or two differ. This is a convention of a shop, and off unless it is
-    /// asked for.
+    /// `nState_IDLE`, `nState_RUN` and similar names mean different things, so their values should differ. Two equal
+    /// values often come from a copied line. A group is three or more numbers whose names share their first word, which
+    /// no program writes, and of which all but a pair or two differ. The rule is off by default, because it enforces a
+    /// convention that not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -64,7 +64,7 @@ fn group(name: &str) -> Option<&str> {
     name.get(..end).filter(|group| group.len() < name.len() && group.len() > 2)
 }
 
-/// Each value that has come before, with the first of that value; nothing where few of the values differ.
+/// Each repeated value, with the first constant that has it. Empty if few of the values differ.
 fn duplicates(group: &[Constant]) -> Vec<(&Constant, &Constant)> {
     let mut pairs = Vec::new();
     for (at, second) in group.iter().enumerate() {

@@ -13,9 +13,9 @@ rule! {
     /// A project lists a file twice, or declares a library identifier or a user type twice.
     ///
     /// ## Why
-    /// A program file listed twice would define its program twice. A library identifier or a user type that is
-    /// declared twice leaves open which project it stands for. The controller refuses both when it loads the project.
-    /// One library may well have several identifiers; it is the identifier that must be unique.
+    /// A program file listed twice would define its program twice. If a library identifier or a user type is declared
+    /// twice, it is unclear which project it means. The controller refuses both when it loads the project. One library
+    /// may have several identifiers; only the identifiers must be unique.
     ///
     /// ## Bad
     /// ```val3
@@ -66,11 +66,12 @@ fn declared_twice(what: &str, name: &str) -> Wording {
     )
 }
 
-/// Removes the second entry, if it is the only thing on its line. Which of two declarations is meant nobody can tell.
+/// Removes the second entry of a file if it is the only text on its line. For libraries and types the fix is not known,
+/// because either declaration may be the right one.
 pub(crate) fn fix(site: &Site<'_>, what: FileRole) -> Option<Fix> {
     let is_list = matches!(what, FileRole::Program | FileRole::Data);
     let opens = site.before().trim_start().strip_prefix('<').is_some_and(|rest| !rest.contains('<'));
-    let closes = site.behind().trim_end().strip_suffix("/>").is_some_and(|rest| !rest.contains('>'));
+    let closes = site.after().trim_end().strip_suffix("/>").is_some_and(|rest| !rest.contains('>'));
     (is_list && opens && closes).then(|| Fix::safe("remove the second entry", vec![site.remove_line()]))
 }
 

@@ -1,11 +1,11 @@
-//! V0108: one name, two declarations.
+//! V0108: a name that is declared twice.
 
 use val3_analysis::problem::NameKind;
 
 use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
 
 rule! {
-    /// A name is declared twice in the same place.
+    /// A name is declared twice in the same scope.
     ///
     /// ## Why
     /// The controller would not know which of the two is meant, and does not load the application. Data of one

@@ -12,11 +12,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program creates two tasks of one name, one right after the other.
+    /// A program creates two tasks with the same name, one directly after the other.
     ///
     /// ## Why
-    /// The first one still runs when the second is created, and no two tasks of an application may have one name:
-    /// run-time error 31. Only lines are looked at between which nothing waits, ends a task or calls a program.
+    /// The first task is still running when the second is created. Two tasks of an application with the same name raise
+    /// run-time error 31. The rule only examines creations between which nothing waits, ends a task or calls a program.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
     let mut pairs = Vec::new();
     in_block(program.body, &program.body.block, &mut pairs);
-    for Pair { name, first, second } in pairs {
+    for EqualNames { name, first, second } in pairs {
         let reported = found.report(&RULE, second, word(&name, first == second));
         if first != second {
             reported.related(first, "the first one");
@@ -62,19 +62,19 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Two tasks of one name; one that a loop creates again is its own second.
-struct Pair {
+/// Two tasks with the same name. A task that a loop creates is its own second task.
+struct EqualNames {
     name: SmolStr,
     first: TextRange,
     second: TextRange,
 }
 
-fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<Pair>) {
+fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<EqualNames>) {
     let mut running: FxHashMap<SmolStr, TextRange> = FxHashMap::default();
     for stmt in block {
         if let Some((name, range)) = created(body, stmt) {
             if let Some(first) = running.insert(name.clone(), range) {
-                pairs.push(Pair { name, first, second: range });
+                pairs.push(EqualNames { name, first, second: range });
             }
         } else if !running.is_empty() && may_wait(body, stmt) {
             running.clear();
@@ -82,7 +82,7 @@ fn in_block(body: &Body, block: &[Stmt], pairs: &mut Vec<Pair>) {
         match &stmt.kind {
             StmtKind::For { block, .. } if creates(body, block) && !may_wait(body, stmt) => {
                 let again = block.iter().filter_map(|stmt| created(body, stmt));
-                pairs.extend(again.map(|(name, range)| Pair { name, first: range, second: range }));
+                pairs.extend(again.map(|(name, range)| EqualNames { name, first: range, second: range }));
             }
             _ => stmt.blocks().for_each(|inner| in_block(body, inner, pairs)),
         }
@@ -100,7 +100,7 @@ fn creates(body: &Body, block: &[Stmt]) -> bool {
     block.iter().any(|stmt| created(body, stmt).is_some())
 }
 
-/// Something in the statement lets other tasks have their turn, ends one, or is not known.
+/// The statement may give other tasks their turn, may end a task, or has unknown effects.
 fn may_wait(body: &Body, stmt: &Stmt) -> bool {
     let inside = body.exprs().filter(|(_, _, range)| stmt.range.contains_range(*range));
     let waits = |callee: ExprId| match body.expr(callee) {
@@ -111,7 +111,7 @@ fn may_wait(body: &Body, stmt: &Stmt) -> bool {
     !is_creation_only(body, stmt) && calls.into_iter().any(waits)
 }
 
-/// The calls that creations of tasks contain do not run on this line.
+/// A call inside a task creation does not run on this line.
 fn is_creation_only(body: &Body, stmt: &Stmt) -> bool {
     match &stmt.kind {
         StmtKind::TaskCreate { .. } => true,

@@ -1,4 +1,4 @@
-//! V0330: a condition with nothing to do.
+//! V0330: a condition with an empty block.
 
 use val3_analysis::body::{Stmt, StmtKind};
 use val3_syntax::{TextRange, TextSize};
@@ -8,10 +8,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An `if` or `elseIf` has neither statement nor comment behind its condition.
+    /// The block of an `if` or `elseIf` has neither a statement nor a comment.
     ///
     /// ## Why
-    /// Nothing happens there. Either something was forgotten, or the test can go; a comment says that it is meant.
+    /// Nothing happens if the condition holds. Either code is missing, or the test is not needed. A comment in the
+    /// block shows that it is empty on purpose.
     ///
     /// ## Bad
     /// ```val3
@@ -46,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// A comment stands between `start` and whatever comes next of the statement.
+/// There is a comment between `start` and the next part of the statement.
 fn has_comment(program: &Program<'_>, start: TextSize, stmt: &Stmt) -> bool {
     let range = TextRange::new(start, stmt.range.end());
     let text = program.file.text(program.db).get(std::ops::Range::<usize>::from(range)).unwrap_or("");

@@ -13,8 +13,8 @@ rule! {
     /// A collection is used with an empty string as the key.
     ///
     /// ## Why
-    /// A key is any text but the empty one (2.5.1): no value can have it, and none can be inserted under it. The line
-    /// stops its task whenever it runs. `isDefined`, `next` and `prev` take any text.
+    /// A key can be any text except the empty one (2.5.1). No value has an empty key, and none can be inserted with it.
+    /// The line stops its task whenever it runs. `isDefined`, `next` and `prev` accept any text.
     ///
     /// ## Bad
     /// ```val3

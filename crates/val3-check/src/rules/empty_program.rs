@@ -11,9 +11,9 @@ rule! {
     /// A program has no line of code.
     ///
     /// ## Why
-    /// Its call does nothing. Either its code was never written, or it was commented out. `start` and `stop` may be
-    /// empty, and so may public programs that an interface asks for. This is a convention of a shop, and off unless it
-    /// is asked for.
+    /// A call of it does nothing. Its code is missing or was commented out. `start` and `stop` may be empty, and so may
+    /// public programs that an interface requires. The rule is off by default, because it enforces a convention that
+    /// not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +51,7 @@ fn word(name: &str) -> Wording {
     Wording::new(
         format!("the program `{name}` has no line of code"),
         "does nothing",
-        "write it, or remove it and its calls",
+        "write its code, or remove the program and its calls",
     )
 }
 
@@ -67,7 +67,7 @@ mod tests {
         expect![[r#"
             p.pgx:3 `p` the program `p` has no line of code
               | does nothing
-              ? write it, or remove it and its calls
+              ? write its code, or remove the program and its calls
         "#]]
         .assert_eq(&check(&RULE, "program p()\nbegin\n  // later\nend"));
     }

@@ -1,22 +1,21 @@
-//! V0005: bytes outside the declared encoding, and characters that were lost to another one.
+//! V0005: bytes outside the declared encoding, and characters lost in a conversion.
 
 use val3_analysis::problem::EncodingFault;
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A file is not in the encoding it declares, or was opened in another one.
+    /// A file is not in the encoding that it declares, or was opened in another one.
     ///
     /// ## Why
-    /// The first line of a file names its encoding; without one, XML means UTF-8. Whoever
-    /// reads bytes that the encoding does not have must guess: a text on the pendant comes out wrong, or
-    /// the file is not read at all. It happens when an editor saves a file as Windows-1252 or ISO-8859-1
-    /// and leaves `encoding="utf-8"` in its first line, or saves a program of s5 as UTF-8 and leaves
-    /// `encoding="iso-8859-1"`.
+    /// The first line of a file names its encoding. Without a declaration, XML uses UTF-8. A reader must guess the
+    /// meaning of bytes that the encoding does not have: a text on the pendant is wrong, or the file is not read at
+    /// all. This happens when an editor saves a file as Windows-1252 or ISO-8859-1 but leaves `encoding="utf-8"` in its
+    /// first line, or saves a program of s5 as UTF-8 but leaves `encoding="iso-8859-1"`.
     ///
-    /// An editor that opens a file in ISO-8859-1 as UTF-8 shows the character U+FFFD in the place of each
-    /// one beyond ASCII. Saving the file stores that character: the others are lost. Close the file
-    /// without saving, and open it again in its own encoding.
+    /// An editor that opens an ISO-8859-1 file as UTF-8 shows the character U+FFFD in place of each character beyond
+    /// ASCII. Saving the file stores U+FFFD, and the original characters are lost. Close the file without saving, and
+    /// open it again in its own encoding.
     ///
     /// ## Bad
     /// ```text

@@ -11,8 +11,8 @@ rule! {
     /// The program `start` or `stop` of an application has parameters.
     ///
     /// ## Why
-    /// The controller calls them itself, when the application begins and ends, and hands nothing over: they cannot have
-    /// parameters (5.2).
+    /// The controller calls these programs itself, when the application starts and stops, and passes no arguments. They
+    /// cannot have parameters (5.2).
     ///
     /// ## Bad
     /// ```val3

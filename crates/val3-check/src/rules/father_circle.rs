@@ -1,11 +1,11 @@
-//! V0522: frames or tools that hang on each other in a circle.
+//! V0522: a circle of fathers.
 
 use smol_str::SmolStr;
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A frame or tool hangs on itself, directly or over others.
+    /// A frame or tool is its own father, directly or through others.
     ///
     /// ## Why
     /// Each frame is given in its father, and the chain of fathers must end at `world`; the chain of a tool must end
@@ -49,7 +49,7 @@ rule! {
     V0522 "father-circle" Error
 }
 
-/// Words the finding. The first name stands again at the end of `chain`.
+/// Words the finding. The first name is repeated at the end of `chain`.
 pub(crate) fn word(chain: &[SmolStr]) -> Wording {
     let names: Vec<String> = chain.iter().map(|name| format!("`{name}`")).collect();
     let message = match names.as_slice() {
@@ -59,7 +59,7 @@ pub(crate) fn word(chain: &[SmolStr]) -> Wording {
     Wording::new(
         message,
         "leads back to the start",
-        "let one of them hang on `world[0]` (frames) or `flange[0]` (tools)",
+        "give one of them the father `world[0]` (frames) or `flange[0]` (tools)",
     )
 }
 
@@ -74,7 +74,7 @@ mod tests {
         expect![[r#"
             the fathers form a circle: `fTray` -> `fRow` -> `fTray`
             | leads back to the start
-            ? let one of them hang on `world[0]` (frames) or `flange[0]` (tools)
+            ? give one of them the father `world[0]` (frames) or `flange[0]` (tools)
         "#]]
         .assert_eq(&word(&["fTray".into(), "fRow".into(), "fTray".into()]).to_string());
     }
@@ -84,7 +84,7 @@ mod tests {
         expect![[r#"
             `fTray` is its own father
             | leads back to the start
-            ? let one of them hang on `world[0]` (frames) or `flange[0]` (tools)
+            ? give one of them the father `world[0]` (frames) or `flange[0]` (tools)
         "#]]
         .assert_eq(&word(&["fTray".into(), "fTray".into()]).to_string());
     }

@@ -1,14 +1,14 @@
-//! V0523: a father that lives in a library.
+//! V0523: a father that belongs to a library.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A data file lets a frame, point or tool hang on data of a library.
+    /// The father of a frame, point or tool in a data file is data of a library.
     ///
     /// ## Why
-    /// `fatherId` can only name data of the same project. Which library stands behind an identifier is decided when
-    /// the application runs, and may change (6.3), so a data file cannot rely on one. Program code can: `link` sets a
-    /// father that lives in a library, once the library is loaded.
+    /// `fatherId` can only name data of the same project. The library of an identifier is chosen when the application
+    /// runs and may change (6.3), so a data file cannot refer to it. Program code can: `link` sets a father in a
+    /// library after the library is loaded.
     ///
     /// ## Bad
     /// ```val3
@@ -53,7 +53,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(father: &str) -> Wording {
     Wording::new(
-        format!("the father `{father}` lives in a library"),
+        format!("the father `{father}` belongs to a library"),
         "must be data of this application",
         "choose a frame or tool of this application here, and call `link` once the library is loaded",
     )
@@ -68,7 +68,7 @@ mod tests {
     #[test]
     fn the_father_is_named() {
         expect![[r#"
-            the father `cell:fTray[0]` lives in a library
+            the father `cell:fTray[0]` belongs to a library
             | must be data of this application
             ? choose a frame or tool of this application here, and call `link` once the library is loaded
         "#]]

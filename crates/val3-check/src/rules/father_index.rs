@@ -6,9 +6,8 @@ rule! {
     /// A father is named with an index that its array does not have.
     ///
     /// ## Why
-    /// `fatherId` names one element of an array of frames or tools. Indexes count from 0, so the last one is one less
-    /// than the size. An element that does not exist can be nobody's father: the controller reports the linked data as
-    /// missing.
+    /// `fatherId` names one element of an array of frames or tools. Indexes count from 0, so the last one is the size
+    /// less 1. The controller reports a father that does not exist as missing linked data.
     ///
     /// ## Bad
     /// ```val3
@@ -53,7 +52,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(father: &str, size: &str) -> Wording {
     Wording::new(
-        format!("the father `{father}` lies outside its array of size `{size}`"),
+        format!("the father `{father}` is outside its array of size `{size}`"),
         last_key(size).map(|last| format!("the last index is `{last}`")).unwrap_or_default(),
         "indexes count from 0",
     )
@@ -68,7 +67,7 @@ mod tests {
     #[test]
     fn the_last_index_is_named() {
         expect![[r#"
-            the father `fTray[2]` lies outside its array of size `2`
+            the father `fTray[2]` is outside its array of size `2`
             | the last index is `1`
             ? indexes count from 0
         "#]]

@@ -3,11 +3,11 @@
 use crate::{diagnostic::Wording, english::count, rule::rule};
 
 rule! {
-    /// A frame or point hangs on something other than a frame, or a tool on something other than a tool.
+    /// The father of a frame or point is not a frame, or the father of a tool is not a tool.
     ///
     /// ## Why
-    /// A frame or a point is given in a reference frame (9.4, 9.6), a tool relative to a base tool (9.5). Other data
-    /// has no place in these chains, and the controller refuses the link as one of the wrong type.
+    /// A frame or a point is defined in a reference frame (9.4, 9.6), a tool relative to a base tool (9.5). The
+    /// controller refuses a link to data of another type.
     ///
     /// ## Bad
     /// ```val3
@@ -61,7 +61,7 @@ pub(crate) fn word(father: &str, expected: &str, found: &str) -> Wording {
     )
 }
 
-/// Data that has the name of `world` or `flange`.
+/// Data with the name of `world` or `flange`.
 pub(crate) fn hidden(name: &str, expected: &str, found: &str, uses: usize) -> Wording {
     let uses = count(uses, "value");
     Wording::new(

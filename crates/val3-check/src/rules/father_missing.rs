@@ -8,12 +8,12 @@ use crate::{
 };
 
 rule! {
-    /// A frame, point or tool hangs on a frame or tool that the application does not have.
+    /// The father of a frame, point or tool does not exist in the application.
     ///
     /// ## Why
-    /// `fatherId` names the reference frame of a frame or point (9.4, 9.6) or the base tool of a tool (9.5). All
-    /// frames hang on `world` in the end, all tools on `flange`. Without its father the position of the data is
-    /// unknown, and the controller reports the linked data as missing when it loads the application.
+    /// `fatherId` names the reference frame of a frame or point (9.4, 9.6) or the base tool of a tool (9.5). The chain
+    /// of fathers of every frame ends at `world`, that of every tool at `flange`. Without its father the position of
+    /// the data is unknown, and the controller reports missing linked data when it loads the application.
     ///
     /// ## Bad
     /// ```val3
@@ -58,14 +58,14 @@ pub(crate) fn word(father: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the father `{father}` does not exist"),
         "no such frame or tool in this application",
-        did_you_mean_or(near, "frames and points may hang on `world[0]`, tools on `flange[0]`"),
+        did_you_mean_or(near, "the father of a frame or point may be `world[0]`, that of a tool `flange[0]`"),
     )
 }
 
-/// Writes the near name and leaves the index.
+/// Replaces the name by the similar one and keeps the index.
 pub(crate) fn fix(site: &Site<'_>, father: &str, near: Option<&str>) -> Option<Fix> {
     let name = father.split_once('[').map_or(father, |(name, _)| name);
-    // The near name belongs to one step of a longer reference, and the fault does not say to which.
+    // The similar name belongs to one part of a longer reference, and the fault does not include which one.
     let is_one_step = !father.contains('.');
     is_one_step.then(|| rename(site, name, near)).flatten()
 }
@@ -91,7 +91,7 @@ mod tests {
         expect![[r#"
             the father `fOld[0]` does not exist
             | no such frame or tool in this application
-            ? frames and points may hang on `world[0]`, tools on `flange[0]`
+            ? the father of a frame or point may be `world[0]`, that of a tool `flange[0]`
         "#]]
         .assert_eq(&word("fOld[0]", None).to_string());
     }

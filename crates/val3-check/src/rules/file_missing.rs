@@ -1,4 +1,4 @@
-//! V0501: a file that the project names and the disk lacks.
+//! V0501: a file of the project that is not on the disk.
 
 use val3_analysis::problem::FileRole;
 
@@ -9,9 +9,9 @@ rule! {
     ///
     /// ## Why
     /// The controller opens every file of a project when it loads the application, and does not load it if one is
-    /// missing. Files usually get lost when a project is copied in part, and libraries when the folder of the library
-    /// has another name on the controller: `Disk://` always stands for the folder `usrapp`. The letter case of a name
-    /// does not matter.
+    /// missing. Files usually get lost when only part of a project is copied. A library is also missing if its folder
+    /// has another name on the controller: `Disk://` always means the folder `usrapp`. The letter case of a name does
+    /// not matter.
     ///
     /// ## Bad
     /// ```val3
@@ -35,7 +35,7 @@ rule! {
 
 /// Words the finding.
 pub(crate) fn word(what: FileRole, path: &str) -> Wording {
-    Wording::new(format!("the {} `{path}` is not on the disk", file_role(what)), "nothing is there", help(what, path))
+    Wording::new(format!("the {} `{path}` is not on the disk", file_role(what)), "no such file", help(what, path))
 }
 
 /// Where the controller looks for the file.
@@ -63,7 +63,7 @@ mod tests {
     fn a_program() {
         expect![[r#"
             the program file `cycle.pgx` is not on the disk
-            | nothing is there
+            | no such file
             ? copy the file into the folder of the project, or remove the entry
         "#]]
         .assert_eq(&word(FileRole::Program, "cycle.pgx").to_string());
@@ -73,7 +73,7 @@ mod tests {
     fn a_library() {
         expect![[r#"
             the library `Disk://parts/part.pjx` is not on the disk
-            | nothing is there
+            | no such file
             ? `Disk://` is the folder `usrapp`: copy the missing project there, or correct the path
         "#]]
         .assert_eq(&word(FileRole::Library, "Disk://parts/part.pjx").to_string());
@@ -83,7 +83,7 @@ mod tests {
     fn a_type_beside_the_project() {
         expect![[r#"
             the user type `./Slot/Slot.pjx` is not on the disk
-            | nothing is there
+            | no such file
             ? `./` is the folder of this project: copy the missing project, or correct the path
         "#]]
         .assert_eq(&word(FileRole::Type, "./Slot/Slot.pjx").to_string());

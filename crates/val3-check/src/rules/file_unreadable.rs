@@ -3,11 +3,11 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A file of the application, or the table of an add-on in its cell, exists and cannot be read.
+    /// A file of the application, or the table of an add-on in its cell, exists but cannot be read.
     ///
     /// ## Why
-    /// What the file says stays unknown, so nothing that depends on it can be judged. The usual reasons are missing
-    /// rights, a folder that has the name of a file, a medium that was taken out, and an editor that saved UTF-16.
+    /// The content of the file is unknown, so nothing that depends on it can be checked. The usual reasons are missing
+    /// permissions, a folder with the name of a file, a removed medium, and an editor that saved UTF-16.
     ///
     /// An unreadable table in `usr/app` is reported at each project of the cell: without it, the instructions of the add-on
     /// are unknown.
@@ -31,7 +31,7 @@ pub(crate) fn word(reason: &str) -> Wording {
     Wording::new(
         format!("the file or folder cannot be read: {reason}"),
         "",
-        "save it as UTF-8 text, give the right to read it, or correct its name",
+        "save it as UTF-8 text, allow reading it, or correct its name",
     )
 }
 
@@ -64,7 +64,7 @@ mod tests {
     fn the_reason_is_the_systems() {
         expect![[r#"
             the file or folder cannot be read: permission denied
-            ? save it as UTF-8 text, give the right to read it, or correct its name
+            ? save it as UTF-8 text, allow reading it, or correct its name
         "#]]
         .assert_eq(&word("permission denied").to_string());
     }

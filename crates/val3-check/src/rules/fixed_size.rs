@@ -1,4 +1,4 @@
-//! V0235: an array that cannot change its size.
+//! V0235: an instruction that cannot change the size of this array.
 
 use val3_analysis::body::Expr;
 use val3_analysis::effects::Root;
@@ -11,13 +11,13 @@ use crate::lint::{Call, Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An instruction that changes the size of an array is given a variable that it does not support.
+    /// An instruction that changes the size of an array gets a variable that it does not support.
     ///
     /// ## Why
-    /// `insert`, `delete`, `append` and `resize` do not support local arrays, and the first three no arrays of two or
-    /// three dimensions (2.5.4, 2.5.5): use a global array, and `resize` for one of several dimensions. `append` and
-    /// `resize` do not support collections, whose values have keys: use `insert` and `delete`. The line is run-time
-    /// error 70.
+    /// `insert`, `delete`, `append` and `resize` do not support local arrays, and the first three do not support arrays
+    /// of two or three dimensions (2.5.4, 2.5.5). Use a global array, and `resize` for an array of several dimensions.
+    /// `append` and `resize` do not support collections, whose values have keys; use `insert` and `delete`. Otherwise
+    /// the line raises run-time error 70.
     ///
     /// ## Bad
     /// ```val3

@@ -1,13 +1,13 @@
-//! V0219: a bound or step of `for` that is no num.
+//! V0219: a bound or step of `for` that is not a `num`.
 
 use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
 
 rule! {
-    /// The first value, the last value or the step of `for` is no `num`.
+    /// The first value, the last value or the step of `for` is not a `num`.
     ///
     /// ## Why
-    /// The counter of `for` is a number, and so are the values that it is compared with and changed by. The controller
-    /// does not load an application with a value of another type.
+    /// The counter of `for` is a number, and its bounds and its step must be numbers as well. The controller does not
+    /// load an application with a value of another type.
     ///
     /// ## Bad
     /// ```val3

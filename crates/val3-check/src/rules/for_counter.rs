@@ -1,9 +1,9 @@
-//! V0218: a counter of `for` that is no num variable.
+//! V0218: a counter of `for` that is not a `num` variable.
 
 use crate::{diagnostic::Wording, english::a, rule::rule};
 
 rule! {
-    /// The counter of `for` is no `num` variable.
+    /// The counter of `for` is not a `num` variable.
     ///
     /// ## Why
     /// `for` assigns its first value to the counter, and adds the step to it after each turn (2.2.5). Only a variable

@@ -7,11 +7,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The block of a `for` counts as well.
+    /// The block of a `for` changes the counter as well.
     ///
     /// ## Why
-    /// `endFor` adds the step to whatever the counter holds by then, so rounds are left out or done twice. To set
-    /// the counter to a value that ends the loop is usual and not reported.
+    /// `endFor` adds the step to the current value of the counter, so rounds are skipped or repeated. Setting the
+    /// counter to a value that ends the loop is usual and not reported.
     ///
     /// ## Bad
     /// ```val3

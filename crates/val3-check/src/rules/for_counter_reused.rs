@@ -1,4 +1,4 @@
-//! V0315: a `for` in a `for` with the same counter.
+//! V0315: a nested `for` with the same counter.
 
 use val3_analysis::body::{Stmt, StmtKind};
 
@@ -7,11 +7,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A `for` inside another `for` counts with the same variable.
+    /// A `for` inside another `for` uses the same counter.
     ///
     /// ## Why
-    /// When the inner loop is through, the counter stands behind its end, and the outer loop goes on from there: it
-    /// ends early or starts again for ever.
+    /// When the inner loop has ended, the counter is past the inner limit, and the outer loop continues from that
+    /// value: it ends early or never ends.
     ///
     /// ## Bad
     /// ```val3

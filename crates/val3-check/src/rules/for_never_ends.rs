@@ -1,4 +1,4 @@
-//! V0304: a `for` that counts by nothing.
+//! V0304: a `for` with a step of 0.
 
 use val3_analysis::body::StmtKind;
 
@@ -7,11 +7,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The step of a `for` is 0, so the counter never gets to its end.
+    /// The step of a `for` is 0, so the counter never reaches its limit.
     ///
     /// ## Why
-    /// The loop ends when the counter has passed the end. With `step 0` it stays where it starts, and the loop goes
-    /// round for ever.
+    /// The loop ends when the counter has passed the limit. With `step 0` the counter never changes, and the loop never
+    /// ends.
     ///
     /// ## Bad
     /// ```val3

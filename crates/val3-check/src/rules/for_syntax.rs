@@ -6,9 +6,8 @@ rule! {
     /// A `for` line lacks its `=`, its `to` or the value of its step.
     ///
     /// ## Why
-    /// A loop that counts is written `for counter = first to last`, and with `step` and a number where the counter does not rise
-    /// by one. A negative step counts down. All parts stand on one line; the controller refuses any other
-    /// form.
+    /// A counting loop is written `for counter = first to last`, followed by `step` and a number if the step is not 1.
+    /// A negative step counts down. All parts must be on one line; the controller refuses any other form.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +50,7 @@ fn part(what: &str, behind: &str, found: &str) -> Wording {
     Wording::new(
         format!("`for` has no {} {behind}: {}", what.trim_start_matches("a "), found_text(found)),
         format!("expected {what}"),
-        "write `for nIndex=0 to 9`, with `step 2` behind it if needed",
+        "write `for nIndex=0 to 9`, followed by `step 2` if needed",
     )
 }
 
@@ -66,7 +65,7 @@ mod tests {
         expect![[r#"
             `for` has no `=` after the counter: `to` was found
             | expected `=`
-            ? write `for nIndex=0 to 9`, with `step 2` behind it if needed
+            ? write `for nIndex=0 to 9`, followed by `step 2` if needed
         "#]]
         .assert_eq(&no_assignment("to").to_string());
     }
@@ -76,7 +75,7 @@ mod tests {
         expect![[r#"
             `for` has no `to` after the first value: `,` was found
             | expected `to`
-            ? write `for nIndex=0 to 9`, with `step 2` behind it if needed
+            ? write `for nIndex=0 to 9`, followed by `step 2` if needed
         "#]]
         .assert_eq(&no_to(",").to_string());
     }
@@ -86,7 +85,7 @@ mod tests {
         expect![[r#"
             `for` has no value after `step`: the line ends
             | expected a value
-            ? write `for nIndex=0 to 9`, with `step 2` behind it if needed
+            ? write `for nIndex=0 to 9`, followed by `step 2` if needed
         "#]]
         .assert_eq(&no_step("").to_string());
     }

@@ -12,8 +12,9 @@ rule! {
     /// A text for the pendant holds a character beyond ASCII.
     ///
     /// ## Why
-    /// Which letters the pendant shows depends on the controller and its language. Texts for people also belong into
-    /// data, where they can be translated. This is a convention of a shop, and off unless it is asked for.
+    /// The characters that the pendant can show depend on the controller and its language. Keep texts for people in
+    /// data, where they can be translated. The rule is off by default, because it enforces a convention that not every
+    /// shop has.
     ///
     /// ## Bad
     /// ```val3

@@ -9,7 +9,7 @@ use crate::{
 };
 
 rule! {
-    /// An operator or keyword of another programming language.
+    /// A line contains an operator or keyword of another programming language.
     ///
     /// ## Why
     /// VAL 3 writes `and`, `or`, `!` and `!=` where other languages have `&&`, `||`, `not` and `<>`. A
@@ -44,7 +44,7 @@ pub(crate) fn word(found: &str, instead: &str) -> Wording {
     Wording::new(format!("VAL 3 writes `{instead}` instead of `{found}`"), format!("write `{instead}`"), "")
 }
 
-/// Writes what VAL 3 has instead. A word too many goes with the blanks before it, if it ends its line.
+/// Writes the VAL 3 spelling. A superfluous word is removed with the blanks before it if it ends its line.
 pub(crate) fn fix(site: &Site<'_>, instead: &str) -> Option<Fix> {
     if !instead.is_empty() {
         return Some(Fix::safe(format!("write `{instead}`"), vec![site.replace(site.range, instead)]));
@@ -52,7 +52,7 @@ pub(crate) fn fix(site: &Site<'_>, instead: &str) -> Option<Fix> {
     let before = site.before();
     let blanks = TextSize::of(before) - TextSize::of(before.trim_end());
     let range = TextRange::new(site.range.start() - blanks, site.range.end());
-    let ends_line = site.behind().trim().is_empty();
+    let ends_line = site.after().trim().is_empty();
     ends_line.then(|| Fix::safe(format!("remove `{}`", site.text()), vec![site.replace(range, "")]))
 }
 

@@ -1,4 +1,4 @@
-//! V0410: a global frame, tool or point that is given in a local one.
+//! V0410: a global frame, tool or point that refers to a local one.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_analysis::effects::Root;
@@ -15,8 +15,9 @@ rule! {
     /// A global frame, tool or point gets a local variable as its reference.
     ///
     /// ## Why
-    /// The local variable is gone when its program ends, and the global one would have no place any more. The line is
-    /// run-time error 165. It concerns `link` as well as a point that `here` or `jointToPoint` yields in a local frame.
+    /// The local variable ceases to exist when its program ends, and the global one would have no reference. The line
+    /// raises run-time error 165. The rule covers `link`, and points that `here` or `jointToPoint` returns in a local
+    /// frame.
     ///
     /// ## Bad
     /// ```val3
@@ -59,7 +60,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The frame in which the call gives its point.
+/// The frame in which the call returns its point.
 fn frame_of(call: &Call<'_>) -> Option<ExprId> {
     let mut arguments = call.arguments().filter(|_| gives_point_in_frame(call.instruction.name));
     arguments.find(|(param, _)| param.ty == Some(BaseType::Frame)).map(|(_, argument)| argument)
@@ -74,7 +75,7 @@ fn report(program: &Program<'_>, target: ExprId, reference: ExprId, found: &mut 
     }
 }
 
-/// A local variable, without what the parentheses around it make of it.
+/// A local variable, possibly in parentheses.
 fn is_local(program: &Program<'_>, id: ExprId) -> bool {
     let is_variable = matches!(program.body.expr(id), Expr::Name(_) | Expr::Index(..) | Expr::Field { .. });
     is_variable && matches!(program.effects.root(id), Some(Root::Local(_)))

@@ -11,9 +11,8 @@ rule! {
     /// A local variable or a parameter has the name of global data.
     ///
     /// ## Why
-    /// Within the program the name means the local one, so the program cannot reach the global data, and who reads the
-    /// code takes one for the other. Names with a prefix of their own (`l_` for locals, `x_` for parameters) cannot
-    /// hide anything.
+    /// Within the program the name means the local variable. The program cannot access the global data, and readers
+    /// confuse the two. Names with a prefix of their own (`l_` for locals, `x_` for parameters) cannot hide data.
     ///
     /// ## Bad
     /// ```val3

@@ -13,7 +13,7 @@ rule! {
     ///
     /// ## Why
     /// Within the program the name means the variable: `world` is no longer the frame of the cell, and `off` no longer
-    /// a way to blend. Beside an instruction of the same name the line reads as something else than it is.
+    /// a blending mode. A variable with the name of an instruction makes lines with that instruction hard to read.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +51,7 @@ fn report(found: &mut Findings, what: &str, names: Vec<Declared>) {
     }
 }
 
-/// What the word means in VAL 3. Keywords are an error of their own.
+/// The meaning of the word in VAL 3. Keywords are reported by another rule, as an error.
 fn meaning(name: &str) -> Option<&'static str> {
     match reserved(name)? {
         Reserved::Keyword => None,

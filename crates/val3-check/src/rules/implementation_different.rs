@@ -5,12 +5,12 @@ use val3_analysis::problem::NameKind;
 use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
 
 rule! {
-    /// A library that is loaded under an identifier declares an item otherwise than its interface does.
+    /// A library that is loaded under an identifier declares an item differently from the interface.
     ///
     /// ## Why
-    /// The programs that use the identifier were compiled against the interface: type, container and, for a program,
-    /// each parameter with its type and passing (`&` or not) must be the same (6.2, 6.3). With a different item the
-    /// interfaces do not match: `libLoad` returns 11 (6.6), and what the program expects is not there.
+    /// The programs that use the identifier were compiled against the interface. Type, container and, for a program,
+    /// each parameter with its type and passing (`&` or not) must be the same (6.2, 6.3). If an item differs, the
+    /// interfaces do not match and `libLoad` returns 11 (6.6).
     ///
     /// ## Bad
     /// ```val3

@@ -9,10 +9,10 @@ rule! {
     /// A library that is loaded under an identifier lacks a program or data of its interface.
     ///
     /// ## Why
-    /// The project that declares the identifier fixes the interface; any library with the same public programs and
-    /// data may be loaded under it (6.3). If one is missing, `libLoad` returns 11, and the first use of the missing
-    /// item stops the task with the run-time error 80 (6.6). `libExist` and `isDefined` tell beforehand whether an
-    /// item is there.
+    /// The project that declares the identifier defines the interface. Any library with the same public programs and
+    /// data may be loaded under it (6.3). If an item is missing, `libLoad` returns 11, and the first use of the item
+    /// stops the task with run-time error 80 (6.6). `libExist` and `isDefined` report beforehand whether an item
+    /// exists.
     ///
     /// ## Bad
     /// ```val3
@@ -67,7 +67,7 @@ fn one(alias: &str, library: &str, item: &str, what: NameKind) -> Wording {
     Wording::new(
         format!("the library `{library}` lacks the {what} `{item}` of the interface of `{alias}`"),
         format!("has no {what} `{item}`"),
-        format!("add it as public to `{library}`, or ask `{alias}:libExist(\"{item}{brackets}\")` before each use"),
+        format!("add it as public to `{library}`, or test `{alias}:libExist(\"{item}{brackets}\")` before each use"),
     )
 }
 
@@ -92,7 +92,7 @@ mod tests {
         expect![[r#"
             the library `partBag` lacks the program `pick` of the interface of `part`
             | has no program `pick`
-            ? add it as public to `partBag`, or ask `part:libExist("pick()")` before each use
+            ? add it as public to `partBag`, or test `part:libExist("pick()")` before each use
         "#]]
         .assert_eq(&word("part", "partBag", &[(NameKind::Program, "pick".into())]).to_string());
     }
@@ -102,7 +102,7 @@ mod tests {
         expect![[r#"
             the library `partBag` lacks the data `nWeight` of the interface of `part`
             | has no data `nWeight`
-            ? add it as public to `partBag`, or ask `part:libExist("nWeight")` before each use
+            ? add it as public to `partBag`, or test `part:libExist("nWeight")` before each use
         "#]]
         .assert_eq(&word("part", "partBag", &[(NameKind::Data, "nWeight".into())]).to_string());
     }

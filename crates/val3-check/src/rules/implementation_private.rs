@@ -5,12 +5,12 @@ use val3_analysis::problem::NameKind;
 use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
 
 rule! {
-    /// A library that is loaded under an identifier has an item of its interface as private.
+    /// A library that is loaded under an identifier declares an item of its interface as private.
     ///
     /// ## Why
-    /// Only public programs and data are part of an interface (6.2). A private one counts as missing: `libLoad`
-    /// returns 11, and its first use stops the task with the run-time error 80 (6.6). Often the program was written
-    /// for the library first, and became part of the interface later.
+    /// Only public programs and data are part of an interface (6.2). A private one counts as missing: `libLoad` returns
+    /// 11, and its first use stops the task with run-time error 80 (6.6). Often a program was first written for the
+    /// library alone and later became part of the interface.
     ///
     /// ## Bad
     /// ```val3

@@ -3,12 +3,12 @@
 use crate::{diagnostic::Wording, english::count, rule::rule};
 
 rule! {
-    /// An array has another number of dimensions than there are indexes.
+    /// The number of indexes differs from the number of dimensions of the array.
     ///
     /// ## Why
-    /// An element of an array is found with one index for each dimension, from 0 to the size of the dimension less 1
-    /// (2.5.3). With fewer or more indexes no element is meant, and the controller does not load the application. VAL 3
-    /// has no arrays of arrays: all indexes stand in one pair of brackets.
+    /// An element of an array needs one index for each dimension, from 0 to the size of the dimension less 1 (2.5.3).
+    /// The controller does not load an application with fewer or more indexes. VAL 3 has no arrays of arrays: all
+    /// indexes are written in one pair of brackets.
     ///
     /// ## Bad
     /// ```val3

@@ -1,14 +1,14 @@
-//! V0209: an index or key where none may stand.
+//! V0209: an index or key where none is allowed.
 
 use crate::{diagnostic::Wording, english::container, rule::rule};
 
 rule! {
-    /// An index or key stands where none may stand.
+    /// An index or key is used where none is allowed.
     ///
     /// ## Why
-    /// An instruction or program that works on a whole container takes its name alone; an index or key would pick one
-    /// value out of it. Only a one-dimensional array may have an index there, which says where the part begins that is
-    /// passed (2.6.3). Behind a single value an index has no meaning. In both cases the controller does not load the
+    /// An instruction or program that works on a whole container takes its name alone; an index or key would select a
+    /// single value. Only a one-dimensional array may have an index there, which gives the start of the part that is
+    /// passed (2.6.3). After a single value an index has no meaning. In both cases the controller does not load the
     /// application.
     ///
     /// ## Bad

@@ -3,12 +3,12 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A constant index lies outside the array.
+    /// A constant index is outside the array.
     ///
     /// ## Why
     /// The first element of an array has the index 0, and the last one its size less 1 (2.5.3). An index below 0 stops
-    /// the task with the run-time error 21, one that is too large with the error 20. This rule looks at arrays that
-    /// keep their size, and at indexes that are known before the program runs.
+    /// the task with run-time error 21, one that is too large with error 20. The rule examines constant indexes of
+    /// arrays whose size never changes.
     ///
     /// ## Bad
     /// ```val3
@@ -41,7 +41,7 @@ pub(crate) fn word(name: &str, index: i64, size: usize) -> Wording {
         Ok(index) if index == size => "the first index is 0, so the last one is the size less 1",
         _ => "",
     };
-    Wording::new(format!("the index {index} lies outside `{name}`"), possible, help)
+    Wording::new(format!("the index {index} is outside `{name}`"), possible, help)
 }
 
 #[cfg(test)]
@@ -53,13 +53,13 @@ mod tests {
     #[test]
     fn wording() {
         expect![[r#"
-            the index 3 lies outside `l_nList`
+            the index 3 is outside `l_nList`
             | 0 to 2 are possible
             ? the first index is 0, so the last one is the size less 1
         "#]]
         .assert_eq(&word("l_nList", 3, 3).to_string());
         expect![[r#"
-            the index -1 lies outside `nCount`
+            the index -1 is outside `nCount`
             | only 0 is possible
         "#]]
         .assert_eq(&word("nCount", -1, 1).to_string());

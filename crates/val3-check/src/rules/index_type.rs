@@ -1,14 +1,14 @@
-//! V0211: an index that is no num, or a key that is no string.
+//! V0211: an index that is not a `num`, or a key that is not a `string`.
 
 use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
 
 rule! {
-    /// The index of an array is no `num`, or the key of a collection is no `string`.
+    /// The index of an array is not a `num`, or the key of a collection is not a `string`.
     ///
     /// ## Why
-    /// The elements of an array are numbered from 0; an index that is no whole number is rounded to the nearest one
-    /// (2.5.3). The values of a collection have text keys: `"1"` is a key, `1` is none. The controller does not load an
-    /// application that mixes them up.
+    /// The elements of an array are numbered from 0; an index with a fraction is rounded to the nearest whole number
+    /// (2.5.3). The values of a collection have text keys: `"1"` is a key, `1` is not. The controller does not load an
+    /// application that confuses them.
     ///
     /// ## Bad
     /// ```val3

@@ -14,9 +14,9 @@ rule! {
     /// An instruction, or a form of one, does not exist in the version that the project declares.
     ///
     /// ## Why
-    /// Controllers of that version do not load the program. Some instructions came with the CS9 controller (s8), some
-    /// were dropped there. If the application only runs on newer controllers, declare their version in the `.pjx`. An
-    /// instruction is reported once a program.
+    /// Controllers of that version do not load the program. Some instructions were added with the CS9 controller (s8),
+    /// some were removed there. If the application only runs on newer controllers, declare their version in the `.pjx`.
+    /// Each instruction is reported once per program.
     ///
     /// ## Bad
     /// ```val3
@@ -48,26 +48,26 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// What the version lacks, and when that exists.
-struct Lack {
+/// An instruction or form that the version lacks, and the versions that have it.
+struct MissingFeature {
     is_form: bool,
     since: Option<u8>,
     until: Option<u8>,
 }
 
-fn lack(call: Call<'_>, version: Version) -> Option<Lack> {
+fn lack(call: Call<'_>, version: Version) -> Option<MissingFeature> {
     match call.instruction.availability {
         Availability::Version { since, until } if !call.instruction.exists_in(version) => {
-            Some(Lack { is_form: false, since: Some(since).filter(|since| *since > 0), until })
+            Some(MissingFeature { is_form: false, since: Some(since).filter(|since| *since > 0), until })
         }
         _ => {
             let form = call.form.filter(|form| !form.exists_in(version))?;
-            Some(Lack { is_form: true, since: form.since, until: None })
+            Some(MissingFeature { is_form: true, since: form.since, until: None })
         }
     }
 }
 
-fn word(instruction: &Instruction, lack: &Lack, version: Version) -> Wording {
+fn word(instruction: &Instruction, lack: &MissingFeature, version: Version) -> Wording {
     let name = instruction.name;
     let what = if lack.is_form { format!("this form of `{name}`") } else { format!("`{name}`") };
     let when = match (lack.since, lack.until) {

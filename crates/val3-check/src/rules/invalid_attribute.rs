@@ -1,14 +1,14 @@
-//! V0506: an attribute with a value that it cannot have.
+//! V0506: an attribute with an invalid value.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// An attribute has a value that is not one of those it can have.
+    /// The value of an attribute is not one of its possible values.
     ///
     /// ## Why
-    /// Most attributes of project, data and program files have a few possible values (`public` or `private`, `true`
-    /// or `false`) or a fixed form (a whole number). The controller does not guess what another value means: the file
-    /// is faulty and the application does not load.
+    /// Most attributes of project, data and program files have a few possible values (`public` or `private`, `true` or
+    /// `false`) or a fixed form (a whole number). With any other value the file is faulty and the application does not
+    /// load.
     ///
     /// ## Bad
     /// ```val3

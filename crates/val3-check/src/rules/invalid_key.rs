@@ -1,14 +1,14 @@
-//! V0514: a key that is no index of the array.
+//! V0514: a key that is not an index of the array.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// The key of a value is no index of the array: a word, a negative number, or too many or too few numbers.
+    /// The key of a value is not an index of the array: a word, a negative number, or too many or too few numbers.
     ///
     /// ## Why
-    /// An array has one to three dimensions, and the key holds one whole number from 0 for each, with commas between
-    /// them. Words are keys of collections only. A key that leads to no element makes the data faulty, and the
-    /// application does not load.
+    /// An array has one to three dimensions, and the key holds one whole number from 0 for each, separated by commas.
+    /// Only collections have words as keys. With a key that names no element the data is faulty, and the application
+    /// does not load.
     ///
     /// ## Bad
     /// ```val3
@@ -47,17 +47,17 @@ pub(crate) fn word(key: &str, dims: usize) -> Wording {
     let (form, example, dimensions) = match dims {
         0 => return empty_key(),
         1 => ("one whole number from 0", "0", "one dimension"),
-        2 => ("two whole numbers from 0 with a comma between", "0,0", "two dimensions"),
-        _ => ("three whole numbers from 0 with commas between", "0,0,0", "three dimensions"),
+        2 => ("two whole numbers from 0, separated by a comma", "0,0", "two dimensions"),
+        _ => ("three whole numbers from 0, separated by commas", "0,0,0", "three dimensions"),
     };
     Wording::new(
-        format!("the key `{key}` is no index of this array: it must be {form}"),
+        format!("the key `{key}` is not an index of this array: it must be {form}"),
         format!("the array has {dimensions}"),
         format!("the first element has the key `{example}`"),
     )
 }
 
-/// A collection takes every key but the empty one (2.3.4).
+/// A collection accepts every key except the empty one (2.3.4).
 fn empty_key() -> Wording {
     Wording::new("the key of a collection cannot be empty", "", "")
 }
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn a_word() {
         expect![[r#"
-            the key `first` is no index of this array: it must be one whole number from 0
+            the key `first` is not an index of this array: it must be one whole number from 0
             | the array has one dimension
             ? the first element has the key `0`
         "#]]
@@ -81,7 +81,7 @@ mod tests {
     #[test]
     fn too_few_numbers() {
         expect![[r#"
-            the key `2` is no index of this array: it must be two whole numbers from 0 with a comma between
+            the key `2` is not an index of this array: it must be two whole numbers from 0, separated by a comma
             | the array has two dimensions
             ? the first element has the key `0,0`
         "#]]
@@ -91,7 +91,7 @@ mod tests {
     #[test]
     fn three_dimensions() {
         expect![[r#"
-            the key `1,2` is no index of this array: it must be three whole numbers from 0 with commas between
+            the key `1,2` is not an index of this array: it must be three whole numbers from 0, separated by commas
             | the array has three dimensions
             ? the first element has the key `0,0,0`
         "#]]

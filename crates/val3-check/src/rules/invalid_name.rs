@@ -1,4 +1,4 @@
-//! V0110: a name with characters that no name has.
+//! V0110: a name with characters that are not allowed.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -6,9 +6,9 @@ rule! {
     /// A name has a character that VAL 3 does not allow in names.
     ///
     /// ## Why
-    /// A name begins with a letter and goes on with letters, digits and `_` (2.5.1). Letters are the 26 of English,
-    /// without accents; a digit never comes first. Names of programs, local variables and parameters may also begin
-    /// with `_`. A name with anything else cannot be written in code, and the controller does not load it.
+    /// A name consists of letters, digits and `_`, and begins with a letter (2.5.1). The letters are the 26 of English,
+    /// without accents. Names of programs, local variables and parameters may also begin with `_`. The controller does
+    /// not load any other name.
     ///
     /// ## Bad
     /// ```val3
@@ -31,7 +31,7 @@ pub(crate) fn word(name: &str) -> Wording {
     )
 }
 
-/// Why `name` is none: the first thing that a reader can see in it.
+/// Why `name` is invalid: its first fault from a reader's point of view.
 fn reason(name: &str) -> String {
     let foreign = name.chars().find(|&letter| !letter.is_ascii_alphanumeric() && letter != '_');
     match (name.chars().next(), foreign) {

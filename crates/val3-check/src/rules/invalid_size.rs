@@ -1,4 +1,4 @@
-//! V0517: a size that is no list of one to three numbers.
+//! V0517: a size that is not a list of one to three numbers.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -7,8 +7,8 @@ rule! {
     ///
     /// ## Why
     /// An array has one, two or three dimensions (2.3.4). In a file their sizes are separated by blanks, while the
-    /// indexes of a key are separated by commas. With a size that cannot be read the variable cannot be created, and
-    /// the application does not load.
+    /// indexes of a key are separated by commas. If the size cannot be read, the variable cannot be created, and the
+    /// application does not load.
     ///
     /// ## Bad
     /// ```val3
@@ -41,13 +41,13 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(size: &str) -> Wording {
     Wording::new(
-        format!("the size `{size}` is no list of one to three whole numbers with blanks between"),
+        format!("the size `{size}` is not a list of one to three whole numbers separated by blanks"),
         "one number for each dimension",
         proposal(size),
     )
 }
 
-/// The size as it may have been meant.
+/// The size that was probably meant.
 fn proposal(size: &str) -> String {
     let with_blanks = size.replace([',', ';', 'x', '*'], " ");
     let dims: Vec<&str> = with_blanks.split_whitespace().collect();
@@ -64,7 +64,7 @@ mod tests {
     #[test]
     fn a_comma() {
         expect![[r#"
-            the size `3,4` is no list of one to three whole numbers with blanks between
+            the size `3,4` is not a list of one to three whole numbers separated by blanks
             | one number for each dimension
             ? write `size="3 4"`
         "#]]
@@ -74,7 +74,7 @@ mod tests {
     #[test]
     fn a_word() {
         expect![[r#"
-            the size `many` is no list of one to three whole numbers with blanks between
+            the size `many` is not a list of one to three whole numbers separated by blanks
             | one number for each dimension
         "#]]
         .assert_eq(&word("many").to_string());

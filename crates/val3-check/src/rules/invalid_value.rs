@@ -1,14 +1,14 @@
-//! V0510: an initial value that the type cannot have.
+//! V0510: an initial value that is invalid for its type.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A data file gives a variable an initial value that its type cannot have.
+    /// A data file gives a variable an initial value that is invalid for its type.
     ///
     /// ## Why
     /// The initial values of a data file are read when the application is loaded. A `bool` is `true` or `false`, a
-    /// number has a point and no comma, and the attributes of a configuration or a blend have fixed words. With any
-    /// other text the data is faulty and the application does not load.
+    /// number has a decimal point, and the attributes of a configuration or a blend have fixed words. With any other
+    /// text the data is faulty and the application does not load.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +51,7 @@ pub(crate) fn word(ty: &str, attribute: &str, value: &str, expected: &str) -> Wo
     )
 }
 
-/// Proposes the point for a number that is written with a comma.
+/// Proposes a decimal point for a number that is written with a comma.
 fn decimal_comma(value: &str) -> String {
     let point = value.replacen(',', ".", 1);
     match point.parse::<f64>() {

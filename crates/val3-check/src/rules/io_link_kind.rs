@@ -6,9 +6,8 @@ rule! {
     /// Data is linked to an input or output of another kind: a `dio` to a socket, for example.
     ///
     /// ## Why
-    /// A `dio` stands for a digital input or output (3.5), an `aio` for a numerical one (3.6), an `sio` for a serial
-    /// line or a socket (3.7). A link to another kind cannot be made, and the controller reports linked data of the
-    /// wrong type.
+    /// A `dio` is linked to a digital input or output (3.5), an `aio` to a numerical one (3.6), an `sio` to a serial
+    /// line or a socket (3.7). With a link to another kind, the controller reports linked data of the wrong type.
     ///
     /// ## Bad
     /// ```val3
@@ -65,7 +64,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(link: &str, expected: &str, found: &str) -> Wording {
     Wording::new(
-        format!("the data is `{expected}`, but its link `{link}` leads to `{found}`"),
+        format!("the data is `{expected}`, but its link `{link}` names `{found}`"),
         format!("this is `{found}`"),
         format!("declare the data as `{found}`, or link it to another input or output"),
     )
@@ -80,7 +79,7 @@ mod tests {
     #[test]
     fn both_kinds_are_shown() {
         expect![[r#"
-            the data is `dio`, but its link `Socket\Camera` leads to `sio`
+            the data is `dio`, but its link `Socket\Camera` names `sio`
             | this is `sio`
             ? declare the data as `sio`, or link it to another input or output
         "#]]

@@ -6,9 +6,9 @@ rule! {
     /// Data is linked to an input, output or channel that the configuration of the cell does not have.
     ///
     /// ## Why
-    /// `link` names an input, output, serial line or socket of the controller. Where the cell lacks it, the data stays
-    /// unlinked, and the first instruction that uses it stops the task with the run-time error 123. The configuration
-    /// in the cell may be older than the one on the controller, so this is a warning.
+    /// `link` names an input, output, serial line or socket of the controller. If it does not exist, the data has no
+    /// link, and the first instruction that uses it stops the task with run-time error 123. The configuration in the
+    /// cell may be older than the one on the controller, so this is a warning.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0328: a wait for a key that may end with one struck long before.
+//! V0328: a wait for a key that an earlier keystroke may end.
 
 use val3_analysis::body::{Expr, ExprId, StmtKind};
 use val3_lang::instruction::Family;
@@ -10,11 +10,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program waits for a key with `getKey` and has not read away the one that was struck before.
+    /// A program waits for a key with `getKey` but has not cleared an earlier keystroke.
     ///
     /// ## Why
-    /// `getKey` gives the last key since it was asked before, however long ago that was (4.3). A key that was struck
-    /// minutes ago ends the wait at once. A `getKey()` alone on a line clears it.
+    /// `getKey` returns the last key since its previous call, however long ago the key was pressed (4.3). A key pressed
+    /// minutes ago ends the wait at once. A line with `getKey()` alone clears it.
     ///
     /// ## Bad
     /// ```val3
@@ -32,7 +32,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    // What was read anywhere before counts as cleared.
+    // After any earlier read, the key counts as cleared.
     let Some(first) = program.calls_of(GET_KEY).map(|call| call.id).min() else { return };
     for stmt in program.stmts() {
         let (condition, ends_when) = match &stmt.kind {
@@ -61,7 +61,8 @@ fn waited(program: &Program<'_>, call: ExprId) -> Option<ExprId> {
     args.first().copied().filter(|_| waits)
 }
 
-/// The `getKey()` that `condition` compares so that a key ends the wait; `ends_when` is the value that ends it.
+/// The `getKey()` that `condition` compares so that a key ends the wait. `ends_when` is the value of the condition that
+/// ends it.
 fn awaited(program: &Program<'_>, condition: ExprId, ends_when: bool) -> Option<ExprId> {
     let Expr::Binary(op, left, right) = program.body.expr(program.body.peel(condition)) else { return None };
     let equal = match op {
@@ -77,9 +78,9 @@ fn awaited(program: &Program<'_>, condition: ExprId, ends_when: bool) -> Option<
 
 fn word() -> Wording {
     Wording::new(
-        "a key that was struck before ends this wait at once",
-        "the key is not cleared before",
-        format!("write `{GET_KEY}()` on a line of its own before"),
+        "a key that was pressed earlier ends this wait at once",
+        "the earlier key is not cleared",
+        format!("write `{GET_KEY}()` on a line of its own before the wait"),
     )
 }
 
@@ -94,12 +95,12 @@ mod tests {
     fn waits_for_any_or_a_certain_key() {
         let waits = ["wait(getKey()!=-1)", "while (getKey()==-1)\ndelay(0)\nendWhile", "wait((getKey())==277)"];
         for wait in waits {
-            assert!(check(&RULE, wait).contains("a key that was struck before"), "{wait}");
+            assert!(check(&RULE, wait).contains("a key that was pressed earlier"), "{wait}");
         }
         expect![[r#"
-            start.pgx:7 `getKey()==270` a key that was struck before ends this wait at once
-              | the key is not cleared before
-              ? write `getKey()` on a line of its own before
+            start.pgx:7 `getKey()==270` a key that was pressed earlier ends this wait at once
+              | the earlier key is not cleared
+              ? write `getKey()` on a line of its own before the wait
               ! write `getKey()` before (unsafe)
         "#]]
         .assert_eq(&check(&RULE, "do\ndelay(0)\nuntil getKey()==270"));

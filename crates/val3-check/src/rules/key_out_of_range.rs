@@ -6,8 +6,8 @@ rule! {
     /// A data file gives a value to an element that the array does not have.
     ///
     /// ## Why
-    /// The `size` of an array fixes its elements; they count from 0, so the last key is one less than the size. A
-    /// value beyond it has no place: the controller reports the data as faulty when it loads the application.
+    /// The `size` of an array gives the number of its elements. Keys count from 0, so the last key is the size less 1.
+    /// The controller reports data with a key beyond it as faulty when it loads the application.
     ///
     /// ## Bad
     /// ```val3
@@ -44,7 +44,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(key: &str, size: &str) -> Wording {
     Wording::new(
-        format!("the key `{key}` lies outside the array of size `{size}`"),
+        format!("the key `{key}` is outside the array of size `{size}`"),
         last_key(size).map(|last| format!("the last key is `{last}`")).unwrap_or_default(),
         "keys count from 0; correct the key or enlarge the size",
     )
@@ -59,7 +59,7 @@ mod tests {
     #[test]
     fn one_dimension() {
         expect![[r#"
-            the key `2` lies outside the array of size `2`
+            the key `2` is outside the array of size `2`
             | the last key is `1`
             ? keys count from 0; correct the key or enlarge the size
         "#]]
@@ -69,7 +69,7 @@ mod tests {
     #[test]
     fn two_dimensions() {
         expect![[r#"
-            the key `3,0` lies outside the array of size `3 4`
+            the key `3,0` is outside the array of size `3 4`
             | the last key is `2,3`
             ? keys count from 0; correct the key or enlarge the size
         "#]]

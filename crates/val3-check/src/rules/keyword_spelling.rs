@@ -11,8 +11,8 @@ rule! {
     ///
     /// ## Why
     /// The controller reads keywords in any letter case. The PC tools write each of them in one way (`endIf`, `elseIf`,
-    /// `endFor`, `taskCreateSync`) whenever they save a program. Writing them the same way keeps every
-    /// comparison of two versions free of lines that changed only in their letter case.
+    /// `endFor`, `taskCreateSync`) whenever they save a program. With the same spelling everywhere, a comparison of two
+    /// versions shows no lines that differ only in letter case.
     ///
     /// ## Bad
     /// ```val3

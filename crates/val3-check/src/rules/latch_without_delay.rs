@@ -1,4 +1,4 @@
-//! V0326: a latch that is read before it can be armed.
+//! V0326: a latch that is read before it is armed.
 
 use val3_analysis::body::{Expr, ExprId, Stmt, StmtKind};
 use val3_lang::instructions::{self, DELAY, GET_LATCH, SET_LATCH};
@@ -9,11 +9,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// `getLatch` follows `setLatch` with nothing between them that gives the latch its time.
+    /// `getLatch` follows `setLatch` without a delay between them.
     ///
     /// ## Why
-    /// The latch is armed up to 0.2 ms after `setLatch` (9.2.3). Until then `getLatch` returns the position latched
-    /// before, and the program takes it for the new one. `delay(0)` between the two is enough.
+    /// The latch is armed up to 0.2 ms after `setLatch` (9.2.3). Until then `getLatch` returns the position that was
+    /// latched before. A `delay(0)` between the two instructions is long enough.
     ///
     /// ## Bad
     /// ```val3
@@ -48,9 +48,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             if let (Some(armed), Some(read)) = (armed, call(GET_LATCH)) {
                 let edit = program.site(armed).line_after(&format!("{DELAY}(0)"));
                 let reported = found.report(&RULE, program.range(read), word()).related(armed, "armed here");
-                reported.fix(format!("write `{DELAY}(0)` behind `{SET_LATCH}`"), false, [edit]);
+                reported.fix(format!("write `{DELAY}(0)` after `{SET_LATCH}`"), false, [edit]);
             }
-            // Whatever waits, or might wait in another block or program, ends the search.
+            // Any wait, and any block or program that may wait, ends the search.
             let waits = calls.iter().any(|(name, _)| is_blocking(name));
             let is_plain = stmt.blocks().next().is_none() && !matches!(stmt.kind, StmtKind::Call(_));
             armed = call(SET_LATCH).map(|_| stmt.range).or(armed.filter(|_| is_plain && !waits));
@@ -79,7 +79,7 @@ fn word() -> Wording {
     Wording::new(
         "the latch is read before it can be armed",
         "may still give the position latched before",
-        format!("write `{DELAY}(0)` behind `{SET_LATCH}`"),
+        format!("write `{DELAY}(0)` after `{SET_LATCH}`"),
     )
 }
 
@@ -95,14 +95,14 @@ mod tests {
         expect![[r#"
             start.pgx:6 `getLatch(j)` the latch is read before it can be armed
               | may still give the position latched before
-              ? write `delay(0)` behind `setLatch`
+              ? write `delay(0)` after `setLatch`
               > start.pgx:5 `setLatch(d)` armed here
-              ! write `delay(0)` behind `setLatch` (unsafe)
+              ! write `delay(0)` after `setLatch` (unsafe)
             start.pgx:9 `getLatch(j)` the latch is read before it can be armed
               | may still give the position latched before
-              ? write `delay(0)` behind `setLatch`
+              ? write `delay(0)` after `setLatch`
               > start.pgx:7 `setLatch(d)` armed here
-              ! write `delay(0)` behind `setLatch` (unsafe)
+              ! write `delay(0)` after `setLatch` (unsafe)
         "#]]
         .assert_eq(&check(
             &RULE,

@@ -1,14 +1,14 @@
-//! V0604: a path for `libLoad` that leads to no library.
+//! V0604: a path for `libLoad` without a library.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// `libLoad` is given a path under which the cell has no library.
+    /// The cell has no library at the path given to `libLoad`.
     ///
     /// ## Why
-    /// `libLoad` does not stop the task when it finds nothing: it returns an error code from 20 on (6.6, 6.7). A
-    /// program that does not look at the code goes on, with another library than it asked for or with none. The
-    /// library may exist on the controller only, so this is a warning.
+    /// If `libLoad` finds nothing, it does not stop the task but returns an error code from 20 on (6.6, 6.7). A program
+    /// that ignores the code continues with the previous library or with none. The library may exist on the controller
+    /// only, so this is a warning.
     ///
     /// ## Bad
     /// ```val3
@@ -43,7 +43,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word(path: &str) -> Wording {
     Wording::new(
-        format!("the path `{path}` leads to no library"),
+        format!("there is no library at the path `{path}`"),
         "`libLoad` returns an error code here",
         "`Disk://`, or no root at all, is the folder `usrapp`; `./` is the folder of this application",
     )
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn the_path_is_shown() {
         expect![[r#"
-            the path `Disk://patr` leads to no library
+            there is no library at the path `Disk://patr`
             | `libLoad` returns an error code here
             ? `Disk://`, or no root at all, is the folder `usrapp`; `./` is the folder of this application
         "#]]

@@ -1,16 +1,16 @@
-//! V0530: libraries or types that use each other in a circle.
+//! V0530: a circle of libraries or types.
 
 use smol_str::SmolStr;
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A project uses itself as a library or a user type, directly or over others.
+    /// A project uses itself as a library or a user type, directly or through others.
     ///
     /// ## Why
-    /// When an application is opened, the controller reads the interfaces of all libraries it declares, and of theirs.
-    /// If library A uses library B, then B cannot use A: circles are not supported (6.6). The same holds for user
-    /// types, whose values would contain themselves without end.
+    /// When the controller opens an application, it reads the interfaces of all libraries that it declares, and of
+    /// their libraries. If library A uses library B, then B cannot use A: circles are not supported (6.6). The same
+    /// holds for user types, whose values would contain themselves.
     ///
     /// ## Bad
     /// ```val3
@@ -42,7 +42,7 @@ rule! {
     V0530 "library-circle" Error
 }
 
-/// Words the finding. The first project stands again at the end of `chain`.
+/// Words the finding. The first project is repeated at the end of `chain`.
 pub(crate) fn word(chain: &[SmolStr]) -> Wording {
     let names: Vec<String> = chain.iter().map(|name| format!("`{name}`")).collect();
     let message = match names.as_slice() {
@@ -52,7 +52,7 @@ pub(crate) fn word(chain: &[SmolStr]) -> Wording {
     Wording::new(
         message,
         "leads back to the start",
-        "move what both sides need into a project of its own, and use that from both",
+        "move the shared parts into a project of their own, and use it in both",
     )
 }
 
@@ -67,7 +67,7 @@ mod tests {
         expect![[r#"
             the projects use each other in a circle: `part` -> `tray` -> `part`
             | leads back to the start
-            ? move what both sides need into a project of its own, and use that from both
+            ? move the shared parts into a project of their own, and use it in both
         "#]]
         .assert_eq(&word(&["part".into(), "tray".into(), "part".into()]).to_string());
     }
@@ -77,7 +77,7 @@ mod tests {
         expect![[r#"
             the project `part` uses itself
             | leads back to the start
-            ? move what both sides need into a project of its own, and use that from both
+            ? move the shared parts into a project of their own, and use it in both
         "#]]
         .assert_eq(&word(&["part".into(), "part".into()]).to_string());
     }

@@ -5,12 +5,12 @@ use val3_analysis::problem::NameKind;
 use crate::{diagnostic::Wording, phrase::name_kind, rule::rule};
 
 rule! {
-    /// A program or data of a library is used from outside, and is private.
+    /// Another project uses a private program or private data of a library.
     ///
     /// ## Why
     /// Each program and each variable of a library is public or private. Only the public ones belong to its interface;
-    /// the private ones can be used by the library's own programs alone (6.2). A program whose file does not say
-    /// anything about access is private.
+    /// only the library's own programs can use the private ones (6.2). A program whose file does not declare its access
+    /// is private.
     ///
     /// ## Bad
     /// ```val3

@@ -14,12 +14,13 @@ rule! {
     /// The interface of a library identifier has no program or data of this name.
     ///
     /// ## Why
-    /// A library identifier stands for an interface: the public programs and data of the project that declares it
-    /// (6.2, 6.3). What is not in the interface cannot be used through the identifier, even if a library that is
-    /// loaded under it later has it: the controller reports an unknown name and does not load the application.
+    /// A library identifier has an interface: the public programs and data of the project that declares it (6.2, 6.3).
+    /// Other items cannot be used through the identifier, even if a library that is loaded later has them. The
+    /// controller reports an unknown name and does not load the application.
     ///
-    /// Where the project of the library lists nothing of what is used, most often because an empty `.pjx` took the place
-    /// of the true one, there is one finding at the entry of the library, with the files that lie there unlisted.
+    /// If the project of the library lists none of the items that are used, there is a single finding at the entry of
+    /// the library, which names the unlisted files in its folder. The usual reason is an empty `.pjx` in place of the
+    /// true one.
     ///
     /// ## Bad
     /// ```val3
@@ -52,14 +53,11 @@ pub(crate) fn word(alias: &str, item: &str, what: NameKind, near: Option<&str>) 
     Wording::new(
         format!("the library `{alias}` has no {} `{item}`", name_kind(what)),
         format!("not in the interface of `{alias}`"),
-        did_you_mean_or(
-            near,
-            &format!("only the public programs and data of the project behind `{alias}` can be used"),
-        ),
+        did_you_mean_or(near, &format!("only the public programs and data of the project of `{alias}` can be used")),
     )
 }
 
-/// The project of the library does not list what is used of it.
+/// The project of the library does not list the items that are used.
 pub(crate) fn left_out(alias: &str, missing: &[SmolStr], unlisted: &[SmolStr], uses: usize) -> Wording {
     let (label, help) = if unlisted.is_empty() {
         ("its project is empty", format!("list the programs and data of `{alias}` in its project"))
@@ -111,7 +109,7 @@ mod tests {
         expect![[r#"
             the library `part` has no data `nAngle`
             | not in the interface of `part`
-            ? only the public programs and data of the project behind `part` can be used
+            ? only the public programs and data of the project of `part` can be used
         "#]]
         .assert_eq(&word("part", "nAngle", NameKind::Data, None).to_string());
     }

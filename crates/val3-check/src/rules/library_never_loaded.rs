@@ -1,14 +1,14 @@
-//! V0603: a library that nothing loads.
+//! V0603: a library that is never loaded.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A library is used, and nothing ever loads it.
+    /// A library is used but never loaded.
     ///
     /// ## Why
-    /// A library identifier with `autoload="false"` is known from the start, but there is no library behind it until
-    /// `libLoad` has put one there. The first use of its programs or data before that stops the task with the run-time
-    /// error 80 (6.4). Here the whole application has no `libLoad` for the identifier, so this use always fails.
+    /// A library identifier with `autoload="false"` has no library until `libLoad` loads one. An earlier use of its
+    /// programs or data stops the task with run-time error 80 (6.4). The whole application has no `libLoad` for this
+    /// identifier, so this use always fails.
     ///
     /// ## Bad
     /// ```val3

@@ -8,13 +8,12 @@ use crate::{
 };
 
 rule! {
-    /// More values stand between braces than the type has fields.
+    /// There are more values between braces than the type has fields.
     ///
     /// ## Why
-    /// The values between braces go to the fields of the type, in the order of the fields. A place that is left empty
-    /// means 0 (2.4.2). A value behind the last field belongs nowhere, and the controller does not load the
-    /// application. The fields of a point lie in two inner pairs of braces: first the transformation, then the
-    /// configuration.
+    /// The values between braces are assigned to the fields of the type, in order. An empty place means 0 (2.4.2). The
+    /// controller does not load an application with a value after the last field. The fields of a point are in two
+    /// inner pairs of braces: first the transformation, then the configuration.
     ///
     /// ## Bad
     /// ```val3
@@ -37,7 +36,7 @@ pub(crate) fn word(ty: &str, expected: usize, found: usize) -> Wording {
     let (fields, values) = (count(expected, "field"), count(found, "value"));
     let help = built_in::layout(ty).map(|layout| format!("the fields are `{layout}`"));
     Wording::new(
-        format!("{} has {fields}, but {values} stand between the braces", a(ty)),
+        format!("{} has {fields}, but {values} are between the braces", a(ty)),
         format!("{} too many", count(found.saturating_sub(expected), "value")),
         help.unwrap_or_default(),
     )
@@ -52,13 +51,13 @@ mod tests {
     #[test]
     fn wording() {
         expect![[r#"
-            a `trsf` has 6 fields, but 7 values stand between the braces
+            a `trsf` has 6 fields, but 7 values are between the braces
             | 1 value too many
             ? the fields are `{x,y,z,rx,ry,rz}`
         "#]]
         .assert_eq(&word("trsf", 6, 7).to_string());
         expect![[r#"
-            a `pointRx` has 2 fields, but 6 values stand between the braces
+            a `pointRx` has 2 fields, but 6 values are between the braces
             | 4 values too many
             ? the fields are `{{x,y,z,rx,ry,rz},{shoulder,elbow,wrist}}`
         "#]]

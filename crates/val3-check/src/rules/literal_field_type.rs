@@ -3,12 +3,12 @@
 use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
 
 rule! {
-    /// A value between braces has another type than the field that it goes to.
+    /// The type of a value between braces differs from the type of its field.
     ///
     /// ## Why
-    /// The values between braces go to the fields of the type, in the order of the fields, and each must have the type
-    /// of its field. Words such as `joint`, `Cartesian`, `lefty` or `wfree` are written without quotes: they are values
-    /// of the language, not text. The controller does not load an application where a value does not fit.
+    /// The values between braces are assigned to the fields of the type, in order, and each must have the type of its
+    /// field. Words such as `joint`, `Cartesian`, `lefty` or `wfree` are values of the language and are written without
+    /// quotes. The controller does not load an application with a value of another type.
     ///
     /// ## Bad
     /// ```val3

@@ -3,13 +3,13 @@
 use crate::{diagnostic::Wording, english::a, rule::rule};
 
 rule! {
-    /// Values between braces stand where no structured type is expected.
+    /// Values between braces are used where no structured type is expected.
     ///
     /// ## Why
-    /// Braces have no type of their own: they take it from the place where they stand, such as the variable on the left
-    /// of `=`, the other side of a comparison, or the parameter of a program. Simple types such as `num` are written
-    /// without braces, and an array is filled element by element. The controller does not load an application with
-    /// braces anywhere else.
+    /// Values between braces have no type of their own. Their type follows from the context: the variable on the left
+    /// of `=`, the other side of a comparison, or the parameter of a program. Values of simple types such as `num` are
+    /// written without braces, and an array is filled element by element. The controller does not load an application
+    /// with braces anywhere else.
     ///
     /// ## Bad
     /// ```val3
@@ -38,7 +38,7 @@ pub(crate) fn word(expected: Option<&str>) -> Wording {
             "an array is filled element by element; a simple value is written without braces",
         ),
         None => Wording::new(
-            "nothing tells which type the values between these braces have",
+            "the type of the values between these braces is not known",
             "no type",
             "assign them to a variable of the type first, and use the variable",
         ),
@@ -60,7 +60,7 @@ mod tests {
         "#]]
         .assert_eq(&word(Some("num")).to_string());
         expect![[r#"
-            nothing tells which type the values between these braces have
+            the type of the values between these braces is not known
             | no type
             ? assign them to a variable of the type first, and use the variable
         "#]]

@@ -1,4 +1,4 @@
-//! V0120: a local variable that is written and never read.
+//! V0120: a local variable that is written but never read.
 
 use val3_analysis::items::declarations::{Declared, all_locals};
 
@@ -7,11 +7,11 @@ use crate::lint::{Findings, Program, variable_use};
 use crate::rule::rule;
 
 rule! {
-    /// A program writes a local variable and never reads it.
+    /// A program writes a local variable but never reads it.
     ///
     /// ## Why
-    /// The value is lost when the program ends. Often the program reads another variable in its place. A result that
-    /// is not needed may stand alone: `getKey()` instead of `l_nKey=getKey()`, where the instruction allows it.
+    /// The value is lost when the program ends. Often the program reads a wrong variable instead. If a result is not
+    /// needed, some instructions can be called without an assignment: `getKey()` instead of `l_nKey=getKey()`.
     ///
     /// ## Bad
     /// ```val3
@@ -49,7 +49,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(name: &str) -> Wording {
     Wording::new(
-        format!("the program writes its local variable `{name}` and never reads it"),
+        format!("the program writes its local variable `{name}` but never reads it"),
         "never read",
         "remove it, or use its value",
     )
@@ -65,10 +65,10 @@ mod tests {
     #[test]
     fn only_written() {
         expect![[r#"
-            start.pgx:5 `l_nA` the program writes its local variable `l_nA` and never reads it
+            start.pgx:5 `l_nA` the program writes its local variable `l_nA` but never reads it
               | never read
               ? remove it, or use its value
-            start.pgx:6 `l_trB` the program writes its local variable `l_trB` and never reads it
+            start.pgx:6 `l_trB` the program writes its local variable `l_trB` but never reads it
               | never read
               ? remove it, or use its value
         "#]]

@@ -1,4 +1,4 @@
-//! V0340: a flag that several tasks test and then set, where only `setMutex` locks.
+//! V0340: a flag that several tasks test and set without `setMutex`.
 
 use val3_analysis::application::locks;
 use val3_lang::instructions::SET_MUTEX;
@@ -8,12 +8,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// Several tasks wait for a flag and set it on the next line, as if that locked something.
+    /// Several tasks wait for a flag and set it on the next line, as a lock.
     ///
     /// ## Why
-    /// Tasks take turns between lines: two of them may both find the flag `false` before either sets it, and both go
-    /// on. This happens rarely, and on the machine only. `setMutex` waits for the flag and sets it within one line.
-    /// Who has set it puts it back to `false`, as before.
+    /// Tasks take turns between lines. Two of them may both read `false` from the flag before either sets it, and both
+    /// continue. This happens rarely, and only on the machine. `setMutex` waits for the flag and sets it within one
+    /// line. The task that has set the flag resets it to `false`, as before.
     ///
     /// ## Bad
     /// ```val3

@@ -8,11 +8,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A line of code is longer than the shop allows.
+    /// A line of code is longer than the configured limit.
     ///
     /// ## Why
-    /// Long lines cannot be read on the pendant, and some tools cut them. The option `line-length` is the most
-    /// characters in a line, 259 unless it is set. This is a convention of a shop, and off unless it is asked for.
+    /// Long lines cannot be read on the pendant, and some tools cut them. The option `line-length` sets the maximum
+    /// number of characters in a line, 259 by default. The rule is off by default, because it enforces a convention
+    /// that not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -34,7 +35,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let mut start = code.start();
     for line in program.slice(code).split_inclusive('\n') {
         let text = line.trim_end_matches(['\r', '\n']);
-        // As many bytes are never more characters.
+        // A text never has more characters than bytes.
         let length = if text.len() > limit { decode_entities(text).chars().count() } else { 0 };
         if length > limit {
             found.report(&RULE, TextRange::at(start, TextSize::of(text)), word(length, limit));

@@ -8,7 +8,7 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The bounds of a `for`, or the condition of a `while`, keep the loop from ever running.
+    /// The bounds of a `for`, or the condition of a `while`, prevent the loop from ever running.
     ///
     /// ## Why
     /// `for` counts upwards unless a negative `step` is given, so `for nI=9 to 0` does nothing at all.
@@ -62,7 +62,7 @@ fn check_for(program: &Program<'_>, [first, last]: [ExprId; 2], step: Option<Exp
     }
 }
 
-/// Other conditions that are always false are told as constant conditions.
+/// Other conditions that are always false are reported as constant conditions.
 fn is_literally_false(program: &Program<'_>, condition: ExprId) -> bool {
     program.is_endless(condition) && program.body.constant(condition) == Some(Constant::Bool(false))
 }
@@ -73,7 +73,11 @@ fn word_for(start: f64, stop: f64, step: Option<f64>) -> Wording {
         Some(0.0..) => ("upwards", "to count downwards, make the step negative"),
         Some(_) => ("downwards", "to count upwards, leave `step` out or make it positive"),
     };
-    Wording::new(format!("this `for` never runs: it counts {direction} from {start} to {stop}"), "passed at once", help)
+    Wording::new(
+        format!("this `for` never runs: it counts {direction} from {start} to {stop}"),
+        "already past its limit",
+        help,
+    )
 }
 
 fn word_while() -> Wording {
@@ -85,21 +89,21 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::fixed::fixed;
+    use crate::lint::fix_testing::fixed;
     use crate::lint::testing::check;
 
     #[test]
     fn bounds_the_wrong_way_round() {
         expect![[r#"
             start.pgx:5 `9 to 0` this `for` never runs: it counts upwards from 9 to 0
-              | passed at once
+              | already past its limit
               ? to count downwards, add `step -1`
               ! count downwards (unsafe)
             start.pgx:7 `-1 to -(2+1) step 2` this `for` never runs: it counts upwards from -1 to -3
-              | passed at once
+              | already past its limit
               ? to count downwards, make the step negative
             start.pgx:9 `0 to 9 step -1` this `for` never runs: it counts downwards from 0 to 9
-              | passed at once
+              | already past its limit
               ? to count upwards, leave `step` out or make it positive
         "#]]
         .assert_eq(&check(

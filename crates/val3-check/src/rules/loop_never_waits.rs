@@ -9,12 +9,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A loop without end contains no line at which other tasks may go on before its turn is over.
+    /// In an endless loop no line lets other tasks run before the turn is over.
     ///
     /// ## Why
-    /// Such a loop uses up every turn the scheduler gives it: other tasks, the pendant and the network become slow,
-    /// and a synchronous task overruns its period. A `delay(0)` ends the turn; a longer delay or a `wait` for what
-    /// the loop looks out for is better.
+    /// Such a loop uses up every turn of its task. Other tasks, the pendant and the network become slow, and a
+    /// synchronous task overruns its period. A `delay(0)` ends the turn; a longer delay or a `wait` for the event is
+    /// better.
     ///
     /// ## Bad
     /// ```val3
@@ -47,13 +47,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             let reported = found.report(&RULE, program.range(condition), word(is_synchronous(program)));
             if let Some(last) = stmt.blocks().next().and_then(<[_]>::last) {
                 let edit = program.site(last.range).line_after(&format!("{DELAY}(0)"));
-                reported.fix("give way to the other tasks", false, [edit]);
+                reported.fix("let other tasks run in each round", false, [edit]);
             }
         }
     }
 }
 
-/// Other tasks may go on at this point, or the loop paces itself by the clock.
+/// Other tasks may run at this point, or the loop is paced by the clock.
 fn waits(program: &Program<'_>, id: PointId, point: &Point) -> bool {
     program.effects.may_wait_at(point)
         || program.calls_at(id).iter().any(|call| call.instruction.name == CLOCK)
@@ -76,9 +76,9 @@ fn word(is_synchronous: bool) -> Wording {
     let message = if is_synchronous {
         "nothing in this endless loop waits: the synchronous task overruns every period"
     } else {
-        "nothing in this endless loop waits, so it takes all the time it can get from the other tasks"
+        "nothing in this endless loop waits, so it takes all available time from the other tasks"
     };
-    Wording::new(message, "goes round without a pause", "end each round with `delay(…)`, or `wait(…)` for an event")
+    Wording::new(message, "loops without a pause", "end each round with `delay(…)`, or `wait(…)` for an event")
 }
 
 #[cfg(test)]
@@ -86,26 +86,28 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::fixed::fixed;
+    use crate::lint::fix_testing::fixed;
     use crate::lint::testing::check;
 
     #[test]
     fn no_pause() {
         expect![[r#"
-            start.pgx:6 `true` nothing in this endless loop waits, so it takes all the time it can get from the other tasks
-              | goes round without a pause
+            start.pgx:6 `true` nothing in this endless loop waits, so it takes all available time from the other tasks
+              | loops without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
-              ! give way to the other tasks (unsafe)
-        "#]].assert_eq(&check(
+              ! let other tasks run in each round (unsafe)
+        "#]]
+        .assert_eq(&check(
             &RULE,
             "num n\n\nwhile true\nn=n+1\ncall add()\nendWhile\n\nprogram add()\nbegin\n  n=n+2\nend",
         ));
         expect![[r#"
-            start.pgx:7 `false` nothing in this endless loop waits, so it takes all the time it can get from the other tasks
-              | goes round without a pause
+            start.pgx:7 `false` nothing in this endless loop waits, so it takes all available time from the other tasks
+              | loops without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
-              ! give way to the other tasks (unsafe)
-        "#]].assert_eq(&check(&RULE, "num n\ndo\nn=n+1\nuntil false"));
+              ! let other tasks run in each round (unsafe)
+        "#]]
+        .assert_eq(&check(&RULE, "num n\ndo\nn=n+1\nuntil false"));
     }
 
     #[test]
@@ -126,9 +128,9 @@ mod tests {
         let main = "num n\nbool b\n\ntaskCreateSync \"t\",0.02,b,turn()\n\nprogram turn()\nbegin\n  while true\n    ";
         expect![[r#"
             turn.pgx:5 `true` nothing in this endless loop waits: the synchronous task overruns every period
-              | goes round without a pause
+              | loops without a pause
               ? end each round with `delay(…)`, or `wait(…)` for an event
-              ! give way to the other tasks (unsafe)
+              ! let other tasks run in each round (unsafe)
         "#]]
         .assert_eq(&check(&RULE, &format!("{main}n=n+1\n  endWhile\nend")));
         assert_eq!(check(&RULE, &format!("{main}delay(0)\n  endWhile\nend")), "");

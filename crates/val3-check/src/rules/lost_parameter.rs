@@ -1,4 +1,4 @@
-//! V0124: a parameter by value that is written and never read.
+//! V0124: a parameter by value that is written but never read.
 
 use val3_analysis::items::declarations::{Declared, all_params};
 
@@ -7,11 +7,11 @@ use crate::lint::{Findings, Program, variable_use};
 use crate::rule::rule;
 
 rule! {
-    /// A program writes a parameter that it takes by value, and never reads it.
+    /// A program writes a parameter that is passed by value, but never reads it.
     ///
     /// ## Why
-    /// By value the program has a copy of its own: what it writes there is lost when it ends, and the caller sees
-    /// nothing of it. A result is given back through a parameter by reference.
+    /// A parameter by value is a copy. The written value is lost when the program ends, and the caller never gets it. A
+    /// result is returned through a parameter by reference.
     ///
     /// ## Bad
     /// ```val3

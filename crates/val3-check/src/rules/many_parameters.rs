@@ -7,12 +7,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program has more parameters than the shop allows.
+    /// A program has more parameters than the configured limit.
     ///
     /// ## Why
-    /// In a call of many arguments it is easy to swap two of one type. A user type takes them together under names.
-    /// The option `parameters` is the most that a program may have, 10 unless it is set. This is a convention of a
-    /// shop, and off unless it is asked for.
+    /// In a call with many arguments it is easy to swap two of the same type. A user type groups them under names. The
+    /// option `parameters` sets the maximum number, 10 by default. The rule is off by default, because it enforces a
+    /// convention that not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -45,7 +45,7 @@ fn word(name: &str, number: usize, limit: usize) -> Wording {
     Wording::new(
         format!("the program `{name}` has {number} parameters, more than {limit}"),
         "too many parameters",
-        "put what belongs together into a user type",
+        "group related parameters in a user type",
     )
 }
 
@@ -62,7 +62,7 @@ mod tests {
         expect![[r#"
             p.pgx:3 `p` the program `p` has 2 parameters, more than 1
               | too many parameters
-              ? put what belongs together into a user type
+              ? group related parameters in a user type
         "#]]
         .assert_eq(&check(&RULE, &format!("program p(num x_nA, num x_nB)\nbegin\nend\n{settings}")));
         assert_eq!(check(&RULE, &format!("program p(num x_nA)\nbegin\nend\n{settings}")), "");

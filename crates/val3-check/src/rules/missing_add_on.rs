@@ -6,11 +6,11 @@ rule! {
     /// An instruction belongs to an add-on that the cell does not have.
     ///
     /// ## Why
-    /// Instructions whose names begin with `$` are no part of VAL 3: each comes with an add-on of the controller. An
+    /// Instructions whose names begin with `$` are not part of VAL 3: each belongs to an add-on of the controller. An
     /// installed add-on has a table of its instructions in the folder `usr/app` of the cell, one for each kind of arm.
-    /// Where the table is missing, the controller reports the instruction as an undefined function and does not load
-    /// the application. Where the cell at hand has no such table at all, as in most repositories, this is advice only:
-    /// see that the controller has the add-on. Each instruction is told once an application.
+    /// If the table is missing, the controller reports the instruction as an undefined function and does not load the
+    /// application. If the cell has no such tables, as in most repositories, this is only information: make sure that
+    /// the controller has the add-on. Each instruction is reported once per application.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0505: an element without an attribute that it needs.
+//! V0505: an element without a required attribute.
 
 use crate::{
     diagnostic::{Fix, Wording},
@@ -7,15 +7,15 @@ use crate::{
 };
 
 rule! {
-    /// An element lacks an attribute that it cannot do without.
+    /// An element lacks a required attribute.
     ///
     /// ## Why
-    /// The attributes say what an element declares: without `name` a variable has no name, without `file` an entry
-    /// of the project leads nowhere. The controller reports the file as faulty and does not load the application.
+    /// The attributes are the content of a declaration: without `name` a variable has no name, without `file` an entry
+    /// of the project names no file. The controller reports the file as faulty and does not load the application.
     ///
-    /// Without `size`, `access` or the kind of container a variable is no longer what the code takes it for. This is
-    /// a warning: the controller and all known tools write these attributes, and no source says what a controller
-    /// does without them. Nothing else is said of a variable that is declared so.
+    /// Without `size`, `access` or the kind of container a variable differs from its use in the code. This is a
+    /// warning: the controller and all known tools write these attributes, and no source describes how a controller
+    /// treats a file without them. No other finding about such a variable is reported.
     ///
     /// ## Bad
     /// ```val3
@@ -45,7 +45,7 @@ rule! {
     V0505 "missing-attribute" Error
 }
 
-/// Words the finding. `written` is the unknown attribute that was probably meant.
+/// Words the finding. `written` is the unknown attribute that was probably meant as this one.
 pub(crate) fn word(element: &str, attribute: &str, default: Option<&str>, written: Option<&str>) -> Wording {
     let label = match default {
         Some(default) => format!("`{attribute}` is missing: `{default}` is assumed"),
@@ -55,7 +55,7 @@ pub(crate) fn word(element: &str, attribute: &str, default: Option<&str>, writte
     Wording::new(format!("the element `{element}` needs the attribute `{attribute}`"), label, help.unwrap_or_default())
 }
 
-/// Writes the attribute in place of the one that was probably meant as it.
+/// Renames the unknown attribute that was probably meant as this one.
 pub(crate) fn fix(site: &Site<'_>, attribute: &str, written: Option<&str>) -> Option<Fix> {
     rename(site, written?, Some(attribute))
 }

@@ -7,12 +7,12 @@ use crate::{
 };
 
 rule! {
-    /// The code of a program does not start with `begin` or does not finish with `end`.
+    /// The code of a program does not start with `begin` or does not end with `end`.
     ///
     /// ## Why
-    /// The code of every program stands between a line `begin` and a line `end`, even if there is nothing in
-    /// between. They tell the controller that the program is complete; a file that was cut off has no `end`. An
-    /// application with such a program does not load.
+    /// The code of every program is enclosed by a line `begin` and a line `end`, even if it is empty. They mark the
+    /// program as complete; a file that was cut off has no `end`. The controller does not load an application with such
+    /// a program.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ pub(crate) fn neither() -> Wording {
     Wording::new(
         "the code of the program has neither `begin` nor `end`",
         "`begin` belongs here",
-        "the code of every program stands between a line `begin` and a line `end`",
+        "the code of every program is enclosed by a line `begin` and a line `end`",
     )
 }
 
@@ -67,7 +67,7 @@ pub(crate) fn no_code() -> Wording {
     )
 }
 
-/// Writes the missing keyword on a line of its own. Whether lines are missing as well nobody can tell.
+/// Writes the missing keyword on a line of its own. Missing lines of code cannot be restored, so the fix is a guess.
 pub(crate) fn fix(site: &Site<'_>, keyword: &str) -> Option<Fix> {
     let edit = site.insert_line(keyword)?;
     Some(Fix::guess(format!("write `{keyword}`"), vec![edit]))
@@ -109,7 +109,7 @@ mod tests {
         expect![[r#"
             the code of the program has neither `begin` nor `end`
             | `begin` belongs here
-            ? the code of every program stands between a line `begin` and a line `end`
+            ? the code of every program is enclosed by a line `begin` and a line `end`
         "#]]
         .assert_eq(&neither().to_string());
     }

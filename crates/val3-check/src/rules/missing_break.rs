@@ -10,9 +10,9 @@ rule! {
     /// A `case` or `default` is not closed with `break`.
     ///
     /// ## Why
-    /// In VAL 3 `break` is not an instruction that leaves the branch early; it is the closing keyword of `case` and
-    /// `default`, as `endIf` is of `if`. Each branch has exactly one. A branch cannot fall through into the next
-    /// one: several values for one branch stand in one list, `case 1, 2`.
+    /// In VAL 3 `break` is not an instruction that leaves the branch early. It is the closing keyword of `case` and
+    /// `default`, as `endIf` is of `if`, and each branch has exactly one. Execution never continues into the next
+    /// branch: write several values for one branch as a list, `case 1, 2`.
     ///
     /// ## Bad
     /// ```val3
@@ -50,11 +50,11 @@ pub(crate) fn word() -> Wording {
     Wording::new(
         "a branch of `switch` is not closed with `break`",
         "`break` belongs here",
-        "each `case` and `default` ends with its own `break`; values that share a branch stand in one list: `case 1, 2`",
+        "each `case` and `default` ends with its own `break`; write values that share a branch as a list: `case 1, 2`",
     )
 }
 
-/// Closes the branch: VAL 3 has no branch that falls through, so nothing else can be meant.
+/// Closes the branch. The fix is safe, because execution never continues into the next branch.
 pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
     let indentation = site.indentation(site.related?);
     let edit = site.insert_line(&format!("{indentation}break"))?;
@@ -72,7 +72,7 @@ mod tests {
         expect![[r#"
             a branch of `switch` is not closed with `break`
             | `break` belongs here
-            ? each `case` and `default` ends with its own `break`; values that share a branch stand in one list: `case 1, 2`
+            ? each `case` and `default` ends with its own `break`; write values that share a branch as a list: `case 1, 2`
         "#]].assert_eq(&word().to_string());
     }
 }

@@ -1,4 +1,4 @@
-//! V0713: a program that does not say what it does.
+//! V0713: a program without a description.
 
 use val3_analysis::items::declarations;
 use val3_analysis::items::layout::comments;
@@ -8,11 +8,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program does not begin with a comment that says what it does.
+    /// A program does not begin with a comment that describes it.
     ///
     /// ## Why
-    /// Who looks at a cell after years reads these comments first. The comment stands before the first line of code.
-    /// This is a convention of a shop, and off unless it is asked for.
+    /// Such a comment is the first thing that a new reader of the cell needs. It must be before the first line of code.
+    /// The rule is off by default, because it enforces a convention that not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -50,7 +50,7 @@ fn word(name: &str) -> Wording {
     Wording::new(
         format!("the program `{name}` does not begin with a comment"),
         "not described",
-        "say before the first line what it does",
+        "describe the program in a comment before the first line",
     )
 }
 
@@ -66,7 +66,7 @@ mod tests {
         expect![[r#"
             p.pgx:3 `p` the program `p` does not begin with a comment
               | not described
-              ? say before the first line what it does
+              ? describe the program in a comment before the first line
         "#]]
         .assert_eq(&check(&RULE, "program p()\nbegin\n  // ------\n  cls()\n  // why\nend"));
     }

@@ -1,4 +1,4 @@
-//! V0534: an application that cannot be started for lack of `stop`.
+//! V0534: an application that cannot be started because it lacks `stop`.
 
 use val3_analysis::application::{START, STOP};
 use val3_analysis::db::{Db, Project, Sources};
@@ -11,13 +11,13 @@ use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
 
 rule! {
-    /// A project has the program `start` and no program `stop`.
+    /// A project has the program `start` but no program `stop`.
     ///
     /// ## Why
     /// The controller starts an application only if it has both (2.1): `start`, and `stop`, which runs when the
-    /// application is stopped. A project without them is a library or a user type. Many libraries keep one of the
-    /// two from the time when they were applications, so this is information. It is given where a whole cell is
-    /// checked, with the configuration of its controller, and for projects that no other one of the cell uses.
+    /// application is stopped. A project without them is a library or a user type. Many libraries still have one of the
+    /// two from an earlier use as an application, so this is information. It is reported only if a whole cell is
+    /// checked, with the configuration of its controller, and only for projects that no other project of the cell uses.
     ///
     /// ## Bad
     /// ```val3
@@ -60,7 +60,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
     }
 }
 
-/// Another project names it as a library or user type.
+/// Another project declares it as a library or user type.
 fn is_used(db: &dyn Db, project: Project) -> bool {
     let names = |user: &Project| {
         let paths = manifest(db, user.manifest(db)).projects();
@@ -71,7 +71,7 @@ fn is_used(db: &dyn Db, project: Project) -> bool {
 
 fn word() -> Wording {
     Wording::new(
-        "the project has the program `start` and no program `stop`",
+        "the project has the program `start` but no program `stop`",
         "cannot be started",
         "add a program `stop`, which may be empty",
     )
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn start_alone() {
         expect![[r#"
-            main.pjx:5 `start.pgx` the project has the program `start` and no program `stop`
+            main.pjx:5 `start.pgx` the project has the program `start` but no program `stop`
               | cannot be started
               ? add a program `stop`, which may be empty
         "#]]

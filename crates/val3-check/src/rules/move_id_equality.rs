@@ -12,8 +12,8 @@ rule! {
     /// The result of `getMoveId()` is tested for equality.
     ///
     /// ## Why
-    /// The move id grows with the movement and has a fraction (10.6): it may step from 11.998 to 12.013 and is never
-    /// exactly 12. A `wait(getMoveId()==12)` may wait for ever.
+    /// The move id grows with the movement and has a fraction (10.6): it may jump from 11.998 to 12.013 without being
+    /// exactly 12. A `wait(getMoveId()==12)` may never end.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ fn is_move_id(program: &Program<'_>, id: ExprId) -> bool {
     }
 }
 
-/// Reached means greater or equal; a move id on the right side turns the comparison round.
+/// The comparison with `>=`, or `<=` if the move id is on the right side.
 fn instead(op: BinaryOp, left: bool) -> &'static str {
     match (op, left) {
         (BinaryOp::Equal, true) => ">=",
@@ -68,7 +68,7 @@ fn word(op: &str, instead: &str) -> Wording {
     let holds = if op == BinaryOp::NotEqual.symbol() { "until" } else { "from the moment" };
     Wording::new(
         format!("`{op}` compares a move id, which may never be exactly this number"),
-        "the id steps over whole numbers",
+        "the id can skip whole numbers",
         format!("write `{instead}`, which holds {holds} the arm is there"),
     )
 }
@@ -84,15 +84,15 @@ mod tests {
     fn tests_for_equality() {
         expect![[r#"
             start.pgx:5 `getMoveId()==12` `==` compares a move id, which may never be exactly this number
-              | the id steps over whole numbers
+              | the id can skip whole numbers
               ? write `>=`, which holds from the moment the arm is there
               ! write `>=` (unsafe)
             start.pgx:6 `n!=(getMoveId())` `!=` compares a move id, which may never be exactly this number
-              | the id steps over whole numbers
+              | the id can skip whole numbers
               ? write `>`, which holds until the arm is there
               ! write `>` (unsafe)
             start.pgx:9 `getMoveId()` `case` compares a move id, which may never be exactly this number
-              | the id steps over whole numbers
+              | the id can skip whole numbers
               ? write `>=`, which holds from the moment the arm is there
         "#]].assert_eq(&check(
             &RULE,

@@ -1,4 +1,4 @@
-//! V0407: the program waits for an arm that it has stopped.
+//! V0407: a wait for an arm that the program has stopped.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
@@ -10,13 +10,13 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program stops the arm with `stopMove`, and then moves it or waits for it while it is still stopped.
+    /// A program stops the arm with `stopMove`, and then moves it or waits for it without restarting it.
     ///
     /// ## Why
     /// After `stopMove`, the arm continues only after `restartMove` or `resetMotion` (10.6). Until then a move
-    /// instruction records its move, and the arm does not make it. `waitEndMove`, `open` and `close` wait for the
-    /// recorded moves, so they wait for ever. The rule is silent where another task may call `restartMove`, and where
-    /// no recorded move is left to wait for.
+    /// instruction records its move, but the arm does not execute it. `waitEndMove`, `open` and `close` wait for the
+    /// recorded moves, so they never return. The rule is silent where another task may call `restartMove`, and where no
+    /// recorded move is left to wait for.
     ///
     /// `restartMove` lets the arm finish the moves that were recorded, before and after the stop. `resetMotion` cancels
     /// them, so the next move starts from where the arm is.
@@ -45,7 +45,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = FxHashSet::default();
     let mut freed = None;
-    for step in program.motion_steps() {
+    for step in program.arm_calls() {
         let Phase::Stopped { by: stop, pending } = step.arm.phase else { continue };
         let is_move = step.role != MotionRole::Arrive;
         let is_stuck = match step.role {
@@ -62,7 +62,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Before each point: the program may still let the arm go on, or call a program that may.
+/// Before each point: the program may still restart the arm later, or call a program that may.
 fn freed_later(program: &Program<'_>) -> Facts<bool> {
     let frees = |id: PointId, point: &Point| {
         let mut roles = program.calls_at(id).iter().filter_map(|call| call.role);
@@ -94,12 +94,12 @@ fn others_restart(program: &Program<'_>) -> bool {
 
 fn word(instruction: &str, is_move: bool) -> Wording {
     let message = if is_move {
-        format!("the arm is stopped: what `{instruction}` records is not done")
+        format!("the arm is stopped: it does not execute this `{instruction}`")
     } else {
-        format!("the arm is stopped: `{instruction}` waits for ever")
+        format!("the arm is stopped: `{instruction}` never returns")
     };
-    let help = "let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`";
-    Wording::new(message, "nothing has let the arm go on", help)
+    let help = "let the arm continue with `restartMove()`, or delete its moves with `resetMotion()`";
+    Wording::new(message, "nothing has restarted the arm", help)
 }
 
 #[cfg(test)]
@@ -116,16 +116,16 @@ mod tests {
     #[test]
     fn stopped() {
         expect![[r#"
-            start.pgx:7 `movej(jA,tA,mA)` the arm is stopped: what `movej` records is not done
-              | nothing has let the arm go on
-              ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
+            start.pgx:7 `movej(jA,tA,mA)` the arm is stopped: it does not execute this `movej`
+              | nothing has restarted the arm
+              ? let the arm continue with `restartMove()`, or delete its moves with `resetMotion()`
               > start.pgx:6 `stopMove()` stopped here
         "#]]
         .assert_eq(&check(&RULE, &program("stopMove()\nmovej(jA,tA,mA)\nwaitEndMove()")));
         expect![[r#"
-            start.pgx:9 `waitEndMove()` the arm is stopped: `waitEndMove` waits for ever
-              | nothing has let the arm go on
-              ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
+            start.pgx:9 `waitEndMove()` the arm is stopped: `waitEndMove` never returns
+              | nothing has restarted the arm
+              ? let the arm continue with `restartMove()`, or delete its moves with `resetMotion()`
               > start.pgx:7 `stopMove()` stopped here
         "#]]
         .assert_eq(&check(&RULE, &program("movej(jA,tA,mA)\nstopMove()\nif bA\nwaitEndMove()\nendIf")));
@@ -155,9 +155,9 @@ mod tests {
         }
         // The wait comes first, so that the line after it is never reached.
         expect![[r#"
-            start.pgx:8 `waitEndMove()` the arm is stopped: `waitEndMove` waits for ever
-              | nothing has let the arm go on
-              ? let the arm go on with `restartMove()`, or forget its moves with `resetMotion()`
+            start.pgx:8 `waitEndMove()` the arm is stopped: `waitEndMove` never returns
+              | nothing has restarted the arm
+              ? let the arm continue with `restartMove()`, or delete its moves with `resetMotion()`
               > start.pgx:6 `stopMove()` stopped here
         "#]]
         .assert_eq(&check(&RULE, &program("stopMove()\nmovej(jA,tA,mA)\nwaitEndMove()\nrestartMove()")));

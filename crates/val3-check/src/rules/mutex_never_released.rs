@@ -1,4 +1,4 @@
-//! V0331: a mutex that is taken and never given back.
+//! V0331: a mutex that is never released.
 
 use val3_analysis::body::ExprId;
 use val3_analysis::effects::{Access, AccessKind, Root};
@@ -9,11 +9,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// `setMutex` takes a mutex that no program ever gives back.
+    /// `setMutex` takes a mutex that no program releases.
     ///
     /// ## Why
-    /// `setMutex` waits until the variable is `false` and sets it to `true`. Whoever has it must set it back to `false`
-    /// (5.9): otherwise the next `setMutex` waits for ever, in the same task as in any other.
+    /// `setMutex` waits until the variable is `false` and sets it to `true`. The task that has taken the mutex must set
+    /// it back to `false` (5.9). Otherwise the next `setMutex` never returns, even in the same task.
     ///
     /// ## Bad
     /// ```val3
@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Another program writes the variable, or hands it to something that may.
+/// Another program writes the variable, or passes it to something that may write it.
 fn is_released_elsewhere(program: &Program<'_>, name: &str) -> bool {
     let users = program.application().users.get(name).into_iter().flatten();
     users.filter(|(user, _)| user != program.name()).any(|(_, uses)| uses.may_write())
@@ -63,8 +63,8 @@ fn is_released_elsewhere(program: &Program<'_>, name: &str) -> bool {
 
 fn word(mutex: &str) -> Wording {
     Wording::new(
-        format!("no program gives `{mutex}` back"),
-        "the next one waits here for ever",
+        format!("no program releases `{mutex}`"),
+        "the next `setMutex` never returns",
         format!("write `{mutex}=false` where the protected part ends"),
     )
 }
@@ -79,8 +79,8 @@ mod tests {
     #[test]
     fn taken_and_kept() {
         expect![[r#"
-            start.pgx:5 `b[1]` no program gives `b[1]` back
-              | the next one waits here for ever
+            start.pgx:5 `b[1]` no program releases `b[1]`
+              | the next `setMutex` never returns
               ? write `b[1]=false` where the protected part ends
         "#]]
         .assert_eq(&check(&RULE, "bool b[2]\nsetMutex(b[1])\nif b[1]==true\nput(1)\nendIf"));

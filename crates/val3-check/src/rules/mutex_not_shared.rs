@@ -1,8 +1,8 @@
-//! V0327: a mutex that no other task can see.
+//! V0327: a mutex in a local variable.
 
 use val3_lang::instructions::SET_MUTEX;
 
-use super::task_local_by_reference::mortal;
+use super::task_local_by_reference::ends_with_program;
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
@@ -11,9 +11,9 @@ rule! {
     /// `setMutex` takes a local variable.
     ///
     /// ## Why
-    /// A mutex keeps tasks apart that share something: each waits for the same variable (5.9). A local variable belongs
-    /// to one call of one program; it is `false` at first, `setMutex` never waits, and nothing is protected. A second
-    /// `setMutex` of it waits for ever.
+    /// A mutex protects data shared by tasks: each task waits for the same variable (5.9). A local variable belongs to
+    /// one call of one program. It is `false` at first, so `setMutex` never waits and protects nothing. A second
+    /// `setMutex` of it never returns.
     ///
     /// ## Bad
     /// ```val3
@@ -47,7 +47,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for call in program.calls_of(SET_MUTEX) {
         let Some(mutex) = call.args.first() else { continue };
-        if let Some(what) = mortal(program, program.effects.root(*mutex)) {
+        if let Some(what) = ends_with_program(program, program.effects.root(*mutex)) {
             found.report(&RULE, program.range(*mutex), word(what, program.text(*mutex)));
         }
     }
@@ -55,7 +55,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(what: &str, variable: &str) -> Wording {
     Wording::new(
-        format!("{what} `{variable}` protects nothing, for no other task sees it"),
+        format!("{what} `{variable}` protects nothing: no other task can access it"),
         "belongs to this call of the program",
         "use a global variable",
     )
@@ -71,10 +71,10 @@ mod tests {
     #[test]
     fn variables_of_one_call() {
         expect![[r#"
-            p.pgx:11 `l_b` the local variable `l_b` protects nothing, for no other task sees it
+            p.pgx:11 `l_b` the local variable `l_b` protects nothing: no other task can access it
               | belongs to this call of the program
               ? use a global variable
-            p.pgx:12 `x_b` the value parameter `x_b` protects nothing, for no other task sees it
+            p.pgx:12 `x_b` the value parameter `x_b` protects nothing: no other task can access it
               | belongs to this call of the program
               ? use a global variable
         "#]]

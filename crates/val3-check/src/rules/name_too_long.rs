@@ -7,8 +7,8 @@ rule! {
     ///
     /// ## Why
     /// Up to s7, the name of data, a local variable, a parameter, a program or a library identifier has at most 15
-    /// characters (2.5.1). From s8 on longer names are accepted. A project that declares s7 and runs on a CS9
-    /// controller gets away with longer names; on a CS8 controller it does not load.
+    /// characters (2.5.1). From s8 on longer names are accepted. A project that declares s7 but runs on a CS9
+    /// controller loads with longer names; on a CS8 controller it does not.
     ///
     /// ## Bad
     /// ```val3

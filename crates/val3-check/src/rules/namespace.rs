@@ -1,4 +1,4 @@
-//! V0537: a namespace that is not that of the file.
+//! V0537: a namespace that does not belong to the file.
 
 use crate::{
     diagnostic::{Fix, Wording},
@@ -7,13 +7,13 @@ use crate::{
 };
 
 rule! {
-    /// A file declares another namespace than the one of its kind.
+    /// The namespace of a file is not the one of its kind.
     ///
     /// ## Why
-    /// The namespace says what a file is and in which version of the format it is written. Every controller of s7 and
-    /// s8 writes `Project/3`, `Program/2`, `Param/1` and `Data/2`, and those of s5 and s6 write `ProjectNameSpace`,
-    /// `ProgramNameSpace` and `DataNameSpace`. Elements in another namespace are other elements to the controller,
-    /// which does not load the application.
+    /// The namespace identifies the kind of a file and the version of its format. Every controller of s7 and s8 writes
+    /// `Project/3`, `Program/2`, `Param/1` and `Data/2`, and those of s5 and s6 write `ProjectNameSpace`,
+    /// `ProgramNameSpace` and `DataNameSpace`. The controller does not recognise elements in another namespace and does
+    /// not load the application.
     ///
     /// ## Bad
     /// ```val3
@@ -46,7 +46,7 @@ pub(crate) fn word(element: &str, found: &str, expected: &str) -> Wording {
     Wording::new(
         format!("the namespace of `{element}` is `{expected}`, not `{found}`"),
         "another namespace",
-        "the content has to be in the form that the namespace stands for: see what wrote the file",
+        "the content must have the format of this namespace: check the tool that wrote the file",
     )
 }
 
@@ -66,7 +66,7 @@ mod tests {
         expect![[r#"
             the namespace of `Database` is `…/Data/2`, not `…/Data/3`
             | another namespace
-            ? the content has to be in the form that the namespace stands for: see what wrote the file
+            ? the content must have the format of this namespace: check the tool that wrote the file
         "#]]
         .assert_eq(&word("Database", "…/Data/3", "…/Data/2").to_string());
     }

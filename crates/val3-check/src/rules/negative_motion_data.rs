@@ -1,4 +1,4 @@
-//! V0242: a negative number in a motion descriptor of the data.
+//! V0242: a negative number in a motion descriptor of a data file.
 
 use val3_analysis::items::limits::limits;
 

@@ -1,14 +1,14 @@
-//! V0006: more levels than a reader or the controller can follow.
+//! V0006: nesting beyond the limit of the check or the controller.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// Brackets, blocks or XML elements nest deeper than can be read.
+    /// Brackets, blocks or XML elements are nested too deeply to be read.
     ///
     /// ## Why
-    /// The controller's compiler counts the levels of an expression and refuses a line that has too
-    /// many. This check follows 200 levels, far more than people write; a file that reaches them is
-    /// damaged, or a generator wrote it wrongly. What lies deeper is not checked.
+    /// The controller's compiler limits the nesting of an expression and refuses a line with more levels. This check
+    /// reads 200 levels, far more than people write. A file with more levels is damaged, or a generator wrote it
+    /// wrongly. Deeper levels are not checked.
     ///
     /// ## Bad
     /// ```val3
@@ -29,7 +29,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
-        "brackets, blocks or elements nest too deeply",
+        "brackets, blocks or elements are nested too deeply",
         "one level too many",
         "compute parts of the expression on lines of their own, or move inner blocks into a program",
     )
@@ -44,7 +44,7 @@ mod tests {
     #[test]
     fn a_level_too_many() {
         expect![[r#"
-            brackets, blocks or elements nest too deeply
+            brackets, blocks or elements are nested too deeply
             | one level too many
             ? compute parts of the expression on lines of their own, or move inner blocks into a program
         "#]]

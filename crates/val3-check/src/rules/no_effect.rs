@@ -1,4 +1,4 @@
-//! V0220: a line that does nothing.
+//! V0220: a line without an effect.
 
 use val3_syntax::{TextRange, TextSize};
 
@@ -9,12 +9,12 @@ use crate::{
 };
 
 rule! {
-    /// A line computes a value and does nothing with it.
+    /// A line computes a value and does not use it.
     ///
     /// ## Why
-    /// A line must assign a value, call a program, or use an instruction that acts. A comparison, a calculation or an
-    /// instruction that only yields a value changes nothing when it stands alone, so it is almost always a slip, and
-    /// the controller does not load the application. The usual one is `==` where `=` is meant.
+    /// A line must assign a value, call a program, or use an instruction that has an effect. A comparison, a
+    /// calculation or an instruction that only returns a value has no effect on a line of its own. It is almost always
+    /// a mistake, usually `==` in place of `=`, and the controller does not load the application.
     ///
     /// ## Bad
     /// ```val3
@@ -35,13 +35,13 @@ rule! {
 /// Words the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
-        "this line computes a value and does nothing with it",
+        "this line computes a value and does not use it",
         "the value is lost",
         "assign the value to a variable; an assignment is written with one `=`",
     )
 }
 
-/// Assigns where a variable is compared.
+/// Replaces the comparison by an assignment if its left side is a variable.
 pub(crate) fn fix(site: &Site<'_>) -> Option<Fix> {
     const SIGN: &str = "==";
     let (target, value) = site.text().split_once(SIGN)?;
@@ -60,7 +60,7 @@ mod tests {
     #[test]
     fn wording() {
         expect![[r#"
-            this line computes a value and does nothing with it
+            this line computes a value and does not use it
             | the value is lost
             ? assign the value to a variable; an assignment is written with one `=`
         "#]]

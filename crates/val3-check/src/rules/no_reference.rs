@@ -18,9 +18,9 @@ rule! {
     /// A local point, frame or tool is used before it has been given a reference.
     ///
     /// ## Why
-    /// Local variables, and the fields of local variables of user types, start without a reference frame or tool.
-    /// Whatever computes or moves with them stops the task with run-time error 162, 163 or 164. They get a reference
-    /// from an assignment or from `link`; to set their `trsf` is not enough.
+    /// Local variables, and the fields of local variables of user types, start without a reference frame or tool. An
+    /// instruction that computes or moves with them stops the task with run-time error 162, 163 or 164. They get a
+    /// reference from an assignment or from `link`; an assignment to `trsf` is not enough.
     ///
     /// ## Bad
     /// ```val3
@@ -51,9 +51,9 @@ rule! {
     V0401 "no-reference" Error, Program: check
 }
 
-/// Variables that may have a reference, as they are written: `l_pPick`, `l_tSlot.pPick`. What stands for a whole
-/// stands for its fields.
-type Linked = FxHashSet<SmolStr>;
+/// Variables that may have a reference, with the spelling of the code: `l_pPick`, `l_tSlot.pPick`. An entry for a
+/// structure also holds for each of its fields.
+type ReferencedVariables = FxHashSet<SmolStr>;
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     let may_lack = |ty: &str| BaseType::from_file_name(ty).is_none_or(|(ty, _)| ty.has_father());
@@ -61,7 +61,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         return;
     }
     let flow = program.flow();
-    let step = |id: PointId, point: &Point, before: &Rc<Linked>| after(program, id, point, before);
+    let step = |id: PointId, point: &Point, before: &Rc<ReferencedVariables>| after(program, id, point, before);
     let facts = forward(flow, Rc::default(), step, |known, more| {
         let news = !Rc::ptr_eq(known, more) && !more.is_subset(known);
         if news {
@@ -69,7 +69,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         }
         news
     });
-    let mut told = Linked::default();
+    let mut told = ReferencedVariables::default();
     for (id, _) in flow.points() {
         let Some(linked) = facts.before(id) else { continue };
         for call in program.calls_at(id) {
@@ -93,7 +93,12 @@ pub(super) fn needed<'a>(call: &Call<'a>) -> impl Iterator<Item = (ExprId, BaseT
     params.zip(args).filter_map(needed)
 }
 
-fn after(program: &Program<'_>, id: PointId, point: &Point, before: &Rc<Linked>) -> Rc<Linked> {
+fn after(
+    program: &Program<'_>,
+    id: PointId,
+    point: &Point,
+    before: &Rc<ReferencedVariables>,
+) -> Rc<ReferencedVariables> {
     let writes = program.effects.at(id).iter().filter(|access| access.kind != AccessKind::Read);
     let linked: Vec<SmolStr> = writes
         .filter(|_| !copies_nothing(program, point, before))
@@ -103,26 +108,26 @@ fn after(program: &Program<'_>, id: PointId, point: &Point, before: &Rc<Linked>)
     if linked.is_empty() {
         return before.clone();
     }
-    let mut after = Linked::clone(before);
+    let mut after = ReferencedVariables::clone(before);
     after.extend(linked);
     Rc::new(after)
 }
 
-/// `l_pA=l_pB`, where `l_pB` has no reference either.
-fn copies_nothing(program: &Program<'_>, point: &Point, linked: &Linked) -> bool {
+/// An assignment `l_pA=l_pB` where `l_pB` has no reference either.
+fn copies_nothing(program: &Program<'_>, point: &Point, linked: &ReferencedVariables) -> bool {
     let PointKind::Assign { value, .. } = point.kind else { return false };
     let has_father = program.inference.ty(value).base.builtin().is_some_and(BaseType::has_father);
     has_father && local(program, value).is_some_and(|name| !is_linked(linked, &name))
 }
 
-fn is_linked(linked: &Linked, name: &str) -> bool {
+fn is_linked(linked: &ReferencedVariables, name: &str) -> bool {
     let ends = name.match_indices('.').map(|(at, _)| at).chain([name.len()]);
     ends.into_iter().any(|end| name.get(..end).is_some_and(|whole| linked.contains(whole)))
 }
 
-/// A local variable or a field of one, without its indexes: elements of one array are not told apart.
+/// A local variable or a field of one, without its indexes: the elements of an array are not distinguished.
 fn local(program: &Program<'_>, id: ExprId) -> Option<SmolStr> {
-    matches!(program.effects.root(id)?, Root::Local(_)).then(|| program.loose_path(id))
+    matches!(program.effects.root(id)?, Root::Local(_)).then(|| program.path_without_indexes(id))
 }
 
 fn word(name: &str, ty: BaseType, instruction: &str) -> Wording {

@@ -1,13 +1,13 @@
-//! V0221: the value of an instruction that yields none.
+//! V0221: the value of an instruction that returns none.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// An instruction that yields no value is used as a value.
+    /// An instruction that returns no value is used as a value.
     ///
     /// ## Why
-    /// Some instructions only act, such as `delay` or `waitEndMove`: nothing can be assigned, compared or passed on
-    /// from them. They stand alone on their line. The controller does not load an application that uses their value.
+    /// Some instructions such as `delay` or `waitEndMove` return nothing that could be assigned, compared or passed on.
+    /// They are written on a line of their own. The controller does not load an application that uses their value.
     ///
     /// ## Bad
     /// ```val3
@@ -28,7 +28,11 @@ rule! {
 
 /// Words the finding.
 pub(crate) fn word(callee: &str) -> Wording {
-    Wording::new(format!("`{callee}` yields no value"), "no value", format!("write `{callee}(…)` on a line of its own"))
+    Wording::new(
+        format!("`{callee}` returns no value"),
+        "no value",
+        format!("write `{callee}(…)` on a line of its own"),
+    )
 }
 
 #[cfg(test)]
@@ -40,7 +44,7 @@ mod tests {
     #[test]
     fn wording() {
         expect![[r#"
-            `delay` yields no value
+            `delay` returns no value
             | no value
             ? write `delay(…)` on a line of its own
         "#]]

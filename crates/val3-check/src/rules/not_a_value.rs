@@ -1,16 +1,16 @@
-//! V0112: a name that stands for no value.
+//! V0112: a name that is not a value.
 
 use val3_analysis::problem::NameKind;
 
 use crate::{diagnostic::Wording, english::a_name_kind, rule::rule};
 
 rule! {
-    /// A program, library identifier or type stands where a value is needed.
+    /// The name of a program, library identifier or type is used as a value.
     ///
     /// ## Why
-    /// Only data, local variables, parameters and the results of instructions are values. A program yields none: it is
-    /// called on a line of its own, and gives its results back through parameters that are passed by reference. A
-    /// library identifier alone means nothing: the name of an item follows its colon.
+    /// Only data, local variables, parameters and the results of instructions are values. A program returns no value:
+    /// it is called on a line of its own and returns its results through parameters by reference. A library identifier
+    /// has no value; it is followed by a colon and the name of an item.
     ///
     /// ## Bad
     /// ```val3
@@ -42,7 +42,7 @@ pub(crate) fn word(name: &str, is: NameKind) -> Wording {
     Wording::new(format!("`{name}` is {}, not a value", a_name_kind(is)), "not a value", instead(name, is))
 }
 
-/// What to write instead.
+/// Advice for something that is not a value.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
         NameKind::Program => "a program gives results back through parameters passed by reference".into(),

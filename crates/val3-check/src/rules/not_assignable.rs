@@ -1,14 +1,14 @@
-//! V0224: an assignment to something that is no variable.
+//! V0224: an assignment to something other than a variable.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// The left side of `=` is no variable.
+    /// The left side of `=` is not a variable.
     ///
     /// ## Why
     /// `=` stores a value in a variable: a local variable, a parameter, data of the application or of a library, or an
-    /// element or field of one. The result of an instruction or of a calculation has no place to store something in,
-    /// and the controller does not load the application.
+    /// element or field of one. The result of an instruction or of a calculation cannot store a value, and the
+    /// controller does not load the application.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0201: an operator between types that it does not know.
+//! V0201: an operator that is not defined for its operands.
 
 use crate::{conversion, diagnostic::Wording, english::a, rule::rule};
 
@@ -6,10 +6,10 @@ rule! {
     /// An operator is not defined for the types of its operands.
     ///
     /// ## Why
-    /// Each operator works on certain types only, and both sides have the same type as a rule: `+` adds two numbers,
-    /// two joint positions, or puts two strings one behind the other. VAL 3 never turns a number into text, or text
-    /// into a number, by itself. Transformations are chained with `*` and inverted with `!`; the logical operators take
-    /// `bool` values, such as the results of comparisons.
+    /// Each operator is defined for certain types only, and both sides usually have the same type. `+` adds two numbers
+    /// or two joint positions, or joins two strings. VAL 3 never converts numbers to text or text to numbers
+    /// automatically. Transformations are chained with `*` and inverted with `!`. The logical operators take `bool`
+    /// values, such as the results of comparisons.
     ///
     /// ## Bad
     /// ```val3

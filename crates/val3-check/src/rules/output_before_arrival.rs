@@ -1,4 +1,4 @@
-//! V0406: an output is set while the arm is still on its way.
+//! V0406: an output that is set before the arm arrives.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::ExprId;
@@ -12,11 +12,11 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An output is set right behind a move, without a `waitEndMove` between them.
+    /// An output is set directly after a move, without a `waitEndMove` between them.
     ///
     /// ## Why
-    /// A move is only recorded: the program goes on at once, far ahead of the arm (10.2). The output is set when the
-    /// arm starts, not when it arrives. Where this is meant, nothing is wrong.
+    /// A move is only recorded: the program continues immediately, far ahead of the arm (10.2). The output is set when
+    /// the arm starts, not when it arrives. Ignore the finding if this is intended.
     ///
     /// ## Bad
     /// ```val3
@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for (id, point) in program.flow().points() {
         let arm = motion.arm(id);
         let Some(last) = arm.last.filter(|_| arm.phase == Phase::Moving) else { continue };
-        // The first output behind a move is enough.
+        // The first output after a move is enough.
         if let Some(output) = output(program, id, point).filter(|_| told.insert(last)) {
             let target = program.target(last).unwrap_or(last);
             found
@@ -80,9 +80,9 @@ fn output(program: &Program<'_>, id: PointId, point: &Point) -> Option<ExprId> {
 
 fn word(output: &str, target: &str) -> Wording {
     Wording::new(
-        format!("`{output}` is set before the arm has got to `{target}`"),
+        format!("`{output}` is set before the arm has reached `{target}`"),
         "set while the arm is on its way",
-        "if the arm has to be there, call `waitEndMove()` before",
+        "if the arm must be there first, call `waitEndMove()` before this line",
     )
 }
 
@@ -91,7 +91,7 @@ mod tests {
     use expect_test::expect;
 
     use super::*;
-    use crate::lint::fixed::fixed;
+    use crate::lint::fix_testing::fixed;
     use crate::lint::testing::check;
 
     fn program(code: &str) -> String {
@@ -101,19 +101,19 @@ mod tests {
     #[test]
     fn on_the_way() {
         expect![[r#"
-            start.pgx:8 `dA=true` `dA` is set before the arm has got to `pA`
+            start.pgx:8 `dA=true` `dA` is set before the arm has reached `pA`
               | set while the arm is on its way
-              ? if the arm has to be there, call `waitEndMove()` before
+              ? if the arm must be there first, call `waitEndMove()` before this line
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
               ! wait for the arm (unsafe)
-            start.pgx:11 `aioSet(aA,3)` `aA` is set before the arm has got to `pA`
+            start.pgx:11 `aioSet(aA,3)` `aA` is set before the arm has reached `pA`
               | set while the arm is on its way
-              ? if the arm has to be there, call `waitEndMove()` before
+              ? if the arm must be there first, call `waitEndMove()` before this line
               > start.pgx:10 `movej(pA,tA,mA)` the arm only starts here
               ! wait for the arm (unsafe)
-            start.pgx:13 `tA.gripper=true` `tA.gripper` is set before the arm has got to `pA`
+            start.pgx:13 `tA.gripper=true` `tA.gripper` is set before the arm has reached `pA`
               | set while the arm is on its way
-              ? if the arm has to be there, call `waitEndMove()` before
+              ? if the arm must be there first, call `waitEndMove()` before this line
               > start.pgx:12 `movej(pA,tA,mA)` the arm only starts here
               ! wait for the arm (unsafe)
         "#]].assert_eq(&check(

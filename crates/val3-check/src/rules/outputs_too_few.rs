@@ -1,4 +1,4 @@
-//! V0239: more bits than outputs.
+//! V0239: a number with more bits than there are outputs.
 
 use val3_lang::arguments::bits;
 use val3_lang::instructions::DIO_SET;
@@ -12,8 +12,8 @@ rule! {
     /// A number is written to fewer outputs than its bits need.
     ///
     /// ## Why
-    /// `dioSet` writes one bit to each output of the array; what is left of the number is dropped without an error
-    /// (3.5.3): 26 on four outputs is 10.
+    /// `dioSet` writes one bit to each output of the array and silently ignores the other bits (3.5.3): 26 on four
+    /// outputs gives 10.
     ///
     /// ## Bad
     /// ```val3

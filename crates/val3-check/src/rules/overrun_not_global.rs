@@ -1,16 +1,16 @@
 //! V0321: an overrun variable that is not global.
 
-use super::task_local_by_reference::mortal;
+use super::task_local_by_reference::ends_with_program;
 use crate::diagnostic::Wording;
 use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The variable that tells the overrun of a synchronous task is not global.
+    /// The variable that indicates the overrun of a synchronous task is not global.
     ///
     /// ## Why
-    /// The system sets it as long as the task lives. Only a global variable is sure to be there, and `taskCreateSync`
-    /// takes no other (5.10).
+    /// The system sets the variable during the whole life of the task. Only a global variable exists for that time, and
+    /// `taskCreateSync` accepts no other (5.10).
     ///
     /// ## Bad
     /// ```val3
@@ -44,7 +44,7 @@ rule! {
 
 fn check(program: &Program<'_>, found: &mut Findings) {
     for overrun in program.task_creations().filter_map(|task| task.overrun) {
-        if let Some(what) = mortal(program, program.effects.root(overrun)) {
+        if let Some(what) = ends_with_program(program, program.effects.root(overrun)) {
             found.report(&RULE, program.range(overrun), word(what, program.text(overrun)));
         }
     }
@@ -52,7 +52,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(what: &str, variable: &str) -> Wording {
     Wording::new(
-        format!("{what} `{variable}` cannot tell the overrun of a task"),
+        format!("{what} `{variable}` cannot indicate the overrun of a task"),
         "ends with this program, before the task does",
         "use a global variable",
     )
@@ -68,10 +68,10 @@ mod tests {
     #[test]
     fn variables_that_end() {
         expect![[r#"
-            p.pgx:11 `l_b` the local variable `l_b` cannot tell the overrun of a task
+            p.pgx:11 `l_b` the local variable `l_b` cannot indicate the overrun of a task
               | ends with this program, before the task does
               ? use a global variable
-            p.pgx:12 `x_b` the value parameter `x_b` cannot tell the overrun of a task
+            p.pgx:12 `x_b` the value parameter `x_b` cannot indicate the overrun of a task
               | ends with this program, before the task does
               ? use a global variable
         "#]]

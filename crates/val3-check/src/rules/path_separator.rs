@@ -10,8 +10,8 @@ rule! {
     /// A path in the project file is written with backslashes.
     ///
     /// ## Why
-    /// The controller separates the parts of a path with `/`, as in `Disk://part/part.pjx`. A path with backslashes
-    /// may work on the computer where it was written and leads nowhere on the controller.
+    /// The controller separates the parts of a path with `/`, as in `Disk://part/part.pjx`. A path with backslashes may
+    /// work on the computer where it was written but not on the controller.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ pub(crate) fn fix(site: &Site<'_>, path: &str) -> Option<Fix> {
     Some(Fix::safe(format!("write `{path}`"), vec![site.replace(site.range, &path)]))
 }
 
-/// `Disk:\\part\part.pjx` and `Disk:\part` are meant as `Disk://part/part.pjx` and `Disk://part`.
+/// Returns `Disk://part/part.pjx` for `Disk:\\part\part.pjx`, and `Disk://part` for `Disk:\part`.
 fn with_slashes(path: &str) -> String {
     let path = path.replace('\\', "/");
     match path.split_once(":/") {

@@ -1,4 +1,4 @@
-//! V0408: the position of the arm is stored while it is on its way.
+//! V0408: a position that is stored while the arm is moving.
 
 use val3_analysis::flow::PointKind;
 use val3_lang::instructions::WAIT_END_MOVE;
@@ -9,11 +9,12 @@ use crate::lint::{Findings, Phase, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The position of the arm is stored right behind a move, without a `waitEndMove` between them.
+    /// The position of the arm is stored directly after a move, without a `waitEndMove` between them.
     ///
     /// ## Why
-    /// A move is only recorded: the program goes on at once (10.2). What is read is some position at the start of the
-    /// move, another one each time. To follow the arm in a condition is usual and not reported.
+    /// A move is only recorded: the program continues immediately (10.2). The stored position is somewhere near the
+    /// start of the move and differs each time. Reading the position in a condition to follow the arm is usual and not
+    /// reported.
     ///
     /// ## Bad
     /// ```val3
@@ -59,9 +60,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(instruction: &str) -> Wording {
     Wording::new(
-        format!("`{instruction}` is asked while the arm is on its way"),
+        format!("`{instruction}` reads the position while the arm is still moving"),
         "some position on the way",
-        "if the end of the move is meant, call `waitEndMove()` before",
+        "if the end of the move is meant, call `waitEndMove()` before this line",
     )
 }
 
@@ -79,14 +80,14 @@ mod tests {
     #[test]
     fn on_the_way() {
         expect![[r#"
-            start.pgx:7 `herej()` `herej` is asked while the arm is on its way
+            start.pgx:7 `herej()` `herej` reads the position while the arm is still moving
               | some position on the way
-              ? if the end of the move is meant, call `waitEndMove()` before
+              ? if the end of the move is meant, call `waitEndMove()` before this line
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
               ! wait for the arm (unsafe)
-            start.pgx:8 `here(tA,world)` `here` is asked while the arm is on its way
+            start.pgx:8 `here(tA,world)` `here` reads the position while the arm is still moving
               | some position on the way
-              ? if the end of the move is meant, call `waitEndMove()` before
+              ? if the end of the move is meant, call `waitEndMove()` before this line
               > start.pgx:6 `movel(pA,tA,mA)` the arm only starts here
               ! wait for the arm (unsafe)
         "#]]

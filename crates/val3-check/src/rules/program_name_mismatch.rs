@@ -1,4 +1,4 @@
-//! V0508: a program with another name than its file.
+//! V0508: a program whose name differs from its file.
 
 use crate::{
     diagnostic::{Fix, Wording},
@@ -10,9 +10,9 @@ rule! {
     /// The program in a `.pgx` file has another name than the file.
     ///
     /// ## Why
-    /// A project lists its programs by the names of their files, and code calls them by the names of the programs.
-    /// Both must be the same, or the program that a line calls is not the one that the project loads. Letter case
-    /// makes no difference between a file and its program; folders in front of the file name do not count.
+    /// A project lists its programs by file name, and code calls them by program name. If they differ, a line calls
+    /// another program than the one that the project loads. The comparison ignores letter case and folders before the
+    /// file name.
     ///
     /// ## Bad
     /// ```val3
@@ -55,7 +55,7 @@ pub(crate) fn word(program: &str, file: &str) -> Wording {
     )
 }
 
-/// Gives the program the name of its file.
+/// Renames the program to the name of its file.
 pub(crate) fn fix(site: &Site<'_>, program: &str, file: &str) -> Option<Fix> {
     rename(site, program, Some(file))
 }

@@ -12,13 +12,13 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A program calls itself, on its own or through others.
+    /// A program calls itself, directly or through others.
     ///
     /// ## Why
-    /// Every call takes room for its parameters and locals on the stack of its task, 5000 bytes unless the project
-    /// says otherwise (2.1.4.2). A circle that is meant, in an algorithm, needs an end and a stack that is large
-    /// enough for its depth. Screens and states that call each other have no end: after some hours the task stops.
-    /// They belong in a loop with a `switch`.
+    /// Every call needs stack space of its task for its parameters and locals; the stack has 5000 bytes unless the
+    /// project sets another size (2.1.4.2). An intended recursion, in an algorithm, needs an end and a sufficient
+    /// stack. Screens and states that call each other have no end: after some hours the task stops. Write them as a
+    /// loop with a `switch`.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +51,7 @@ rule! {
     V0310 "recursion" Info, Member: check
 }
 
-/// A circle is told once, at the first of its programs by name.
+/// Reports a circle once, at the first of its programs by name.
 fn check(program: &Program<'_>, found: &mut Findings) {
     let circles = &program.application().circles;
     if !circles.contains(program.name()) {
@@ -111,12 +111,12 @@ fn word(program: &str, circle: &[SmolStr]) -> Wording {
     let help = "for screens and states use a loop with a `switch`; for an algorithm see that it ends, and that the \
                 stack of the project (`stackSize`) is large enough";
     if circle.is_empty() {
-        return Wording::new(format!("`{program}` calls itself"), "every call takes room on the stack", help);
+        return Wording::new(format!("`{program}` calls itself"), "every call needs stack space", help);
     }
     let chain: Vec<String> = circle.iter().map(|name| format!("`{name}`")).chain([format!("`{program}`")]).collect();
     Wording::new(
         format!("`{program}` calls itself through {}", chain.join(" → ")),
-        "every call takes room on the stack",
+        "every call needs stack space",
         help,
     )
 }
@@ -132,7 +132,7 @@ mod tests {
     fn itself() {
         expect![[r#"
             dig.pgx:9 `dig` `dig` calls itself
-              | every call takes room on the stack
+              | every call needs stack space
               ? for screens and states use a loop with a `switch`; for an algorithm see that it ends, and that the stack of the project (`stackSize`) is large enough
         "#]].assert_eq(&check(&RULE, "program dig(num x_n)\nbegin\n  if x_n>0\n    call dig(x_n-1)\n  endIf\nend"));
     }
@@ -145,11 +145,11 @@ mod tests {
         });
         expect![[r#"
             a.pgx:6 `b` `a` calls itself through `b` → `a`
-              | every call takes room on the stack
+              | every call needs stack space
               ? for screens and states use a loop with a `switch`; for an algorithm see that it ends, and that the stack of the project (`stackSize`) is large enough
               > b.pgx:5 `a` `b` calls `a` here
             c.pgx:5 `c` `c` calls itself
-              | every call takes room on the stack
+              | every call needs stack space
               ? for screens and states use a loop with a `switch`; for an algorithm see that it ends, and that the stack of the project (`stackSize`) is large enough
         "#]].assert_eq(&check(&RULE, &programs.collect::<String>()));
     }

@@ -1,4 +1,4 @@
-//! V0307: an `elseIf` that an earlier condition leaves nothing to.
+//! V0307: an `elseIf` that an earlier condition always covers.
 
 use rustc_hash::FxHashMap;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
@@ -9,11 +9,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An `elseIf` can only hold where an earlier condition of the same `if` holds too, so its block never runs.
+    /// An `elseIf` only holds if an earlier condition of the same `if` holds too, so its block never runs.
     ///
     /// ## Why
-    /// The first condition that holds is the one that counts. The condition was copied and not changed, or a wider
-    /// range is asked for before a narrower one.
+    /// Only the block of the first condition that holds is executed. The condition was copied without a change, or a
+    /// wider range is tested before a narrower one.
     ///
     /// ## Bad
     /// ```val3
@@ -45,8 +45,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         if arms.len() < 2 {
             continue;
         }
-        let mut asked = Asked::default();
-        // Constants are told as such; what acts may well yield another value the next time.
+        let mut asked = EarlierConditions::default();
+        // Constants are reported as such. A condition with side effects may have another value the next time.
         let is_followed = |id: &ExprId| program.body.constant(*id).is_none() && program.is_pure(*id);
         for condition in arms.iter().filter_map(|(condition, _)| *condition).filter(is_followed) {
             if let Some(earlier) = asked.covering(program.body, condition) {
@@ -60,14 +60,14 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 /// The conditions of an `if` so far.
 #[derive(Default)]
-struct Asked {
-    /// Each condition as it is written.
+struct EarlierConditions {
+    /// Each condition with its text as the key.
     conditions: FxHashMap<String, ExprId>,
-    /// The widest ranges that were asked for, by the value compared: above a bound, below one.
+    /// The widest ranges tested so far, by the value compared: above a bound, below one.
     ranges: FxHashMap<String, [Option<(Range, ExprId)>; 2]>,
 }
 
-impl Asked {
+impl EarlierConditions {
     /// An earlier condition that holds wherever `condition` does.
     fn covering(&self, body: &Body, condition: ExprId) -> Option<ExprId> {
         let same = self.conditions.get(&body.normal_form(condition)).copied();
@@ -99,7 +99,7 @@ struct Range {
     high: Bound,
 }
 
-/// A bound; it is open where the number itself is left out.
+/// A bound. An open one excludes the number itself.
 #[derive(Clone, Copy)]
 struct Bound {
     at: f64,
@@ -115,7 +115,8 @@ impl Range {
     }
 }
 
-/// `value > constant` and its like, the constant on either side: the value as it is written, and its range.
+/// The text of the value and its range, for `value > constant` and similar comparisons with the constant on either
+/// side.
 fn range(body: &Body, id: ExprId) -> Option<(String, Range)> {
     let Expr::Binary(op, left, right) = body.expr(body.peel(id)) else { return None };
     if let Some(at) = body.number(*right) {
@@ -148,12 +149,12 @@ fn compared(op: BinaryOp, at: f64) -> Option<Range> {
 
 fn word(is_same: bool) -> Wording {
     let message = if is_same {
-        "the same condition was asked before, so this block never runs"
+        "the same condition was tested before, so this block never runs"
     } else {
         "an earlier condition holds whenever this one does, so this block never runs"
     };
-    let help = if is_same { "write the condition that was meant" } else { "ask for the narrower range first" };
-    Wording::new(message, "never decides", help)
+    let help = if is_same { "write the condition that was meant" } else { "test the narrower range first" };
+    Wording::new(message, "has no effect", help)
 }
 
 #[cfg(test)]
@@ -170,8 +171,8 @@ mod tests {
     #[test]
     fn the_same_twice() {
         expect![[r#"
-            start.pgx:7 `(b==true)` the same condition was asked before, so this block never runs
-              | never decides
+            start.pgx:7 `(b==true)` the same condition was tested before, so this block never runs
+              | has no effect
               ? write the condition that was meant
               > start.pgx:5 `b==true` asked first
         "#]]
@@ -182,8 +183,8 @@ mod tests {
     fn a_narrower_range() {
         expect![[r#"
             start.pgx:7 `2<n` an earlier condition holds whenever this one does, so this block never runs
-              | never decides
-              ? ask for the narrower range first
+              | has no effect
+              ? test the narrower range first
               > start.pgx:5 `n>1` asked first
         "#]]
         .assert_eq(&check(&RULE, &chain(["n>1", "2<n"])));

@@ -9,8 +9,8 @@ rule! {
     ///
     /// ## Why
     /// Keywords such as `if`, `step` and `and`, and the names of the built-in types and instructions, have their
-    /// meaning wherever they stand. Data, variables, parameters and programs with such a name could not be told from
-    /// them, so the controller does not load the application.
+    /// meaning everywhere. Data, variables, parameters and programs with such a name would be ambiguous, so the
+    /// controller does not load the application.
     ///
     /// ## Bad
     /// ```val3
@@ -33,7 +33,7 @@ pub(crate) fn word(name: &str) -> Wording {
     )
 }
 
-/// What the word means in VAL 3.
+/// The meaning of the word in VAL 3.
 fn meaning(name: &str) -> &'static str {
     match reserved(name) {
         Some(Reserved::Keyword) => "a keyword of VAL 3",

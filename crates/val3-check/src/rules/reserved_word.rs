@@ -1,9 +1,9 @@
-//! V0025: a keyword in the place of a name.
+//! V0025: a keyword as a name.
 
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A keyword stands where a name belongs.
+    /// A keyword is used as a name.
     ///
     /// ## Why
     /// Keywords cannot name data, programs or libraries, in whatever letter case they are written: `default`, `Default` and

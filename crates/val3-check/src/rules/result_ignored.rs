@@ -1,4 +1,4 @@
-//! V0236: a result that tells of a failure, not looked at.
+//! V0236: an ignored result that reports failures.
 
 use val3_analysis::body::{Expr, StmtKind};
 use val3_lang::results::tells;
@@ -8,12 +8,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// An instruction that can fail stands alone on its line, and nobody looks at its result.
+    /// An instruction that can fail is called on a line of its own, and its result is ignored.
     ///
     /// ## Why
-    /// Instructions on libraries, frames and positions raise no run-time error when they fail: their result is the only
-    /// sign (6.6, 6.7, 9.4.4, 9.6.3). A library that was not loaded shows later, as error 80 in another place; a frame
-    /// or joint position that was not computed keeps its old value, and the arm goes there.
+    /// Instructions on libraries, frames and positions raise no run-time error when they fail: only the result reports
+    /// it (6.6, 6.7, 9.4.4, 9.6.3). A library that was not loaded causes error 80 later and in another place. A frame
+    /// or joint position that was not computed keeps its old value, and the arm moves there.
     ///
     /// ## Bad
     /// ```val3
@@ -52,9 +52,9 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(name: &str, tells: &str) -> Wording {
     Wording::new(
-        format!("nobody looks at the result of `{name}`, the only sign that it failed"),
+        format!("the result of `{name}` is ignored, and only it reports a failure"),
         format!("yields {tells}"),
-        "test the result, or keep it in a variable",
+        "test the result, or store it in a variable",
     )
 }
 
@@ -68,12 +68,12 @@ mod tests {
     #[test]
     fn results_that_are_dropped() {
         expect![[r#"
-            start.pgx:5 `setFrame` nobody looks at the result of `setFrame`, the only sign that it failed
+            start.pgx:5 `setFrame` the result of `setFrame` is ignored, and only it reports a failure
               | yields 0, or which point makes no frame
-              ? test the result, or keep it in a variable
-            start.pgx:6 `pointToJoint` nobody looks at the result of `pointToJoint`, the only sign that it failed
+              ? test the result, or store it in a variable
+            start.pgx:6 `pointToJoint` the result of `pointToJoint` is ignored, and only it reports a failure
               | yields `false` if the arm cannot reach the point
-              ? test the result, or keep it in a variable
+              ? test the result, or store it in a variable
         "#]]
         .assert_eq(&check(&RULE, "frame f\npoint p\njoint j\ntool t\nsetFrame(p,p,p,f)\npointToJoint(t,j,p,j)"));
     }

@@ -6,8 +6,8 @@ rule! {
     /// `return` is followed by a value.
     ///
     /// ## Why
-    /// A program yields no value; it is started with `call` on a line of its own and cannot stand inside an expression.
-    /// `return` only ends it. A program gives a result back through a parameter by reference, marked with `&` in its
+    /// A program returns no value. It is started with `call` on a line of its own and cannot be part of an expression.
+    /// `return` only ends it. A program returns a result through a parameter by reference, marked with `&` in its
     /// interface.
     ///
     /// ## Bad

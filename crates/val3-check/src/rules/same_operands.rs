@@ -1,4 +1,4 @@
-//! V0238: the same on both sides of an operator.
+//! V0238: the same operand on both sides of an operator.
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_lang::operators::BinaryOp;
@@ -11,8 +11,8 @@ rule! {
     /// Both sides of an operator are the same.
     ///
     /// ## Why
-    /// The outcome does not depend on the values: a comparison is always true or always false, `a and a` is `a`, a
-    /// difference is 0. One of the sides was meant to be something else.
+    /// The result does not depend on the values: a comparison is always true or always false, `a and a` is `a`, a
+    /// difference is 0. One of the operands was meant to be something else.
     ///
     /// ## Bad
     /// ```val3
@@ -41,7 +41,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     for (_, expr, _) in program.body.exprs() {
         let Expr::Binary(op, left, right) = expr else { continue };
         let Some(outcome) = outcome(*op) else { continue };
-        // Constants are judged by the rule on constant conditions.
+        // Constants are reported by the rule on constant conditions.
         let repeated = repeated(program, *op, *left, *right).filter(|first| program.body.constant(*first).is_none());
         if let Some(first) = repeated {
             let wording = word(op.symbol(), outcome, program.text(*right));
@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The operand before `right` that says the same; in `a and b and a` any of those before.
+/// The equal operand before `right`. In `a and b and a` it may be any of the earlier ones.
 fn repeated(program: &Program<'_>, op: BinaryOp, left: ExprId, right: ExprId) -> Option<ExprId> {
     if program.is_same(left, right) {
         return Some(left);
@@ -68,10 +68,10 @@ fn repeated(program: &Program<'_>, op: BinaryOp, left: ExprId, right: ExprId) ->
     })
 }
 
-/// Operands further apart are not compared, so that the time stays in proportion to the text.
+/// Operands further apart are not compared, so that the time stays proportional to the length of the text.
 const LONGEST_CHAIN: usize = 16;
 
-/// What the operator makes of two equal operands; `None` where that may be wanted.
+/// The result of the operator for two equal operands. `None` where that may be intended.
 fn outcome(op: BinaryOp) -> Option<&'static str> {
     Some(match op {
         BinaryOp::Equal | BinaryOp::GreaterOrEqual | BinaryOp::LessOrEqual => "is always true",
@@ -84,7 +84,7 @@ fn outcome(op: BinaryOp) -> Option<&'static str> {
 }
 
 fn word(op: &str, outcome: &str, operand: &str) -> Wording {
-    Wording::new(format!("`{operand}` stands on both sides of `{op}`"), outcome, "")
+    Wording::new(format!("`{operand}` is on both sides of `{op}`"), outcome, "")
 }
 
 #[cfg(test)]
@@ -97,16 +97,16 @@ mod tests {
     #[test]
     fn equal_sides() {
         expect![[r#"
-            start.pgx:5 `n[0]` `n[0]` stands on both sides of `==`
+            start.pgx:5 `n[0]` `n[0]` is on both sides of `==`
               | is always true
               > start.pgx:5 `n[0]` the same
-            start.pgx:6 `(b)` `(b)` stands on both sides of `and`
+            start.pgx:6 `(b)` `(b)` is on both sides of `and`
               | asks the same twice
               > start.pgx:6 `b` the same
-            start.pgx:7 `n[1]` `n[1]` stands on both sides of `-`
+            start.pgx:7 `n[1]` `n[1]` is on both sides of `-`
               | is always 0
               > start.pgx:7 `n[1]` the same
-            start.pgx:8 `n[0]<1` `n[0]<1` stands on both sides of `or`
+            start.pgx:8 `n[0]<1` `n[0]<1` is on both sides of `or`
               | asks the same twice
               > start.pgx:8 `n[0]<1` the same
         "#]]

@@ -1,4 +1,4 @@
-//! V0020: `default` twice.
+//! V0020: a second `default`.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -6,8 +6,8 @@ rule! {
     /// A `switch` has two `default` branches.
     ///
     /// ## Why
-    /// `default` takes every value that no `case` names. A second one could never run, and the controller
-    /// refuses the program.
+    /// `default` takes every value without a `case`. A second one could never run, and the controller refuses the
+    /// program.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0240: a time that looks like milliseconds.
+//! V0240: a time that was probably meant in milliseconds.
 
 use val3_lang::arguments::counts_seconds;
 
@@ -10,7 +10,7 @@ rule! {
     /// A constant time is so long that it was probably meant in milliseconds.
     ///
     /// ## Why
-    /// `delay` and `watch` count seconds (5.10): `delay(500)` waits for more than eight minutes.
+    /// The unit of `delay` and `watch` is the second (5.10): `delay(500)` waits for more than eight minutes.
     ///
     /// ## Bad
     /// ```val3
@@ -24,7 +24,7 @@ rule! {
     V0240 "seconds" Info, Program: check
 }
 
-/// Whole numbers of seconds from here on are doubted, unless they are whole minutes.
+/// Whole numbers of seconds from this one on are reported, unless they are whole minutes.
 const LONG: f64 = 200.0;
 const MINUTE: f64 = 60.0;
 
@@ -48,7 +48,7 @@ fn is_doubtful(seconds: f64) -> bool {
 
 fn word(callee: &str, seconds: f64) -> Wording {
     Wording::new(
-        format!("`{callee}` counts seconds, and {seconds} of them are {:.1} minutes", seconds / MINUTE),
+        format!("`{callee}` takes seconds, and {seconds} seconds are {:.1} minutes", seconds / MINUTE),
         "a very long time",
         format!("for {seconds} ms write `{}`", seconds / 1000.0),
     )
@@ -64,11 +64,11 @@ mod tests {
     #[test]
     fn times_like_milliseconds() {
         expect![[r#"
-            start.pgx:5 `500` `delay` counts seconds, and 500 of them are 8.3 minutes
+            start.pgx:5 `500` `delay` takes seconds, and 500 seconds are 8.3 minutes
               | a very long time
               ? for 500 ms write `0.5`
               ! write `0.5`, which is 500 ms (unsafe)
-            start.pgx:6 `2500` `watch` counts seconds, and 2500 of them are 41.7 minutes
+            start.pgx:6 `2500` `watch` takes seconds, and 2500 seconds are 41.7 minutes
               | a very long time
               ? for 2500 ms write `2.5`
               ! write `2.5`, which is 2500 ms (unsafe)

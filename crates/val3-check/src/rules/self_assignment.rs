@@ -11,8 +11,8 @@ rule! {
     /// A variable is assigned to itself.
     ///
     /// ## Why
-    /// The line changes nothing. Most often one of the two names was meant to be another: a parameter and the global
-    /// it belongs to, a field, an index.
+    /// The line changes nothing. Usually one of the two names should be another one: a parameter and its global
+    /// variable, another field, another index.
     ///
     /// ## Bad
     /// ```val3
@@ -37,7 +37,7 @@ rule! {
 fn check(program: &Program<'_>, found: &mut Findings) {
     for stmt in program.stmts() {
         let StmtKind::Assign { target, value } = stmt.kind else { continue };
-        // A serial line is read and written.
+        // An assignment of a serial line to itself reads and writes it.
         let is_line = program.inference.ty(target).base.builtin() == Some(BaseType::Sio);
         if !is_line && program.is_same(target, value) {
             found.report(&RULE, stmt.range, word(program.text(target)));

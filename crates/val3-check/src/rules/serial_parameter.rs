@@ -1,4 +1,4 @@
-//! V0229: a parameter of a serial line that does not exist, or does not take the value.
+//! V0229: an unknown parameter of a serial line, or an invalid value for one.
 
 use val3_analysis::body::{Constant, ExprId};
 use val3_analysis::near::nearest;
@@ -12,11 +12,11 @@ use crate::phrase::did_you_mean;
 use crate::rule::rule;
 
 rule! {
-    /// A program changes a parameter of a serial line or socket that does not exist or does not take the value.
+    /// A program changes an unknown parameter of a serial line or socket, or gives a parameter an invalid value.
     ///
     /// ## Why
-    /// `sioCtrl` raises no error: it returns -1 for an unknown parameter, -2 for a value of another type and -3 for a
-    /// value it does not support, and leaves the line as it is (3.7.3).
+    /// `sioCtrl` raises no error. It returns -1 for an unknown parameter, -2 for a value of another type and -3 for a
+    /// value that is not supported, and does not change the line (3.7.3).
     ///
     /// ## Bad
     /// ```val3
@@ -64,7 +64,7 @@ fn check_value(program: &Program<'_>, parameter: &SerialParameter, value: ExprId
     found.report(&RULE, program.range(value), wording);
 }
 
-/// The parameter takes the value, as far as it is known.
+/// The parameter accepts the value, or the value is not known.
 fn takes(value: SerialValue, constant: Option<Constant>) -> bool {
     match constant {
         Some(Constant::Number(number)) => value.takes_number(number),

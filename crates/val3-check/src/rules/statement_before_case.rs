@@ -3,11 +3,11 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// An instruction stands between `switch` and its first `case`.
+    /// There is an instruction between `switch` and its first `case`.
     ///
     /// ## Why
-    /// Inside `switch` every instruction belongs to a branch. One before the first `case` would run for no value at
-    /// all: the form of `switch` has no place for it.
+    /// Inside `switch` every instruction belongs to a branch. An instruction before the first `case` would belong to no
+    /// value, and the syntax does not allow it.
     ///
     /// ## Bad
     /// ```val3
@@ -40,7 +40,7 @@ rule! {
 /// Words the finding.
 pub(crate) fn word() -> Wording {
     Wording::new(
-        "an instruction stands between `switch` and its first `case`",
+        "an instruction is between `switch` and its first `case`",
         "belongs to no branch",
         "move it before `switch`, or into a branch",
     )
@@ -55,7 +55,7 @@ mod tests {
     #[test]
     fn an_instruction_without_branch() {
         expect![[r#"
-            an instruction stands between `switch` and its first `case`
+            an instruction is between `switch` and its first `case`
             | belongs to no branch
             ? move it before `switch`, or into a branch
         "#]]

@@ -1,4 +1,4 @@
-//! V0223: a text that no string holds.
+//! V0223: a text that is too long for a string.
 
 use crate::{diagnostic::Wording, rule::rule};
 

@@ -6,9 +6,9 @@ rule! {
     /// `switch` is used with a value that `==` does not compare.
     ///
     /// ## Why
-    /// `switch` finds its branch by comparing for equality (2.2.5). That is not defined for numerical inputs and
-    /// outputs, for serial channels, for screens and for user types; the controller does not load such a `switch`. Read
-    /// the input first, or use one field of the user type.
+    /// `switch` finds its branch with `==` (2.2.5). That operator is not defined for numerical inputs and outputs,
+    /// serial channels, screens and user types, and the controller does not load such a `switch`. Read the input first,
+    /// or use one field of the user type.
     ///
     /// ## Bad
     /// ```val3

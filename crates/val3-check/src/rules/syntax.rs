@@ -1,4 +1,4 @@
-//! V0010: a line that is no VAL 3.
+//! V0010: a line that is not valid VAL 3.
 
 use val3_syntax::error::Expected;
 
@@ -12,10 +12,9 @@ rule! {
     /// A line does not have the form of a VAL 3 instruction.
     ///
     /// ## Why
-    /// Each line of a program is one assignment, one instruction, one `call` or one part of a control
-    /// structure, complete on its line. The controller compiles all programs when it loads an
-    /// application, and one line that it cannot read is enough: the application does not load. The
-    /// rest of the program is checked as if the line were not there.
+    /// Each line of a program is one assignment, one instruction, one `call` or one part of a control structure, and is
+    /// complete. The controller compiles all programs when it loads an application, and does not load it if a single
+    /// line is invalid. The rest of the program is checked as if the line were missing.
     ///
     /// ## Bad
     /// ```val3
@@ -33,7 +32,7 @@ rule! {
     V0010 "syntax" Error
 }
 
-/// Something else was expected; `found` is empty at the end of a line.
+/// Words the fault if something else is expected. `found` is empty at the end of a line.
 pub(crate) fn expected(expected: Expected, found: &str) -> Wording {
     let what = part(expected);
     Wording::new(
@@ -61,12 +60,12 @@ fn part(expected: Expected) -> &'static str {
     }
 }
 
-/// How the line is written, where the missing part alone does not say it.
+/// The form of the line, where the missing part alone does not explain it.
 fn form(expected: Expected) -> &'static str {
     match expected {
         Expected::Program => "write `call name(…)`, and `call library:name(…)` for a program of a library",
         Expected::Statement => "a line starts with a variable, an instruction or a keyword",
-        Expected::OpenParen => "arguments stand in round brackets, `()` if there are none",
+        Expected::OpenParen => "arguments are written in round brackets, `()` if there are none",
         Expected::AssignmentOrCall => {
             "write `name=…` to assign, `name(…)` for an instruction, `call name(…)` for a program"
         }
@@ -75,7 +74,7 @@ fn form(expected: Expected) -> &'static str {
     }
 }
 
-/// Text behind a complete value or instruction.
+/// Words the fault of text after a complete value or instruction.
 pub(crate) fn trailing(found: &str) -> Wording {
     Wording::new(
         format!("`{}` cannot follow here", shortened(found)),
@@ -88,7 +87,7 @@ pub(crate) fn trailing(found: &str) -> Wording {
     )
 }
 
-/// A character that VAL 3 does not use.
+/// Words the fault of a character that VAL 3 does not use.
 pub(crate) fn invalid_character(character: char) -> Wording {
     Wording::new(
         format!("VAL 3 does not use the character {}", shown(character)),
@@ -97,7 +96,7 @@ pub(crate) fn invalid_character(character: char) -> Wording {
     )
 }
 
-/// The character between backticks, by its number where it is invisible.
+/// The character in backticks, or its number if it is invisible.
 fn shown(character: char) -> String {
     if is_invisible(character) {
         return format!("U+{:04X}, which is invisible", u32::from(character));
@@ -111,12 +110,12 @@ fn is_invisible(character: char) -> bool {
     no_width || character.is_control() || character.is_whitespace()
 }
 
-/// What the writer probably meant.
+/// Advice with the text that was probably meant.
 fn substitute(character: char) -> &'static str {
     match character {
         ';' => "remove it: in VAL 3 the end of the line ends the instruction",
         '\'' | '‘' | '’' | '“' | '”' | '„' | '«' | '»' | '`' => {
-            "a string stands between straight double quotes: `\"text\"`"
+            "a string is written between straight double quotes: `\"text\"`"
         }
         '#' => "a comment starts with `//`",
         '–' | '—' | '−' => "write the minus sign `-`",
@@ -161,7 +160,7 @@ mod tests {
         expect![[r#"
             `(` is expected here, but `pPlace` was found
             | expected `(`
-            ? arguments stand in round brackets, `()` if there are none
+            ? arguments are written in round brackets, `()` if there are none
         "#]]
         .assert_eq(&expected(Expected::OpenParen, "pPlace").to_string());
     }
@@ -191,7 +190,7 @@ mod tests {
         expect![[r#"
             VAL 3 does not use the character `“`
             | not part of VAL 3
-            ? a string stands between straight double quotes: `"text"`
+            ? a string is written between straight double quotes: `"text"`
         "#]]
         .assert_eq(&invalid_character('“').to_string());
     }

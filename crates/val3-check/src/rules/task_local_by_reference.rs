@@ -10,9 +10,9 @@ rule! {
     /// The program of a task gets a local variable by reference.
     ///
     /// ## Why
-    /// The variable ends with the program that creates the task, while the task goes on and would read and write
-    /// something that is no longer there. `taskCreate` and `taskCreateSync` take no local variable by reference, and
-    /// no parameter that was passed by value, which is one (5.10).
+    /// The variable ceases to exist when the program that creates the task ends, but the task continues and would still
+    /// read and write it. `taskCreate` and `taskCreateSync` accept no local variable by reference, and no parameter
+    /// that was passed by value, because that is a local variable (5.10).
     ///
     /// ## Bad
     /// ```val3
@@ -50,7 +50,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
             if !param.by_reference || param.loose {
                 continue;
             }
-            if let Some(what) = mortal(program, program.effects.root(argument)) {
+            if let Some(what) = ends_with_program(program, program.effects.root(argument)) {
                 let text = program.text(argument);
                 found
                     .report(&RULE, program.range(argument), word(what, text, &param.name))
@@ -61,8 +61,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// What a variable is that ends with its program; `None` for any other.
-pub(crate) fn mortal(program: &Program<'_>, root: Option<Root>) -> Option<&'static str> {
+/// Describes a variable that ceases to exist when its program ends; `None` for any other.
+pub(crate) fn ends_with_program(program: &Program<'_>, root: Option<Root>) -> Option<&'static str> {
     match root? {
         Root::Local(_) => Some("the local variable"),
         Root::Param(name) => {

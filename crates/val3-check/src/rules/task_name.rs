@@ -1,4 +1,4 @@
-//! V0325: a name that no task can have.
+//! V0325: an invalid task name.
 
 use val3_lang::runtime_errors::BAD_TASK_NAME;
 use val3_lang::tasks::{NameFault, name_fault};
@@ -9,11 +9,11 @@ use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
-    /// A task is created under a name that is empty, too long or has other characters than names have.
+    /// The name of a task is empty, too long or has characters that are not allowed.
     ///
     /// ## Why
-    /// The name of a task has 1 to 15 letters, digits and underscores (5.10); only s8 takes longer ones. With any other
-    /// the line raises run-time error 29, and the task is not created.
+    /// The name of a task has 1 to 15 letters, digits and underscores (5.10). Only s8 accepts longer names. With any
+    /// other name the line raises run-time error 29, and the task is not created.
     ///
     /// ## Bad
     /// ```val3

@@ -1,20 +1,20 @@
-//! V0322: a priority or period that no task can have.
+//! V0322: an invalid priority or period of a task.
 
 use val3_lang::runtime_errors::INVALID_PARAMETER;
 use val3_lang::tasks;
 
 use crate::diagnostic::Wording;
-use crate::lint::ranges::Spoken;
+use crate::lint::ranges::RangeInWords;
 use crate::lint::{Findings, Program};
 use crate::phrase::runtime_error;
 use crate::rule::rule;
 
 rule! {
-    /// A task is created with a constant priority or period that is not possible.
+    /// A task is created with an invalid constant priority or period.
     ///
     /// ## Why
-    /// A priority is 1 to 100, the number of lines that the task runs in its turn; a period is a positive number of
-    /// seconds (5.10). Anything else is run-time error 70, and the task is not created.
+    /// A priority is a number from 1 to 100: the number of lines that the task runs in its turn. A period is a positive
+    /// number of seconds (5.10). Any other value raises run-time error 70, and the task is not created.
     ///
     /// ## Bad
     /// ```val3
@@ -47,7 +47,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let (Some(range), Some(value)) = (range, program.body.number(task.pace)) else { continue };
         if !range.takes(value) {
             let wording = Wording::new(
-                format!("the {noun} of a task is {}, not {value}", Spoken(range)),
+                format!("the {noun} of a task is {}, not {value}", RangeInWords(range)),
                 runtime_error(INVALID_PARAMETER),
                 "",
             );

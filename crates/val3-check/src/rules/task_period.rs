@@ -1,4 +1,4 @@
-//! V0323: a period that is rounded, or counted in another unit.
+//! V0323: a period that is rounded or has the wrong unit.
 
 use val3_lang::tasks::{PERIOD_STEP, is_exact_period};
 
@@ -7,12 +7,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A synchronous task has a constant period that is no multiple of 4 ms, or one of whole seconds.
+    /// A synchronous task has a constant period that is not a multiple of 4 ms, or a period of whole seconds.
     ///
     /// ## Why
-    /// The controller rounds a period down to a multiple of 0.004 s (5.10): 0.01 s becomes 8 ms, and what the task
-    /// counts in its periods is wrong by a quarter. Periods are seconds: 16 is a period of 16 s, most often meant to be
-    /// 16 ms.
+    /// The controller rounds a period down to a multiple of 0.004 s (5.10): 0.01 s becomes 8 ms, and times that the
+    /// task counts in periods are wrong by a quarter. The unit of a period is the second: 16 is a period of 16 s,
+    /// usually meant as 16 ms.
     ///
     /// ## Bad
     /// ```val3
@@ -40,7 +40,7 @@ rule! {
     V0323 "task-period" Warning, Program: check
 }
 
-/// A synchronous task of a slower pace than this many seconds was meant in milliseconds.
+/// Periods of whole seconds from this one on are reported as probably meant in milliseconds.
 const SLOWEST: f64 = 2.0;
 
 fn check(program: &Program<'_>, found: &mut Findings) {
@@ -69,7 +69,7 @@ fn rounded(period: f64) -> Wording {
     let step = PERIOD_STEP * 1000.0;
     let below = (period / PERIOD_STEP).floor() * step;
     Wording::new(
-        format!("the period {} ms is no multiple of {step} ms", milliseconds(period)),
+        format!("the period {} ms is not a multiple of {step} ms", milliseconds(period)),
         format!("rounded down to {below} ms"),
         format!("write {} or {}", below / 1000.0, (below + step) / 1000.0),
     )
@@ -90,14 +90,14 @@ mod tests {
     #[test]
     fn periods_that_are_rounded_or_long() {
         expect![[r#"
-            start.pgx:5 `0.01` the period 10 ms is no multiple of 4 ms
+            start.pgx:5 `0.01` the period 10 ms is not a multiple of 4 ms
               | rounded down to 8 ms
               ? write 0.008 or 0.012
             start.pgx:6 `16` the task runs once in 16 seconds
               | a period counts seconds
               ? for 16 ms write `0.016`
               ! write `0.016`, which is 16 ms (unsafe)
-            start.pgx:7 `0.0139` the period 13.9 ms is no multiple of 4 ms
+            start.pgx:7 `0.0139` the period 13.9 ms is not a multiple of 4 ms
               | rounded down to 12 ms
               ? write 0.012 or 0.016
         "#]].assert_eq(&check(

@@ -1,4 +1,4 @@
-//! V0345: a task that another program has created and that never ends.
+//! V0345: a second task with the name of one that never ends.
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;
@@ -9,13 +9,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// Two programs create tasks of one name, and neither task ever ends.
+    /// Two programs create tasks with the same name, and neither task ever ends.
     ///
     /// ## Why
-    /// No two tasks of an application may have one name at the same time: the second creation is run-time error 31.
-    /// This is reported where the first task is created each time the application runs, both tasks run a loop without
-    /// end, and no program ends the task with `taskKill` or asks for its state with `taskStatus`, other than in
-    /// `stop`.
+    /// Two tasks of an application cannot have the same name at the same time: the second creation raises run-time
+    /// error 31. The rule reports tasks of which the first is created each time the application runs, if both run an
+    /// endless loop and no program except `stop` ends the task with `taskKill` or reads its state with `taskStatus`.
     ///
     /// ## Bad
     /// ```val3
@@ -80,7 +79,7 @@ rule! {
 }
 
 fn check(program: &Program<'_>, found: &mut Findings) {
-    // Most programs create no task: they do not ask what the application does.
+    // Most programs create no task, so the summary of the application is not needed for them.
     let starts = &summary(program.db, program.project, program.file).tasks;
     for start in starts {
         let Some(name) = &start.name else { continue };
@@ -104,7 +103,7 @@ fn word(name: &str, other: &str) -> Wording {
     Wording::new(
         format!("`{other}` creates a task `{name}` as well, and that one never ends"),
         "run-time error 31",
-        "give each task a name of its own, or end the first one with `taskKill` before",
+        "give each task a name of its own, or end the first one with `taskKill` before this line",
     )
 }
 
@@ -135,14 +134,14 @@ mod tests {
         expect![[r#"
             two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before
+              ? give each task a name of its own, or end the first one with `taskKill` before this line
               > start.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(START, "taskCreate \"io\",10,other()"));
         expect![[r#"
             two.pgx:6 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before
+              ? give each task a name of its own, or end the first one with `taskKill` before this line
               > start.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(START, "if bA\n  taskCreate \"io\",20,loop()\nendIf"));
@@ -154,7 +153,7 @@ mod tests {
         expect![[r#"
             start.pgx:7 `"io"` `two` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before
+              ? give each task a name of its own, or end the first one with `taskKill` before this line
               > two.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(start, "taskCreate \"io\",10,other()"));
@@ -166,7 +165,7 @@ mod tests {
         expect![[r#"
             two.pgx:5 `"io"` `start` creates a task `io` as well, and that one never ends
               | run-time error 31
-              ? give each task a name of its own, or end the first one with `taskKill` before
+              ? give each task a name of its own, or end the first one with `taskKill` before this line
               > start.pgx:5 `"io"` the first one
         "#]]
         .assert_eq(&two(start, "taskCreate \"io\",10,other()"));

@@ -13,8 +13,9 @@ rule! {
     /// The synchronous tasks of an application have more than two different periods.
     ///
     /// ## Why
-    /// All synchronous tasks that exist at a time can have two different periods; creating one of a third period is
-    /// run-time error 32 (5.10). A task that needs a longer period can count the turns of a shorter one.
+    /// All synchronous tasks that exist at the same time can have at most two different periods; the creation of a task
+    /// with a third one raises run-time error 32 (5.10). A task that needs a longer period can count the turns of a
+    /// shorter one.
     ///
     /// ## Bad
     /// ```val3
@@ -65,7 +66,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The different periods of the tasks that the application may create, in steps.
+/// The different periods of the tasks that the application may create, in multiples of 4 ms.
 fn periods(program: &Program<'_>) -> Vec<u32> {
     let application = program.application();
     let is_run = |name: &smol_str::SmolStr| application.run_by.contains_key(name);
@@ -79,7 +80,7 @@ fn periods(program: &Program<'_>) -> Vec<u32> {
     periods
 }
 
-/// Where the application first asks for a period.
+/// The first place of the application that uses a period.
 fn asked_for(program: &Program<'_>, period: u32) -> Option<FileRange> {
     let tasks = &program.application().tasks;
     let creator = tasks.iter().find(|task| task.start.period == Some(period))?.created_by.as_deref()?;

@@ -1,4 +1,4 @@
-//! V0344: data that one task writes field by field while another reads it as a whole.
+//! V0344: data written field by field in one task and read as a whole in another.
 
 use smol_str::SmolStr;
 use val3_analysis::application::summary;
@@ -12,12 +12,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// One task writes the fields of data line by line, and another reads the data as a whole.
+    /// One task writes the fields of data on several lines, and another reads the data as a whole.
     ///
     /// ## Why
-    /// Tasks take turns between lines: the reader may get a position with the new x and the old y. One line that
-    /// assigns the whole value cannot be torn; or both take a flag with `setMutex` around what belongs together, and
-    /// then nothing is reported. Only tasks are looked at that programs create.
+    /// Tasks take turns between lines: the reader may get a position with the new x and the old y. Assign the whole
+    /// value on one line, or let both tasks take a mutex with `setMutex` around these lines; then nothing is reported.
+    /// The rule only examines tasks that programs create.
     ///
     /// ## Bad
     /// ```val3
@@ -74,7 +74,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     if application.takers_of_mutexes.contains(&name) {
         return;
     }
-    for Parts { data, first, second } in parts(program) {
+    for FieldWrites { data, first, second } in parts(program) {
         let users = application.users.get(&data).into_iter().flatten();
         let mut readers: Vec<&SmolStr> = users
             .filter(|(user, uses)| uses.read_whole && *user != name && !application.takers_of_mutexes.contains(user))
@@ -92,28 +92,28 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 }
 
 /// Data of which the program writes several fields, with the first two lines that do.
-struct Parts {
+struct FieldWrites {
     data: SmolStr,
     first: ExprId,
     second: ExprId,
 }
 
-fn parts(program: &Program<'_>) -> Vec<Parts> {
+fn parts(program: &Program<'_>) -> Vec<FieldWrites> {
     let in_parts =
         summary(program.db, program.project, program.file).data.iter().filter(|(_, uses)| uses.written_in_parts);
-    let mut found: Vec<Parts> = in_parts
+    let mut found: Vec<FieldWrites> = in_parts
         .filter_map(|(name, _)| {
             let is_part =
                 |access: &&Access| access.kind == AccessKind::WritePart && access.root == Root::Data(name.clone());
             let mut writes = program.effects.all().iter().filter(is_part).map(|access| access.id);
-            Some(Parts { data: name.clone(), first: writes.next()?, second: writes.next()? })
+            Some(FieldWrites { data: name.clone(), first: writes.next()?, second: writes.next()? })
         })
         .collect();
     found.sort_by_key(|parts| program.range(parts.second).start());
     found
 }
 
-/// Where the program called `reader` reads all of `data`.
+/// The place where the program `reader` reads all of `data`.
 fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<FileRange> {
     let reader = program.other(reader)?;
     let is_whole = |access: &&Access| {
@@ -128,8 +128,8 @@ fn read_by(program: &Program<'_>, reader: &str, data: &SmolStr) -> Option<FileRa
 fn word(data: &str, reader: &str) -> Wording {
     Wording::new(
         format!("a task that runs `{reader}` may read `{data}` when only some of its fields are new"),
-        "another line, another turn",
-        format!("assign the whole value on one line, or take a flag with `{SET_MUTEX}` on both sides"),
+        "the other task may run between these lines",
+        format!("assign the whole value on one line, or take a mutex with `{SET_MUTEX}` in both tasks"),
     )
 }
 
@@ -151,8 +151,8 @@ mod tests {
     fn fields_on_several_lines() {
         expect![[r#"
             p.pgx:6 `trA.y` a task that runs `q` may read `trA` when only some of its fields are new
-              | another line, another turn
-              ? assign the whole value on one line, or take a flag with `setMutex` on both sides
+              | the other task may run between these lines
+              ? assign the whole value on one line, or take a mutex with `setMutex` in both tasks
               > p.pgx:5 `trA.x` the first of its fields is set here
               > q.pgx:5 `trA` the other task may read it here
         "#]]

@@ -1,4 +1,4 @@
-//! V0014: a block without its end.
+//! V0014: a block that is not closed.
 
 use val3_syntax::SyntaxKind;
 
@@ -12,9 +12,9 @@ rule! {
     /// A block (`if`, `while`, `do`, `for`, `switch`) is not closed.
     ///
     /// ## Why
-    /// Every block has its own closing keyword: `endIf`, `endWhile`, `until`, `endFor`, `endSwitch`. An `elseIf`
-    /// opens no block of its own, so a chain of conditions needs one `endIf`. The controller
-    /// refuses a program with an open block. The place shown is where the indentation suggests that the end was forgotten.
+    /// Every block has its own closing keyword: `endIf`, `endWhile`, `until`, `endFor`, `endSwitch`. An `elseIf` opens
+    /// no block of its own, so a chain of conditions needs one `endIf`. The controller refuses a program with an open
+    /// block. The finding is at the place where the end is missing according to the indentation.
     ///
     /// ## Bad
     /// ```val3
@@ -53,15 +53,15 @@ pub(crate) fn crossed(inner: &str, early: &str, late: &str) -> Wording {
     )
 }
 
-/// Swaps the ends of two blocks. The condition of `until` would have to move with it.
+/// Swaps the ends of two blocks, except `until`, whose condition would have to move as well.
 pub(crate) fn swap(site: &Site<'_>, early: &str, late: &str) -> Option<Fix> {
     let other = site.related.filter(|_| ![early, late].contains(&"until"))?;
     let edits = vec![site.replace(site.range, late), site.replace(other, early)];
     Some(Fix::guess(format!("swap `{early}` and `{late}`"), edits))
 }
 
-/// Closes the block where its indentation ends, or writes the end that was mistaken. What `until` waits for nobody
-/// can guess.
+/// Closes the block where its indentation ends, or corrects a mistaken end. There is no fix for `until`, because its
+/// condition is not known.
 pub(crate) fn fix(site: &Site<'_>, missing: &str) -> Option<Fix> {
     let opener = site.related.filter(|_| missing != "until")?;
     let indentation = site.indentation(opener);

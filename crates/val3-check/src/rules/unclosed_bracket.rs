@@ -13,9 +13,8 @@ rule! {
     /// A bracket is not closed on its line.
     ///
     /// ## Why
-    /// An instruction ends with its line; VAL 3 has no sign that continues it on the next one. So every
-    /// `(`, `[` and `{` needs its closing bracket on the same line. The controller refuses the
-    /// program when one is missing.
+    /// An instruction ends with its line and cannot continue on the next one. Every `(`, `[` and `{` needs its closing
+    /// bracket on the same line. The controller refuses a program without it.
     ///
     /// ## Bad
     /// ```val3

@@ -1,15 +1,15 @@
-//! V0507: an element that does not belong where it stands.
+//! V0507: an element in the wrong place.
 
 use crate::{diagnostic::Wording, phrase::did_you_mean, rule::rule};
 
 rule! {
-    /// An element stands where the file format has no such element.
+    /// The file format has no such element in this place.
     ///
     /// ## Why
-    /// The format fixes which elements a project, a data file and a program may hold, and where. What stands in
-    /// another place or is misspelt has no meaning there; the value or the entry that it was meant to give is missing
-    /// when the application runs. Letter case counts: `value` is not `Value`. A program file holds one program: a second
-    /// one in it is not found by its name.
+    /// The format defines the elements that a project, a data file and a program may contain, and their places. An
+    /// element that is misplaced or misspelt has no meaning there, and the value or entry that it was meant to give is
+    /// missing when the application runs. Letter case matters: `value` is not `Value`. A program file contains one
+    /// program: a second one is not found by its name.
     ///
     /// ## Bad
     /// ```val3
@@ -65,10 +65,10 @@ const ELEMENTS: &[&str] = &[
     "Code",
 ];
 
-/// How alike two names must be, from 0 to 1, to be taken for a slip.
+/// The minimum similarity, from 0 to 1, of two names that may be confused.
 const ALIKE: f64 = 0.7;
 
-/// A program with its parent, as the two forms of program files spell them.
+/// The program element and its parent in both forms of program files.
 const PROGRAMS: &[(&str, &str)] = &[("Program", "Programs"), ("program", "programList")];
 
 /// Words the finding.
@@ -87,7 +87,7 @@ pub(crate) fn word(name: &str, parent: &str) -> Wording {
     )
 }
 
-/// The element that differs from `name` in letter case or by a slip.
+/// The element that differs from `name` in letter case or by a misspelling.
 fn near(name: &str) -> Option<&'static str> {
     let name_lower = name.to_lowercase();
     let likeness = |element: &str| strsim::normalized_damerau_levenshtein(&element.to_lowercase(), &name_lower);

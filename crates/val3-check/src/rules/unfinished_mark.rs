@@ -1,4 +1,4 @@
-//! V0714: a mark that something is still to be done.
+//! V0714: a mark for unfinished work.
 
 use val3_analysis::items::layout::comments;
 use val3_syntax::{TextRange, TextSize};
@@ -8,12 +8,12 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A comment holds a word such as `todo` or `fixme`.
+    /// A comment contains a word such as `todo` or `fixme`.
     ///
     /// ## Why
-    /// What was to be done later should not be forgotten when the cell is handed over. The option `task-words` lists the
-    /// words; they count in any letter case where they stand alone. This is a convention of a shop, and off unless it
-    /// is asked for.
+    /// Unfinished work should be completed before the cell is handed over. The option `task-words` lists the words;
+    /// they are found as separate words in any letter case. The rule is off by default, because it enforces a
+    /// convention that not every shop has.
     ///
     /// ## Bad
     /// ```val3
@@ -41,7 +41,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// Where `wanted` stands as a word of its own, in any letter case.
+/// The position of `wanted` as a separate word in any letter case.
 fn find_word(text: &str, wanted: &str) -> Option<usize> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let mut from = 0;

@@ -3,14 +3,14 @@
 use crate::{diagnostic::Wording, phrase::did_you_mean, rule::rule};
 
 rule! {
-    /// An element has an attribute that the file format does not know.
+    /// The file format has no such attribute for this element.
     ///
     /// ## Why
-    /// The attribute sets nothing. If it is misspelt, what was meant keeps its default: a program with `acces="public"`
-    /// is private, and libraries that call it fail. Letter case counts.
+    /// The attribute has no effect. If it is misspelt, the intended setting keeps its default: a program with
+    /// `acces="public"` is private, and libraries that call it fail. Letter case matters.
     ///
-    /// A misspelt attribute that the element needs is reported by `V0505`, and an attribute of a value that
-    /// does not belong to its type by `V0511`.
+    /// Two similar faults have rules of their own: a misspelt attribute that the element requires is reported by
+    /// `V0505`, and an attribute that does not belong to the type of a value by `V0511`.
     ///
     /// ## Bad
     /// ```val3
@@ -48,7 +48,7 @@ rule! {
 pub(crate) fn word(element: &str, attribute: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("the element `{element}` has no attribute `{attribute}`"),
-        "it sets nothing",
+        "it has no effect",
         did_you_mean(near),
     )
 }
@@ -63,7 +63,7 @@ mod tests {
     fn a_near_miss() {
         expect![[r#"
             the element `Program` has no attribute `acces`
-            | it sets nothing
+            | it has no effect
             ? did you mean `access`?
         "#]]
         .assert_eq(&word("Program", "acces", Some("access")).to_string());
@@ -73,7 +73,7 @@ mod tests {
     fn an_unknown_attribute() {
         expect![[r#"
             the element `Data` has no attribute `colour`
-            | it sets nothing
+            | it has no effect
         "#]]
         .assert_eq(&word("Data", "colour", None).to_string());
     }

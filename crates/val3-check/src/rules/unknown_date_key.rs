@@ -8,11 +8,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// The format of a date holds a `%` that begins no known key, or no key at all.
+    /// The format of a date contains a `%` without a known key, or no key at all.
     ///
     /// ## Why
-    /// Only nine keys are replaced: `%y %Y %m %d %H %I %p %M %S`, and their letter case makes a difference (4.3). All
-    /// else stays as it stands in the text.
+    /// Only nine keys are replaced: `%y %Y %m %d %H %I %p %M %S`. Their letter case matters (4.3). Any other text is
+    /// unchanged in the result.
     ///
     /// ## Bad
     /// ```val3
@@ -40,8 +40,8 @@ fn check(program: &Program<'_>, found: &mut Findings) {
 
 fn word(callee: &str, key: &str) -> Wording {
     let (message, label) = match key.starts_with('%') {
-        true => (format!("`{callee}` knows no key `{key}`"), format!("`{key}` stays as it is")),
-        false => (format!("`{callee}` gets a format without any key"), "comes back as it is".to_owned()),
+        true => (format!("`{callee}` knows no key `{key}`"), format!("`{key}` is not replaced")),
+        false => (format!("`{callee}` gets a format without any key"), "returned unchanged".to_owned()),
     };
     Wording::new(message, label, format!("the keys are {}", one_of(&DATE_KEYS)))
 }
@@ -57,13 +57,13 @@ mod tests {
     fn keys_that_stay() {
         expect![[r#"
             start.pgx:5 `"%D"` `getDate` knows no key `%D`
-              | `%D` stays as it is
+              | `%D` is not replaced
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
             start.pgx:6 `"hh:mm"` `getDate` gets a format without any key
-              | comes back as it is
+              | returned unchanged
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
             start.pgx:7 `"100%"` `getDate` knows no key `%`
-              | `%` stays as it is
+              | `%` is not replaced
               ? the keys are `%y`, `%Y`, `%m`, `%d`, `%H`, `%I`, `%p`, `%M` or `%S`
         "#]]
         .assert_eq(&check(&RULE, "putln(getDate(\"%D\"))\nputln(getDate(\"hh:mm\"))\nputln(getDate(\"100%\"))"));

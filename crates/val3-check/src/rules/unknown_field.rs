@@ -8,7 +8,7 @@ use crate::{
 };
 
 rule! {
-    /// A field is used that the type does not have.
+    /// The type of the value does not have this field.
     ///
     /// ## Why
     /// The fields of a structured type are fixed: a point has `trsf` and `config`, and its coordinates lie in `trsf`.

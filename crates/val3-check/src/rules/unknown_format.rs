@@ -1,4 +1,4 @@
-//! V0227: a format text that the instruction refuses, or does not read to its end.
+//! V0227: a format text that is invalid or partly ignored.
 
 use val3_lang::arguments::{BINARY_FORMATS, TextForm, text_form};
 use val3_lang::runtime_errors::INVALID_PARAMETER;
@@ -11,13 +11,13 @@ use crate::phrase::runtime_error;
 use crate::rule::{Severity, rule};
 
 rule! {
-    /// The format of a number is written in a way that the instruction does not know.
+    /// The format of a number is not one that the instruction knows.
     ///
     /// ## Why
-    /// `toBinary` and `fromBinary` know fourteen encodings, in which every one of more than one byte says the order of
-    /// its bytes (3.3.3); `toString` takes `size.precision`, two whole numbers that may be left out (3.4.3). Anything
-    /// else is run-time error 70. What follows `size.precision` is ignored: a warning where it holds digits, as in
-    /// `"8,2"`, else an info.
+    /// `toBinary` and `fromBinary` know fourteen encodings; those of several bytes include the byte order (3.3.3).
+    /// `toString` takes `size.precision`, two whole numbers that may be omitted (3.4.3). Anything else raises run-time
+    /// error 70. Text after `size.precision` is ignored. It is reported as a warning if it contains digits, as in
+    /// `"8,2"`, and otherwise as information.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The end of the text that the instruction ignores.
+/// The end of the text, which the instruction ignores.
 fn rest(form: TextForm, text: &str) -> Option<&str> {
     let is_number = form == TextForm::Number;
     ignored(text).filter(|rest| is_number && !rest.is_empty())

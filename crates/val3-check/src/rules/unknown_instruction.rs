@@ -12,13 +12,12 @@ use crate::{
 };
 
 rule! {
-    /// A name before round brackets is no instruction of VAL 3.
+    /// The name before round brackets is not an instruction of VAL 3.
     ///
     /// ## Why
-    /// A name with round brackets behind it is an instruction, unless `call` stands before it. Programs of the
-    /// application are called with `call`, and elements of an array stand in square brackets. Upper and lower case make
-    /// a difference: `movej`, not `moveJ`. The controller does not load an application with an instruction that it does
-    /// not know.
+    /// A name followed by round brackets is an instruction, unless `call` precedes it. Programs of the application are
+    /// called with `call`, and indexes of an array are written in square brackets. Letter case matters: `movej`, not
+    /// `moveJ`. The controller does not load an application with an unknown instruction.
     ///
     /// ## Bad
     /// ```val3
@@ -52,12 +51,12 @@ pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Word
     }
 }
 
-/// What to write for something that is no instruction.
+/// Advice for something that is not an instruction.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
         NameKind::Program => format!("a program is called with `call`: `call {name}(…)`"),
         NameKind::Data | NameKind::Local | NameKind::Parameter => {
-            format!("an index or key stands in square brackets: `{name}[…]`")
+            format!("an index or key is written in square brackets: `{name}[…]`")
         }
         NameKind::Library => format!("name the program of the library: `call {name}:…()`"),
         NameKind::Type => "a value of a type is written between braces: `{…}`".into(),
@@ -65,7 +64,7 @@ fn instead(name: &str, is: NameKind) -> String {
     }
 }
 
-/// Writes the near name, or `call` in front of a program; what a library has can be nothing else.
+/// Writes the similar name, or `call` before a program. In a library only a program is possible.
 pub(crate) fn fix(site: &Site<'_>, name: &str, near: Option<&str>, is: Option<NameKind>) -> Option<Fix> {
     if is != Some(NameKind::Program) && !name.contains(':') {
         return rename(site, name, near);
@@ -107,7 +106,7 @@ mod tests {
         expect![[r#"
             `nData` is data, not an instruction
             | not an instruction
-            ? an index or key stands in square brackets: `nData[…]`
+            ? an index or key is written in square brackets: `nData[…]`
         "#]]
         .assert_eq(&word("nData", None, Some(NameKind::Data)).to_string());
     }

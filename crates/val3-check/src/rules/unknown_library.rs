@@ -3,13 +3,13 @@
 use crate::{diagnostic::Wording, english::meant, rule::rule};
 
 rule! {
-    /// A library identifier is used that the project does not declare.
+    /// The project does not declare this library identifier.
     ///
     /// ## Why
     /// The name before a colon is a library identifier. The project file declares it in `<Libraries>` together with the
-    /// library that gives its interface; without that, the controller knows neither the programs nor the data behind
-    /// the colon, and does not load the application. `libLoad` changes the library behind an identifier, but declares
-    /// none (6.3).
+    /// library that defines its interface. Without the declaration the controller knows neither the programs nor the
+    /// data of the library and does not load the application. `libLoad` changes the library of an identifier but does
+    /// not declare one (6.3).
     ///
     /// ## Bad
     /// ```val3

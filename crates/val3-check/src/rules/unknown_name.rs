@@ -1,15 +1,15 @@
-//! V0101: a name that nothing declares.
+//! V0101: a name that is not declared.
 
 use crate::{diagnostic::Wording, english::meant, rule::rule};
 
 rule! {
-    /// A name is used that nothing declares.
+    /// A name is used that is not declared.
     ///
     /// ## Why
-    /// A name in code stands for a local variable or a parameter of the program, for data of the application, or for
-    /// one of the names that VAL 3 itself provides, such as `world`, `flange` or `lefty` (2.5.2). Upper and lower case
-    /// make a difference. Data of a library is named with its library identifier: `part:nWeight`. The controller does
-    /// not load an application whose code has any other name.
+    /// A name in code means a local variable or a parameter of the program, data of the application, or one of the
+    /// names that VAL 3 provides, such as `world`, `flange` or `lefty` (2.5.2). Letter case matters. The name of data
+    /// of a library is preceded by its library identifier: `part:nWeight`. The controller does not load an application
+    /// whose code has any other name.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0102: `call` of something that is no program.
+//! V0102: a call of something that is not a program.
 
 use val3_analysis::problem::NameKind;
 
@@ -12,13 +12,13 @@ use crate::{
 };
 
 rule! {
-    /// A program is called that the application does not have.
+    /// The application does not have the program that is called.
     ///
     /// ## Why
     /// `call`, `taskCreate` and `taskCreateSync` start a program of the application. A program belongs to the
-    /// application if its file is listed in the project file; a file that only lies in the folder does not count. Upper
-    /// and lower case make a difference. A program of a library is named with its library identifier:
-    /// `call part:pick()`. Instructions of VAL 3 are written without `call`.
+    /// application if the project file lists its file; a file in the folder alone does not count. Letter case matters.
+    /// The name of a program of a library is preceded by its library identifier: `call part:pick()`. Instructions of
+    /// VAL 3 are written without `call`.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ pub(crate) fn word(name: &str, near: Option<&str>, is: Option<NameKind>) -> Word
     }
 }
 
-/// What to write for something that is no program.
+/// Advice for something that is not a program.
 fn instead(name: &str, is: NameKind) -> String {
     match is {
         NameKind::Instruction => format!("an instruction is written without `call`: `{name}(…)`"),
@@ -63,7 +63,7 @@ fn instead(name: &str, is: NameKind) -> String {
     }
 }
 
-/// Writes the near name; an instruction needs no `call`.
+/// Writes the similar name, or removes `call` before an instruction.
 pub(crate) fn fix(site: &Site<'_>, name: &str, near: Option<&str>, is: Option<NameKind>) -> Option<Fix> {
     if is != Some(NameKind::Instruction) {
         return rename(site, name, near);

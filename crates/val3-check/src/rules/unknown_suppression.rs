@@ -6,10 +6,10 @@ rule! {
     /// A comment that starts with `val3:` cannot silence anything: its form, its place or a code in it is wrong.
     ///
     /// ## Why
-    /// The comment was written to silence a finding and does not. There are two forms. `//val3: allow(V0701)` counts
-    /// for the next line of code, `//val3: allow-program(V0701)` for the whole program; this one stands before the
-    /// first line of code. In the brackets stand codes or names of findings, separated by commas. Faults of the syntax
-    /// (`V00…`) cannot be silenced, because the controller refuses the program whatever a comment says.
+    /// The comment was written to silence a finding but has no effect. There are two forms. `//val3: allow(V0701)`
+    /// applies to the next line of code. `//val3: allow-program(V0701)` applies to the whole program and must be before
+    /// the first line of code. The brackets contain codes or names of findings, separated by commas. Faults of the
+    /// syntax (`V00…`) cannot be silenced, because the controller refuses the program in any case.
     ///
     /// ## Bad
     /// ```val3
@@ -31,7 +31,7 @@ rule! {
     V0703 "unknown-suppression" Warning
 }
 
-/// Neither of the two forms.
+/// Words the fault of a comment with neither form.
 pub(crate) fn form() -> Wording {
     Wording::new(
         "a comment with `val3:` needs `allow(…)` or `allow-program(…)`",
@@ -40,16 +40,16 @@ pub(crate) fn form() -> Wording {
     )
 }
 
-/// `allow-program` behind code.
+/// Words the fault of `allow-program` after code.
 pub(crate) fn misplaced() -> Wording {
     Wording::new(
-        "`allow-program` stands behind the first line of code",
+        "`allow-program` is after the first line of code",
         "this silences nothing",
         "move it before the first line of code, or write `allow` for the next line",
     )
 }
 
-/// No such rule; `near` is the one that was probably meant.
+/// Words the fault of an unknown rule. `near` is the one that was probably meant.
 pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
     let help = match near {
         Some(near) => format!("did you mean `{near}`?"),
@@ -58,9 +58,13 @@ pub(crate) fn rule(word: &str, near: Option<&str>) -> Wording {
     Wording::new(format!("no finding has the code or name `{word}`"), "this silences nothing", help)
 }
 
-/// A rule that comments do not reach.
+/// Words the fault of a rule that comments cannot silence.
 pub(crate) fn never_silenced(word: &str) -> Wording {
-    Wording::new(format!("`{word}` cannot be silenced by a comment"), "this silences nothing", "mend what it is about")
+    Wording::new(
+        format!("`{word}` cannot be silenced by a comment"),
+        "this silences nothing",
+        "correct the fault that it reports",
+    )
 }
 
 #[cfg(test)]
@@ -78,7 +82,7 @@ mod tests {
         "#]]
         .assert_eq(&form().to_string());
         expect![[r#"
-            `allow-program` stands behind the first line of code
+            `allow-program` is after the first line of code
             | this silences nothing
             ? move it before the first line of code, or write `allow` for the next line
         "#]]
@@ -102,7 +106,7 @@ mod tests {
         expect![[r#"
             `V0010` cannot be silenced by a comment
             | this silences nothing
-            ? mend what it is about
+            ? correct the fault that it reports
         "#]]
         .assert_eq(&never_silenced("V0010").to_string());
     }

@@ -1,4 +1,4 @@
-//! V0341: a task that nobody creates.
+//! V0341: a task that is never created.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -15,10 +15,10 @@ rule! {
     /// An instruction names a task that the application does not create.
     ///
     /// ## Why
-    /// A task is found by its name, and only by the application or library that created it. To halt or resume another
-    /// one is run-time error 30; to end it does nothing, and its status is always -1. Most often the name is
-    /// misspelt: upper and lower case make a difference. Tasks whose names are computed are taken into account. A name
-    /// is reported once a program.
+    /// A task is found by its name, and only by the application or library that created it. Suspending or resuming an
+    /// unknown task raises run-time error 30, killing it has no effect, and its status is always -1. Usually the name
+    /// is misspelt: letter case matters. Tasks with computed names are taken into account. Each name is reported once
+    /// per program.
     ///
     /// ## Bad
     /// ```val3
@@ -50,7 +50,7 @@ rule! {
     V0341 "unknown-task" Warning, Member: check
 }
 
-/// Stands in the names of the tasks that the controller creates (5.2).
+/// Part of the names of the tasks that the controller creates (5.2).
 const OF_CONTROLLER: char = '~';
 
 fn check(program: &Program<'_>, found: &mut Findings) {

@@ -7,8 +7,8 @@ rule! {
     ///
     /// ## Why
     /// The fields of a user type are the public data of its project (chapter 7). When a field is renamed, removed or
-    /// made private there, the values of older data files stay behind. They are matched by name, so such a value is
-    /// lost without a word, and the new field keeps its default.
+    /// made private, older data files keep their values for it. Values are matched by name, so such a value is silently
+    /// lost, and the new field keeps its default.
     ///
     /// ## Bad
     /// ```val3

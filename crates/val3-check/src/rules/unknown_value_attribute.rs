@@ -7,9 +7,9 @@ rule! {
     ///
     /// ## Why
     /// Each type has its own attributes: a `num` has `value`, a `frame` has `x` to `rz` and `fatherId`, an `mdesc` has
-    /// `accel` to `reach`. An attribute of another name sets nothing, and what was meant keeps its default value.
-    /// Some attributes are called otherwise in files than in code: `tmax` and `rmax` in a file are `tvel` and `rvel`
-    /// in code.
+    /// `accel` to `reach`. An attribute with another name has no effect, and the intended one keeps its default value.
+    /// Some attributes have another name in files than in code: `tmax` and `rmax` in a file are `tvel` and `rvel` in
+    /// code.
     ///
     /// ## Bad
     /// ```val3
@@ -47,7 +47,7 @@ rule! {
 pub(crate) fn word(ty: &str, attribute: &str, near: Option<&str>) -> Wording {
     Wording::new(
         format!("a value of type `{ty}` has no attribute `{attribute}`"),
-        "it sets nothing",
+        "it has no effect",
         did_you_mean(near),
     )
 }
@@ -62,7 +62,7 @@ mod tests {
     fn a_near_miss() {
         expect![[r#"
             a value of type `num` has no attribute `valeu`
-            | it sets nothing
+            | it has no effect
             ? did you mean `value`?
         "#]]
         .assert_eq(&word("num", "valeu", Some("value")).to_string());
@@ -72,7 +72,7 @@ mod tests {
     fn an_unknown_attribute() {
         expect![[r#"
             a value of type `mdesc` has no attribute `colour`
-            | it sets nothing
+            | it has no effect
         "#]]
         .assert_eq(&word("mdesc", "colour", None).to_string());
     }

@@ -1,4 +1,4 @@
-//! V0712: a point, frame or tool that hangs on nothing.
+//! V0712: a point, frame or tool without a father.
 
 use val3_analysis::items::fathers::without_father;
 
@@ -7,12 +7,12 @@ use crate::lint::{DataFile, Findings};
 use crate::rule::rule;
 
 rule! {
-    /// A value of a point, a frame or a tool names no father: no frame or tool that it hangs on.
+    /// A value of a point, a frame or a tool names no father.
     ///
     /// ## Why
-    /// To use it before a program links it is run-time error 162, 163 or 164. `world` and `flange` are fathers like
-    /// any other. Programs may link it when they run, so this is a convention of a shop, and off unless it is asked
-    /// for. A field of a user type cannot have a father and is not reported.
+    /// Using it before a program links it raises run-time error 162, 163 or 164. `world` and `flange` are possible
+    /// fathers. Programs may link it when they run, so the rule is off by default. A field of a user type cannot have a
+    /// father and is not reported.
     ///
     /// ## Bad
     /// ```val3
@@ -51,7 +51,7 @@ fn check(data: &DataFile<'_>, found: &mut Findings) {
 
 fn word(name: &str, key: &str) -> Wording {
     Wording::new(
-        format!("`{name}[{key}]` hangs on no frame or tool"),
+        format!("`{name}[{key}]` has no father"),
         "no father",
         "give its value a `fatherId`, such as `world[0]` or `flange[0]`",
     )
@@ -80,7 +80,7 @@ mod tests {
     fn the_first_value_without_father() {
         let values = "<Value key=\"0\" fatherId=\"world[0]\"/><Value key=\"1\" fatherId=\"\"/>";
         expect![[r#"
-            a.dtx:2 `xA` `xA[1]` hangs on no frame or tool
+            a.dtx:2 `xA` `xA[1]` has no father
               | no father
               ? give its value a `fatherId`, such as `world[0]` or `flange[0]`
         "#]]

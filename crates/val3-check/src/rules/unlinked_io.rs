@@ -15,8 +15,8 @@ rule! {
     /// A local `dio`, `aio` or `sio` is read or written before it is linked.
     ///
     /// ## Why
-    /// A local variable starts without a link to a physical input or output. To read or write it stops the task with
-    /// run-time error 123; to assign a value to it writes the output and links nothing.
+    /// A local variable starts without a link to a physical input or output. Reading or writing it stops the task with
+    /// run-time error 123. Assigning a value to it writes the output and does not link it.
     ///
     /// ## Bad
     /// ```val3
@@ -74,7 +74,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// The arguments of calls: of what needs a link, and of anything else.
+/// The arguments of calls: those that must be linked, and all others.
 struct Arguments {
     needed: FxHashSet<ExprId>,
     others: FxHashSet<ExprId>,
@@ -92,7 +92,7 @@ impl Arguments {
         arguments
     }
 
-    /// The variable is handed to something that may link it.
+    /// The variable is passed to something that may link it.
     fn may_link(&self, access: &Access) -> bool {
         access.kind == AccessKind::Reference && !self.needed.contains(&access.id)
     }
@@ -107,7 +107,7 @@ fn word(name: &str, ty: BaseType) -> Wording {
     Wording::new(
         format!("the {} `{name}` is not linked when it is used (run-time error {UNLINKED})", ty.name()),
         "no link yet",
-        "link it to an input or output of the application before",
+        "link it to an input or output of the application before this line",
     )
 }
 
@@ -130,16 +130,16 @@ mod tests {
         expect![[r#"
             start.pgx:11 `l_d` the dio `l_d` is not linked when it is used (run-time error 123)
               | no link yet
-              ? link it to an input or output of the application before
+              ? link it to an input or output of the application before this line
             start.pgx:12 `l_dAll` the dio `l_dAll` is not linked when it is used (run-time error 123)
               | no link yet
-              ? link it to an input or output of the application before
+              ? link it to an input or output of the application before this line
             start.pgx:14 `l_a` the aio `l_a` is not linked when it is used (run-time error 123)
               | no link yet
-              ? link it to an input or output of the application before
+              ? link it to an input or output of the application before this line
             start.pgx:15 `l_s` the sio `l_s` is not linked when it is used (run-time error 123)
               | no link yet
-              ? link it to an input or output of the application before
+              ? link it to an input or output of the application before this line
         "#]]
         .assert_eq(&check(
             &RULE,

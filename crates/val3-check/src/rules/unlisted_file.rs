@@ -10,11 +10,11 @@ use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
 
 rule! {
-    /// A program or data file lies in the folder of a project, which does not list it.
+    /// A program or data file is in the folder of a project that does not list it.
     ///
     /// ## Why
-    /// Only what the `.pjx` lists belongs to the project: the file is not loaded, and what people change in it has no
-    /// effect. Either it is left over, or its entry got lost, often when branches were merged.
+    /// Only files that the `.pjx` lists belong to the project. Other files are not loaded, and changes to them have no
+    /// effect. Either the file is left over, or its entry was lost, often when branches were merged.
     ///
     /// ## Bad
     /// ```val3
@@ -79,7 +79,7 @@ fn report(view: &ProjectView<'_>, found: &mut Findings, of_programs: bool, unlis
     }
 }
 
-/// The entry behind the last one, in the form and on a line of its own.
+/// An entry after the last one, in the same form and on a line of its own.
 fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
     let is_plain = name.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '.' | '_' | '-'));
     let last = Site::new(view.db, view.project.manifest(view.db), list.last.filter(|_| is_plain)?, None);
@@ -88,7 +88,7 @@ fn entry(view: &ProjectView<'_>, list: FileList, name: &str) -> Option<Edit> {
 
 fn word(name: &str, what: &str) -> Wording {
     Wording::new(
-        format!("the {what} file `{name}` lies in the folder and is not listed"),
+        format!("the {what} file `{name}` is in the folder but not listed"),
         "not in this list",
         "add it to the project, or move it out of the folder",
     )
@@ -117,11 +117,11 @@ mod tests {
     fn programs_and_data() {
         let listed = "<Programs><Program file=\"p.pgx\"/></Programs>";
         expect![[r#"
-            a.pjx:1 `Programs` the program file `q.PGX` lies in the folder and is not listed
+            a.pjx:1 `Programs` the program file `q.PGX` is in the folder but not listed
               | not in this list
               ? add it to the project, or move it out of the folder
               ! list `q.PGX` (unsafe)
-            a.pjx:1 `Database` the data file `b.dtx` lies in the folder and is not listed
+            a.pjx:1 `Database` the data file `b.dtx` is in the folder but not listed
               | not in this list
               ? add it to the project, or move it out of the folder
               ! list `b.dtx` (unsafe)

@@ -6,9 +6,9 @@ rule! {
     /// A keyword ends or continues a block that is not open.
     ///
     /// ## Why
-    /// `else`, `elseIf` and the closing keywords belong to the innermost open block. When the block before
-    /// them is already closed, or was never opened, the controller refuses the program. Often the line that
-    /// opens the block was deleted, or its end stands twice. After `else` no further branch can follow.
+    /// `else`, `elseIf` and the closing keywords belong to the innermost open block. If the block before them is
+    /// already closed, or was never opened, the controller refuses the program. Often the line that opens the block was
+    /// deleted, or its end was written twice. No further branch can follow `else`.
     ///
     /// ## Bad
     /// ```val3
@@ -40,7 +40,7 @@ pub(crate) fn word(found: &str, opener: &str) -> Wording {
     )
 }
 
-/// `else` or `elseIf` behind `else`.
+/// Words the fault of `else` or `elseIf` after `else`.
 pub(crate) fn else_after_else() -> Wording {
     Wording::new(
         "`else` must be the last branch of its `if`",

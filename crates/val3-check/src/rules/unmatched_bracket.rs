@@ -1,4 +1,4 @@
-//! V0012: a bracket that closes nothing.
+//! V0012: a bracket without its opening bracket.
 
 use crate::{
     diagnostic::{Fix, Wording},
@@ -11,9 +11,8 @@ rule! {
     /// A closing bracket has no opening bracket on its line.
     ///
     /// ## Why
-    /// Brackets belong together in pairs on one line. A bracket too many is often left over when a part of an
-    /// expression was deleted. The controller refuses the program, because it cannot know which of the
-    /// possible pairs was meant.
+    /// Brackets belong together in pairs on one line. A superfluous bracket is often left over from a deleted part of
+    /// an expression. The controller refuses the program, because it does not know which pair was meant.
     ///
     /// ## Bad
     /// ```val3

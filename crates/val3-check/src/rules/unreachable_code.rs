@@ -1,4 +1,4 @@
-//! V0302: code that no way leads to.
+//! V0302: unreachable code.
 
 use rustc_hash::FxHashSet;
 use val3_analysis::body::{ExprId, StmtKind};
@@ -10,12 +10,11 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A line can never run: it stands behind `return` or behind a loop without end.
+    /// A line can never run: it follows `return` or an endless loop.
     ///
     /// ## Why
-    /// What is written there was meant to happen. Most often the `return` stands one line too early or outside its
-    /// `if`, or an endless loop was put before the lines that clean up. Only the first line of such a stretch is
-    /// marked.
+    /// The line was meant to run. Usually the `return` is one line too early or outside its `if`, or an endless loop
+    /// precedes the lines that clean up. Only the first of several unreachable lines is marked.
     ///
     /// ## Bad
     /// ```val3
@@ -43,7 +42,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let flow = program.flow();
     let endless: FxHashSet<ExprId> =
         program.stmts().iter().copied().filter_map(|stmt| program.endless_condition(stmt)).collect();
-    // A block behind another constant condition is told where the condition stands.
+    // A block with another constant condition is reported at the condition.
     let is_endless = |point: &Point| match point.kind {
         PointKind::Test { condition: Some(condition), .. } => endless.contains(&condition),
         _ => false,
@@ -76,7 +75,7 @@ fn barrier(program: &Program<'_>, dead: TextSize) -> Option<(TextRange, &'static
 fn word() -> Wording {
     Wording::new(
         "this line is never reached",
-        "no way leads here",
+        "unreachable",
         "remove it, or move it before the `return` or the loop that keeps the program from it",
     )
 }
@@ -92,11 +91,11 @@ mod tests {
     fn behind_return() {
         expect![[r#"
             start.pgx:7 `n=2` this line is never reached
-              | no way leads here
+              | unreachable
               ? remove it, or move it before the `return` or the loop that keeps the program from it
               > start.pgx:6 `return` the program is left here
             start.pgx:12 `for n=1 to 3` this line is never reached
-              | no way leads here
+              | unreachable
               ? remove it, or move it before the `return` or the loop that keeps the program from it
               > start.pgx:10 `return` the program is left here
         "#]]
@@ -110,14 +109,14 @@ mod tests {
     fn behind_a_loop_without_end() {
         expect![[r#"
             start.pgx:8 `put(1)` this line is never reached
-              | no way leads here
+              | unreachable
               ? remove it, or move it before the `return` or the loop that keeps the program from it
               > start.pgx:5 `true` this loop never ends
         "#]]
         .assert_eq(&check(&RULE, "while true\ndelay(1)\nendWhile\nput(1)\nput(2)"));
         expect![[r#"
             start.pgx:8 `put(1)` this line is never reached
-              | no way leads here
+              | unreachable
               ? remove it, or move it before the `return` or the loop that keeps the program from it
               > start.pgx:7 `false` this loop never ends
         "#]]
@@ -136,7 +135,7 @@ mod tests {
     fn a_loop_that_never_goes_round() {
         expect![[r#"
             start.pgx:8 `n==3` this line is never reached
-              | no way leads here
+              | unreachable
               ? remove it, or move it before the `return` or the loop that keeps the program from it
               > start.pgx:7 `return` the program is left here
         "#]]

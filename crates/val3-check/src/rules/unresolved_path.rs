@@ -1,4 +1,4 @@
-//! V0608: a path to a library that cannot be followed here.
+//! V0608: a path to a library that cannot be resolved.
 
 use val3_analysis::problem::FileRole;
 use val3_syntax::{TextRange, TextSize};
@@ -11,17 +11,17 @@ use crate::{
 };
 
 rule! {
-    /// The path of a library or user type starts with a root that stands for no folder known here.
+    /// The path of a library or user type starts with a root whose folder is not known.
     ///
     /// ## Why
-    /// What cannot be found is not checked: every call and every name that goes through the library identifier
-    /// passes. This is said once, where the path is written.
+    /// A library that is not found cannot be checked, so every call and every name with its identifier is accepted.
+    /// This is reported once, at the path.
     ///
-    /// - A root that resembles one of the controller's (`Disc` for `Disk`) is most likely a slip: a warning.
+    /// - A root that resembles one of the controller's (`Disc` for `Disk`) is probably a misspelling: a warning.
     /// - Any other root may be a medium (`USB0`) or the name of a connection: information. The setting `roots` of
     ///   `val3.toml` names the folder with its content.
-    /// - `Disk`, which is also the root of a path without one, stands for the folder `usrapp`. If the project is not
-    ///   in such a folder and the path leads nowhere from the folders above, the library is not part of what is checked:
+    /// - `Disk`, which is also the root of a path without one, means the folder `usrapp`. If the project is not in such
+    ///   a folder and the path cannot be found from the folders above, the library is not part of the checked files:
     ///   information. The setting `disk` of `val3.toml` names the folder.
     ///
     /// ## Bad
@@ -59,7 +59,7 @@ pub(crate) fn word(what: FileRole, path: &str, root: &str, near: Option<&str>) -
     };
     Wording::new(
         format!("the {} `{path}` cannot be found: no folder is known for `{root}://`", file_role(what)),
-        "what is used of it is not checked",
+        "uses of it are not checked",
         did_you_mean_or(near, &advice),
     )
 }
@@ -82,7 +82,7 @@ mod tests {
     fn a_misspelt_root() {
         expect![[r#"
             the library `Disc://part` cannot be found: no folder is known for `Disc://`
-            | what is used of it is not checked
+            | uses of it are not checked
             ? did you mean `Disk`?
         "#]]
         .assert_eq(&word(FileRole::Library, "Disc://part", "Disc", Some("Disk")).to_string());
@@ -92,7 +92,7 @@ mod tests {
     fn no_usrapp() {
         expect![[r#"
             the user type `Slot` cannot be found: no folder is known for `Disk://`
-            | what is used of it is not checked
+            | uses of it are not checked
             ? check the whole folder `usrapp`, or name it with `disk` in `val3.toml`
         "#]]
         .assert_eq(&word(FileRole::Type, "Slot", "Disk", None).to_string());
@@ -102,7 +102,7 @@ mod tests {
     fn another_medium() {
         expect![[r#"
             the library `USB0://part` cannot be found: no folder is known for `USB0://`
-            | what is used of it is not checked
+            | uses of it are not checked
             ? name the folder of `USB0` with `roots` in `val3.toml`
         "#]]
         .assert_eq(&word(FileRole::Library, "USB0://part", "USB0", None).to_string());

@@ -12,11 +12,11 @@ rule! {
     /// A local position, transformation or motion descriptor is used before the program has set it.
     ///
     /// ## Why
-    /// A local joint starts with every axis at 0, which few cells survive; a transformation changes nothing; a
-    /// motion descriptor asks for full speed and rounded corners (10.5.1). Numbers, strings and truth values start
-    /// with 0, "" and false, which many programs rely on: they are not reported. Neither is a local that no line sets
-    /// and whose name says that it stays empty, such as `l_trEmpty` or `l_jZero`, nor one that takes the result of the
-    /// same line.
+    /// A local joint starts with every axis at 0, a position that few cells can reach without a collision. A local
+    /// transformation changes nothing. A local motion descriptor requests full speed and rounded corners (10.5.1).
+    /// Numbers, strings and truth values start with 0, "" and false, on which many programs rely: they are not
+    /// reported. The rule also ignores a local that no line sets and whose name says that it stays empty, such as
+    /// `l_trEmpty` or `l_jZero`, and one that takes the result of the same line.
     ///
     /// ## Bad
     /// ```val3
@@ -54,7 +54,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     let mut told = 0;
     for (id, _) in program.flow().points() {
         let Some(mut written) = facts.before(id).copied() else { continue };
-        // A variable that the line also takes the result in: `pointToJoint(tA,l_j,pA,l_j)` starts wherever it is.
+        // The line also writes its result to the variable: `pointToJoint(tA,l_j,pA,l_j)` accepts any start position.
         let references = local_use.at(id).iter().filter(|(_, access)| access.kind == AccessKind::Reference);
         let returned = references.fold(0, |all, (bit, _)| all | bit);
         for (bit, access) in local_use.at(id) {
@@ -75,13 +75,13 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     }
 }
 
-/// A type whose first value is hardly ever meant.
+/// A type whose initial value is hardly ever meant.
 fn followed(type_name: &str) -> Option<BaseType> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     matches!(ty, BaseType::Joint | BaseType::Trsf | BaseType::Config | BaseType::Mdesc).then_some(ty)
 }
 
-/// The name says that the variable has its first value on purpose.
+/// The name indicates that the variable keeps its initial value on purpose.
 fn is_meant_to_be_empty(name: &str) -> bool {
     const WORDS: [&str; 7] = ["empty", "zero", "null", "none", "neutral", "identity", "default"];
     let name = name.to_ascii_lowercase();

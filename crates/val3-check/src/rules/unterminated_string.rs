@@ -1,4 +1,4 @@
-//! V0013: a string without its closing quote.
+//! V0013: a string without a closing quote.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -6,9 +6,9 @@ rule! {
     /// A string has no closing quote on its line.
     ///
     /// ## Why
-    /// A string stands between two `"` on one line. There are no escape signs: `\` is an ordinary
-    /// character, and the next `"` always ends the string. A string that holds a quote is
-    /// put together with `chr(34)`. The controller refuses a program with an open string.
+    /// A string is enclosed by two `"` on one line. There are no escape sequences: `\` is an ordinary character, and
+    /// the next `"` always ends the string. Use `chr(34)` for a quote inside a string. The controller refuses a program
+    /// with an open string.
     ///
     /// ## Bad
     /// ```val3

@@ -8,13 +8,13 @@ use crate::lint::{DataFile, Findings, removal, unused_data};
 use crate::rule::rule;
 
 rule! {
-    /// Private data is used by no program of the application.
+    /// No program of the application uses the private data.
     ///
     /// ## Why
-    /// It is left over, or the program that should use it uses something else. Data counts as used if a program names
-    /// it, if other data hangs on it, or if a program reads it by its name with `getData`. Public data may be used by
-    /// other applications and is not reported, and nothing is in an application with user pages (s8), which name data
-    /// on their own.
+    /// The data is left over, or the program that should use it uses other data. Data counts as used if a program names
+    /// it, if it is the father of other data, or if a program reads it by its name with `getData`. Public data is not
+    /// reported, because other applications may use it. Nothing is reported in an application with user pages (s8),
+    /// which can name data as well.
     ///
     /// ## Bad
     /// ```val3
@@ -41,7 +41,7 @@ rule! {
 }
 
 fn check(data: &DataFile<'_>, found: &mut Findings) {
-    if !unused_data::is_judged(&data.view) {
+    if !unused_data::has_known_uses(&data.view) {
         return;
     }
     let is_unused = |name: &str| {

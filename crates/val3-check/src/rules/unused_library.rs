@@ -1,4 +1,4 @@
-//! V0118: a library identifier that nothing uses.
+//! V0118: a library identifier that is never used.
 
 use val3_analysis::application::unlisted_may_use;
 use val3_analysis::items::declarations;
@@ -13,8 +13,8 @@ rule! {
     /// A project declares a library that none of its programs uses.
     ///
     /// ## Why
-    /// The library is loaded with the application and takes memory and time for nothing; or the program that should
-    /// use it uses another one.
+    /// The library is loaded with the application and takes memory and time without being used, or a program uses the
+    /// wrong library.
     ///
     /// ## Bad
     /// ```val3
@@ -35,7 +35,7 @@ rule! {
 }
 
 fn check(view: &ProjectView<'_>, found: &mut Findings) {
-    if !unused_data::is_judged(view) {
+    if !unused_data::has_known_uses(view) {
         return;
     }
     for entry in &manifest(view.db, view.project.manifest(view.db)).libraries {

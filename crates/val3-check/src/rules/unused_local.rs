@@ -10,8 +10,8 @@ rule! {
     /// A program declares a local variable and does not use it.
     ///
     /// ## Why
-    /// It is left over, or the program uses another variable in its place. It also takes memory and time at each call:
-    /// locals are made anew whenever the program starts.
+    /// The variable is left over, or the program uses the wrong variable. It also takes memory and time at each call,
+    /// because locals are created whenever the program starts.
     ///
     /// ## Bad
     /// ```val3

@@ -10,9 +10,9 @@ rule! {
     /// A private program does not use one of its parameters.
     ///
     /// ## Why
-    /// Every caller gives a value that changes nothing, so either the parameter is left over or the program forgets
-    /// it. Public programs are not reported, since an interface may ask for their parameters, nor programs without a
-    /// line of code.
+    /// Every caller passes a value without an effect. Either the parameter is left over or the program forgets it.
+    /// Public programs are not reported, because an interface may require their parameters, nor programs without a line
+    /// of code.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0117: a private program that nothing calls.
+//! V0117: a private program that is never called.
 
 use val3_analysis::application::{ENTRY_POINTS, is_library_item, unlisted_may_use};
 use val3_analysis::items::declarations;
@@ -8,13 +8,13 @@ use crate::lint::{Findings, Program};
 use crate::rule::rule;
 
 rule! {
-    /// A private program is called nowhere in its application.
+    /// Nothing in the application calls the private program.
     ///
     /// ## Why
-    /// It is left over, or its call was forgotten. The controller starts `start` and `stop` on its own; public programs
-    /// may be called by other applications; both are not reported, and nothing is in an application with user pages
-    /// (s8), whose buttons call programs. A program that only calls itself is not used; one without a line of code is a
-    /// place for notes and not reported.
+    /// The program is left over, or its call is missing. `start` and `stop`, which the controller calls, are not
+    /// reported. Public programs, which other applications may call, are not reported either. Nothing is reported in an
+    /// application with user pages (s8), whose buttons can call programs. A program that only calls itself counts as
+    /// unused. A program without a line of code is a place for notes and not reported.
     ///
     /// ## Bad
     /// ```val3

@@ -3,16 +3,16 @@
 use crate::{diagnostic::Wording, rule::rule};
 
 rule! {
-    /// A comment is there to silence a finding, and there is nothing to silence.
+    /// A comment silences a finding that does not exist.
     ///
     /// A comment `//val3: allow(V0701)` silences the findings with this code or name in the next line of code;
     /// `//val3: allow-program(V0701)` before the first line of code silences them in the whole program. Several codes
     /// are separated by commas, and a reason may follow the bracket. Faults of the syntax cannot be silenced.
     ///
     /// ## Why
-    /// The fault was mended, or the comment stands before the wrong line. Left in place, the comment would hide the
-    /// next fault of this kind. Findings that are turned off are not looked for, so comments about them are left
-    /// alone.
+    /// The fault was corrected, or the comment is before the wrong line. If the comment remained, it would hide the
+    /// next fault of this kind. Findings that are turned off are not searched for, so comments about them are not
+    /// reported.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0119: a user type that nothing has.
+//! V0119: a user type that is never used.
 
 use rustc_hash::FxHashSet;
 use smol_str::SmolStr;
@@ -17,7 +17,7 @@ rule! {
     /// A project declares a user type that none of its data, parameters and locals has.
     ///
     /// ## Why
-    /// The entry is left over. It is needed, and not reported, if a library of the project has data of this type.
+    /// The entry is left over. It is needed and not reported if a library of the project has data of this type.
     ///
     /// ## Bad
     /// ```val3
@@ -43,7 +43,7 @@ fn check(view: &ProjectView<'_>, found: &mut Findings) {
         return;
     }
     let named = named_types(view);
-    // A type that is not known may be one of these, misspelt.
+    // An unknown type may be one of these, misspelt.
     if named.iter().any(|name| resolve_type(&view.items.types, name).is_none()) {
         return;
     }

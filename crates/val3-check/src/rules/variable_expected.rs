@@ -1,4 +1,4 @@
-//! V0205: a value where a parameter by reference needs a variable.
+//! V0205: a value in place of a variable for a parameter by reference.
 
 use crate::{diagnostic::Wording, rule::rule};
 
@@ -7,9 +7,8 @@ rule! {
     ///
     /// ## Why
     /// A parameter marked with `&` is linked to the variable of the caller, so that the program or instruction can
-    /// change it (2.6.2). A constant or the result of an expression is no variable and has no place to be changed in;
-    /// an element of an array or collection and a field are variables. The controller does not load an application that
-    /// passes a value there.
+    /// change it (2.6.2). A constant or the result of an expression cannot be changed; an element of an array or
+    /// collection and a field are variables. The controller does not load an application that passes a value there.
     ///
     /// ## Bad
     /// ```val3

@@ -1,4 +1,4 @@
-//! V0711: a local variable or parameter whose name does not begin as the shop asks.
+//! V0711: a local variable or parameter without the configured prefix.
 
 use smol_str::SmolStr;
 use val3_analysis::items::declarations::{Declared, all_locals, all_params};
@@ -9,14 +9,13 @@ use crate::lint::{Findings, Program, naming};
 use crate::rule::rule;
 
 rule! {
-    /// The name of a local variable or of a parameter does not begin with the letters that stand for its scope and
-    /// its type.
+    /// The name of a local variable or of a parameter does not begin with the prefix of its scope and its type.
     ///
     /// ## Why
-    /// `l_` and `x_` tell at a glance what a line changes: a variable of the program, what the caller gave, or global
-    /// data. The options `local-prefix`, `parameter-prefix` and `prefixes` set the letters. A counter of one or two
-    /// letters (`l_i`, `i`) is a name that everybody knows. This is a convention of a shop, and off unless it is asked
-    /// for.
+    /// `l_` and `x_` show at a glance whether a line changes a variable of the program, a parameter, or global data.
+    /// The options `local-prefix`, `parameter-prefix` and `prefixes` set the letters. Counters of one or two letters
+    /// (`l_i`, `i`) are not reported. The rule is off by default, because it enforces a convention that not every shop
+    /// has.
     ///
     /// ## Bad
     /// ```val3
@@ -46,7 +45,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
     report(program, "parameter", &options.parameter_prefix, params, found);
 }
 
-/// Reports those of the names that lack the prefix of their type behind that of their `scope`.
+/// Reports the names that lack the prefix of their type after that of their `scope`.
 fn report<'p>(
     program: &Program<'_>,
     what: &str,
@@ -58,7 +57,7 @@ fn report<'p>(
         let Some(base) = resolve_type(&program.items.types, ty) else { continue };
         let ty = naming::type_name(program.db, base);
         let is_counter = ty == BaseType::Num.name() && is_short(name.strip_prefix(scope).unwrap_or(&name));
-        if let Some(wording) = naming::judge(program.options, what, &ty, scope, &name).filter(|_| !is_counter) {
+        if let Some(wording) = naming::check_name(program.options, what, &ty, scope, &name).filter(|_| !is_counter) {
             found.report(&RULE, range, wording);
         }
     }

@@ -1,4 +1,4 @@
-//! V0533: what the files of a project use and its declared version does not have.
+//! V0533: a feature of the files that the declared version does not have.
 
 use val3_analysis::items::declarations::{is_old, program_file, version};
 use val3_analysis::items::manifest::manifest;
@@ -9,11 +9,11 @@ use crate::lint::{Findings, ProjectView};
 use crate::rule::rule;
 
 rule! {
-    /// A project uses something in its files that the version it declares does not have.
+    /// The files of a project use a feature that the declared version does not have.
     ///
     /// ## Why
-    /// Controllers of that version do not load it: those up to s6 read another form of files and know neither user
-    /// types nor collections, and program files in sub-folders exist from s8.20 on.
+    /// Controllers of that version do not load the project. Those up to s6 read another form of files and have neither
+    /// user types nor collections. Program files in sub-folders exist from s8.20 on.
     ///
     /// ## Bad
     /// ```val3
@@ -61,7 +61,7 @@ fn word_sub_folder(version: Version) -> Wording {
     Wording::new(
         format!("program files in sub-folders exist from s8.20 on, and the project declares {version}"),
         "in a sub-folder",
-        "put the program beside the project file",
+        "put the program in the folder of the project file",
     )
 }
 
@@ -94,7 +94,7 @@ mod tests {
         expect![[r#"
             a.pjx:3 `comm/p.pgx` program files in sub-folders exist from s8.20 on, and the project declares s8.13
               | in a sub-folder
-              ? put the program beside the project file
+              ? put the program in the folder of the project file
               > a.pjx:2 `s8.13` declared here
         "#]]
         .assert_eq(&project("s8.13", "comm/p.pgx"));

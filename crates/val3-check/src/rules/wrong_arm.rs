@@ -7,9 +7,9 @@ rule! {
     ///
     /// ## Why
     /// The types end in `Rx` for arms with six axes, in `Rs` for arms with four axes (SCARA), and in `Vrb` for any
-    /// other arm. They have different fields and mean nothing to each other, so they cannot be assigned, compared or
-    /// passed for one another, and an arm moves to positions of its own kind only. In code, `joint`, `point` and
-    /// `config` stand for the kind of the arm that is installed.
+    /// other arm. They have different fields, so they cannot be assigned to each other, compared or passed for each
+    /// other, and an arm only moves to positions of its own kind. In code, `joint`, `point` and `config` mean the kind
+    /// of the arm that is installed.
     ///
     /// ## Bad
     /// ```val3

@@ -1,16 +1,16 @@
-//! V0504: a file of another kind than its place asks for.
+//! V0504: a file with the wrong root element.
 
 use val3_analysis::problem::FileRole;
 
 use crate::{diagnostic::Wording, phrase::file_role, rule::rule};
 
 rule! {
-    /// The root element of a file is not the one that its place in the project asks for.
+    /// The root element of a file does not belong to this kind of file.
     ///
     /// ## Why
-    /// A `.pjx` file holds a project, a `.dtx` file data and a `.pgx` file a program, and the root element says which.
-    /// With another root the controller does not understand the file and does not load the application. Most often a
-    /// file was copied over another one. Projects of s5 and s6 use other roots than s7 and s8; each file may be in
+    /// A `.pjx` file contains a project, a `.dtx` file data and a `.pgx` file a program, as the root element says. With
+    /// another root the controller does not understand the file and does not load the application. Usually a file was
+    /// overwritten by another one. Projects of s5 and s6 use other roots than those of s7 and s8; each file may have
     /// either form.
     ///
     /// ## Bad

@@ -3,12 +3,12 @@
 use crate::{diagnostic::Wording, phrase::shortened, rule::rule};
 
 rule! {
-    /// An XML attribute has no value in quotes, or it stands twice in one tag.
+    /// An XML attribute has no value in quotes, or occurs twice in one tag.
     ///
     /// ## Why
-    /// XML wants every attribute as `name="value"`, once in a tag. The controller rejects the
-    /// whole file otherwise. A doubled attribute is usually what a merge leaves behind when both
-    /// sides changed the same declaration.
+    /// XML requires attributes of the form `name="value"`, each only once in a tag. Otherwise the controller rejects
+    /// the whole file. A duplicate attribute usually comes from a merge in which both sides changed the same
+    /// declaration.
     ///
     /// ## Bad
     /// ```val3
@@ -42,7 +42,7 @@ rule! {
     V0003 "xml-attribute" Error
 }
 
-/// The attribute lacks `=` or a value in quotes; `name` is a sign or a value where no name stands before it.
+/// The attribute lacks `=` or a value in quotes. `name` is a character or a value if no name precedes it.
 pub(crate) fn malformed(name: &str) -> Wording {
     if !name.starts_with(|first: char| first.is_alphabetic() || first == '_') {
         return Wording::new(
@@ -54,7 +54,7 @@ pub(crate) fn malformed(name: &str) -> Wording {
     Wording::new(format!("the attribute `{name}` has no value in quotes"), format!("expected `{name}=\"…\"`"), "")
 }
 
-/// The attribute stands twice.
+/// The attribute occurs twice.
 pub(crate) fn duplicate(name: &str) -> Wording {
     Wording::new(
         format!("the attribute `{name}` stands twice in one tag"),

@@ -1,16 +1,17 @@
-//! V0001: XML elements that do not nest.
+//! V0001: XML elements that are not nested properly.
 
 use val3_syntax::error::XmlPart;
 
 use crate::{diagnostic::Wording, phrase::xml_part, rule::rule};
 
 rule! {
-    /// The XML elements of a file do not nest: a tag, a comment or a value has no end, or an end tag closes nothing.
+    /// The XML elements of a file are not nested properly: a tag, a comment or a value has no end, or an end tag closes
+    /// nothing.
     ///
     /// ## Why
-    /// The controller reads project, data and program files as XML. At the first element that does not
-    /// nest it stops, and the application does not load. The usual causes are an edit by hand, a text
-    /// replacement in many files, and a merge in version control.
+    /// The controller reads project, data and program files as XML. It stops at the first element that is not nested
+    /// properly, and the application does not load. The usual causes are an edit by hand, a text replacement in many
+    /// files, and a merge in version control.
     ///
     /// ## Bad
     /// ```val3

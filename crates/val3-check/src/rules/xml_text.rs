@@ -9,7 +9,8 @@ use crate::{
 };
 
 rule! {
-    /// A file holds text that XML does not allow: a bare `&` or `<`, an unknown entity, or words between the elements.
+    /// A file contains text that XML does not allow: a bare `&` or `<`, an unknown entity, or words between the
+    /// elements.
     ///
     /// ## Why
     /// In XML the characters `&` and `<` begin an entity and a tag. As plain characters they are
@@ -50,7 +51,7 @@ rule! {
     V0002 "xml-text" Error
 }
 
-/// A stray `<`, or text where only elements may stand.
+/// A stray `<`, or text where only elements are allowed.
 pub(crate) fn stray_text() -> Wording {
     Wording::new(
         "this text does not belong in the XML of the file",
@@ -68,7 +69,7 @@ pub(crate) fn unknown_entity(text: &str) -> Wording {
             "XML defines `&amp;`, `&lt;`, `&gt;`, `&quot;` and `&apos;`; write other characters themselves",
         );
     }
-    Wording::new("`&` has a meaning of its own in XML and cannot stand alone", "write `&amp;`", "")
+    Wording::new("`&` has a special meaning in XML and must be escaped", "write `&amp;`", "")
 }
 
 /// A document type declaration.
@@ -115,7 +116,7 @@ mod tests {
     #[test]
     fn a_bare_ampersand() {
         expect![[r#"
-            `&` has a meaning of its own in XML and cannot stand alone
+            `&` has a special meaning in XML and must be escaped
             | write `&amp;`
         "#]]
         .assert_eq(&unknown_entity("& lid").to_string());

@@ -1,4 +1,4 @@
-//! The words that mean rules: `all`, beginnings of codes, codes and names.
+//! The words that name rules: `all`, beginnings of codes, codes and names.
 
 use val3_analysis::near::nearest;
 use val3_config::{ConfigError, ConfigFile};
@@ -6,7 +6,7 @@ use val3_config::{ConfigError, ConfigFile};
 use crate::rule::Rule;
 use crate::rules;
 
-/// How exactly a word means a rule; the more exact word counts.
+/// How exactly a word names a rule; the more exact word takes precedence.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Exactness {
     /// `all`
@@ -17,7 +17,7 @@ pub enum Exactness {
     Exact,
 }
 
-/// The rules that a word means, in any letter case.
+/// The rules that a word names, in any letter case.
 pub fn meant_by(word: &str) -> Vec<(&'static Rule, Exactness)> {
     let word = word.trim();
     rules::all().iter().filter_map(|rule| Some((*rule, exactness(word, rule)?))).collect()
@@ -34,7 +34,7 @@ fn exactness(word: &str, rule: &Rule) -> Option<Exactness> {
     beginning.eq_ignore_ascii_case(word).then_some(Exactness::Family(word.len()))
 }
 
-/// A key of `[rules]` that means nothing.
+/// The error for a key of `[rules]` that names no rule.
 pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
     let words = rules::all().iter().flat_map(|rule| [rule.code, rule.name]);
     let help = match nearest(key, words) {
@@ -44,7 +44,7 @@ pub(super) fn unknown(file: &ConfigFile, key: &str) -> ConfigError {
     file.fault(&format!("rules.{key}"), format!("no finding has the code or name `{key}`"), help)
 }
 
-/// Two keys of `[rules]` that mean the same.
+/// The error for two keys of `[rules]` that name the same rule.
 pub(super) fn twice(file: &ConfigFile, key: &str, other: &str) -> ConfigError {
     file.fault(
         &format!("rules.{key}"),

@@ -1,4 +1,4 @@
-//! Comments that silence what is found: `val3 check --add-suppressions` writes them.
+//! Comments that silence findings, as `val3 check --add-suppressions` writes them.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -15,10 +15,10 @@ use super::can_be_silenced;
 use crate::diagnostic::{Diagnostic, Edit, Fix};
 use crate::fix::Site;
 
-/// Changes that silence findings, one for each line of code with findings, and one for a program where they lie outside
-/// of its lines of code. Findings that no comment can silence are left out.
+/// Changes that silence findings: one for each line of code with findings, and one for a program with findings outside
+/// of its lines of code. Findings that no comment can silence are omitted.
 pub(crate) fn silencing(db: &dyn Db, found: &[Diagnostic]) -> Vec<Fix> {
-    let mut places: BTreeMap<(&str, TextSize, bool), (Place, BTreeSet<&str>)> = BTreeMap::new();
+    let mut places: BTreeMap<(&str, TextSize, bool), (SilencedCode, BTreeSet<&str>)> = BTreeMap::new();
     for diagnostic in found.iter().filter(|diagnostic| can_be_silenced(diagnostic.rule)) {
         let file = diagnostic.place.file;
         if let Some(place) = place(db, file, diagnostic.place.range.start()) {
@@ -33,16 +33,16 @@ pub(crate) fn silencing(db: &dyn Db, found: &[Diagnostic]) -> Vec<Fix> {
     fixes.collect()
 }
 
-/// What a comment silences.
-struct Place {
+/// The part of a program that a comment silences.
+struct SilencedCode {
     file: File,
     /// The line of code; for a whole program, the start of the line below `begin`.
     range: TextRange,
     is_line: bool,
 }
 
-/// How what starts at `at` can be silenced. A comment for one line is written above a line of code.
-fn place(db: &dyn Db, file: File, at: TextSize) -> Option<Place> {
+/// The part that silences a finding at `at`. A comment for one line is written above a line of code.
+fn place(db: &dyn Db, file: File, at: TextSize) -> Option<SilencedCode> {
     if !is_program(file.path(db).as_str()) {
         return None;
     }
@@ -59,7 +59,7 @@ fn place(db: &dyn Db, file: File, at: TextSize) -> Option<Place> {
         let next = begin.end() + TextSize::of(rest.split_inclusive('\n').next()?);
         Some(TextRange::at(next, TextSize::from(1)))
     };
-    Some(Place { file, range: if is_line { line } else { below()? }, is_line })
+    Some(SilencedCode { file, range: if is_line { line } else { below()? }, is_line })
 }
 
 /// The line around `at` without the blanks at its ends; empty where it is blank.
@@ -78,8 +78,8 @@ fn begin(code: View<'_>) -> Option<TextRange> {
     })
 }
 
-impl Place {
-    /// The edit that silences these rules: they are added to a comment that counts here, or get a new one.
+impl SilencedCode {
+    /// The edit that silences these rules: they are added to a comment that applies here, or get a new one.
     fn comment(&self, db: &dyn Db, codes: &str) -> Option<Edit> {
         let site = Site::new(db, self.file, self.range, None);
         if let Some(last) =
@@ -109,7 +109,7 @@ mod tests {
 
     use crate::testing::{check_files, silenced_files};
 
-    /// The code of `start` with comments for all that is found; nothing is found any more in programs.
+    /// The code of `start` with comments for all findings, after which programs have no findings left.
     #[track_caller]
     fn check(change: fn(&str) -> String, listing: &str, expected: Expect) {
         let files = Fixture::parse(listing).files.into_iter();

@@ -1,4 +1,4 @@
-//! What is wrong with the comments themselves.
+//! Faults of the comments themselves.
 
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::faults::text_faults;
@@ -7,13 +7,13 @@ use val3_analysis::items::suppressions::{Named, Scope, Suppression, suppressions
 use val3_analysis::near::nearest;
 use val3_syntax::{TextRange, TextSize};
 
-use super::{Used, can_be_silenced};
+use super::{UsedComments, can_be_silenced};
 use crate::diagnostic::{Diagnostic, Edit, Fix, Wording};
 use crate::rule::Rule;
 use crate::rules::{self, unknown_suppression, unused_suppression};
 use crate::settings::Settings;
 
-/// Comments in a program that cannot silence anything, whatever is found.
+/// Comments in a program that can never silence anything.
 pub(crate) fn unknown(db: &dyn Db, project: Project, file: File) -> Vec<Diagnostic> {
     let rule = &unknown_suppression::RULE;
     let finding = |(range, wording)| finding(db, project, rule, FileRange { file, range }, wording);
@@ -40,8 +40,14 @@ fn unknown_rule(word: &Named) -> Option<(TextRange, Wording)> {
     Some((word.range, wording))
 }
 
-/// Comments in a program that silenced nothing. Where the text has faults, not everything was looked for.
-pub(crate) fn unused(db: &dyn Db, project: Project, file: File, settings: &Settings, used: &Used) -> Vec<Diagnostic> {
+/// Comments in a program that silenced nothing. If the text has faults, not every rule ran.
+pub(crate) fn unused(
+    db: &dyn Db,
+    project: Project,
+    file: File,
+    settings: &Settings,
+    used: &UsedComments,
+) -> Vec<Diagnostic> {
     let found = suppressions(db, file);
     if found.is_empty() || !text_faults(db, file).errors.is_empty() || !settings.wants(&unused_suppression::RULE) {
         return Vec::new();
@@ -65,7 +71,7 @@ pub(crate) fn unused(db: &dyn Db, project: Project, file: File, settings: &Setti
     idle
 }
 
-/// The comment with the line it stands on.
+/// The comment with its whole line.
 fn comment_line(text: &str, comment: TextRange) -> TextRange {
     let (start, end) = (usize::from(comment.start()), usize::from(comment.end()));
     let line_start = text.get(..start).and_then(|before| before.rfind('\n')).map_or(0, |at| at + 1);
@@ -77,7 +83,7 @@ fn comment_line(text: &str, comment: TextRange) -> TextRange {
     }
 }
 
-/// One of several words with the comma before or behind it.
+/// One of several words with the comma before or after it.
 fn entry(suppression: &Suppression, place: usize) -> TextRange {
     let word = |place: usize| suppression.rules.get(place).map(|word| word.range);
     let own = word(place).unwrap_or(suppression.comment);
