@@ -1,13 +1,13 @@
-//! How deep each line stands.
+//! The indentation level of each line.
 
 use val3_syntax::SyntaxKind::{self, *};
 
 use crate::pieces::{Piece, breaks_line, gap};
 
-/// For each piece the levels before its line, where it starts one.
+/// The level of the line that each piece starts; `None` for a piece that starts no line.
 pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
     let mut levels = vec![None; pieces.len()];
-    // A comment belongs to what comes after it, so the last line is looked at first.
+    // The level of a comment depends on the next line, so the lines are visited from the last to the first.
     let mut next: Option<Line> = None;
     for index in (1..pieces.len()).rev() {
         let Some([before, piece]) = pieces.get(index - 1..=index) else { continue };
@@ -21,7 +21,7 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
             *slot = Some(level);
         }
         if piece.kind != COMMENT {
-            // A line that stays where it is tells nothing about the lines that move.
+            // A line that does not move is no guide for the lines that do.
             next = Some(Line { level, column, closes: closes(piece.kind) && !piece.frozen });
         }
     }
@@ -32,15 +32,15 @@ pub(crate) fn levels(pieces: &[Piece<'_>], text: &str) -> Vec<Option<usize>> {
 #[derive(Clone, Copy)]
 struct Line {
     level: usize,
-    /// Blanks before it as it stands in the text.
+    /// The blanks before it in the text.
     column: usize,
     /// It ends a block or a part of one.
     closes: bool,
 }
 
-/// The level of a comment: that of the line that follows. Before the end of a block it may belong to the block or to
-/// the line that ends it, as its own indentation tells. A comment in the first column stays there if the code is
-/// indented: it is mostly code that was switched off, and keeps its own blanks after the slashes.
+/// The level of a comment: that of the next line. Before the end of a block its own indentation shows whether it
+/// belongs to the block or to the line that ends it. A comment in the first column remains there if the code is
+/// indented: it is usually disabled code, which keeps its own blanks after the slashes.
 fn comment(piece: &Piece<'_>, column: usize, next: Option<Line>) -> usize {
     match next {
         Some(next) if column == 0 && next.column > 0 => 0,
@@ -57,7 +57,7 @@ fn closes(kind: SyntaxKind) -> bool {
     )
 }
 
-/// The blanks behind the last line end.
+/// The width of the blanks after the last line end.
 fn width(blanks: &str) -> usize {
     blanks.rsplit(['\n', '\r']).next().unwrap_or("").chars().count()
 }

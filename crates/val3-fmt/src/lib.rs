@@ -1,7 +1,7 @@
 //! Layout of VAL 3 code: a tree in, edits out.
 //!
-//! Only blanks, line ends and the letter case of keywords inside of `<Code>` change. The XML around the code,
-//! comments, and lines that could not be read stay as they are, to the byte.
+//! Only blanks, line ends and the letter case of keywords inside of `<Code>` change. The XML around the code, comments,
+//! and lines that could not be read keep every byte.
 
 mod indentation;
 mod on_type;
@@ -21,18 +21,18 @@ use pieces::Piece;
 /// A change of the text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Edit {
-    /// What is replaced; empty where something is put in.
+    /// The replaced range; empty for an insertion.
     pub range: TextRange,
-    /// What stands there afterwards.
+    /// The new text.
     pub text: String,
 }
 
-/// The edits that give the code of a file with `text` its layout, in order and without overlap; none where it has it
-/// already.
+/// The edits that give the code of a file with `text` its layout, in order and without overlap. Empty if the code
+/// already has it.
 ///
-/// Formatting twice is formatting once, and the program stays the same, token for token. Where blocks do not match up,
-/// the indentation shows what was meant, so that program keeps its line starts; where the XML is broken, everything
-/// stays.
+/// Formatting twice equals formatting once, and the program keeps all its tokens. If blocks do not match up, the
+/// indentation shows their intended ends, so the starts of all lines of that program are kept. If the XML is broken,
+/// nothing changes.
 pub fn format(text: &str, parse: &Parse, style: &Style) -> Vec<Edit> {
     if parse.errors().iter().any(|error| error.kind.breaks_structure()) {
         return Vec::new();
@@ -50,7 +50,7 @@ fn format_code(pieces: &[Piece<'_>], parse: &Parse, text: &str, style: &Style) -
     gaps.chain(pieces.iter().filter_map(spacing::keyword)).collect()
 }
 
-/// No fault in the stretch of these pieces leaves it open which line belongs to which block.
+/// No fault in the code of these pieces makes it unclear to which block a line belongs.
 fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
     let (Some(first), Some(last)) = (pieces.first(), pieces.last()) else { return true };
     let code = TextRange::new(first.range.start(), last.range.end());
@@ -62,7 +62,7 @@ fn blocks_match(pieces: &[Piece<'_>], parse: &Parse) -> bool {
 pub fn format_range(text: &str, parse: &Parse, style: &Style, range: TextRange) -> Vec<Edit> {
     let lines = whole_lines(text, range);
     let mut edits = format(text, parse, style);
-    // The blanks at the start of a line are replaced together with the line end before them.
+    // An edit of the blanks at the start of a line includes the line end before them.
     edits.retain(|edit| lines.contains_inclusive(edit.range.end()));
     edits
 }
@@ -78,7 +78,7 @@ fn whole_lines(text: &str, range: TextRange) -> TextRange {
     TextRange::new(offset(first), offset(last))
 }
 
-/// The text with the edits made. They must be in order and lie within it.
+/// The text after the edits, which must be in order and within it.
 pub fn apply(text: &str, edits: &[Edit]) -> String {
     let mut changed = String::with_capacity(text.len());
     let mut done = 0;

@@ -1,6 +1,7 @@
-//! Layout while somebody types.
+//! Layout during typing.
 //!
-//! The program is seldom whole at that moment, so a line is placed by the lines above it alone, as they stand.
+//! The program is rarely complete at that moment, so the indentation of a line is computed from the lines above it
+//! alone.
 
 use rowan::{TextRange, TextSize};
 use val3_syntax::Parse;
@@ -9,12 +10,12 @@ use val3_syntax::SyntaxKind::{self, *};
 use crate::pieces::{self, Piece};
 use crate::{Edit, Style, spacing};
 
-/// The characters after which [`on_type`] has something to say: the line end, and the last letters of the words that
-/// end a block or a part of one.
+/// The characters after which [`on_type`] may return edits: the line end, and the last letters of the words that end a
+/// block or a part of one.
 pub const TRIGGERS: [char; 7] = ['\n', 'e', 'f', 'h', 'k', 'l', 'r'];
 
-/// The edits after `typed` was put in before `offset`. After a line end, the line above gets its layout and the new
-/// line its indentation; after the last letter of a word such as `endIf`, the line that is this word gets its own.
+/// The edits after `typed` was inserted before `offset`. After a line end, the line above gets its layout and the new
+/// line its indentation. After the last letter of a word such as `endIf`, a line with only this word gets its own.
 pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed: char) -> Vec<Edit> {
     let codes = pieces::codes(parse, text);
     let Some(pieces) = codes.iter().find(|pieces| contains(pieces, offset)) else { return Vec::new() };
@@ -30,7 +31,7 @@ pub fn on_type(text: &str, parse: &Parse, style: &Style, offset: TextSize, typed
 #[derive(Debug)]
 struct Line<'p, 't> {
     start: TextSize,
-    /// The blanks it starts with; none where the XML before the code stands on it.
+    /// The blanks at its start; none if the line also contains the XML before the code.
     indent: &'t str,
     /// Its tokens; none in a blank line.
     pieces: &'p [Piece<'t>],
@@ -81,7 +82,7 @@ fn lines<'p, 't>(text: &'t str, pieces: &'p [Piece<'t>]) -> Vec<Line<'p, 't>> {
     lines
 }
 
-/// Nothing but blanks stands before the first piece of a line.
+/// Only blanks precede the first piece of a line.
 fn is_first(pieces: &[Piece<'_>], at: usize) -> bool {
     pieces.first().is_none_or(|piece| usize::from(piece.range.start()) == at && piece.kind != CDATA_OPEN)
 }
@@ -137,7 +138,7 @@ fn indented(text: &str, line: &Line<'_, '_>, indent: &str) -> Option<Edit> {
     (found != indent).then(|| Edit { range, text: indent.to_owned() })
 }
 
-/// The blanks that a line should start with, as the lines above it stand.
+/// The indentation of a line, computed from the lines above it.
 fn indentation(lines: &[Line<'_, '_>], index: usize, style: &Style) -> String {
     let above = lines.get(..index).unwrap_or_default();
     let first = lines.get(index).and_then(Line::first);
@@ -180,7 +181,8 @@ fn opening<'l, 'p, 't>(
     })
 }
 
-/// The words that the block or part ended by a word begins with, and how much deeper than they the word stands.
+/// The words that start the block or part that a word ends, and the number of levels that the word is deeper than they
+/// are.
 fn opener(kind: SyntaxKind) -> Option<(&'static [SyntaxKind], usize)> {
     Some(match kind {
         END_KW => (&[BEGIN_KW], 0),
@@ -204,7 +206,7 @@ fn end_of(kind: SyntaxKind) -> Option<SyntaxKind> {
     })
 }
 
-/// What follows a line that starts with this word is one level deeper.
+/// Lines after a line that starts with this word are one level deeper.
 fn opens(kind: SyntaxKind) -> bool {
     matches!(
         kind,

@@ -10,11 +10,11 @@ pub(crate) struct Piece<'t> {
     pub(crate) kind: SyntaxKind,
     pub(crate) text: &'t str,
     pub(crate) range: TextRange,
-    /// The node it stands in.
+    /// The node that contains it.
     pub(crate) parent: SyntaxKind,
     /// Blocks around it.
     pub(crate) depth: usize,
-    /// Its line could not be read and stays as it is.
+    /// The parser could not read its line, which therefore keeps every byte.
     pub(crate) frozen: bool,
 }
 
@@ -53,7 +53,7 @@ fn collect<'t>(node: View<'t>, depth: usize, pieces: &mut Vec<Piece<'t>>) {
     }
 }
 
-/// What stands in a block is one level deeper, and so is what stands in a `switch`, but for its value.
+/// The content of a block is one level deeper, and so is that of a `switch`, except its value.
 fn is_deeper(parent: SyntaxKind, child: SyntaxKind) -> bool {
     use SyntaxKind as K;
     let is_stmt = (K::BLOCK..=K::EXPR_STMT).contains(&child);

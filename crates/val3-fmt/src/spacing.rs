@@ -6,7 +6,7 @@ use val3_syntax::SyntaxKind::{self, *};
 use crate::pieces::{Piece, breaks_line, gap as blanks};
 use crate::{Edit, Style};
 
-/// What has to change between two pieces; `level` is the level of the line that starts with `after`.
+/// The edits between two pieces. `level` is the level of the line that starts with `after`.
 pub(crate) fn gap(
     before: &Piece<'_>,
     after: &Piece<'_>,
@@ -31,7 +31,7 @@ pub(crate) fn keyword(piece: &Piece<'_>) -> Option<Edit> {
     (piece.text != canonical).then(|| Edit { range: piece.range, text: canonical.to_owned() })
 }
 
-/// Line ends are kept as they are, as many as the style allows.
+/// Line ends keep their form. Their number is limited by the style.
 fn line_break(before: &Piece<'_>, after: &Piece<'_>, found: &str, level: usize, style: &Style) -> Option<String> {
     if before.kind == CDATA_OPEN || after.kind == CDATA_CLOSE || is_mark(before.kind) || is_mark(after.kind) {
         return None;
@@ -56,7 +56,7 @@ fn leading_blanks(gap: &str) -> &str {
     gap.split(['\n', '\r']).next().unwrap_or("")
 }
 
-/// The line ends in a gap, each as it is written.
+/// The line ends in a gap, in the form of the text.
 fn line_ends(gap: &str) -> Vec<&str> {
     let mut ends = Vec::new();
     let mut rest = gap;
@@ -69,7 +69,7 @@ fn line_ends(gap: &str) -> Vec<&str> {
     ends
 }
 
-/// The blanks between two pieces of a line; `None` where they stay as they are.
+/// The blanks between two pieces of a line; `None` if they do not change.
 fn within_line(before: &Piece<'_>, after: &Piece<'_>, style: &Style) -> Option<&'static str> {
     if before.frozen || after.frozen || after.kind == COMMENT || is_outside(before.kind) || is_outside(after.kind) {
         return None;

@@ -1,4 +1,4 @@
-//! What a user may choose.
+//! The settings of the layout.
 
 use val3_config::{Format, IndentStyle};
 
@@ -11,7 +11,7 @@ pub struct Style {
     pub around_assignment: bool,
     /// A blank on both sides of `+`, `==` and the other operators; `and`, `or` and `xor` always have them.
     pub around_operators: bool,
-    /// A blank behind `,`.
+    /// A blank after `,`.
     pub after_comma: bool,
     /// Blank lines in a row that are kept.
     pub blank_lines: usize,
@@ -43,14 +43,14 @@ impl Style {
     }
 }
 
-/// What most programs look like, and what the vendor's editor writes.
+/// The layout of most programs and of the vendor's editor.
 impl Default for Style {
     fn default() -> Self {
         Self::new(&Format::default(), Elsewhere::default())
     }
 }
 
-/// What something other than `val3.toml` says about the indentation.
+/// Indentation settings from a source other than `val3.toml`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Elsewhere {
     /// Blanks or tabs.
@@ -60,7 +60,7 @@ pub struct Elsewhere {
 }
 
 impl Indent {
-    /// The blanks before a line that stands `levels` deep.
+    /// The blanks at the start of a line with `levels` levels of indentation.
     pub fn text(self, levels: usize) -> String {
         match self {
             Self::Blanks(width) => " ".repeat(levels * usize::from(width)),

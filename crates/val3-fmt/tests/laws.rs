@@ -1,4 +1,4 @@
-//! What holds for every program, whole or broken.
+//! Properties of the layout of every program, complete or broken.
 
 #![allow(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 
@@ -123,7 +123,7 @@ fn tokens(text: &str) -> Vec<String> {
     .collect()
 }
 
-/// A change that somebody might make: a stretch of the code goes, or other text comes in.
+/// A random edit: a part of the code is removed, or other text is inserted.
 fn broken(text: &str, at: usize, len: usize, inserted: &str) -> String {
     let mut start = at % text.len();
     while !text.is_char_boundary(start) {
@@ -148,7 +148,7 @@ proptest! {
 
     #[test]
     fn the_layout_depends_on_the_program_alone(lines in program(), one in writing(), other in writing()) {
-        // A comment before the end of a block keeps its side, as its indentation tells: here there is none.
+        // The indentation of a comment before the end of a block is significant, but these programs have none.
         let lines: Vec<String> = lines.into_iter().filter(|line| !line.starts_with("//")).collect();
         let other = Writing { line_end: one.line_end, escaped: one.escaped, ..other };
         prop_assert_eq!(formatted(&one.write(&lines)), formatted(&other.write(&lines)));

@@ -1,4 +1,4 @@
-//! What the layout of code looks like.
+//! The layout of code.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::indexing_slicing, reason = "a test may fail loudly")]
 

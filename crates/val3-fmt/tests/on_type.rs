@@ -1,4 +1,4 @@
-//! What happens to code while it is typed.
+//! Layout during typing.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test may fail loudly")]
 
@@ -6,7 +6,7 @@ use expect_test::{Expect, expect};
 use val3_fmt::{Indent, Style, apply, on_type};
 use val3_syntax::{TextSize, parse};
 
-/// Types the character before `$0` in code that stands in a CDATA section.
+/// Types the character before `$0` in code in a CDATA section.
 fn check(code: &str, expected: Expect) {
     check_in(code, &Style::default(), expected);
 }
