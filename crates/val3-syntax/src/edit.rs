@@ -11,7 +11,7 @@ use crate::lexer::range;
 pub struct Edit {
     /// The range of the old text.
     pub range: TextRange,
-    /// What takes its place.
+    /// The replacement.
     pub insert: String,
 }
 
@@ -38,12 +38,12 @@ pub(crate) struct Change {
 }
 
 impl Change {
-    /// What `edit` changes in `text`.
+    /// The edit from `text` to the result of `edit`.
     pub(crate) fn of(edit: &Edit, text: &str) -> Self {
         Self { range: edit.range_in(text), inserted: TextSize::of(&edit.insert) }
     }
 
-    /// What lies between the equal beginnings and the equal ends of two texts.
+    /// The difference of two texts between their common beginning and their common end.
     pub(crate) fn between(text: &str, new_text: &str) -> Self {
         let start = text.floor_char_boundary(common_start(text.as_bytes(), new_text.as_bytes()));
         let (rest, new_rest) = (text.get(start..).unwrap_or(""), new_text.get(start..).unwrap_or(""));
@@ -59,7 +59,7 @@ impl Change {
         self.range.is_empty() && self.inserted == TextSize::new(0)
     }
 
-    /// Where a place behind the edit is afterwards.
+    /// The new position of an offset after the edit.
     pub(crate) fn moved(self, at: TextSize) -> TextSize {
         at - self.range.len() + self.inserted
     }

@@ -2,7 +2,7 @@
 //!
 //! s6 to s8 write UTF-8, nearly always with a byte order mark; s5 writes ISO-8859-1 and declares it.
 
-/// How the bytes of a file stand for its text.
+/// The encoding of a file: the relation of its bytes to its text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Encoding {
     /// UTF-8; a byte order mark is the first character of the text.
@@ -16,7 +16,7 @@ pub enum Encoding {
 pub struct Decoded {
     /// The text.
     pub text: String,
-    /// How the bytes stand for it; [`Encoding::encode`] gives the same bytes back.
+    /// The encoding; [`Encoding::encode`] returns the same bytes.
     pub encoding: Encoding,
     /// How the bytes contradict the encoding that the file declares.
     pub mismatch: Option<Mismatch>,
@@ -31,7 +31,7 @@ pub enum Mismatch {
     NotLatin1,
 }
 
-/// What decoders put in the place of bytes that they cannot read.
+/// The character that decoders insert for bytes that they cannot read.
 pub const REPLACEMENT: char = '\u{fffd}';
 
 /// Reads the bytes of a file. Every sequence of bytes gives a text.
@@ -78,7 +78,7 @@ impl Encoding {
 /// The byte order mark.
 const MARK: char = '\u{feff}';
 
-/// As [`latin1`], but a byte order mark of UTF-8 stays one: it tells what the bytes were before one was damaged.
+/// As [`latin1`], but a byte order mark of UTF-8 is kept: it shows the encoding of the bytes before one was damaged.
 fn latin1_behind_mark(bytes: &[u8]) -> String {
     match bytes.strip_prefix(b"\xef\xbb\xbf") {
         Some(bytes) => MARK.to_string() + &latin1(bytes),

@@ -1,11 +1,11 @@
-//! What the parser can find wrong. The wording lives with the rules of `val3-check`.
+//! The faults that the parser reports. Their wording is part of the rules of `val3-check`.
 
 use rowan::TextRange;
 
 /// One fault of the text. The tree is complete nevertheless.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SyntaxError {
-    /// What is wrong.
+    /// The kind of the fault.
     pub kind: SyntaxErrorKind,
     /// Where a person would mend it.
     pub range: TextRange,
@@ -45,7 +45,7 @@ pub enum SyntaxErrorKind {
         /// The text from `&` on.
         text: String,
     },
-    /// A `<` that starts no tag, or text where only elements may stand.
+    /// A `<` that starts no tag, or text where only elements are allowed.
     UnexpectedText,
     /// `]]>` inside a line of code: it ends the section, and what follows is read as XML.
     EarlySectionEnd,
@@ -63,7 +63,7 @@ pub enum SyntaxErrorKind {
     // ---- code ----
     /// Something else was expected here.
     Expected {
-        /// What could stand here.
+        /// The expected part.
         expected: Expected,
         /// The text found; empty at the end of a line.
         found: String,
@@ -127,7 +127,7 @@ pub enum SyntaxErrorKind {
     DoubleUnary,
     /// `=` inside an expression, where `==` is meant.
     AssignmentInExpression,
-    /// `//` behind code on the same line.
+    /// `//` after code on the same line.
     CommentAfterCode,
     /// A keyword where a name belongs.
     ReservedWord {
@@ -136,12 +136,12 @@ pub enum SyntaxErrorKind {
     },
     /// An operator or keyword of another language.
     ForeignSpelling {
-        /// What was written (`&&`, `<>`, `then`, `not`).
+        /// The word that was written (`&&`, `<>`, `then`, `not`).
         found: String,
-        /// What VAL 3 writes; empty where the word is to be removed.
+        /// The VAL 3 spelling; empty if the word is to be removed.
         instead: &'static str,
     },
-    /// Something behind a complete instruction.
+    /// Text after a complete instruction.
     TrailingText {
         /// The text found.
         found: String,
@@ -158,7 +158,7 @@ pub enum SyntaxErrorKind {
     CodeOutsideBody,
     /// No code at all.
     NoCode,
-    /// Expressions, blocks or elements nest deeper than the limit, or too many operators stand in a row.
+    /// Expressions, blocks or elements nest deeper than the limit, or an expression has too many operators in sequence.
     NestingTooDeep,
 }
 
@@ -177,7 +177,7 @@ pub enum XmlPart {
     AttributeValue,
 }
 
-/// What could stand at a place.
+/// The parts that the parser can expect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Expected {
     /// An expression.
@@ -200,14 +200,14 @@ pub enum Expected {
     OpenParen,
     /// `,` between parts.
     Comma,
-    /// `=` of an assignment or `(` of a call behind a name.
+    /// `=` of an assignment or `(` of a call after a name.
     AssignmentOrCall,
     /// A value after `case`.
     CaseValue,
 }
 
 impl SyntaxErrorKind {
-    /// A block that is not closed or not opened: the indentation may tell which.
+    /// A block that is not closed or not opened. The indentation may show which.
     pub fn is_about_blocks(&self) -> bool {
         matches!(
             self,
@@ -223,7 +223,7 @@ impl SyntaxErrorKind {
         )
     }
 
-    /// A fault of the code that leaves the XML around it as it is.
+    /// A fault of the code that does not affect the XML around it.
     pub(crate) fn is_local_to_code(&self) -> bool {
         !matches!(
             self,

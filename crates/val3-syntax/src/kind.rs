@@ -44,7 +44,7 @@ syntax_kinds! {
     CDATA_CLOSE,
 
     // ---- XML tokens ----
-    /// Text that belongs to no other token, of XML or code.
+    /// Text that belongs to none of the other tokens, of XML or code.
     ERROR_TOKEN,
     /// `<` of a tag.
     L_ANGLE,
@@ -257,7 +257,7 @@ syntax_kinds! {
 }
 
 impl SyntaxKind {
-    /// The kind behind a raw number of the green tree.
+    /// The kind with this raw number in the green tree.
     pub fn from_raw(raw: rowan::SyntaxKind) -> Self {
         ALL.get(usize::from(raw.0)).copied().unwrap_or(Self::ERROR_TOKEN)
     }

@@ -18,7 +18,7 @@ use crate::kind::SyntaxKind;
 /// A token: its kind, where it ends in the text, and the indentation if it is the first of its line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Token {
-    /// Byte offset just behind the token.
+    /// Byte offset after the token.
     pub(crate) end: u32,
     pub(crate) kind: SyntaxKind,
     pub(crate) indent: Indent,
@@ -69,7 +69,7 @@ struct Lexer<'t> {
     out: Lexed,
     /// Indentation of the next token that is no trivia.
     indent: Indent,
-    /// No `]]>` stands behind the current position; found out once, so that no text is searched again and again.
+    /// No `]]>` follows the current position. Determined once, so that no text is searched repeatedly.
     no_cdata_end: bool,
 }
 

@@ -42,7 +42,7 @@ pub fn parse_shared(text: Arc<str>) -> Parse {
     parse_within(text, 0)
 }
 
-/// Parses a text that stands inside of `depth` elements.
+/// Parses a text inside of `depth` elements.
 fn parse_within(text: Arc<str>, depth: u32) -> Parse {
     let lexed = lex(&text);
     let_others_go_first(&text);

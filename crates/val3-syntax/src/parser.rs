@@ -1,4 +1,4 @@
-//! The machinery of the parser: tokens in, events out, errors on the side. The grammar stands on it.
+//! The machinery of the parser: tokens in, events out, errors collected. The grammar uses it.
 
 mod input;
 mod marker;
@@ -22,7 +22,7 @@ pub(crate) const NESTING_LIMIT: u32 = 200;
 /// Blocks and elements leave at least this much of it to the expressions inside of them.
 const LEFT_TO_EXPRESSIONS: u32 = 100;
 
-/// What the grammar did, in order; the tree is built from it.
+/// The events of the grammar, in order; the tree is built from them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Event {
     /// A node starts. `parent` is the distance to a later `Start` of a node that encloses this one, 0 for none.
@@ -50,11 +50,11 @@ pub(crate) enum Matching {
 pub(crate) struct Parser<'i> {
     input: &'i Input<'i>,
     pos: usize,
-    /// The first token of the statement being read: it may stand at the start of a line.
+    /// The first token of the statement being read, which may be the first of its line.
     statement: usize,
     /// An error was reported for this statement; the rest of its line is skipped in silence.
     failed: bool,
-    /// A message tells that the text ends too early; the elements still open have nothing to add.
+    /// A fault already reports that the text ends too early, so the open elements report nothing.
     end_told: bool,
     /// Levels of nesting around the current token.
     depth: u32,
@@ -66,7 +66,7 @@ pub(crate) struct Parser<'i> {
 }
 
 impl<'i> Parser<'i> {
-    /// A parser for a text that stands inside of `depth` elements.
+    /// A parser for a text inside of `depth` elements.
     pub(crate) fn new(input: &'i Input<'i>, depth: u32) -> Self {
         Self {
             input,
@@ -102,7 +102,7 @@ impl<'i> Parser<'i> {
         self.current() == kind
     }
 
-    /// The current token if it stands on the line of the statement; `EOF` where the line has ended.
+    /// The current token if it is on the line of the statement; `EOF` if the line has ended.
     pub(crate) fn here(&self) -> SyntaxKind {
         if self.at_line_end() { EOF } else { self.current() }
     }
@@ -160,12 +160,12 @@ impl<'i> Parser<'i> {
         self.input.range(pos)
     }
 
-    /// The range of the current token and the one behind it.
+    /// The range of the current token and the following one.
     pub(crate) fn range_of_two(&self) -> TextRange {
         self.range(self.pos).cover(self.range(self.pos + 1))
     }
 
-    /// The empty range behind the last token.
+    /// The empty range after the last token.
     pub(crate) fn here_behind(&self) -> TextRange {
         TextRange::empty(self.input.range(self.pos.saturating_sub(1)).end())
     }

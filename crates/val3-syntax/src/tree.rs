@@ -1,4 +1,4 @@
-//! The tree of a text as one list: a node stands before what it holds.
+//! The tree of a text as one list: a node precedes its children.
 //!
 //! Such a list is made and given back in one piece. An entry says how long it is and not where it stands, so a stretch
 //! of entries means the same in every tree. [`View`](crate::view::View)s walk down the list; rowan's tree, in which one
@@ -93,7 +93,7 @@ impl Tree {
         Piece { tree: self, index: 0, start: TextSize::new(0) }
     }
 
-    /// The tree as rowan has it, made when somebody asks for it first.
+    /// The rowan tree, created on demand.
     pub(crate) fn green(&self) -> &GreenNode {
         self.green.get_or_init(|| {
             // Out of its lock: an edit on the way does not wait until the tree is made.
@@ -117,7 +117,7 @@ pub(crate) fn count(entries: usize) -> u32 {
     u32::try_from(entries).unwrap_or(u32::MAX)
 }
 
-/// What stands behind the last entry.
+/// The index after the last entry.
 const NOTHING: Entry = Entry { kind: SyntaxKind::EOF, len: 0, size: 0 };
 
 impl<'t> Piece<'t> {
@@ -125,7 +125,7 @@ impl<'t> Piece<'t> {
         self.tree.entries.get(self.index()).copied().unwrap_or(NOTHING)
     }
 
-    /// Where its entry stands in the list.
+    /// The index of its entry in the list.
     pub(crate) fn index(self) -> usize {
         self.index as usize
     }
@@ -140,7 +140,7 @@ impl<'t> Piece<'t> {
         self.tree.entries.get(range).unwrap_or(&[])
     }
 
-    /// Where they stand in the list.
+    /// Their range in the list.
     pub(crate) fn indexes(self) -> Range<usize> {
         self.index()..self.index() + 1 + self.entry().size as usize
     }
@@ -163,7 +163,7 @@ impl<'t> Piece<'t> {
         std::iter::successors(Some(self), move |piece| piece.children().find(holds))
     }
 
-    /// What it holds directly, in order.
+    /// Its children, in order.
     pub(crate) fn children(self) -> Children<'t> {
         let first = Piece { index: self.index + 1, ..self };
         Children { next: first, end: first.index + self.entry().size }
@@ -174,7 +174,7 @@ impl<'t> Piece<'t> {
 #[derive(Debug, Clone)]
 pub(crate) struct Children<'t> {
     next: Piece<'t>,
-    /// The index behind the last of them.
+    /// The index after the last of them.
     end: u32,
 }
 

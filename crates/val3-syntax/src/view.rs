@@ -8,11 +8,11 @@ use rowan::{NodeOrToken, TextRange, TextSize};
 use crate::kind::SyntaxKind;
 use crate::tree::Piece;
 
-/// A node and where it stands.
+/// A node and its position.
 #[derive(Debug, Clone, Copy)]
 pub struct View<'t>(Piece<'t>);
 
-/// A token and where it stands.
+/// A token and its position.
 #[derive(Debug, Clone, Copy)]
 pub struct TokenView<'t>(Piece<'t>);
 
@@ -26,7 +26,7 @@ impl<'t> View<'t> {
         self.0.kind()
     }
 
-    /// Where the node stands.
+    /// The range of the node.
     pub fn range(self) -> TextRange {
         self.0.range()
     }
@@ -77,7 +77,7 @@ impl<'t> TokenView<'t> {
         self.0.kind()
     }
 
-    /// The text as it stands in the file.
+    /// The text, in the form of the file.
     pub fn text(self) -> &'t str {
         self.0.text()
     }
@@ -87,7 +87,7 @@ impl<'t> TokenView<'t> {
         self.0.range().len() == TextSize::of(text) && self.text() == text
     }
 
-    /// Where the token stands.
+    /// The range of the token.
     pub fn range(self) -> TextRange {
         self.0.range()
     }

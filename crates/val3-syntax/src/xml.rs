@@ -17,11 +17,11 @@ pub struct Element<'g> {
 pub struct Attribute<'g> {
     /// The name with its prefix.
     pub name: &'g str,
-    /// Where the name stands.
+    /// The range of the name.
     pub name_range: TextRange,
-    /// The value as it stands in the file, without quotes.
+    /// The value in the form of the file, without quotes.
     pub raw: &'g str,
-    /// Where the value stands, without quotes.
+    /// The range of the value, without quotes.
     pub range: TextRange,
 }
 
@@ -41,12 +41,12 @@ impl<'g> Element<'g> {
         self.tag.token(SyntaxKind::XML_NAME).map_or("", TokenView::text)
     }
 
-    /// Where the start tag stands.
+    /// The range of the start tag.
     pub fn tag_range(self) -> TextRange {
         self.tag.range()
     }
 
-    /// Where the name in the start tag stands.
+    /// The range of the name in the start tag.
     pub fn name_range(self) -> TextRange {
         self.tag.token(SyntaxKind::XML_NAME).map_or(self.tag.range(), TokenView::range)
     }
@@ -110,7 +110,7 @@ impl<'g> Attribute<'g> {
     }
 }
 
-/// The blanks before what stands at `at`, if nothing else stands before it on its line.
+/// The blanks before `at`, if nothing else precedes it on its line.
 pub fn indentation(text: &str, at: TextSize) -> Option<&str> {
     let before = text.get(..usize::from(at))?;
     let line = before.rsplit(['\r', '\n']).next()?;
@@ -122,7 +122,7 @@ pub fn line_end(text: &str) -> &'static str {
     if text.contains("\r\n") { "\r\n" } else { "\n" }
 }
 
-/// The range of an entry with the line it stands on, if it has it for itself.
+/// The range of an entry, with its line if it has one of its own.
 pub fn whole_line(text: &str, range: TextRange) -> TextRange {
     let (start, end) = (usize::from(range.start()), usize::from(range.end()));
     let before = text.get(..start).unwrap_or("");

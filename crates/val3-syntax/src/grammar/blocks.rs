@@ -59,7 +59,7 @@ struct Open {
     layout: Layout,
 }
 
-/// What the indentation of a block's lines tells about its end.
+/// The end of a block according to the indentation of its lines.
 #[derive(Debug, Clone, Copy)]
 enum Layout {
     /// No line so far.
@@ -68,7 +68,7 @@ enum Layout {
     Flat,
     /// The lines are indented.
     Indented,
-    /// This is the first line that is not: the end was to stand before it.
+    /// This is the first line outside of the block: the end belongs before it.
     Dedented(TextRange),
 }
 
@@ -81,7 +81,7 @@ pub(super) struct Blocks {
     pub(super) skipped: bool,
 }
 
-/// What a keyword at the end of a run of statements means.
+/// The meaning of a keyword at the end of a run of statements.
 pub(super) enum Ending {
     /// It ends or continues the innermost block or one around it: the run of statements is over.
     Over,
@@ -141,7 +141,7 @@ impl Blocks {
         }
     }
 
-    /// What the current keyword means for the run of statements in the innermost block.
+    /// The meaning of the current keyword for the run of statements in the innermost block.
     pub(super) fn ending(&self, p: &Parser<'_>) -> Ending {
         let keyword = p.current();
         let over = match (BlockKind::of(keyword), self.open.last()) {
@@ -173,7 +173,7 @@ impl Blocks {
         }
     }
 
-    /// With indentation as a guide: the keyword stands deeper than the block it would end.
+    /// With indentation as a guide: the keyword is deeper than the block that it would end.
     fn is_misplaced(&self, p: &Parser<'_>, open: &Open) -> bool {
         p.matching == Matching::Guided && !lines_up(p, open) && p.indent(p.position()) > open.indent
     }
@@ -203,7 +203,7 @@ impl Blocks {
     }
 }
 
-/// The current keyword stands where those of the block do: below its first one, or deeper if it starts a case.
+/// The current keyword has the indentation of those of the block: below its first one, or deeper if it starts a case.
 fn lines_up(p: &Parser<'_>, open: &Open) -> bool {
     let indent = p.indent(p.position());
     indent == open.indent || indent > open.indent && matches!(p.current(), CASE_KW | DEFAULT_KW)

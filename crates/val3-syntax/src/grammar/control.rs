@@ -31,7 +31,7 @@ pub(super) fn close(p: &mut Parser<'_>, blocks: &mut Blocks, own: bool) {
     }
 }
 
-/// The branch behind which no other may stand: `else`, `default`.
+/// The last branch: `else` or `default`.
 #[derive(Default)]
 pub(super) struct Last {
     keyword: Option<TextRange>,
@@ -43,7 +43,7 @@ impl Last {
         self.keyword = self.keyword.or(Some(keyword));
     }
 
-    /// The current keyword starts another branch: a fault behind the last one, said once.
+    /// The current keyword starts another branch. A branch after the last one is a fault, which is reported once.
     pub(super) fn check(&mut self, p: &mut Parser<'_>, kind: SyntaxErrorKind) {
         if self.keyword.is_some() && !self.told {
             self.told = true;

@@ -63,7 +63,7 @@ fn atom(p: &mut Parser<'_>) -> Option<Completed> {
     }
 }
 
-/// Keywords that stand between expressions: before them an expression is missing, they are no misused name.
+/// Keywords that occur between expressions: before them an expression is missing, they are not misused names.
 fn is_separator(kind: SyntaxKind) -> bool {
     matches!(kind, AND_KW | OR_KW | XOR_KW | TO_KW | STEP_KW)
 }
@@ -126,7 +126,7 @@ fn close_bracket(p: &mut Parser<'_>, open: usize, close: SyntaxKind, missing: ch
     }
 }
 
-/// A token of `kind` stands further on this line.
+/// A token of `kind` follows on this line.
 fn is_ahead(p: &Parser<'_>, kind: SyntaxKind) -> bool {
     (p.position()..).take_while(|&at| !p.starts_line(at) && p.kind_at(at) != EOF).any(|at| p.kind_at(at) == kind)
 }
@@ -180,7 +180,7 @@ pub(super) fn argument_list(p: &mut Parser<'_>) {
     m.complete(p, ARG_LIST);
 }
 
-/// `{value, …}`: a value left out between commas stands for zero (manual 2.4.2).
+/// `{value, …}`: a value omitted between commas means zero (manual 2.4.2).
 fn struct_literal(p: &mut Parser<'_>) -> Completed {
     let m = p.start();
     let open = p.position();

@@ -34,7 +34,7 @@ fn body(p: &mut Parser<'_>) {
     behind_end(p);
 }
 
-/// The position behind the last token of the code.
+/// The position after the last token of the code.
 fn code_end(p: &Parser<'_>) -> usize {
     let mut at = p.position();
     while !matches!(p.kind_at(at), L_ANGLE_SLASH | L_ANGLE | EOF) {

@@ -78,7 +78,7 @@ impl Cases {
         }
         p.error(SyntaxErrorKind::StatementBeforeCase);
         self.any = true;
-        // What follows up to a `break` belongs to the same mistake.
+        // Statements up to a `break` belong to the same mistake.
         let m = p.start();
         blocks.push(p, BlockKind::Case, true);
         let own = inner(p, blocks);

@@ -1,4 +1,4 @@
-//! Elements and what stands in them.
+//! Elements and their contents.
 
 use super::program::code;
 use super::tags::{end_tag, start_tag, unmatched_end_tag};
@@ -90,7 +90,7 @@ fn element_inner<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>) {
     m.complete(p, ELEMENT);
 }
 
-/// What stands between the tags of the element that opened at `opened`, and its end tag.
+/// The content of the element that opened at `opened`, and its end tag.
 fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
     let mut told = names.last().is_none_or(|name| !HOLDS_ELEMENTS.contains(name));
     loop {
@@ -120,7 +120,7 @@ fn content<'i>(p: &mut Parser<'i>, names: &mut Vec<&'i str>, opened: usize) {
     }
 }
 
-/// What an end tag closes.
+/// The element that an end tag closes.
 enum EndTag {
     Mine,
     Outer,

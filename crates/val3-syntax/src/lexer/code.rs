@@ -103,7 +103,7 @@ impl Lexer<'_> {
         self.token(WHITESPACE, self.pos + len);
     }
 
-    /// A line end with all blank lines and the indentation behind it.
+    /// A line end with all following blank lines and indentation.
     fn line_break(&mut self, stretch: Stretch) {
         let bytes = self.stretch_bytes(stretch);
         let len = bytes.iter().position(|byte| !byte.is_ascii_whitespace()).unwrap_or(bytes.len());
@@ -201,7 +201,7 @@ impl Lexer<'_> {
         self.token(COMMENT, end);
     }
 
-    /// An entity reference in escaped code stands for the character it names.
+    /// An entity reference in escaped code means the character that it names.
     fn reference(&mut self, stretch: Stretch) {
         let rest = self.text.get(self.pos..stretch.end).unwrap_or("");
         let Some((character, len)) = entity::resolve(rest) else {

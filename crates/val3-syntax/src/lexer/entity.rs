@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::characters::is_allowed;
 
-/// The character that the reference at the start of `text` stands for, and the length of the reference.
+/// The character that the reference at the start of `text` means, and the length of the reference.
 /// `None` where `text` starts with no reference that XML itself defines.
 pub fn resolve(text: &str) -> Option<(char, usize)> {
     let body = text.strip_prefix('&')?;

@@ -85,7 +85,7 @@ impl Lexer<'_> {
         start + body.trim_end_matches([']', '>']).len()
     }
 
-    /// The end of a CDATA section, or what stands in its place.
+    /// The end of a CDATA section, or the text in its place.
     pub(super) fn cdata_close(&mut self) {
         let mark = self.rest().bytes().take_while(|byte| matches!(byte, b']' | b'>')).count();
         let len = if self.rest().starts_with("]]>") { 3 } else { mark };
@@ -94,7 +94,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// A start tag; behind the one of a `<Code>` comes code.
+    /// A start tag. The one of a `<Code>` is followed by code.
     fn start_tag(&mut self) {
         self.token(L_ANGLE, self.pos + 1);
         let name_end = self.pos + self.name_len();
@@ -105,7 +105,7 @@ impl Lexer<'_> {
         }
     }
 
-    /// The inside of a tag, up to and with its `>`. What does not belong there is one fault.
+    /// The inside of a tag, including its `>`. Text that does not belong there is one fault.
     fn tag(&mut self) {
         let faults = self.out.errors.len();
         while let Some(byte) = self.byte() {
@@ -204,7 +204,7 @@ impl Lexer<'_> {
         self.token(XML_TEXT, self.pos + len.max(1));
     }
 
-    /// Reports the references between two offsets that stand for nothing.
+    /// Reports the references between two offsets that have no meaning.
     pub(super) fn check_entities(&mut self, start: usize, end: usize) {
         let mut at = start;
         while let Some(step) = memchr(b'&', self.text.as_bytes().get(at..end).unwrap_or(b"")) {

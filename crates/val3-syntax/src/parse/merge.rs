@@ -57,7 +57,7 @@ fn drop_echoes(text: &str, faults: Vec<Fault>) -> Vec<SyntaxError> {
     kept
 }
 
-/// The fault stands on this line, but the lines of a block made it.
+/// The fault is on this line but caused by the lines of a block.
 fn is_about_other_lines(kind: &SyntaxErrorKind) -> bool {
     use SyntaxErrorKind::{MissingBreak, MissingEnd, UnclosedBlock, UnmatchedBlockEnd};
     matches!(kind, UnclosedBlock { .. } | UnmatchedBlockEnd { .. } | MissingBreak | MissingEnd)

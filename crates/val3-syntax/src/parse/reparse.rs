@@ -74,7 +74,7 @@ impl Parse {
         let before = self.errors.iter().filter(|error| error.range.end() <= old.start()).cloned();
         let inside = fragment.errors.iter().map(|error| shifted(error, &place));
         let behind = self.errors.iter().filter(|error| error.range.start() >= old.end());
-        // What it has to do with may stand before the edit.
+        // The cause may be before the edit.
         let by = |at| if at >= old.end() { change.moved(at) } else { at };
         before.chain(inside).chain(behind.map(|error| shifted(error, by))).collect()
     }
@@ -94,7 +94,7 @@ impl Parse {
     }
 }
 
-/// All of them are faults of code, which leave the XML around it as it is.
+/// All of them are faults of code, which do not affect the XML around it.
 fn are_local(errors: &[SyntaxError]) -> bool {
     errors.iter().all(|error| error.kind.is_local_to_code())
 }
@@ -144,7 +144,7 @@ fn has_own_tags_only(element: Piece<'_>) -> bool {
     nodes(element).all(is_own)
 }
 
-/// A fault stands on the line where `element` starts or ends.
+/// A fault is on the line where `element` starts or ends.
 fn reach_edge(text: &str, errors: &[SyntaxError], element: TextRange) -> bool {
     let (first, last) = (line_around(text, element.start()), line_around(text, element.end()));
     errors.iter().any(|error| {
@@ -176,7 +176,7 @@ mod tests {
 
     const TEXT: &str = "<a>\n<b c=\"1\"/>\n<Code><![CDATA[begin\n  x=1\nend]]></Code>\n</a>";
 
-    /// What an edit of `old` to `new` gives if the element alone is parsed again.
+    /// The result of an edit from `old` to `new` if only the element is parsed again.
     fn alone(old: &str, new: &str) -> Option<Parse> {
         let start = TextSize::try_from(TEXT.find(old).unwrap()).unwrap();
         let change = Change { range: TextRange::at(start, TextSize::of(old)), inserted: TextSize::of(new) };

@@ -1,6 +1,6 @@
 //! The lines of a block: what an edit of lines looks at, and what it puts in their place.
 //!
-//! A program may be one long block, so nothing here looks at what stands behind an edit.
+//! A program may be one long block, so nothing here reads the text after an edit.
 
 use std::ops::Range;
 use std::slice;
@@ -37,7 +37,7 @@ pub(super) fn runs_around<'p, 't>(path: &'p [Piece<'t>]) -> impl Iterator<Item =
 }
 
 impl<'p, 't> Run<'p, 't> {
-    /// The runs that stand in the last node of `path`.
+    /// The runs in the last node of `path`.
     pub(super) fn all_in_last(path: &'p [Piece<'t>]) -> impl Iterator<Item = Self> {
         let parent = path.last().filter(|node| node.kind() != SyntaxKind::BLOCK);
         let siblings: Vec<Piece<'t>> = parent.into_iter().flat_map(|parent| parent.children()).collect();
@@ -61,12 +61,12 @@ impl<'p, 't> Run<'p, 't> {
         self.before.iter().copied().chain(self.block.children()).chain(self.behind.iter().copied())
     }
 
-    /// Where it stands in the text.
+    /// Its range in the text.
     pub(super) fn range(&self) -> TextRange {
         self.lines().range()
     }
 
-    /// Where its entries stand in the list of the tree.
+    /// The range of its entries in the list of the tree.
     pub(super) fn indexes(&self) -> Range<usize> {
         self.lines().indexes()
     }
@@ -85,7 +85,7 @@ impl<'p, 't> Run<'p, 't> {
             .map(|part| self.block.entries_of_tree(part.start.max(range.start)..part.end.min(range.end)))
     }
 
-    /// The pieces from the line end before an edit to the one behind it, or in which it ends.
+    /// The pieces from the line end before an edit to the line end after it, or the one that contains its end.
     pub(super) fn lines_around(&self, edit: TextRange) -> Option<Lines<'t>> {
         let mut first = None;
         for piece in self.pieces().filter(|piece| is_line_end(*piece)) {
@@ -107,7 +107,7 @@ impl<'p, 't> Run<'p, 't> {
         let before = self.entries(&(run.start..replaced.start));
         let behind = self.entries(&(replaced.end..run.end));
         let entries: Vec<&[Entry]> = [before, new.entries(&new.indexes()), behind].concat();
-        // What is trivia has one entry, and no node ends with trivia.
+        // A trivia token has one entry, and no node ends with trivia.
         let size: usize = entries.iter().map(|stretch| stretch.len()).sum();
         let is_trivia = |entry: &&Entry| entry.kind.is_trivia();
         let leading = entries.iter().copied().flatten().take_while(is_trivia).count();
@@ -126,12 +126,12 @@ impl<'p, 't> Run<'p, 't> {
 }
 
 impl<'t> Lines<'t> {
-    /// Where they stand in the text.
+    /// Their range in the text.
     pub(super) fn range(self) -> TextRange {
         self.first.range().cover(self.last.range())
     }
 
-    /// Where their entries stand in the list of the tree.
+    /// The range of their entries in the list of the tree.
     fn indexes(self) -> Range<usize> {
         self.first.index()..self.last.indexes().end
     }

@@ -16,7 +16,7 @@ pub(crate) struct Input<'t> {
     pub(crate) looks: std::cell::Cell<usize>,
 }
 
-/// What the grammar asks of a token most often, and where to find the rest.
+/// The most used properties of a token, and the index of the others.
 #[derive(Clone, Copy)]
 struct Solid {
     kind: SyntaxKind,

@@ -3,7 +3,7 @@
 use super::{Event, Matching, Parser};
 use crate::error::SyntaxError;
 
-/// What reading some tokens gave.
+/// The result of reading some tokens.
 struct Reading {
     events: Vec<Event>,
     errors: Vec<SyntaxError>,

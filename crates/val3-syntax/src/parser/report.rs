@@ -7,7 +7,7 @@ use crate::error::{Expected, SyntaxError, SyntaxErrorKind};
 use crate::kind::SyntaxKind::EOF;
 
 impl Parser<'_> {
-    /// Reports `kind` at the current token, or behind the last one at the end of a line.
+    /// Reports `kind` at the current token, or after the last one at the end of a line.
     pub(crate) fn error(&mut self, kind: SyntaxErrorKind) {
         let behind = self.pos != self.statement && self.at_line_end();
         let range = if behind { self.here_behind() } else { self.range(self.pos) };

@@ -13,7 +13,7 @@ pub(super) fn anew(node: Piece<'_>) -> GreenNode {
     built.into_node().unwrap_or_else(|| GreenNode::new(SyntaxKind::XML_FILE.into(), []))
 }
 
-/// The rowan tree of `new`, in which everything stands again that is as in `old`, whose rowan tree is `green`.
+/// The rowan tree of `new`, which shares all unchanged parts with `green`, the rowan tree of `old`.
 pub(super) fn renewed(new: &Tree, old: &Tree, green: &GreenNode) -> GreenNode {
     let change = Change::between(&old.text, &new.text);
     with_sharing(|sharing| Renewal { sharing, change }.node(new.root(), old.root(), green))
@@ -69,7 +69,7 @@ impl Renewal<'_> {
 /// A node whose children are not complete.
 struct Open {
     kind: SyntaxKind,
-    /// The index behind its last entry.
+    /// The index after its last entry.
     end: usize,
     /// The index of its first child.
     first: usize,

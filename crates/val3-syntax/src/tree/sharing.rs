@@ -15,7 +15,7 @@ use crate::kind::SyntaxKind;
 /// A node or token of the tree without positions.
 pub(super) type Element = NodeOrToken<GreenNode, GreenToken>;
 
-/// What was built lately.
+/// Recently built nodes.
 pub(super) struct Sharing {
     /// Tokens of one byte, as every second token is, by their byte.
     bytes: Box<[Option<GreenToken>]>,
@@ -92,7 +92,7 @@ fn token_slot(kind: SyntaxKind, text: &str) -> usize {
     hasher.finish() as usize
 }
 
-/// Equal children are shared, so their addresses tell one node from another.
+/// Equal children are shared, so their addresses identify them.
 fn node_hash(kind: SyntaxKind, children: &[Element]) -> usize {
     let mut hasher = FxHasher::default();
     hasher.write_u16(kind as u16);

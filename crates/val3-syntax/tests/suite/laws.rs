@@ -1,4 +1,4 @@
-//! What holds for every text.
+//! Properties of every text.
 
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
@@ -170,7 +170,7 @@ fn edit() -> impl Strategy<Value = (Index, usize, String)> {
     (any::<Index>(), prop_oneof![Just(0_usize), 1..4_usize, 0..80_usize], insert)
 }
 
-/// Applies the edits one after the other: parsing anew and parsing again give the same.
+/// Applies the edits one after the other. Parsing from scratch and parsing again must give the same tree.
 fn check_edits(mut text: String, edits: Vec<(Index, usize, String)>) -> Result<(), TestCaseError> {
     let mut before = parse(&text);
     for (at, len, insert) in edits {

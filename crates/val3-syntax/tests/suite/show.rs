@@ -123,7 +123,7 @@ pub(crate) fn line(text: &str, error: &SyntaxError) -> String {
     format!("{} {:?}{related}\n", place(text, error.range), error.kind)
 }
 
-/// `line:column "text"`, both counted from 1; the lines from the one behind `begin`, if the file has one.
+/// `line:column "text"`, both counted from 1. Lines count from the one after `begin`, if the file has one.
 fn place(text: &str, range: TextRange) -> String {
     let start = usize::from(range.start());
     let line_start = text[..start].rfind('\n').map_or(0, |end| end + 1);
