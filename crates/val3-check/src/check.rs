@@ -14,11 +14,10 @@ use crate::cascades::without_cascades;
 use crate::diagnostic::{Diagnostic, MOST_RELATED, RelatedNote};
 use crate::fix::Site;
 use crate::lint::Program;
-use crate::one_cause::join_causes;
 use crate::rule::{Rule, Severity};
 use crate::rules::{word_problem, word_syntax};
 use crate::settings::{Settings, WorkspaceSettings};
-use crate::shared_causes::merge_causes;
+use crate::shared_causes::join_causes;
 use crate::suppression::{self, UsedComments};
 use crate::{fix, keywords, lint, related};
 

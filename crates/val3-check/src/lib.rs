@@ -25,8 +25,8 @@ pub mod testing;
 pub mod topics;
 
 pub use check::{
-    Checked, Faults, Unit, check_alone, check_faults, check_member, check_unit, finish, finish_each, is_said_once,
-    put_together, refusals, units,
+    Checked, Faults, Unit, check_faults, check_in_application, check_local, check_unit, finish, finish_each,
+    is_once_per_application, merge_findings, refusals, units,
 };
-pub use one_cause::{has_shared_cause, join_causes};
+pub use shared_causes::{has_shared_cause, join_causes};
 pub use statistics::{Statistics, statistics};

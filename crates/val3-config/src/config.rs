@@ -1,4 +1,4 @@
-//! What a `val3.toml` may say.
+//! The settings of a `val3.toml`.
 
 use std::collections::BTreeMap;
 
@@ -10,8 +10,8 @@ use val3_lang::versions::Version;
 
 use crate::{Exclude, Format, Level, Options, Run, arm, version};
 
-/// Settings of the `val3` tools for the applications below a folder. The nearest file above an application counts
-/// alone: files are never merged, and an empty one ends what the folders above it say.
+/// Settings of the `val3` tools for the applications below a folder. Only the nearest file above an application
+/// is used. Files are never merged, so an empty file cancels the settings of the folders above it.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Config {
@@ -23,25 +23,25 @@ pub struct Config {
     #[serde(with = "arm", skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
     pub arm: Option<Arm>,
-    /// The folder that `Disk://` stands for, seen from the folder of this file.
+    /// The folder of `Disk://`, relative to the folder of this file.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
     pub disk: Option<Utf8PathBuf>,
-    /// The folders that other roots of paths stand for: `{ USB0 = "usb" }`.
+    /// The folders of other roots of paths: `{ USB0 = "usb" }`.
     #[schemars(with = "BTreeMap<String, String>")]
     pub roots: BTreeMap<String, Utf8PathBuf>,
-    /// Tables of add-on instructions (`val3.<Addon>.<arm>.cfx`), besides those in the controller's `usr/app`.
+    /// Tables of add-on instructions (`val3.<Addon>.<arm>.cfx`), in addition to those in the controller's `usr/app`.
     #[schemars(with = "Vec<String>")]
     pub add_ons: Vec<Utf8PathBuf>,
-    /// Folders and files that are not checked when a search finds them. Applications still use them as libraries.
-    /// `*` stands for any part of a name, `**` for any folders.
+    /// Folders and files that a search skips. Applications can still use them as libraries. `*` matches any part of a
+    /// name, `**` any folders.
     pub exclude: Exclude,
-    /// The file with the findings that are known and not reported.
+    /// The file with the known findings, which are not reported.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<String>")]
     pub baseline: Option<Utf8PathBuf>,
     /// Levels of findings. A key is a code (V0302), a name (argument-range), the beginning of codes (V03) or all; the
-    /// most exact key counts.
+    /// most specific key applies.
     pub rules: BTreeMap<String, Level>,
     /// Options of rules.
     pub lint: Options,

@@ -8,31 +8,31 @@ use serde::Deserialize;
 use toml::de::{DeTable, DeValue, Deserializer};
 
 use crate::error::line_of;
-use crate::faults::first_fault;
 use crate::schema::schema;
+use crate::validate::{SettingError, first_error};
 use crate::{Config, ConfigError};
 
 /// The name of a configuration file.
 pub const FILE_NAME: &str = "val3.toml";
 
-/// A configuration with the file it stands in.
+/// A configuration together with its file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ConfigFile {
     /// The file.
     pub path: Utf8PathBuf,
     /// Its text.
     pub text: String,
-    /// What it says.
+    /// Its settings.
     pub config: Config,
-    /// Where each key stands (`rules.V0301`), in bytes of the text.
-    places: BTreeMap<String, Range<usize>>,
+    /// The byte range of each key (`rules.V0301`) in the text.
+    key_ranges: BTreeMap<String, Range<usize>>,
 }
 
 impl ConfigFile {
-    /// Reads `text`, which stands in the file `path`.
+    /// Reads `text`, the content of the file `path`.
     ///
     /// # Errors
-    /// If it is no TOML, has an unknown key, or a value that its key does not take: the first of these faults.
+    /// The first error if the text is not TOML, has an unknown key, or has a value that its key does not accept.
     pub fn parse(path: &Utf8Path, text: &str) -> Result<Self, ConfigError> {
         let error = |range: Range<usize>, message: String, help: String| ConfigError {
             path: path.to_owned(),
@@ -41,37 +41,37 @@ impl ConfigFile {
             message,
             help,
         };
-        let of_toml = |fault: toml::de::Error| {
-            error(fault.span().unwrap_or_default(), fault.message().trim().to_owned(), String::new())
+        let of_toml = |cause: toml::de::Error| {
+            error(cause.span().unwrap_or_default(), cause.message().trim().to_owned(), String::new())
         };
         let table = DeTable::parse(text)
-            .map_err(|fault| error(fault.span().unwrap_or_default(), no_toml(fault.message()), String::new()))?;
-        if let Some(fault) = first_fault(table.get_ref(), &schema()) {
-            return Err(error(fault.range, fault.message, fault.help));
+            .map_err(|cause| error(cause.span().unwrap_or_default(), no_toml(cause.message()), String::new()))?;
+        if let Some(SettingError { range, message, help }) = first_error(table.get_ref(), &schema()) {
+            return Err(error(range, message, help));
         }
-        let mut places = BTreeMap::new();
-        collect_places(table.get_ref(), "", &mut places);
+        let mut key_ranges = BTreeMap::new();
+        collect_key_ranges(table.get_ref(), "", &mut key_ranges);
         let config = Config::deserialize(Deserializer::from(table)).map_err(of_toml)?;
-        Ok(Self { path: path.to_owned(), text: text.to_owned(), config, places })
+        Ok(Self { path: path.to_owned(), text: text.to_owned(), config, key_ranges })
     }
 
-    /// The folder that paths in the file count from.
+    /// The folder that relative paths in the file start from.
     pub fn folder(&self) -> &Utf8Path {
         self.path.parent().unwrap_or(Utf8Path::new(""))
     }
 
-    /// The line of a key (`rules.V0301`), from 1; `None` where the file does not say it.
+    /// The line of a key (`rules.V0301`), from 1; `None` if the file does not set it.
     pub fn line(&self, key: &str) -> Option<usize> {
-        self.places.get(key).map(|place| line_of(&self.text, place.start))
+        self.key_ranges.get(key).map(|range| line_of(&self.text, range.start))
     }
 
-    /// A fault of the setting `key` that only its reader can see.
+    /// An error in the value of `key` that only the reader of the setting can detect.
     pub fn fault(&self, key: &str, message: String, help: String) -> ConfigError {
-        let range = self.places.get(key).cloned().unwrap_or_default();
+        let range = self.key_ranges.get(key).cloned().unwrap_or_default();
         ConfigError { path: self.path.clone(), text: self.text.clone(), range, message, help }
     }
 
-    /// Whether the file excludes what lies at `path` from being checked.
+    /// Whether the file excludes `path` from the check.
     pub fn excludes(&self, path: &Utf8Path) -> bool {
         path.strip_prefix(self.folder()).is_ok_and(|inside| self.config.exclude.contains(inside))
     }
@@ -81,14 +81,14 @@ fn no_toml(reason: &str) -> String {
     format!("this is not TOML: {}", reason.trim())
 }
 
-fn collect_places(table: &DeTable<'_>, path: &str, places: &mut BTreeMap<String, Range<usize>>) {
+fn collect_key_ranges(table: &DeTable<'_>, path: &str, ranges: &mut BTreeMap<String, Range<usize>>) {
     for (key, value) in table {
         let name = key.get_ref();
         let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
         if let DeValue::Table(table) = value.get_ref() {
-            collect_places(table, &path, places);
+            collect_key_ranges(table, &path, ranges);
         }
-        places.insert(path, key.span());
+        ranges.insert(path, key.span());
     }
 }
 

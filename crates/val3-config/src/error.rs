@@ -1,41 +1,41 @@
-//! What is wrong with a configuration file.
+//! Errors in a configuration file.
 
 use std::fmt;
 use std::ops::Range;
 
 use camino::Utf8PathBuf;
 
-/// A fault of a configuration file, for the person who wrote it.
+/// An error in a configuration file, with the text of the message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ConfigError {
     /// The file.
     pub path: Utf8PathBuf,
-    /// Its text; empty where it cannot be read.
+    /// Its text; empty if the file cannot be read.
     pub text: String,
-    /// Bytes of the text; empty where the whole file is meant.
+    /// The bytes of the text that the error refers to; empty for the whole file.
     pub range: Range<usize>,
-    /// What is wrong, in one sentence.
+    /// One sentence that describes the error.
     pub message: String,
-    /// What to write instead; may be empty.
+    /// A suggestion for correcting it; may be empty.
     pub help: String,
 }
 
 impl ConfigError {
-    /// The line of the fault, from 1.
+    /// The number of the line, from 1.
     pub fn line(&self) -> usize {
         line_of(&self.text, self.range.start)
     }
 
-    /// The line with the fault, and marks below the part that is meant.
+    /// The line of the error, and the marks below the range.
     fn excerpt(&self) -> Option<(&str, String)> {
         let start = self.text.floor_char_boundary(self.range.start);
         let before = self.text.get(..start)?.rsplit('\n').next()?;
         let rest = self.text.get(start..)?.lines().next().unwrap_or("");
         let line = self.text.get(start - before.len()..start + rest.len())?;
         let end = self.text.floor_char_boundary(self.range.end);
-        let meant = self.text.get(start..end)?.lines().next().unwrap_or("");
+        let marked = self.text.get(start..end)?.lines().next().unwrap_or("");
         let blanks: String = before.chars().map(|c| if c == '\t' { '\t' } else { ' ' }).collect();
-        Some((line, format!("{blanks}{}", "^".repeat(meant.chars().count().max(1)))))
+        Some((line, format!("{blanks}{}", "^".repeat(marked.chars().count().max(1)))))
     }
 }
 
@@ -56,7 +56,7 @@ impl fmt::Display for ConfigError {
 
 impl std::error::Error for ConfigError {}
 
-/// The line of an offset, from 1.
+/// The number of the line that contains a byte offset, from 1.
 pub(crate) fn line_of(text: &str, offset: usize) -> usize {
     1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }

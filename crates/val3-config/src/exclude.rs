@@ -7,7 +7,7 @@ use globset::{Glob, GlobBuilder, GlobSet, GlobSetBuilder};
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Serialize};
 
-/// Patterns for folders and files. What matches is excluded with all that lies in it.
+/// Patterns for folders and files. An excluded folder includes everything below it.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
 #[serde(try_from = "Vec<String>", into = "Vec<String>")]
 pub struct Exclude {
@@ -16,12 +16,12 @@ pub struct Exclude {
 }
 
 impl Exclude {
-    /// Nothing is excluded.
+    /// Whether nothing is excluded.
     pub fn is_empty(&self) -> bool {
         self.patterns.is_empty()
     }
 
-    /// Whether `path`, seen from the folder of the configuration, or a folder around it matches.
+    /// Whether `path`, relative to the folder of the configuration, or a folder around it matches.
     pub fn contains(&self, path: &Utf8Path) -> bool {
         let inside = |path: &&Utf8Path| !path.as_str().is_empty();
         !self.is_empty() && path.ancestors().take_while(inside).any(|path| self.set.is_match(path))
@@ -47,7 +47,7 @@ impl TryFrom<Vec<String>> for Exclude {
     }
 }
 
-/// `old/**`, `old/` and `./old` mean the same: the folder with all that lies in it.
+/// `old/**`, `old/` and `./old` mean the same: the folder and everything below it.
 fn glob(pattern: &str) -> Result<Glob, String> {
     let path = pattern.strip_prefix("./").unwrap_or(pattern);
     let folder = path.strip_suffix("/**").unwrap_or(path).trim_end_matches('/');

@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Format {
-    /// What lines are indented with, "space" or "tab". Without it `.editorconfig` counts, then "space".
+    /// The indentation character, "space" or "tab". The default is that of `.editorconfig`, otherwise "space".
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "IndentStyle")]
     pub indent_style: Option<IndentStyle>,
-    /// Blanks of one level. Without it `.editorconfig` counts, then 2.
+    /// The number of blanks of one level. The default is that of `.editorconfig`, otherwise 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "u8")]
     pub indent_size: Option<u8>,
@@ -19,24 +19,24 @@ pub struct Format {
     pub blanks_around_assignment: bool,
     /// A blank on both sides of `+`, `==` and the other operators; `and`, `or` and `xor` always have them.
     pub blanks_around_operators: bool,
-    /// A blank behind `,`.
+    /// A blank after `,`.
     pub blank_after_comma: bool,
-    /// The most blank lines in a row.
+    /// The largest number of consecutive blank lines.
     pub blank_lines: usize,
 }
 
-/// What lines are indented with.
+/// The indentation character.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum IndentStyle {
     /// Blanks.
     Space,
-    /// One tab a level.
+    /// One tab for each level.
     Tab,
 }
 
-/// What most programs look like, and what the vendor's editor writes.
+/// The layout of most programs and of the vendor's editor.
 impl Default for Format {
     fn default() -> Self {
         Self {

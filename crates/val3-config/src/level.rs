@@ -1,18 +1,18 @@
-//! What the findings of a rule count as.
+//! The level of the findings of a rule.
 
 use std::fmt;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What the findings of a rule count as.
+/// The level of the findings of a rule.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
 pub enum Level {
     /// They are not reported.
     Off,
-    /// The rule's own level, also where the rule is off until it is asked for.
+    /// The rule's own level, or the level it would have if it were not off by default.
     On,
     /// Advice.
     Info,
@@ -20,7 +20,7 @@ pub enum Level {
     Warning,
     /// The check fails.
     Error,
-    /// As if nothing were said.
+    /// The same as no setting.
     Default,
 }
 

@@ -1,20 +1,20 @@
-//! The configuration file `val3.toml`: what it may say, where each setting stands, and its JSON schema.
+//! The configuration file `val3.toml`: its settings, the line of each setting, and the JSON schema.
 //!
-//! [`Config`] is the one description: the reader, the schema, the messages about wrong settings and the list that
-//! `val3 check --explain-config` prints are all derived from it. Nothing here reads a file.
+//! [`Config`] is the only description. The reader, the schema, the messages about wrong settings and the list that
+//! `val3 check --explain-config` prints are all derived from it. This crate reads no files.
 
 mod arm;
 mod config;
 mod config_file;
 mod error;
 mod exclude;
-mod faults;
 mod format;
 mod level;
 mod options;
 mod run;
 mod schema;
 mod setting;
+mod validate;
 mod version;
 
 pub use config::Config;

@@ -9,24 +9,24 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Options {
-    /// The most characters a line of code may have.
+    /// The largest number of characters in a line of code.
     pub line_length: usize,
-    /// The most parameters of a program.
+    /// The largest number of parameters of a program.
     pub parameters: usize,
-    /// The most ways through one program that are easy to follow: 1, and one more for each `if`, `elseIf`, loop,
-    /// `case`, `and` and `or`.
+    /// The largest complexity of a program. The complexity is 1 plus 1 for each `if`, `elseIf`, loop, `case`, `and`
+    /// and `or`.
     pub complexity: usize,
-    /// Programs that are called from outside of the code, and so are never without use.
+    /// Programs that are called from outside the code, so that they always count as used.
     pub entry_points: Vec<String>,
-    /// Beginnings of the names of further such programs.
+    /// Prefixes of the names of further entry points.
     pub entry_prefixes: Vec<String>,
-    /// How names of global data begin, by type: `num = "n"`. A user type is asked by its own name. Types that are
-    /// absent may have any name.
+    /// The prefix of the names of global data, by type: `num = "n"`. The key of a user type is its name. Data of
+    /// other types can have any name.
     pub prefixes: BTreeMap<String, String>,
-    /// What stands before the prefix of the type in names of local variables: with "l_", a local `num` is called
-    /// `l_nCount`.
+    /// The text before the prefix of the type in names of local variables: with "l_", the name of a local `num` is
+    /// `l_nCount`, for example.
     pub local_prefix: String,
-    /// What stands before the prefix of the type in names of parameters.
+    /// The text before the prefix of the type in names of parameters.
     pub parameter_prefix: String,
     /// Words in comments that mark work to be done, in any letter case.
     pub task_words: Vec<String>,

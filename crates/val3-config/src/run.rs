@@ -5,29 +5,31 @@ use std::collections::BTreeMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// The controller that `val3 run` executes applications on: the table `[run]`. Arguments of the command win.
+/// The controller that `val3 run` executes applications on: the table `[run]`. Arguments of the command
+/// take precedence.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields, default)]
 pub struct Run {
-    /// What serial lines and sockets are connected to, by their links: `{ 'Socket\host' = "server:2000" }`.
+    /// The connections of serial lines and sockets, by link: `{ 'Socket\host' = "server:2000" }`.
     pub lines: BTreeMap<String, String>,
-    /// Sockets reach other machines and are reached by them. Without it every address means this machine.
+    /// Whether sockets can connect to other machines and accept connections from them. If not, every address means
+    /// this machine.
     pub network: bool,
-    /// What a line of code takes on the controller's clock, in microseconds; without it 2.
+    /// The time that a line of code takes on the controller, in microseconds; the default is 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "f64")]
     pub line_cost: Option<f64>,
-    /// The monitor speed at the start, 0 to 100 per cent; without it 100.
+    /// The monitor speed at the start, 0 to 100 per cent; the default is 100.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "u8", range(max = 100))]
     pub monitor_speed: Option<u8>,
-    /// The user profile that is active at the start; without it `default`.
+    /// The user profile that is active at the start; the default is `default`.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(with = "String")]
     pub profile: Option<String>,
-    /// User profiles that programs may choose, besides `default`.
+    /// User profiles that programs can choose, in addition to `default`.
     pub profiles: BTreeMap<String, Profile>,
-    /// Licences that are not as usual: `{ alter = "demo", compliance = "missing" }`.
+    /// Licences that differ from those of a usual controller: `{ alter = "demo", compliance = "missing" }`.
     pub licences: BTreeMap<String, Licence>,
 }
 
@@ -38,7 +40,7 @@ pub struct Run {
 pub struct Profile {
     /// Its password.
     pub password: String,
-    /// The operator may change the monitor speed, so that programs cannot raise it.
+    /// Whether the operator controls the monitor speed. Programs then cannot increase it.
     pub controls_speed: bool,
 }
 
@@ -49,8 +51,8 @@ pub struct Profile {
 pub enum Licence {
     /// It is installed.
     Enabled,
-    /// It may be used for a while.
+    /// It can be used for a limited time.
     Demo,
-    /// It is not there, or its time is over.
+    /// It is not installed, or it has expired.
     Missing,
 }

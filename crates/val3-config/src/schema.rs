@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use crate::Config;
 
-/// The schema as text, with a line end behind it. Editors take it from `editors/schema/val3.schema.json`.
+/// The schema as text, with a final newline. Editors read it from `editors/schema/val3.schema.json`.
 pub fn json_schema() -> String {
     let mut schema = schema();
     if let Some(object) = schema.as_object_mut() {
@@ -14,9 +14,9 @@ pub fn json_schema() -> String {
     format!("{schema:#}\n")
 }
 
-/// The schema of the whole file, without references to other parts of it.
+/// The schema of the whole file, with all parts inlined.
 pub(crate) fn schema() -> Value {
-    // Draft 7 is the one that TOML editors read.
+    // TOML editors support draft 7.
     let settings = SchemaSettings::draft07().with(|settings| settings.inline_subschemas = true);
     settings.into_generator().into_root_schema_for::<Config>().to_value()
 }
@@ -27,12 +27,12 @@ pub(crate) fn property<'s>(schema: &'s Value, key: &str) -> Option<&'s Value> {
     named.or_else(|| schema.get("additionalProperties").filter(|any| any.is_object()))
 }
 
-/// The keys that have a name.
+/// The keys that are declared by name.
 pub(crate) fn keys(schema: &Value) -> impl Iterator<Item = &str> {
     schema.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(key, _)| key.as_str())
 }
 
-/// Whether a value may be of this type (`string`, `integer`, `number`, `boolean`, `array`, `object`).
+/// Whether the schema accepts this type (`string`, `integer`, `number`, `boolean`, `array`, `object`).
 pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
     match schema.get("type") {
         Some(Value::String(only)) => only == ty || (only == "number" && ty == "integer"),
@@ -41,7 +41,7 @@ pub(crate) fn takes(schema: &Value, ty: &str) -> bool {
     }
 }
 
-/// The words that a value is chosen from; empty where any is taken.
+/// The words that the schema accepts; empty if it accepts any.
 pub(crate) fn choices(schema: &Value) -> Vec<&str> {
     let listed = schema.get("enum").and_then(Value::as_array).into_iter().flatten().filter_map(Value::as_str);
     let described = schema.get("oneOf").and_then(Value::as_array).into_iter().flatten();
@@ -55,7 +55,7 @@ mod tests {
 
     use super::*;
 
-    /// `UPDATE_EXPECT=1 cargo test -p val3-config` writes the file anew.
+    /// `UPDATE_EXPECT=1 cargo test -p val3-config` updates the file.
     #[test]
     fn the_shipped_schema_is_this_one() {
         expect_file!["../../../editors/schema/val3.schema.json"].assert_eq(&json_schema());

@@ -1,22 +1,22 @@
-//! The settings one by one, each with its value and the line that says it.
+//! A list of all settings, each with its value and its line.
 
 use serde_json::Value;
 
 use crate::schema::{property, schema};
 use crate::{Config, ConfigFile};
 
-/// One setting.
+/// A setting with its value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Setting {
     /// `lint.line-length`
     pub key: String,
-    /// The value as TOML writes it; empty where none is set.
+    /// The value as TOML writes it; empty if it has none.
     pub value: String,
-    /// The line of the file that says it, from 1; `None` for a default.
+    /// The line of the file that sets it, from 1; `None` for a default.
     pub line: Option<usize>,
 }
 
-/// Every setting, tables last; `None` stands for no file at all.
+/// All settings, tables last. Without a file all have their defaults.
 pub fn settings(file: Option<&ConfigFile>) -> Vec<Setting> {
     let default = ConfigFile::default();
     let file = file.unwrap_or(&default);
@@ -34,7 +34,7 @@ fn collect(file: &ConfigFile, schema: &Value, value: &Value, path: &str, found: 
     let named = schema.get("properties").and_then(Value::as_object).into_iter().flatten().map(|(key, _)| key);
     let given = value.as_object().into_iter().flatten().map(|(key, _)| key);
     let mut keys: Vec<&String> = named.chain(given).collect();
-    // Tables stand behind the single values, as in a TOML file.
+    // Tables follow the single values, as in a TOML file.
     keys.sort_by_key(|key| (property(schema, key).is_some_and(is_table), *key));
     keys.dedup();
     for key in keys {

@@ -6,8 +6,8 @@ use val3_analysis::db::{Db, File, Project};
 use val3_check::diagnostic::Diagnostic;
 use val3_check::settings::WorkspaceSettings;
 use val3_check::{
-    Checked, Faults, Unit, check_alone, check_faults, check_member, finish_each, has_shared_cause, is_said_once,
-    join_causes, put_together, units,
+    Checked, Faults, Unit, check_faults, check_in_application, check_local, finish_each, has_shared_cause,
+    is_once_per_application, join_causes, merge_findings, units,
 };
 
 /// What every application is checked for.
@@ -74,7 +74,8 @@ pub fn program_diagnostics(
     let checked: Checked = units.iter().map(|unit| checked(db, settings, *unit).clone()).sum();
     let mut found = finish_each(db, &units, settings.settings(db), checked).findings;
     found.retain(|finding| finding.place.file == file);
-    let depends_on_others = |finding: &Diagnostic| is_said_once(finding.rule) || has_shared_cause(db, finding);
+    let depends_on_others =
+        |finding: &Diagnostic| is_once_per_application(finding.rule) || has_shared_cause(db, finding);
     (!found.iter().any(depends_on_others)).then_some(found)
 }
 

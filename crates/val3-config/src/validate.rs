@@ -1,4 +1,4 @@
-//! Settings that the schema does not allow: unknown keys and values of a wrong type, each with its place.
+//! Validation of a configuration against the schema: unknown keys and values of a wrong type.
 
 use std::ops::Range;
 
@@ -10,52 +10,52 @@ use crate::schema::{choices, keys, property, takes};
 
 /// A setting that is not allowed.
 #[derive(Debug, PartialEq, Eq)]
-pub(crate) struct Fault {
+pub(crate) struct SettingError {
     pub(crate) range: Range<usize>,
     pub(crate) message: String,
     pub(crate) help: String,
 }
 
-/// The first fault of `table` in the order of the text.
-pub(crate) fn first_fault(table: &DeTable<'_>, schema: &Value) -> Option<Fault> {
-    let mut faults = Vec::new();
-    of_table(table, schema, "", &mut faults);
-    faults.into_iter().min_by_key(|fault| fault.range.start)
+/// The first error of `table` in the order of the text.
+pub(crate) fn first_error(table: &DeTable<'_>, schema: &Value) -> Option<SettingError> {
+    let mut errors = Vec::new();
+    validate_table(table, schema, "", &mut errors);
+    errors.into_iter().min_by_key(|error| error.range.start)
 }
 
-fn of_table(table: &DeTable<'_>, schema: &Value, path: &str, faults: &mut Vec<Fault>) {
+fn validate_table(table: &DeTable<'_>, schema: &Value, path: &str, errors: &mut Vec<SettingError>) {
     for (key, value) in table {
         let name = key.get_ref();
         let path = if path.is_empty() { name.to_string() } else { format!("{path}.{name}") };
         match property(schema, name) {
-            Some(schema) => of_value(value, schema, &path, faults),
-            None => faults.push(unknown_key(name, key.span(), &path, schema)),
+            Some(schema) => validate_value(value, schema, &path, errors),
+            None => errors.push(unknown_key(name, key.span(), &path, schema)),
         }
     }
 }
 
-fn of_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, faults: &mut Vec<Fault>) {
+fn validate_value(value: &Spanned<DeValue<'_>>, schema: &Value, path: &str, errors: &mut Vec<SettingError>) {
     let ty = type_of(value.get_ref());
     if !takes(schema, ty) {
         let message = format!("{} must be {}, and this is {}", quoted(path), expected(schema), article(ty));
-        return faults.push(Fault { range: value.span(), message, help: String::new() });
+        return errors.push(SettingError { range: value.span(), message, help: String::new() });
     }
     match value.get_ref() {
-        DeValue::Table(table) => of_table(table, schema, path, faults),
+        DeValue::Table(table) => validate_table(table, schema, path, errors),
         DeValue::Array(values) => {
             let Some(items) = schema.get("items") else { return };
-            values.iter().for_each(|value| of_value(value, items, &format!("{path}[]"), faults));
+            values.iter().for_each(|value| validate_value(value, items, &format!("{path}[]"), errors));
         }
-        DeValue::String(word) => faults.extend(unknown_word(word, value.span(), schema, path)),
+        DeValue::String(word) => errors.extend(unknown_word(word, value.span(), schema, path)),
         DeValue::Integer(number) if number.as_str().starts_with('-') => {
             let message = format!("{} cannot be negative", quoted(path));
-            faults.push(Fault { range: value.span(), message, help: String::new() });
+            errors.push(SettingError { range: value.span(), message, help: String::new() });
         }
         _ => {}
     }
 }
 
-/// The name of a setting in a message; `exclude[]` stands for the entries of a list.
+/// The name of a setting in a message; `exclude[]` means the entries of a list.
 fn quoted(path: &str) -> String {
     match path.strip_suffix("[]") {
         Some(list) => format!("each entry of `{list}`"),
@@ -63,15 +63,15 @@ fn quoted(path: &str) -> String {
     }
 }
 
-fn unknown_key(name: &str, range: Range<usize>, path: &str, schema: &Value) -> Fault {
+fn unknown_key(name: &str, range: Range<usize>, path: &str, schema: &Value) -> SettingError {
     let help = match nearest(name, keys(schema)) {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("known here: {}", keys(schema).collect::<Vec<_>>().join(", ")),
     };
-    Fault { range, message: format!("there is no setting `{path}`"), help }
+    SettingError { range, message: format!("there is no setting `{path}`"), help }
 }
 
-fn unknown_word(word: &str, range: Range<usize>, schema: &Value, path: &str) -> Option<Fault> {
+fn unknown_word(word: &str, range: Range<usize>, schema: &Value, path: &str) -> Option<SettingError> {
     let choices = choices(schema);
     if choices.is_empty() || choices.contains(&word) {
         return None;
@@ -80,10 +80,14 @@ fn unknown_word(word: &str, range: Range<usize>, schema: &Value, path: &str) -> 
         Some(near) => format!("did you mean \"{near}\"?"),
         None => String::new(),
     };
-    Some(Fault { range, message: format!("{} must be {}, not \"{word}\"", quoted(path), expected(schema)), help })
+    Some(SettingError {
+        range,
+        message: format!("{} must be {}, not \"{word}\"", quoted(path), expected(schema)),
+        help,
+    })
 }
 
-/// The words for what a setting takes.
+/// The part of a message that lists what a setting accepts.
 fn expected(schema: &Value) -> String {
     let choices = choices(schema);
     if !choices.is_empty() {
@@ -118,7 +122,7 @@ fn article(ty: &str) -> &'static str {
     }
 }
 
-/// The word that was probably meant.
+/// The candidate that is most similar to `word`, if any is similar enough.
 pub(crate) fn nearest<'w>(word: &str, words: impl Iterator<Item = &'w str>) -> Option<&'w str> {
     let limit = (word.chars().count() / 3).clamp(1, 3);
     let near = words.map(|other| (strsim::osa_distance(&word.to_lowercase().replace('_', "-"), other), other));
