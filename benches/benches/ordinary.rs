@@ -23,7 +23,7 @@ use val3_analysis::items::project::folder;
 use val3_analysis::load::{Workspace, load};
 use val3_analysis::system::Disk;
 use val3_bytecode::Image;
-use val3_machine::controller::{Controller, Step};
+use val3_machine::controller::{Controller, Outcome};
 use val3_machine::devices::{Devices, Libraries};
 use val3_machine::event::What;
 use val3_machine::files::{ControllerPath, LibraryFiles, Roots};
@@ -151,7 +151,7 @@ fn run(images: &BTreeMap<String, Arc<Image>>, application: &Application) -> Stri
     controller.start("start").expect("a program start");
     let mut printed = String::new();
     loop {
-        let step = controller.step();
+        let outcome = controller.step();
         for event in controller.devices.take_events() {
             match event.what {
                 What::Print { text } => printed = text,
@@ -159,11 +159,12 @@ fn run(images: &BTreeMap<String, Arc<Image>>, application: &Application) -> Stri
                 _ => {}
             }
         }
-        match step {
-            Step::Finished => return printed,
-            Step::Idle(Some(wake)) => controller.jump(wake),
-            Step::Idle(None) | Step::Stuck | Step::Lacking => panic!("the program does not end"),
-            Step::Busy => {}
+        match outcome {
+            Outcome::Finished => return printed,
+            Outcome::Waiting(Some(wake)) => controller.jump(wake),
+            Outcome::Waiting(None) => panic!("the program does not end"),
+            outcome if outcome.is_final() => panic!("the program ends with {outcome:?}"),
+            _ => {}
         }
     }
 }
