@@ -128,7 +128,7 @@ fn a_run_refuses_what_its_settings_do_not_take() {
     for (config, word) in [
         ("run.line-cost = 0", "a line cannot take 0 µs"),
         ("run.monitor-speed = 101", "the monitor speed cannot be 101 %"),
-        ("[run.lines]\n'Socket\\host' = \"sever:1\"", "`sever:1` is nothing"),
+        ("[run.lines]\n'Socket\\host' = \"sever:1\"", "cannot be connected to `sever:1`"),
         ("run.lines = 3", "`run.lines` must be a table"),
         ("run.licences.alter = \"trial\"", "must be one of enabled, demo, missing"),
     ] {

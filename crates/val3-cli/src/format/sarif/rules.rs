@@ -60,7 +60,7 @@ mod tests {
     fn a_rule_is_described() {
         let table = Rules::of(&sample::report()).descriptors();
         assert_eq!(table[0].short_description.text, "A name is used that is not declared.");
-        assert!(table[0].full_description.text.starts_with("A name in code stands for"));
+        assert!(table[0].full_description.text.starts_with("A name in code means"));
         assert!(table[0].help.markdown.contains("\n## Bad\n"));
     }
 }
