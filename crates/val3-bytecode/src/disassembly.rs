@@ -97,7 +97,7 @@ fn text(operand: TextOperand) -> String {
 
 const ONE_NUM: Lanes = Lanes::nums(1);
 
-/// What is shown of a value whose type is not known.
+/// The lanes shown for a value of unknown type.
 const ALL: Lanes = Lanes { num: 1, text: 1, link: 1, part: 0 };
 
 /// The lanes of an operand that a value of this size uses.

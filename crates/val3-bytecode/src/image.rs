@@ -1,4 +1,4 @@
-//! An application or library as it is loaded.
+//! The loadable form of an application or library.
 
 use std::sync::Arc;
 
@@ -20,7 +20,7 @@ pub struct Image {
     pub files: Vec<String>,
     /// The version it is written for.
     pub version: Version,
-    /// What it counts lengths in.
+    /// The unit of its lengths.
     pub unit: LengthUnit,
     /// Bytes of stack of each task.
     pub stack_size: u32,
@@ -32,7 +32,7 @@ pub struct Image {
     pub programs: Vec<Program>,
     /// Library identifiers.
     pub libraries: Vec<LibraryDef>,
-    /// What it uses of libraries, and what else their interfaces promise.
+    /// The items of libraries that it uses or that their interfaces promise.
     pub imports: Vec<Import>,
 }
 
@@ -41,7 +41,7 @@ pub struct Image {
 pub struct DataDef {
     /// The name.
     pub name: String,
-    /// Other applications may use it.
+    /// Whether other applications may use it.
     pub public: bool,
     /// Type, container and values at the start.
     pub init: PartInit,
@@ -58,18 +58,19 @@ pub struct LinkInit {
     pub value: u32,
     /// The number of the link among those of the value.
     pub link: u32,
-    /// What it is linked to.
+    /// The target of the link.
     pub target: LinkTarget,
 }
 
-/// What a value is linked to.
+/// The target of a link.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LinkTarget {
     /// An input, output or line, by type and path as the file writes it (`BasicIO-1\%I0`).
     Port(BaseType, String),
     /// A frame or tool.
     Father(FatherLink),
-    /// The input or output that a `dio` stands for; else the one of its name (the gripper of s5 and s6).
+    /// The input or output that a `dio` is linked to; without a link, the one of the same name (the gripper of s5 and
+    /// s6).
     Signal(FatherLink),
 }
 
@@ -93,29 +94,29 @@ pub struct LibraryDef {
     pub alias: String,
     /// The path of the interface as the project writes it.
     pub path: String,
-    /// It is loaded with the application.
+    /// Whether it is loaded with the application.
     pub autoload: bool,
 }
 
-/// What an application expects of a library.
+/// An item that an application expects of a library.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Import {
     /// The library identifier, by number.
     pub library: u16,
     /// The name of the data or program.
     pub name: String,
-    /// What it has to be.
+    /// The required kind of item.
     pub kind: ImportKind,
 }
 
-/// What an import has to be.
+/// The required kind of an imported item.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ImportKind {
     /// Data of this type.
     Data(Arc<Kind>, Container),
     /// A program with these parameters: type, container, by reference.
     Program(Vec<(Arc<Kind>, Container, bool)>),
-    /// The interface does not have the item: it is in no library.
+    /// The interface lacks the item, so no library has it.
     Missing,
 }
 
@@ -126,7 +127,7 @@ impl Image {
         self.programs.iter().position(|program| program.name == name).and_then(|at| u16::try_from(at).ok())
     }
 
-    /// Bytes of its programs in memory, as far as they grow with the code.
+    /// Bytes of its programs in memory, as far as they depend on the size of the code.
     #[must_use]
     pub fn code_bytes(&self) -> u64 {
         let bytes =

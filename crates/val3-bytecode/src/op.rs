@@ -10,9 +10,9 @@ pub type Register = u16;
 /// An operation in the code of a program.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Operation {
-    /// What it does.
+    /// The operation.
     pub op: Op,
-    /// An instruction line begins with it. The scheduler counts lines, and a turn ends between two of them.
+    /// Whether an instruction line begins with it. The scheduler counts lines, and a turn ends between two of them.
     pub begins_line: bool,
 }
 

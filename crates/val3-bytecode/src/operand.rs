@@ -1,4 +1,4 @@
-//! What operations work on: containers, texts and values, by where they are.
+//! Operands: containers, texts and values, by their locations.
 
 use val3_lang::memory::{self, Lanes};
 
@@ -136,7 +136,7 @@ pub enum Operand {
     Place(Register, Lanes),
 }
 
-/// Which value of a container is meant, with indexes and keys where the code has computed them.
+/// Selects a value of a container, with the registers that hold its indexes or its key.
 pub type Subscript = memory::Subscript<Register, TextOperand>;
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use crate::{CallSite, CopySite, InstructionSite, Op, Operation, TaskSite};
 pub struct Program {
     /// Its name.
     pub name: String,
-    /// Other applications may call it.
+    /// Whether other applications may call it.
     pub public: bool,
     /// Its file, by its number in [`Image::files`](crate::Image::files).
     pub file: u32,
@@ -23,10 +23,10 @@ pub struct Program {
     pub variables: Vec<Variable>,
     /// The lanes of a frame.
     pub frame: FrameSize,
-    /// What a call takes of the stack that the project declares (2.1.4.2), in bytes: the return, the parameters and
-    /// the locals.
+    /// Bytes that a call takes from the stack that the project declares (2.1.4.2): the return, the parameters and the
+    /// locals.
     pub stack_bytes: u32,
-    /// The numbers of a new frame, as many as it has: defaults of locals, constants, and 0 for all others.
+    /// The numbers of a new frame: defaults of locals, constants, and 0 for all others.
     pub nums: Vec<f64>,
     /// The containers of a new frame: local arrays, and values of user types.
     pub parts: Vec<PartInit>,
@@ -101,30 +101,30 @@ pub struct Param {
 pub struct SourceRange {
     /// The first byte.
     pub start: u32,
-    /// The byte behind the last.
+    /// The byte after the last.
     pub end: u32,
 }
 
 /// An instruction line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SourceLine {
-    /// Its first step.
+    /// Its first operation.
     pub op: u32,
-    /// Where it stands in the file.
+    /// Its range in the file.
     pub range: SourceRange,
     /// The line of the file, from 1.
     pub row: u32,
 }
 
 impl Program {
-    /// Its frame has neither links nor containers, so that nothing has to be dropped when the program ends.
+    /// Whether its frame has neither links nor containers, so that nothing has to be dropped when the program ends.
     #[must_use]
     pub fn is_plain(&self) -> bool {
         let Lanes { link, part, .. } = self.frame.lanes;
         [link, part] == [0; 2]
     }
 
-    /// The line that a step belongs to, by its number in [`lines`](Self::lines).
+    /// The line that an operation belongs to, by its number in [`lines`](Self::lines).
     ///
     /// The next round of a `for` belongs to the line with its head.
     #[must_use]

@@ -41,7 +41,7 @@ pub enum ArgumentSite {
 pub struct InstructionSite {
     /// Its name, for messages.
     pub name: Cow<'static, str>,
-    /// What it does; `None` where the controller does not have it.
+    /// Its function; `None` where the controller does not have it.
     pub run: Option<Handler>,
     /// Its arguments.
     pub arguments: Vec<ArgumentSite>,
@@ -49,7 +49,7 @@ pub struct InstructionSite {
     pub result: Option<(Operand, BaseType)>,
 }
 
-/// The function behind a form of an instruction, or behind an operator on structured values.
+/// The function that executes a form of an instruction, or an operator on structured values.
 #[derive(Debug, Clone, Copy)]
 pub struct Handler(pub Run);
 
@@ -67,7 +67,7 @@ impl InstructionSite {
         Self { name: instruction.name.into(), run: form.run.map(Handler), arguments: Vec::new(), result: None }
     }
 
-    /// What a name of no form stands for: an operator, or an instruction that only an add-on has.
+    /// The call of a name without a form: an operator, or an instruction that only an add-on has.
     #[must_use]
     pub fn named(name: impl Into<Cow<'static, str>>, run: Option<Run>) -> Self {
         Self { name: name.into(), run: run.map(Handler), arguments: Vec::new(), result: None }
@@ -90,12 +90,12 @@ pub struct CallSite {
     pub program: ProgramRef,
     /// One argument for each parameter.
     pub arguments: Vec<ArgumentSite>,
-    /// The same in a quicker form: for a program of this application whose frame is
-    /// [plain](crate::Program::is_plain), with no argument that is a structure or a user type.
+    /// The same in a faster form, for a program of this application with a [plain](crate::Program::is_plain) frame and
+    /// without arguments that are structures or of a user type.
     pub passes: Option<Vec<Pass>>,
 }
 
-/// What a call does for one parameter.
+/// The transfer of one argument to its parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pass {
     /// Copies a number from the frame of the caller to that of the program.
@@ -115,8 +115,8 @@ pub struct TaskSite {
     pub name: TextOperand,
     /// The number with its priority, or its period in seconds.
     pub rate: Register,
-    /// Of a synchronous task, the variable that tells of overruns.
+    /// For a synchronous task, the variable that reports overruns.
     pub overrun: Option<Operand>,
-    /// What it executes.
+    /// The program that it executes.
     pub call: CallSite,
 }
