@@ -1,4 +1,4 @@
-//! An application that has been read: what the compiler says of it, its image, its controller.
+//! An opened application: its refusals, its image, its controller.
 
 use std::sync::Arc;
 

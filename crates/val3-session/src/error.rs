@@ -7,7 +7,8 @@ use val3_analysis::load::LoadError;
 use val3_compile::CompileError;
 use val3_lang::memory::MEMORY;
 
-/// A reason why an application cannot be opened. `Display` says what is wrong and where, [`help`](Self::help) what to do.
+/// A reason why an application cannot be opened. `Display` names the fault and its place, [`help`](Self::help) the
+/// remedy.
 #[derive(Debug)]
 pub enum SessionError {
     /// A path holds no application, or a `val3.toml` is at fault.
@@ -19,23 +20,23 @@ pub enum SessionError {
         /// The names of their folders.
         applications: Vec<String>,
     },
-    /// A setting has a value that it does not take. The message names its place.
+    /// A setting has a value that it does not accept. The message names its place.
     Setting {
-        /// What is wrong.
+        /// The fault.
         message: String,
-        /// What to do; may be empty.
+        /// The remedy; may be empty.
         help: String,
     },
     /// A folder cannot be opened.
     Folder {
-        /// The root that it stands for, without `://`.
+        /// The root of paths, without `://`.
         root: String,
         /// The folder.
         folder: Utf8PathBuf,
         /// The reason of the system.
         reason: String,
     },
-    /// A serial line or socket does not take its configuration.
+    /// A serial line or socket does not accept its configuration.
     Line {
         /// Its name in the cell: `Socket\host`.
         link: String,
@@ -62,15 +63,15 @@ pub enum SessionError {
     Limit(CompileError),
     /// A variable is declared wrongly, or the application has faults that keep variables from being declared.
     Variables {
-        /// What is wrong.
+        /// The fault.
         message: String,
-        /// What to do; may be empty.
+        /// The remedy; may be empty.
         help: String,
     },
 }
 
 impl SessionError {
-    /// What to do about it; may be empty.
+    /// The remedy; may be empty.
     pub fn help(&self) -> String {
         match self {
             Self::Load(_) => String::new(),

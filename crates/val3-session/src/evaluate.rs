@@ -35,7 +35,7 @@ use execution::Execution;
 use sources::{BEFORE, NAME};
 use variable::Variable;
 
-/// The program that runs first, which tells an application from a library.
+/// The program that runs first. Applications have it, libraries do not.
 const START: &str = "start";
 
 /// The file with the variables of the texts.
@@ -116,7 +116,7 @@ impl Evaluator {
         self.data.contains(name) || self.variables.iter().any(|variable| variable.name() == name)
     }
 
-    /// Set by the caller, for example on Ctrl-C, it ends the text that is being executed.
+    /// The flag that ends the text that is being executed. The caller sets it, for example on Ctrl-C.
     pub fn interrupt(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.execution.interrupt)
     }
@@ -196,7 +196,8 @@ impl Evaluator {
         }
     }
 
-    /// The sort of a text: an expression by itself is a line without effect.
+    /// The sort of a text. A single expression with a value is an expression, because it would have no effect as a
+    /// statement.
     fn classify(&mut self, text: &str) -> Text {
         self.set_code(text);
         let Some(file) = self.program() else { return Text::Statement };

@@ -10,7 +10,7 @@ use val3_machine::files::{ControllerPath, LibraryFiles};
 
 use crate::application::Application;
 
-/// Most compiled libraries that are kept: a program may save a library under ever new names.
+/// Maximum number of compiled libraries that are kept: a program may save a library under new names again and again.
 const CAPACITY: usize = 64;
 
 /// Compiles libraries, and keeps the latest ones.

@@ -1,4 +1,4 @@
-//! The pace of a run: when the controller waits for the real clock, and which time it leaves out.
+//! The pace of a run: when the controller waits for the real clock, and which idle time it skips.
 
 use std::time::Duration;
 
@@ -6,8 +6,8 @@ use val3_lang::ports::{SECOND, Time};
 use val3_machine::controller::Controller;
 use val3_vm::CYCLE;
 
-/// The time that the outside gets in each cycle of virtual time while a program uses a line to the outside. It could not
-/// answer in time otherwise.
+/// The least real time for the outside in each cycle while a program uses a line to the outside. Without it, an answer
+/// could not arrive in time.
 const LISTENING: Duration = Duration::from_nanos(CYCLE);
 
 /// The longest wait in real time, in nanoseconds of the controller: the caller checks for interrupts in between.
@@ -36,7 +36,7 @@ pub enum Delay {
 }
 
 impl Pace {
-    /// Whether events are to be seen while the run goes on, since real time passes.
+    /// Whether events must be shown during the run, because real time passes.
     pub fn keeps_time(&self, controller: &Controller) -> bool {
         self.real_time || controller.devices.lines.reach_outside()
     }

@@ -26,7 +26,7 @@ pub struct ControllerSettings {
     pub roots: Vec<Root>,
     /// Connections of serial lines and sockets. They replace those of the cell and of `val3.toml`.
     pub connections: Vec<Connection>,
-    /// Sockets reach other machines; otherwise every address means this machine.
+    /// Whether sockets reach other machines; otherwise every address means this machine.
     pub network: bool,
     /// Date and time at the start.
     pub date: Option<Calendar>,
@@ -57,7 +57,7 @@ pub(crate) struct MergedSettings {
     pub(crate) roots: Vec<Root>,
     /// Connections of lines, those of the caller last.
     pub(crate) connections: Vec<Connection>,
-    /// Sockets reach other machines.
+    /// Whether sockets reach other machines.
     pub(crate) network: bool,
     /// Controller time that a line takes, in nanoseconds.
     pub(crate) line_cost: Time,
@@ -69,7 +69,7 @@ pub(crate) struct MergedSettings {
 
 impl MergedSettings {
     /// # Errors
-    /// The file has a value that its setting does not take.
+    /// The file has a value that its setting does not accept.
     pub(crate) fn of(settings: &ControllerSettings, file: Option<&ConfigFile>) -> Result<Self, SessionError> {
         let empty = ConfigFile::default();
         let file = file.unwrap_or(&empty);

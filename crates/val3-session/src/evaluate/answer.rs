@@ -40,7 +40,7 @@ impl CodeFault {
         Self { message: finding.message.clone(), place: place(text, from.min(text.len()), to) }
     }
 
-    /// What is wrong.
+    /// The message without its place.
     pub fn message(&self) -> &str {
         &self.message
     }
@@ -76,7 +76,7 @@ impl Answer {
         }
     }
 
-    /// It is no fault and no run-time error.
+    /// Whether it is neither a fault nor a run-time error.
     pub fn is_sound(&self) -> bool {
         matches!(self, Self::Line(_))
     }

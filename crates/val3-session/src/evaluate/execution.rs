@@ -16,7 +16,7 @@ use crate::pace::{Delay, Pace};
 
 /// The caller of an evaluation.
 pub trait Listener {
-    /// Receives an answer as soon as it is there. `Break` ends the text.
+    /// Receives each answer immediately. `Break` ends the text.
     fn answer(&mut self, answer: &Answer) -> ControlFlow<()>;
 
     /// Waits in real time.

@@ -1,4 +1,4 @@
-//! The files of the application that evaluates texts: a given or an empty one, with the program and the data of the
+//! The files of the application that evaluates texts: an existing or an empty one, with the program and the data of the
 //! texts.
 
 use std::ops::Range;

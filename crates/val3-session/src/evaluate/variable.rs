@@ -12,7 +12,7 @@ pub(crate) struct Variable {
     sizes: Option<Vec<u32>>,
 }
 
-/// The arm of positions where no other is known.
+/// The arm of positions if the application does not give another.
 const ARM: Arm = Arm::SixAxis;
 
 impl Variable {
