@@ -1,4 +1,4 @@
-//! What operations compute that takes more than an expression.
+//! Computations of operations that take more than an expression.
 
 use val3_lang::fault::{Fault, Result};
 use val3_lang::runtime_errors::DIVISION_BY_ZERO;

@@ -11,7 +11,7 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, InstanceId};
 
 impl TurnContext<'_> {
-    /// The frame of a program that is called, with its arguments. It returns to the operation and line at `back`.
+    /// The frame of a called program, with its arguments. It returns to the operation and line at `back`.
     ///
     /// The frame is made in registers: writing it to memory and reading it again costs more than the rest of a call.
     #[inline(always)]

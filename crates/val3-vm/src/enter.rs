@@ -116,7 +116,7 @@ pub(crate) fn write<T>(lanes: &mut [T], at: u32, value: T) -> Result<()> {
     Ok(())
 }
 
-/// Makes room up to `end`; a frame that was there before may leave its values.
+/// Makes room up to `end`. Values of earlier frames may remain in it.
 #[inline(always)]
 fn fill<T: Copy>(lanes: &mut Vec<T>, room: &mut Room, (start, end): (u32, u32), value: T) -> Result<()> {
     if end > start && lanes.len() < end as usize { grow(lanes, room, end, value) } else { Ok(()) }

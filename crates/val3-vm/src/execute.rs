@@ -21,7 +21,7 @@ use crate::task::Thread;
 use crate::turn_context::TurnContext;
 use crate::{Frame, Instance, Outcome};
 
-/// Where the interpreter is, and the lines that it may still begin.
+/// The position of the interpreter, and the lines that it may still begin.
 pub(crate) struct Cursor {
     /// The next operation.
     pub(crate) next: usize,
@@ -30,7 +30,7 @@ pub(crate) struct Cursor {
     pub(crate) budget: u32,
 }
 
-/// Why the interpreter leaves a program.
+/// The reason why the interpreter leaves a program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Leave {
     /// The task continues in a program of another application, or with a frame of another width, or with libraries that
@@ -402,7 +402,7 @@ impl TurnContext<'_> {
                 Op::Return => {
                     leave(&mut self.space.memory, &frame.base);
                     let [.., caller, _] = thread.frames.as_slice() else {
-                        // The frame stays: it says where the task has ended.
+                        // The frame remains: it gives the position at which the task has ended.
                         return Ok(Leave::Turn(Outcome::Finished));
                     };
                     (at.next, at.line) = (frame.back as usize, frame.back_line);
@@ -436,7 +436,7 @@ impl TurnContext<'_> {
                     };
                     nums.set(to, truth(answer))?;
                 }
-                // All others are listed, so that the table of jumps covers every operation.
+                // All other operations are listed, so that the jump table covers every operation.
                 Op::Locate2 { .. } | Op::Locate3 { .. } | Op::Copy { .. } | Op::Compare { .. } => {
                     outside!(self.on_values(step.op, scope!()))?
                 }

@@ -13,8 +13,8 @@ pub trait Host: Ports {
     /// The time that the last instruction has taken outside the program, such as on a medium; 0 when asked again.
     fn take_elapsed(&mut self) -> Time;
 
-    /// The cycle has to stop after the current instruction: the run is to end, or the caller has to take the recorded
-    /// events first. The cycle resumes with the next call.
+    /// Whether the cycle has to stop after the current instruction: the run is to end, or the caller has to take the
+    /// recorded events first. The cycle resumes with the next call.
     fn is_interrupted(&self) -> bool;
 
     /// The task that runs is at an instruction that this controller does not have.
@@ -23,8 +23,8 @@ pub trait Host: Ports {
     /// An application or library has come into memory under a number, with its global data; events refer to it.
     fn loaded(&mut self, instance: u16, image: &Arc<Image>, data: &Arc<[StoreId]>);
 
-    /// A library was loaded or saved under an identifier, or not, according to the code. `path` is as the program gave it;
-    /// without an identifier the application itself was meant.
+    /// Reports that a library was loaded or saved under an identifier, or the error code. `path` is as the program gave
+    /// it; without an identifier the application itself is meant.
     fn library(&mut self, done: LibraryOp, alias: &str, path: &str, code: u16);
 
     /// There is no memory left for the library at this path.
@@ -40,7 +40,8 @@ pub trait Host: Ports {
 
     /// Saves data and programs of an application or library; the code of `libSave` (6.6).
     ///
-    /// `to` is where the program, which is one of `from`, wants it; where it was loaded from if it does not say.
+    /// `to` is the destination that the program, which is one of `from`, gives; without one, the path that `from` was
+    /// loaded from.
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16;
 }
 

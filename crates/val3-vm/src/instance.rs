@@ -22,7 +22,7 @@ pub struct Instance {
     pub libraries: Vec<Option<InstanceId>>,
     /// The items that it uses of them; `None` where a library is not loaded or lacks the item (error 80).
     pub imports: Vec<Option<Imported>>,
-    /// It is loaded; the number of one that is not is free.
+    /// Whether it is loaded. The number of an unloaded instance is free.
     pub loaded: bool,
 }
 

@@ -81,7 +81,7 @@ impl TurnContext<'_> {
         Some(Outcome::Pausing(wake))
     }
 
-    /// The task has halted or killed itself.
+    /// Whether the task has halted or killed itself.
     fn is_stopped(&self) -> bool {
         let at = self.roster.position(self.task).and_then(|at| self.roster.tasks.get(at));
         at.is_some_and(|task| task.state != TaskState::Running)

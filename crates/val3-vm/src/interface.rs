@@ -60,8 +60,8 @@ fn is_param(own: &Param, kind: &Kind, container: Container, by_reference: bool) 
     own.container == container && own_reference == by_reference && is_same(&own.kind, kind)
 }
 
-/// The types are the same: two user types are if they have the same fields, whatever they are called and whatever
-/// values their fields begin with.
+/// Whether the types are the same. Two user types are the same if they have the same fields, regardless of their names
+/// and of the initial values of their fields.
 fn is_same(one: &Kind, other: &Kind) -> bool {
     match (&one.base, &other.base) {
         (KindBase::Builtin(one, arm), KindBase::Builtin(other, other_arm)) => {

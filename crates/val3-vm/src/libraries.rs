@@ -56,7 +56,7 @@ impl TurnContext<'_> {
         if complete { code::DONE } else { code::INTERFACE_DIFFERS }
     }
 
-    /// Why a library cannot leave memory; `None` where it can.
+    /// The reason why a library cannot leave memory; `None` if it can.
     fn refusal(&self, thread: &Thread, library: InstanceId) -> Option<u16> {
         if self.roster.has_tasks_of(library) {
             return Some(code::HAS_TASKS);
@@ -83,17 +83,17 @@ impl Space {
         self.instance(owner)?.libraries.get(usize::from(number)).copied().flatten()
     }
 
-    /// The library of this path, if it is in memory. Letter case does not count on the media.
+    /// The library of this path, if it is in memory. The media ignore letter case.
     fn in_memory(&self, path: &str) -> Option<InstanceId> {
         let path = path.to_lowercase();
         let there = |instance: &crate::Instance| instance.loaded && instance.path.to_lowercase() == path;
         self.instances.iter().position(there).and_then(|at| u16::try_from(at).ok()).map(InstanceId)
     }
 
-    /// The library in memory; loaded with those that load with it, where it is not there yet.
+    /// The library in memory. A missing one is loaded, with the libraries that load with it.
     ///
     /// # Errors
-    /// 40 without memory; the event log says so.
+    /// 40 without memory, which the event log reports.
     pub fn take_in(&mut self, loaded: crate::Loaded, host: &mut dyn Host) -> Result<InstanceId, Fault> {
         if let Some(there) = self.in_memory(&loaded.path) {
             return Ok(there);

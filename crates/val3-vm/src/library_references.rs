@@ -8,8 +8,8 @@ use crate::turn_context::TurnContext;
 use crate::{Frame, InstanceId, Rate};
 
 impl TurnContext<'_> {
-    /// A program that some task is in was called with data of a library by reference, or a synchronous task reports its
-    /// overruns there. The task that runs has lent its stack to the memory.
+    /// Whether an active program of some task was called with data of a library by reference, or a synchronous task
+    /// reports its overruns there. The running task has lent its stack to the memory.
     pub(crate) fn is_referred_to(&self, running: &Thread, library: InstanceId) -> bool {
         let others = self.roster.tasks.iter().map(|task| (&*task.thread, &task.thread.stack));
         let mut threads = others.chain([(running, &self.space.memory.stack)]);

@@ -12,7 +12,7 @@ use crate::Instance;
 use crate::instance::Imported;
 use crate::task::Base;
 
-/// What the operands of a program refer to, apart from the memory.
+/// The objects that the operands of a program refer to, except the memory.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Scope<'i> {
     /// The application or library, with its global data and imports.

@@ -1,9 +1,9 @@
-//! Why execution has stopped.
+//! The reasons why execution has stopped.
 
 use val3_lang::fault::Fault;
 use val3_lang::ports::Time;
 
-/// Why a turn of a task, a cycle or a whole run has stopped.
+/// The reason why a turn of a task, a cycle or a whole run has stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
     /// The lines of the turn are used up, or the cycle is over and tasks can continue in the next one.
@@ -33,7 +33,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Nothing can happen any more, unless something outside changes.
+    /// Whether nothing can happen any more, unless something outside changes.
     #[must_use]
     pub fn is_final(self) -> bool {
         match self {

@@ -5,8 +5,8 @@ use val3_lang::fault::{Fault, Result};
 
 use crate::Frame;
 
-/// How many numbers a narrow frame has at most. The stack has that many behind the start of each frame, so that a
-/// register of one byte always finds its number.
+/// Maximum size of a narrow frame in numbers. The stack has at least that many from the start of each frame on, so that
+/// a register of one byte always finds its number.
 pub(crate) const FIXED_REGISTERS: u32 = 256;
 
 /// The numbers of a narrow frame.
@@ -14,7 +14,7 @@ pub(crate) type FixedRegisters = [f64; FIXED_REGISTERS as usize];
 
 /// The numbers of a frame.
 pub(crate) trait Registers {
-    /// The frames of a program are of this width.
+    /// Whether the frames of a program are of this width.
     fn suits(program: &Program) -> bool;
 
     /// The numbers of a frame among those of the stack.

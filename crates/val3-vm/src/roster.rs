@@ -15,7 +15,7 @@ pub(crate) struct Roster {
     /// By creation. The task that runs is here too, without its thread.
     #[allow(clippy::vec_box, reason = "when one of a thousand ends, only pointers move")]
     pub(crate) tasks: Vec<Box<Task>>,
-    /// Some of them have ended or were killed, and are still to be removed.
+    /// Whether some of them have ended or were killed, and are still to be removed.
     any_over: bool,
     next: u64,
 }
@@ -33,7 +33,8 @@ impl Roster {
 
     /// The index of the task, or of the next one created after it.
     ///
-    /// As long as none of those between them has ended, a task is as far from the first as their numbers are.
+    /// If none of the tasks in between has ended, the distance of a task from the first is the difference of their
+    /// numbers.
     pub(crate) fn first_from(&self, id: TaskNumber) -> usize {
         let first = self.tasks.first().map_or(0, |task| task.id.0);
         let guess = usize::try_from(id.0.saturating_sub(first)).unwrap_or(usize::MAX);
@@ -43,7 +44,7 @@ impl Roster {
         }
     }
 
-    /// The name suits and is free.
+    /// Checks that the name is valid and free.
     ///
     /// # Errors
     /// 29 for a bad name, 31 for one in use.
@@ -54,7 +55,7 @@ impl Roster {
         if self.find(owner, name).is_some() { Err(Fault(TASK_EXISTS)) } else { Ok(()) }
     }
 
-    /// One more period is possible.
+    /// Checks that one more period is possible.
     pub(crate) fn check_period(&self, period: u64) -> Result<()> {
         let mut periods: Vec<u64> = self.tasks.iter().filter_map(|task| period_of(task)).chain([period]).collect();
         periods.sort_unstable();
@@ -93,7 +94,7 @@ impl Roster {
         self.tasks.extract_if(.., |task| task.state == TaskState::Killed).collect()
     }
 
-    /// A task of this application or library is at work.
+    /// Whether there is a task of this application or library that was not killed.
     pub(crate) fn has_tasks_of(&self, owner: InstanceId) -> bool {
         self.tasks.iter().any(|task| task.owner == owner && task.state != TaskState::Killed)
     }

@@ -39,7 +39,7 @@ pub struct Schedule {
 #[derive(Debug, Clone)]
 struct Cycle {
     end: Time,
-    /// A synchronous task was due.
+    /// Whether a synchronous task was due.
     has_due_tasks: bool,
     due: DueTasks,
     /// `None` until the synchronous tasks have had their turns.
@@ -56,7 +56,7 @@ impl Schedule {
         Self { now: 0, line_cost: line_cost.max(1), limit: None, next: TaskNumber(0), cycle: None }
     }
 
-    /// A cycle has begun and is not over.
+    /// Whether a cycle has begun and is not over.
     #[must_use]
     pub fn is_within_cycle(&self) -> bool {
         self.cycle.is_some()

@@ -15,7 +15,8 @@ use crate::{Host, Instance, InstanceId};
 pub struct Space {
     /// All data.
     pub memory: Memory,
-    /// A task that runs holds the instances as they were when its turn began, or when it has last loaded a library.
+    /// The instances by number. A running task keeps those from the beginning of its turn, or from the last library
+    /// that it loaded.
     pub(crate) instances: Arc<Vec<Instance>>,
 }
 
@@ -26,12 +27,12 @@ impl Space {
         self.instances.get(usize::from(id.0))
     }
 
-    /// What is in memory under a number, to be changed.
+    /// The application or library with a number, to be changed.
     pub(crate) fn instance_mut(&mut self, id: InstanceId) -> Option<&mut Instance> {
         Arc::make_mut(&mut self.instances).get_mut(usize::from(id.0))
     }
 
-    /// Takes an application or library into memory, with its data as its files say.
+    /// Loads an application or library into memory, with the initial data of its files.
     ///
     /// # Errors
     /// 40 without memory.

@@ -11,30 +11,30 @@ use crate::InstanceId;
 /// A task.
 #[derive(Debug, Clone)]
 pub struct Task {
-    /// Which one it is.
+    /// The identity.
     pub id: TaskNumber,
     /// Its name.
     pub name: String,
-    /// The application or library whose program has created it: only there it can be seen (5.3).
+    /// The application or library whose program has created it. It is visible only there (5.3).
     pub owner: InstanceId,
     /// How often it runs.
     pub rate: Rate,
-    /// Whether it runs.
+    /// Its state.
     pub state: TaskState,
-    /// Where it is.
+    /// Its position.
     pub thread: Box<Thread>,
     /// Bytes of stack it may use.
     pub stack_size: u32,
-    /// Lines it may still execute in its turn, when the end of a cycle came first.
+    /// Lines that are left of its turn if the end of a cycle interrupted it.
     pub left: u32,
 }
 
 /// The position of a task, which changes while it runs. The task that runs lends it to the interpreter.
 #[derive(Debug, Clone, Default)]
 pub struct Thread {
-    /// The programs it is in, the innermost last.
+    /// The active programs, the innermost last.
     pub frames: Vec<Frame>,
-    /// Their data while another task runs; the memory has it while this one runs.
+    /// The data of the frames. The memory has them while the task runs.
     pub stack: Stack,
     /// The next operation, in the innermost program.
     pub next: u32,
@@ -42,7 +42,7 @@ pub struct Thread {
     pub line: u32,
     /// The instruction that it waits in.
     pub waiting: Option<Waiting>,
-    /// When it reached the `watch` that it waits in.
+    /// The time at which it reached the `watch` that it waits in.
     pub watched: Option<Time>,
     /// Set while the task waits. Holds the wake-up time if the wait is timed.
     pub wait: Option<Wait>,
@@ -73,7 +73,7 @@ impl Thread {
         bytes_of::<Frame>(self.frames.capacity()) + self.stack.bytes()
     }
 
-    /// Gives the memory back: the task is over.
+    /// Returns the memory of a task that is over.
     pub(crate) fn give_back(&self, room: &mut Room) {
         room.give_back(TASK_BYTES + self.bytes());
     }
@@ -91,7 +91,7 @@ impl Thread {
         Ok(())
     }
 
-    /// Doubles the frames that there is room for.
+    /// Doubles the room for frames.
     #[cold]
     fn grow(&mut self, room: &mut Room) -> Result<()> {
         let more = self.frames.len().max(LEAST_FRAMES);
@@ -100,21 +100,21 @@ impl Thread {
         Ok(())
     }
 
-    /// Where it is; `None` while the interpreter has it.
+    /// The position; `None` while the interpreter has it.
     #[must_use]
     pub fn place(&self) -> Option<CodePlace> {
         let frame = self.frames.last()?;
         Some(CodePlace { instance: frame.instance.0, program: frame.program, line: self.line })
     }
 
-    /// Goes to the beginning of a line: what it waited for within one is forgotten.
+    /// Moves to the beginning of a line and forgets the waits within the previous one.
     pub(crate) fn go_to_line(&mut self, op: u32) {
         (self.next, self.line) = (op, op);
         (self.waiting, self.watched, self.wait) = (None, None, None);
     }
 }
 
-/// Frames that a thread has room for at first.
+/// Initial room for frames in a thread.
 const LEAST_FRAMES: usize = 4;
 
 /// How often a task runs.
@@ -130,12 +130,12 @@ pub enum Rate {
         next: Time,
         /// The variable that is set after an overrun.
         overrun: Place,
-        /// It had not finished when its period ended: the next one is left out.
+        /// Set if it had not finished when its period ended: the next one is left out.
         late: bool,
     },
 }
 
-/// Whether a task runs.
+/// The state of a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TaskState {
     /// It runs, or waits.
@@ -195,14 +195,14 @@ impl Base {
             part: self.part + size.lanes.part,
             place: self.place + size.places,
             view: self.view + size.views,
-            // No more than a stack has: the frame was let in.
+            // The sums do not exceed the size of a stack, because the frame was admitted.
             bytes: self.bytes.wrapping_add(program.stack_bytes),
         }
     }
 }
 
 impl Task {
-    /// It can continue in its next turn, or check whether it can.
+    /// Whether it runs or waits, thus neither is halted nor has failed.
     #[must_use]
     pub fn is_running(&self) -> bool {
         self.state == TaskState::Running

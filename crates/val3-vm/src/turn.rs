@@ -18,14 +18,14 @@ use crate::{CYCLE, Frame, InstanceId, Outcome, Rate};
 /// The result of a turn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TurnReport {
-    /// Why it has stopped.
+    /// The reason why it has stopped.
     pub outcome: Outcome,
     /// The number of lines that were executed.
     pub lines: u32,
     /// The number of lines that are left of a turn that is [`Busy`](Outcome::Busy) or
     /// [`Suspended`](Outcome::Suspended); 0 for any other.
     pub left: u32,
-    /// The task has read the clock.
+    /// Whether the task has read the clock.
     pub reads_clock: bool,
 }
 
@@ -34,7 +34,7 @@ pub struct TurnReport {
 pub struct Grant {
     /// In the current turn.
     pub first: u32,
-    /// In each turn that follows immediately while no other task can run; 0 where another one can.
+    /// In each turn that follows immediately while no other task can run; 0 if another one can.
     pub per_turn: u32,
     /// In total.
     pub limit: u32,
@@ -47,7 +47,7 @@ impl Grant {
         Self { first: lines, per_turn: 0, limit: lines }
     }
 
-    /// The lines that may be executed if no other task becomes able to run.
+    /// Maximum number of lines if no other task becomes able to run.
     pub(crate) fn budget(self) -> u32 {
         if self.per_turn == 0 { self.limit.min(self.first) } else { self.limit }
     }

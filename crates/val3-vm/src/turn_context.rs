@@ -22,7 +22,7 @@ pub(crate) struct TurnContext<'v> {
     /// The time at which the budget is used up. The current time is computed from it.
     pub(crate) end: Time,
     pub(crate) line_cost: Time,
-    /// The task has read the clock.
+    /// Whether the task has read the clock.
     pub(crate) reads_clock: bool,
 }
 

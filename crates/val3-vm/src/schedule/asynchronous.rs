@@ -8,7 +8,7 @@ use crate::{Grant, Host, Outcome, Rate, Task, Vm};
 /// The rounds of a cycle. In a round each task that can run has one turn.
 #[derive(Debug, Clone)]
 pub(super) struct Rounds {
-    /// A task has run in this cycle.
+    /// Whether a task has run in this cycle.
     any: bool,
     round: Round,
     /// The task whose turn was suspended in the middle of a line.
@@ -80,7 +80,7 @@ impl Schedule {
         let wake = self.wake(vm);
         match wake.filter(|wake| *wake < end) {
             Some(wake) => self.now = self.now.max(wake),
-            // No time may be left out while a task looks at the clock.
+            // No time may be skipped while a task reads the clock.
             None if rounds.any || round.reads_clock => return Flow::Break(Outcome::Busy),
             None => return Flow::Break(Outcome::Waiting(wake)),
         }

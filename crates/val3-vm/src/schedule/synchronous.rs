@@ -96,7 +96,7 @@ impl Schedule {
         }
     }
 
-    /// Tells the task whether its last period was too short (5.6), and sets the beginning of the next one.
+    /// Reports to the task whether its last period was too short (5.6), and sets the beginning of the next one.
     fn begin_period(&self, vm: &mut Vm, id: TaskNumber) {
         let Some(Rate::Period { period, next, overrun, late }) = vm.rate_mut(id) else { return };
         let (overrun, was_late) = (*overrun, std::mem::take(late));
