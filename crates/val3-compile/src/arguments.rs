@@ -12,12 +12,12 @@ use crate::error::{Limit, Result};
 use crate::location::{Location, Value, is_number};
 use crate::moves::text_register;
 
-/// A parameter as its argument needs it.
+/// The requirement of a parameter on its argument.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Formal {
     /// Its type; `None` for any.
     pub(crate) base: Option<Base>,
-    /// What the argument has to be.
+    /// The required shape of the argument.
     pub(crate) shape: Shape,
 }
 
@@ -60,7 +60,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// A number by value that a later argument may change is copied now.
+    /// Copies a number by value that a later argument may change.
     fn kept_argument(&mut self, formal: Formal, site: ArgumentSite, later: &[ExprId]) -> Result<ArgumentSite> {
         match site {
             ArgumentSite::Value(Operand::Frame(lanes), base)
@@ -73,7 +73,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// A value: numbers in registers, all else where it is.
+    /// A value: a number in a register, any other value in place.
     fn by_value(&mut self, formal: Option<Base>, id: ExprId) -> Result<ArgumentSite> {
         let value = self.value_as(id, formal.unwrap_or(Base::Unknown))?;
         let read = formal.and_then(Base::builtin) == Some(BaseType::Bool);
@@ -143,7 +143,7 @@ impl Coder<'_, '_> {
         Ok(container)
     }
 
-    /// Gives the variables behind boxes the values that the call has left.
+    /// Copies the values that the call has left in boxes back to their variables.
     pub(crate) fn unbox(&mut self, boxes: &[Boxed]) -> Result<()> {
         boxes.iter().try_for_each(|Boxed { copy, variable }| self.copy(*variable, *copy))
     }

@@ -14,7 +14,7 @@ use crate::moves::ASSIGNMENT;
 impl Coder<'_, '_> {
     /// `target = value`; the value that was written.
     ///
-    /// Which variable is meant is computed first, then the value; only then is the variable looked up.
+    /// The order is: the indexes or key of the variable, the value, the lookup of the variable.
     pub(crate) fn assign(&mut self, target: ExprId, value: ExprId) -> Result<Value> {
         let to = self.variable(target)?.ok_or(Limit::Unclear)?;
         if let Expr::Struct(values) = self.body.expr(self.body.peel(value)) {

@@ -51,8 +51,8 @@ impl Coder<'_, '_> {
     }
 }
 
-/// A parameter of a program. One of the old dialect, which does not tell an element by reference from an array, is
-/// an array.
+/// A parameter of a program. The old dialect does not distinguish elements by reference from arrays: all of them are
+/// arrays.
 pub(crate) fn formal(param: &Param) -> Formal {
     let shape = match param.container {
         Container::Element if param.by_reference => Shape::Reference,

@@ -8,11 +8,12 @@ use val3_syntax::TextRange;
 
 use crate::error::{Limit, Result};
 
-/// The steps of a program and what they refer to. Until [`finish`](Self::finish) the targets of jumps are labels.
+/// The operations of a program and the tables that they refer to. Until [`finish`](Self::finish) the targets of jumps
+/// are labels.
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     steps: Vec<Operation>,
-    /// A line begins with the next step.
+    /// Whether a line begins with the next operation.
     begins: bool,
     labels: Vec<u32>,
     constants: FxHashMap<SmolStr, Register>,
@@ -26,14 +27,14 @@ pub(crate) struct Code {
     pub(crate) tasks: Vec<TaskSite>,
 }
 
-/// An end of the code.
+/// A position at the end of the code.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mark {
     steps: usize,
     begins: bool,
 }
 
-/// A place in the code that jumps lead to.
+/// A target of jumps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Label(pub(crate) u32);
 
@@ -46,7 +47,7 @@ impl Code {
 
     /// Adds an operation.
     ///
-    /// One that a task comes back to while it waits does not begin its line: the line counts once.
+    /// An operation that a waiting task returns to does not begin its line, so that the line counts once.
     pub(crate) fn emit(&mut self, op: Op) {
         if matches!(op, Op::Instruction { .. }) {
             self.begin();
@@ -55,19 +56,19 @@ impl Code {
         self.steps.push(Operation { op, begins_line });
     }
 
-    /// Begins the line that is still to begin, if there is one, apart from what comes next.
+    /// Begins the pending line, if there is one, with an operation of its own.
     pub(crate) fn begin(&mut self) {
         if std::mem::take(&mut self.begins) {
             self.steps.push(Operation { op: Op::Line, begins_line: true });
         }
     }
 
-    /// Where the code ends now.
+    /// The current end of the code.
     pub(crate) fn mark(&self) -> Mark {
         Mark { steps: self.steps.len(), begins: self.begins }
     }
 
-    /// Takes back the steps since.
+    /// Removes the operations since.
     pub(crate) fn take_back(&mut self, mark: Mark) {
         self.steps.truncate(mark.steps);
         self.begins = mark.begins;
@@ -79,7 +80,7 @@ impl Code {
         Label(count(&self.labels) - 1)
     }
 
-    /// The label stands here.
+    /// Sets the label to the current end of the code.
     pub(crate) fn place(&mut self, label: Label) {
         self.begin();
         let here = count(&self.steps);
@@ -88,26 +89,27 @@ impl Code {
         }
     }
 
-    /// A label that stands here.
+    /// A label at the current end of the code.
     pub(crate) fn here(&mut self) -> Label {
         let label = self.label();
         self.place(label);
         label
     }
 
-    /// An instruction line begins.
+    /// Begins an instruction line.
     pub(crate) fn line(&mut self, range: TextRange) {
         let line = self.later_line(range);
         self.begin_line(line);
     }
 
-    /// A line that stands here in the text and [begins](Self::begin_line) further on in the code; its number.
+    /// Declares a line here in the order of the text, which [begins](Self::begin_line) later in the code. Returns its
+    /// number.
     pub(crate) fn later_line(&mut self, range: TextRange) -> usize {
         self.lines.push(SourceLine { op: 0, range: source_range(range), row: self.row(range) });
         self.lines.len() - 1
     }
 
-    /// The line with this number begins.
+    /// Begins the line with this number.
     pub(crate) fn begin_line(&mut self, line: usize) {
         self.begin();
         let here = count(&self.steps);
@@ -163,7 +165,7 @@ impl Code {
         self.emit(Op::CreateTask { site });
     }
 
-    /// The steps, with the places of labels in their jumps.
+    /// The operations, with the indexes of labels in their jumps.
     pub(crate) fn finish(&mut self) -> Result<Vec<Operation>> {
         u32::try_from(self.steps.len()).map_err(|_| Limit::Operations)?;
         let mut steps = std::mem::take(&mut self.steps);

@@ -16,9 +16,9 @@ use crate::error::{Limit, Result};
 use crate::frame::Frame;
 use crate::unit::Unit;
 
-/// What a program is compiled with. Its methods are spread over the modules of the crate, one idea each.
+/// The state of the compilation of a program. Its methods are spread over the modules of the crate, one idea each.
 pub(crate) struct Coder<'u, 'db> {
-    /// What all programs of the project share.
+    /// The state that all programs of the project share.
     pub(crate) unit: &'u mut Unit<'db>,
     pub(crate) header: &'db Header,
     pub(crate) body: &'db Body,
@@ -27,7 +27,7 @@ pub(crate) struct Coder<'u, 'db> {
     pub(crate) code: Code,
     /// The current statement.
     pub(crate) range: TextRange,
-    /// The current part of a statement neither changes variables before its end nor waits.
+    /// Whether the current part of a statement neither changes variables before its end nor waits.
     pub(crate) is_pure: bool,
 }
 
@@ -47,7 +47,7 @@ impl Coder<'_, '_> {
         self.unit.kinds.kind(base)
     }
 
-    /// A built-in type at run time, of the arm at hand.
+    /// A built-in type at run time, of the project's arm.
     pub(crate) fn builtin_kind(&mut self, base: BaseType) -> Result<Arc<Kind>> {
         self.kind(Base::of(base))
     }

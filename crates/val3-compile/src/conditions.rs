@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::location::is_number;
 
 impl Coder<'_, '_> {
-    /// Goes to `label` if the expression is `when`, else on to the next operation.
+    /// Jumps to `label` if the expression is `when`, otherwise continues with the next operation.
     pub(crate) fn branch(&mut self, id: ExprId, when: bool, label: Label) -> Result<()> {
         match self.body.expr(id) {
             Expr::Paren(inner) => self.branch(*inner, when, label),
@@ -41,7 +41,7 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// The side that decides goes to the label at once, or past the other side.
+    /// The deciding side jumps to the label, or past the other side.
     fn branch_logic(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
         let decides = op == BinaryOp::Or;
         if when == decides {
@@ -55,7 +55,7 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// `x == true` is `x`. Numbers are compared and jumped on in one operation; a number that is none equals nothing.
+    /// `x == true` is `x`. Numbers are compared and jumped on in one operation; NaN equals nothing.
     fn branch_equality(
         &mut self,
         id: ExprId,
@@ -82,8 +82,8 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// A comparison and the jump are one operation. With a number that is none no comparison holds, so that the
-    /// contrary of `a < b` is not `b <= a`.
+    /// A comparison and the jump are one operation. No comparison with NaN holds, so the contrary of `a < b` is not `b
+    /// <= a`.
     fn branch_order(&mut self, op: BinaryOp, (left, right): (ExprId, ExprId), when: bool, label: Label) -> Result<()> {
         let ((left, right), to) = (self.nums(left, right)?, label.0);
         let swapped = matches!(op, BinaryOp::Greater | BinaryOp::GreaterOrEqual);

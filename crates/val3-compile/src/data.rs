@@ -46,7 +46,7 @@ impl Found {
 }
 
 impl Kinds<'_> {
-    /// Reads a `<Data>` or `<Field>`, or what the old dialect has in their place.
+    /// Reads a `<Data>` or `<Field>`, or the corresponding elements of the old dialect.
     pub(crate) fn load(
         &mut self,
         element: Xml<'_>,
@@ -93,7 +93,7 @@ impl Kinds<'_> {
         }
     }
 
-    /// The fields that a value writes, matched by name; the others are as the type has them.
+    /// The fields that a value writes, matched by name. The others have the values of the type.
     fn user_value(
         &mut self,
         value: Xml<'_>,

@@ -1,4 +1,4 @@
-//! What keeps a project from being compiled.
+//! Errors of compilation.
 
 use std::fmt;
 
@@ -7,13 +7,13 @@ use std::fmt;
 pub struct CompileError {
     /// The path of the file.
     pub file: String,
-    /// The line of the statement, from 1; the first where it is the whole file.
+    /// The line of the statement, from 1; 1 if the whole file is meant.
     pub row: u32,
     /// The limit.
     pub limit: Limit,
 }
 
-/// What there may not be more of.
+/// The kinds of limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limit {
     /// Values that one program holds at a time: 65,535 of each sort.
@@ -26,11 +26,11 @@ pub enum Limit {
     Operations,
     /// Bytes of global data: as many as a controller has memory.
     Memory,
-    /// The analysis does not know what is meant: a project with errors cannot be compiled.
+    /// The analysis does not know the meaning of the code. A project with errors cannot be compiled.
     Unclear,
 }
 
-/// `None` for what cannot be told because something is missing.
+/// Turns [`Limit::Unclear`] into `None`: something is missing.
 pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
     match made {
         Err(Limit::Unclear) => Ok(None),
@@ -38,7 +38,7 @@ pub(crate) fn there<T>(made: Result<T>) -> Result<Option<T>> {
     }
 }
 
-/// What a part of the compiler returns; the program that it stands in adds the place.
+/// The result of a part of the compiler. The program adds the place of the error.
 pub(crate) type Result<T> = std::result::Result<T, Limit>;
 
 impl fmt::Display for Limit {
@@ -55,7 +55,7 @@ impl fmt::Display for Limit {
 }
 
 impl Limit {
-    /// What to do about it.
+    /// The remedy.
     #[must_use]
     pub fn help(self) -> &'static str {
         match self {

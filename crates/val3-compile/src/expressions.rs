@@ -1,4 +1,4 @@
-//! Expressions: each yields a value, computed into the lanes that are wanted where it is computed at all.
+//! Expressions. Each yields a value, computed into the wanted lanes if it is computed at all.
 
 use val3_analysis::body::{Constant, Expr, ExprId};
 use val3_analysis::ty::Base;
@@ -36,7 +36,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// The number that an expression stands for before the program runs.
+    /// The value of a constant expression or enumerator.
     pub(crate) fn constant(&self, id: ExprId) -> Option<(BaseType, f64)> {
         if let Expr::Name(name) = self.body.expr(id) {
             return Some((self.base(id).builtin()?, self.enumerator(name)?));
@@ -69,7 +69,7 @@ impl Coder<'_, '_> {
         self.text_operand(value.location)
     }
 
-    /// The numbers of two operands. The left one is read first: a variable that the right side may write to is kept.
+    /// The numbers of two operands. The left one is read first: a variable that the right side may write to is copied.
     pub(crate) fn nums(&mut self, left: ExprId, right: ExprId) -> Result<(Register, Register)> {
         let a = self.num(left)?;
         let a = if self.may_write(right) { self.kept(a)? } else { a };
@@ -85,13 +85,13 @@ impl Coder<'_, '_> {
         Ok((a, self.text(right)?))
     }
 
-    /// The rest of the statement does not change this text. Those in registers are as stable as numbers there.
+    /// Whether the rest of the statement leaves this text unchanged. Texts in registers are as stable as numbers there.
     pub(crate) fn is_stable(&self, text: TextOperand) -> bool {
         self.is_pure || matches!(text.source(), TextSource::Register(_) | TextSource::Constant(_))
     }
 
-    /// Nothing else happens while the expression is computed: it calls no instruction, assigns nothing, and reads no
-    /// input.
+    /// Whether the expression is computed without anything else happening: it calls no instruction, assigns nothing,
+    /// and reads no input.
     pub(crate) fn is_pure(&self, id: ExprId) -> bool {
         self.body.within(id).all(|id| {
             let is_port = matches!(self.base(id).builtin(), Some(BaseType::Dio | BaseType::Sio));
@@ -99,7 +99,7 @@ impl Coder<'_, '_> {
         })
     }
 
-    /// The expression may change variables: it calls an instruction that takes some of them by reference.
+    /// Whether the expression may change variables: it calls an instruction that takes some of them by reference.
     pub(crate) fn may_write(&self, id: ExprId) -> bool {
         self.body.within(id).any(|id| match self.body.expr(id) {
             Expr::Call(..) => match self.types.call(id).and_then(|call| call.form) {
@@ -129,7 +129,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// Makes sure that a number is not changed by what follows.
+    /// Copies a number that later code may change.
     pub(crate) fn kept(&mut self, register: Register) -> Result<Register> {
         let to = self.frame.num()?;
         self.move_num(to, register);

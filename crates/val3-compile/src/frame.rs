@@ -1,7 +1,7 @@
 //! The frame of a program: where its variables are, its constants, and registers for what lines compute.
 //!
 //! A parameter or local that is one value of a built-in type lies in lanes; local arrays and values of user types are
-//! containers. What a statement computes in between is given back when the statement ends.
+//! containers. Temporaries of a statement are released when the statement ends.
 
 use std::sync::Arc;
 
@@ -45,7 +45,7 @@ enum Sort {
     View,
 }
 
-/// How many registers were taken when a statement began.
+/// The number of temporaries at the beginning of a statement.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mark(usize);
 
@@ -71,7 +71,7 @@ impl Frame {
         }
     }
 
-    /// Lanes that hold a default value for good: a variable, or a value whose links stay empty.
+    /// Permanent lanes that hold a default value: a variable, or a value whose links stay empty.
     pub(crate) fn lasting(&mut self, kind: &Kind) -> Result<Lanes> {
         let num = self.pool(Sort::Num).grow(kind.size.num)?;
         for (at, value) in (num..).zip(&kind.default.nums) {
@@ -82,12 +82,12 @@ impl Frame {
         Ok(Lanes { num, text, link, part: 0 })
     }
 
-    /// A place for good: a parameter by reference.
+    /// A permanent place: a parameter by reference.
     pub(crate) fn lasting_place(&mut self) -> Result<Register> {
         self.pool(Sort::Place).grow(1).map(narrow)
     }
 
-    /// A view for good: a container by reference.
+    /// A permanent view: a container by reference.
     pub(crate) fn lasting_view(&mut self) -> Result<Register> {
         self.pool(Sort::View).grow(1).map(narrow)
     }
@@ -111,7 +111,7 @@ impl Frame {
         Ok(narrow(at))
     }
 
-    /// The first of two registers, one behind the other, that hold constant numbers.
+    /// The first of two consecutive registers that hold constant numbers.
     pub(crate) fn constant_pair(&mut self, values: [f64; 2]) -> Result<Register> {
         let key = values.map(f64::to_bits);
         if let Some(known) = self.pairs.get(&key) {
@@ -123,9 +123,9 @@ impl Frame {
         Ok(narrow(at))
     }
 
-    /// What a call takes of the stack that a project declares, in bytes, as long as the frame holds nothing but
-    /// parameters and locals. The manual does not say how much a value takes: here 8 bytes a number, 132 a text, 16 a
-    /// reference, a container or the return to the caller.
+    /// Bytes that a call takes from the stack that a project declares. The result is right only while the frame holds
+    /// just parameters and locals. The manual does not give the size of a value. Assumed are 8 bytes for a number, 132
+    /// for a text, and 16 for a reference, a container or the return to the caller.
     pub(crate) fn bytes(&self) -> u32 {
         let [num, text, link, place, view] = &self.pools;
         let references = link.size() + place.size() + view.size();
@@ -150,32 +150,32 @@ impl Frame {
         Ok(start)
     }
 
-    /// A number for the time of the statement.
+    /// A temporary number.
     pub(crate) fn num(&mut self) -> Result<Register> {
         self.nums(1)
     }
 
-    /// So many numbers, one behind the other.
+    /// Consecutive temporary numbers.
     pub(crate) fn nums(&mut self, count: u32) -> Result<Register> {
         self.take(Sort::Num, count).map(narrow)
     }
 
-    /// A text for the time of the statement.
+    /// A temporary text.
     pub(crate) fn text(&mut self) -> Result<Register> {
         self.take(Sort::Text, 1).map(narrow)
     }
 
-    /// A place for the time of the statement.
+    /// A temporary place.
     pub(crate) fn place(&mut self) -> Result<Register> {
         self.take(Sort::Place, 1).map(narrow)
     }
 
-    /// A view for the time of the statement.
+    /// A temporary view.
     pub(crate) fn view(&mut self) -> Result<Register> {
         self.take(Sort::View, 1).map(narrow)
     }
 
-    /// A value of a built-in type for the time of the statement. What it holds at first is not known.
+    /// A temporary value of a built-in type. Its initial content is undefined.
     pub(crate) fn value(&mut self, size: Lanes) -> Result<Lanes> {
         let num = self.take(Sort::Num, size.num)?;
         let text = self.take(Sort::Text, size.text)?;
@@ -183,19 +183,19 @@ impl Frame {
         Ok(Lanes { num, text, link, part: 0 })
     }
 
-    /// What is taken from here on can be given back.
+    /// The current number of temporaries, for [`release`](Self::release).
     pub(crate) fn mark(&self) -> Mark {
         Mark(self.taken.len())
     }
 
-    /// Gives back what was taken since.
+    /// Releases the temporaries since.
     pub(crate) fn release(&mut self, mark: Mark) {
         for (sort, start, count) in self.taken.split_off(mark.0.min(self.taken.len())) {
             self.pool(sort).give(start, count);
         }
     }
 
-    /// What the code needs to know of the frame.
+    /// The size and the initial values of the frame.
     pub(crate) fn finish(mut self) -> Finished {
         let [num, text, link, place, view] = self.pools.map(|pool| pool.size());
         let part = u32::try_from(self.parts.len()).unwrap_or(u32::MAX);
@@ -213,7 +213,7 @@ fn lane_bytes(lanes: Lanes) -> u32 {
     lanes.num.saturating_mul(8).saturating_add(texts).saturating_add(references)
 }
 
-/// A container with its values, and those in them.
+/// The bytes of a container with its values, and of the containers in them.
 fn part_bytes(part: &PartInit) -> u32 {
     let inner = part.kind.fields.iter().map(|field| part_bytes(&field.init)).fold(0u32, u32::saturating_add);
     let value = lane_bytes(part.kind.size).saturating_add(inner);

@@ -21,7 +21,7 @@ struct Called {
     site: InstructionSite,
     formals: Vec<Formal>,
     result: Option<BaseType>,
-    /// What it computes, if that is all it does.
+    /// The function that it computes, if it has no effect apart from that.
     function: Option<NumberFunction>,
 }
 
@@ -40,7 +40,7 @@ impl Called {
         }
     }
 
-    /// The operation that does all of it: a number of numbers needs no call.
+    /// The operation that replaces the whole call: a function of numbers needs no call.
     fn operation(&self) -> Option<Op> {
         let number =
             |operand: &Operand| if let Operand::Frame(lanes) = operand { Some(num_register(*lanes)) } else { None };
@@ -77,7 +77,7 @@ impl Coder<'_, '_> {
         })
     }
 
-    /// A call alone on its line.
+    /// A call that is a whole statement.
     pub(crate) fn instruction_stmt(&mut self, id: ExprId) -> Result<()> {
         let Expr::Call(callee, args) = self.body.expr(id) else { return Err(Limit::Unclear) };
         match self.waits(id) {
@@ -111,7 +111,8 @@ impl Coder<'_, '_> {
             return Ok(Called::of((call.instruction, form), form.result, version));
         }
         let call = self.types.add_on_call(id).ok_or(Limit::Unclear)?;
-        // What the catalogue has too does what it does there; its forms say how arguments are passed.
+        // An instruction that the catalogue has too behaves as there, and the form of the catalogue says how arguments
+        // are passed.
         if let Some((instruction, form)) = call.form.known(&call.name) {
             return Ok(Called::of((instruction, form), call.form.result, version));
         }
@@ -128,7 +129,7 @@ impl Coder<'_, '_> {
         matches!(name, instructions::WAIT | instructions::WATCH).then_some(name)
     }
 
-    /// `wait(condition)`: the condition is computed anew in each turn (5.10).
+    /// `wait(condition)`: the condition is computed again in each turn (5.10).
     fn wait(&mut self, args: &[ExprId]) -> Result<()> {
         let &[condition] = args else { return Err(Limit::Unclear) };
         let retry = self.code.here();
@@ -150,7 +151,7 @@ impl Coder<'_, '_> {
     }
 }
 
-/// The form of an instruction that has one alone: it is meant even where an argument is missing.
+/// The only form of an instruction. It applies even if an argument is missing.
 fn only_form(instruction: &'static Instruction) -> Option<&'static Overload> {
     match instruction.overloads {
         [form] => Some(form),

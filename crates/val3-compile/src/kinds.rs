@@ -21,7 +21,7 @@ pub(crate) struct Kinds<'db> {
     pub(crate) arm: Option<Arm>,
     builtin: FxHashMap<Base, Arc<Kind>>,
     user: FxHashMap<Project, UserKind>,
-    /// User types that are being made: one that holds itself is an error of the project.
+    /// User types that are being made. A type that holds itself is an error of the project.
     open: Vec<Project>,
 }
 
@@ -39,7 +39,7 @@ impl<'db> Kinds<'db> {
         Self { db, arm, builtin: FxHashMap::default(), user: FxHashMap::default(), open: Vec::new() }
     }
 
-    /// A type. Positions of no particular arm are of the project's.
+    /// A type. Positions without an arm of their own have that of the project.
     pub(crate) fn kind(&mut self, base: Base) -> Result<Arc<Kind>> {
         match base.on_arm(self.arm) {
             Base::Builtin(builtin, arm) => {
@@ -82,8 +82,8 @@ impl<'db> Kinds<'db> {
         Ok(made)
     }
 
-    /// The public data of the type's project are its fields, with their values at the start (7.1). Fathers do not count:
-    /// fields have no reference before a program or the file of a variable gives them one (7.3).
+    /// The public data of the type's project are its fields, with their values at the start (7.1). Fathers do not
+    /// count: fields have no reference before a program or the file of a variable gives them one (7.3).
     fn make(&mut self, project: Project) -> Result<UserKind> {
         let (mut fields, mut bases, mut links) = (Vec::new(), Vec::new(), Vec::new());
         for (decl, base, Loaded { mut init, links: found }) in self.data_of(project, |decl| decl.public)? {
@@ -98,8 +98,8 @@ impl<'db> Kinds<'db> {
         Ok(UserKind { kind: Arc::new(Kind::user(name, fields)), bases, links: links.into() })
     }
 
-    /// The data of a project that are wanted, in the order of its files. Where a name is declared twice, the first
-    /// declaration counts. Data of a type that is missing are not there.
+    /// The selected data of a project, in the order of its files. Where a name is declared twice, the first declaration
+    /// counts. Data of a missing type are left out.
     pub(crate) fn data_of(
         &mut self,
         project: Project,

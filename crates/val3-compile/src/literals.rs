@@ -1,4 +1,4 @@
-//! `{…}`: the values of a structure. What is left out is 0 (2.4.2).
+//! `{…}`: the values of a structure. Omitted values are 0 (2.4.2).
 
 use val3_analysis::body::{Expr, ExprId};
 use val3_analysis::ty::Base;
@@ -32,7 +32,7 @@ impl Coder<'_, '_> {
         Ok(Value { location: Location::Frame(lanes), base })
     }
 
-    /// A value that is known before the program runs lies in the frame from the start.
+    /// A constant structure lies in the frame from the start.
     fn constant_literal(&mut self, base: Base, kind: &Kind, nums: Vec<f64>) -> Result<Value> {
         let mut kind = kind.clone();
         let length = kind.default.nums.len();
@@ -105,7 +105,7 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// The values of the fields of a user type, in the order of its data; what is left out stays as it is.
+    /// Writes the values of the fields of a user type, in the order of its data. Omitted fields keep their values.
     fn user_literal(&mut self, to: Value, values: &Values) -> Result<()> {
         let (kind, bases) = (self.kind(to.base)?, self.unit.kinds.field_bases(to.base)?);
         for (number, (value, base)) in values.iter().zip(bases).enumerate().take(kind.fields.len()) {

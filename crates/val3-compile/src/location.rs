@@ -14,7 +14,7 @@ pub(crate) struct Value {
     pub(crate) base: Base,
 }
 
-/// Where a value is, or how it is reached.
+/// The location of a value, or the way to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Location {
     /// On the frame.

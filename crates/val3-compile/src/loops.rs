@@ -10,19 +10,19 @@ use crate::moves::text_register;
 use crate::places::num_register;
 use crate::statements::head;
 
-/// What a `for` counts with.
+/// The counter of a `for`, with its registers.
 struct Counter {
     variable: Value,
-    /// The register that is counted in.
+    /// The register that counts.
     register: Register,
-    /// The register with the limit, before that with the step.
+    /// The register with the limit. The register after it has the step.
     limit: Register,
-    /// It surely counts up.
+    /// Whether the step is known to be above 0.
     is_up: bool,
 }
 
 impl Coder<'_, '_> {
-    /// The condition stands behind the block, so that a round takes one jump.
+    /// The condition follows the block, so that a round takes one jump.
     pub(crate) fn while_stmt(&mut self, stmt: &Stmt, condition: Option<ExprId>, block: &[Stmt]) -> Result<()> {
         let condition = condition.ok_or(Limit::Unclear)?;
         let line = self.code.later_line(head(stmt, self.body.range(condition)));
@@ -56,7 +56,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// Computes what a `for` counts with.
+    /// Computes the counter, the limit and the step of a `for`.
     fn counter(&mut self, counter: ExprId, start: ExprId, stop: ExprId, step: Option<ExprId>) -> Result<Counter> {
         let variable = self.variable(counter)?.ok_or(Limit::Unclear)?;
         let variable = Value { location: self.pinned(variable.location)?, ..variable };
@@ -76,7 +76,7 @@ impl Coder<'_, '_> {
         Ok(Counter { variable, register, limit, is_up })
     }
 
-    /// The registers with limit and step where both are constants: they are right too where `taskResume` has led past the
+    /// The registers with limit and step if both are constants. They are right even if `taskResume` has jumped past the
     /// head of the loop.
     fn fixed_end(&mut self, stop: ExprId, step: Option<ExprId>) -> Result<Option<Register>> {
         let Some((_, limit)) = self.constant(stop) else { return Ok(None) };
@@ -111,7 +111,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// A counter that is not on the frame is counted there and written back before and after each round.
+    /// A counter outside the frame is counted in a register and written back before and after each round.
     fn store_counter(&mut self, variable: Value, counter: Register) -> Result<()> {
         match variable.location {
             Location::Frame(_) => Ok(()),
@@ -119,7 +119,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// The same variable, whatever the block does to those in its index.
+    /// The same variable, even if the block changes the variables in its index.
     fn pinned(&mut self, location: Location) -> Result<Location> {
         let Location::Element { container, at, plain } = location else { return Ok(location) };
         let at = match at {

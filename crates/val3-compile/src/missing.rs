@@ -11,8 +11,8 @@ use crate::coder::Coder;
 use crate::error::{Limit, Result};
 
 impl Coder<'_, '_> {
-    /// Compiles what a line does with these expressions. If something is missing, the line stops its task instead, and
-    /// there is no answer.
+    /// Compiles a line that uses these expressions. If something is missing, the line stops its task instead, and the
+    /// result is `None`.
     pub(crate) fn or_stop<T>(
         &mut self,
         ids: &[ExprId],
@@ -32,7 +32,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// The call of a program in its parts.
+    /// The callee and the arguments of the call of a program.
     pub(crate) fn call_parts(&self, call: ExprId) -> Vec<ExprId> {
         match self.body.expr(call) {
             Expr::Call(callee, args) => std::iter::once(*callee).chain(args.iter().copied()).collect(),
@@ -40,7 +40,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// What stops a line with this expression: the first of its parts that is missing.
+    /// The instruction that stops a line with this expression, for the first of its parts that is missing.
     fn missing(&self, id: ExprId) -> Option<InstructionSite> {
         let calls = || self.body.within(id).filter_map(|id| self.callee(id));
         self.body.within(id).find_map(|id| match self.body.expr(id) {
@@ -76,7 +76,7 @@ impl Coder<'_, '_> {
         self.types.call(call).is_some() || self.types.add_on_call(call).is_some()
     }
 
-    /// The interface of a library identifier is there and has this item.
+    /// Whether the interface of a library identifier exists and has this item.
     pub(crate) fn has_item(&self, library: &str, item: &str) -> bool {
         self.unit.interface(library).is_ok_and(|interface| {
             let items = items(self.unit.db, interface);
@@ -84,7 +84,7 @@ impl Coder<'_, '_> {
         })
     }
 
-    /// The type of a variable as it is declared.
+    /// The declared type of a variable.
     fn type_name(&self, variable: &str) -> Option<&str> {
         let param = self.header.params.iter().find(|param| param.name == variable).map(|param| &param.type_name);
         let local = || self.header.locals.iter().find(|local| local.name == variable).map(|local| &local.type_name);
@@ -93,7 +93,7 @@ impl Coder<'_, '_> {
     }
 }
 
-/// A line that the analysis has accepted and that means nothing to the compiler.
+/// The instruction for a line that the analysis has accepted although the compiler does not know its meaning.
 fn untold() -> InstructionSite {
     InstructionSite::named("line", Some(handlers::not_executable))
 }

@@ -163,8 +163,8 @@ impl Coder<'_, '_> {
     }
 }
 
-/// The container exists while the program runs. Data of a library may be missing, and whether they are is found out where
-/// the text of the program names them.
+/// Whether the container is known to exist while the program runs. Data of a library may be missing, which is found out
+/// where the text of the program names them.
 fn is_there(container: ContainerRef) -> bool {
     matches!(container.kind(), ContainerKind::Data(_) | ContainerKind::Part(_) | ContainerKind::View(_))
 }
@@ -174,5 +174,5 @@ pub(crate) fn text_register(register: Register) -> Result<TextOperand> {
     TextOperand::new(TextSource::Register(register)).ok_or(Limit::Registers)
 }
 
-/// What messages call the site of an assignment.
+/// The name of an assignment in messages.
 pub(crate) const ASSIGNMENT: &str = "=";

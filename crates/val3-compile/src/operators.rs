@@ -30,8 +30,8 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// `and` and `or` compute their right side only where the left one does not decide (3.1.2). The result is kept
-    /// apart: the right side may read what is wanted.
+    /// `and` and `or` compute their right side only if the left one does not decide (3.1.2). The result has a register
+    /// of its own, because the right side may read the wanted one.
     fn logic(&mut self, op: BinaryOp, left: ExprId, right: ExprId) -> Result<Value> {
         let condition = self.frame.num()?;
         let end = self.code.label();
@@ -156,7 +156,7 @@ impl Coder<'_, '_> {
         Ok(to)
     }
 
-    /// Looks a value up now, so that it can be used several times.
+    /// Looks a value up immediately, so that it can be used several times.
     pub(crate) fn settled(&mut self, value: Value) -> Result<Value> {
         let base = value.base.builtin();
         let location = match value.location {

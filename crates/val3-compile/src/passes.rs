@@ -8,7 +8,7 @@ use val3_lang::types::BaseType;
 
 use crate::frame::narrow;
 
-/// Gives calls the quick form of their arguments where they have one.
+/// Gives calls the fast form of their arguments if they have one.
 pub(crate) fn plan(programs: &mut [Program]) {
     let plain: Vec<_> = programs.iter().map(|program| program.is_plain().then(|| program.params.clone())).collect();
     for site in programs.iter_mut().flat_map(|program| &mut program.calls) {

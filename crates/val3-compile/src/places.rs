@@ -68,8 +68,8 @@ impl Coder<'_, '_> {
         Ok(Location::Element { container, at: self.subscript(indexes)?, plain })
     }
 
-    /// The indexes or the key between brackets. A key is read where the element is looked up, unless the statement may
-    /// change it before.
+    /// The indexes or the key between brackets. A key is read when the element is looked up, or before if the statement
+    /// may change it.
     pub(crate) fn subscript(&mut self, indexes: &[ExprId]) -> Result<Subscript> {
         Ok(match *indexes {
             [key] if self.base(key).builtin() == Some(BaseType::String) => {
@@ -86,7 +86,7 @@ impl Coder<'_, '_> {
         })
     }
 
-    /// The numbers of some expressions in registers that follow one another; the first of them.
+    /// The numbers of expressions in consecutive registers. Returns the first of them.
     pub(crate) fn run(&mut self, ids: &[ExprId]) -> Result<Register> {
         let first = self.frame.nums(u32::try_from(ids.len()).map_err(|_| Limit::Registers)?)?;
         for (to, id) in (first..).zip(ids) {
@@ -103,7 +103,7 @@ impl Coder<'_, '_> {
         self.behind(value.location, offset)
     }
 
-    /// The location so many lanes behind another.
+    /// The location at an offset from another.
     pub(crate) fn behind(&mut self, location: Location, offset: Lanes) -> Result<Location> {
         Ok(match location {
             Location::Frame(lanes) => Location::Frame(lanes + offset),
@@ -141,7 +141,7 @@ impl Coder<'_, '_> {
         Ok(to)
     }
 
-    /// Looks a value up: its place, and how many lanes behind that it is.
+    /// Looks a value up: its place, and its offset from there.
     pub(crate) fn located(&mut self, location: Location) -> Result<(Register, Lanes)> {
         if let Location::Place(place, lanes) = location {
             return Ok((place, lanes));
@@ -166,7 +166,7 @@ impl Coder<'_, '_> {
         }
     }
 
-    /// The number that a name stands for, if it is that of an enumerator and of nothing nearer.
+    /// The number of an enumerator, unless a variable hides its name.
     pub(crate) fn enumerator(&self, name: &str) -> Option<f64> {
         let hidden = self.frame.find(name).is_some() || self.global(name).is_some();
         enumerations::find(name).filter(|_| !hidden).map(|found| enumerator(found.name))

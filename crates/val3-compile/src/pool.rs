@@ -5,19 +5,19 @@ use crate::error::{Limit, Result};
 /// The registers of one sort.
 #[derive(Debug, Default)]
 pub(crate) struct Pool {
-    /// How many there are.
+    /// The number of registers.
     size: u32,
-    /// Runs that nobody holds: start and length, in order, no two of them adjacent.
+    /// Free runs: start and length, in ascending order, no two of them adjacent.
     free: Vec<(u32, u32)>,
 }
 
 impl Pool {
-    /// How many registers there are.
+    /// The number of registers.
     pub(crate) fn size(&self) -> u32 {
         self.size
     }
 
-    /// So many registers, one behind the other.
+    /// Takes a run of `count` consecutive registers and returns its start.
     pub(crate) fn take(&mut self, count: u32) -> Result<u32> {
         if count == 0 {
             return Ok(0);
@@ -30,14 +30,14 @@ impl Pool {
         Ok(start)
     }
 
-    /// So many registers that nobody held before.
+    /// Takes a run of `count` registers that were never taken before.
     pub(crate) fn grow(&mut self, count: u32) -> Result<u32> {
         let start = self.size;
         self.size = start + count;
         if self.size > u32::from(u16::MAX) { Err(Limit::Registers) } else { Ok(start) }
     }
 
-    /// Takes registers back.
+    /// Makes a run of registers free.
     pub(crate) fn give(&mut self, start: u32, count: u32) {
         if count == 0 {
             return;

@@ -21,7 +21,7 @@ use crate::{passes, program};
 /// Bytes of stack of a task where the project does not say (2.1.4.2).
 const STACK_SIZE: u32 = 5000;
 
-/// The image of an application or library in which the analysis has found no error.
+/// The image of an application or library without errors of the analysis.
 ///
 /// # Errors
 /// A limit that it exceeds.
@@ -59,7 +59,7 @@ fn programs(db: &dyn Db, project: Project) -> Vec<(SmolStr, File)> {
     named.filter(|(name, _)| !name.is_empty() && known.insert(name.clone())).collect()
 }
 
-/// Global data with their links. What is built in is none of them, although files of s5 and s6 declare it.
+/// Global data with their links. Built-in variables are left out, although files of s5 and s6 declare them.
 fn data(kinds: &mut Kinds<'_>, project: Project) -> Result<(Vec<DataDef>, Vec<LinkInit>), Limit> {
     let is_builtin = |name: &str| builtins::find(name).is_some_and(|builtin| builtin.is_variable);
     let (mut data, mut links) = (Vec::new(), Vec::new());

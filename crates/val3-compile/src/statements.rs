@@ -10,7 +10,7 @@ use crate::coder::Coder;
 use crate::error::{Limit, Result};
 
 impl Coder<'_, '_> {
-    /// Statements one after the other. What one of them computes in between is forgotten behind it.
+    /// Compiles statements in sequence. The temporaries of each are released after it.
     pub(crate) fn block(&mut self, block: &[Stmt]) -> Result<()> {
         for stmt in block {
             self.range = stmt.range;
@@ -72,7 +72,7 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// A jump on a condition; what it computes in between is forgotten.
+    /// A jump on a condition, whose temporaries are released.
     pub(crate) fn condition(&mut self, id: ExprId, when: bool, label: crate::code::Label) -> Result<()> {
         let mark = self.frame.mark();
         self.or_stop(&[id], |coder| coder.branch(id, when, label))?;

@@ -1,4 +1,4 @@
-//! `switch`: the cases are compared one after the other, all with the line of the statement (2.2.5).
+//! `switch`: the cases are compared in sequence, all with the line of the statement (2.2.5).
 
 use val3_analysis::body::{ExprId, Stmt};
 use val3_bytecode::Op;
@@ -54,7 +54,7 @@ impl Coder<'_, '_> {
         Ok(())
     }
 
-    /// The selector is compared in place where no case can change it.
+    /// The selector is compared in place if no case can change it.
     fn text_cases(&mut self, selector: Value, cases: &[Case], labels: &[Label]) -> Result<()> {
         let a = self.text_operand(selector.location)?;
         let a = if self.is_stable(a) { a } else { text_register(self.kept_text(a)?)? };

@@ -22,7 +22,7 @@ impl Coder<'_, '_> {
             }
             None => None,
         };
-        // The task outlives the line: nothing is given back to what it was passed.
+        // The task outlives the line, so its arguments are not copied back.
         let call = self.call_site(call, &mut Vec::new())?;
         self.code.task(TaskSite { name, rate, overrun, call });
         Ok(())

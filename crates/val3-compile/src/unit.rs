@@ -11,7 +11,7 @@ use val3_bytecode::{Import, ImportKind};
 use crate::error::{Limit, Result, there};
 use crate::kinds::Kinds;
 
-/// What all programs of a project share.
+/// The state that all programs of a project share.
 pub(crate) struct Unit<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
@@ -20,7 +20,7 @@ pub(crate) struct Unit<'db> {
     data: FxHashMap<SmolStr, u16>,
     programs: FxHashMap<SmolStr, u16>,
     libraries: FxHashMap<SmolStr, u16>,
-    /// What was used of libraries so far.
+    /// The items of libraries that were used so far.
     pub(crate) imports: Vec<Import>,
     imported: FxHashMap<(u16, SmolStr), u16>,
 }
@@ -120,7 +120,7 @@ impl<'db> Unit<'db> {
         Ok(number)
     }
 
-    /// Imports all that the interfaces of the libraries promise: a library that is loaded has to have it (6.6).
+    /// Imports all items that the interfaces of the libraries promise: a loaded library must have them (6.6).
     pub(crate) fn import_interfaces(&mut self) -> Result<()> {
         let aliases = manifest(self.db, self.project.manifest(self.db)).libraries.iter().map(|entry| &entry.alias);
         for alias in aliases {
@@ -153,7 +153,7 @@ impl<'db> Unit<'db> {
     }
 }
 
-/// Names in an order that no table decides.
+/// Names in alphabetical order, independent of the order in hash tables.
 fn sorted<'n>(names: impl Iterator<Item = &'n SmolStr>) -> Vec<&'n SmolStr> {
     let mut names: Vec<_> = names.collect();
     names.sort_unstable();

@@ -16,8 +16,8 @@ use crate::coder::Coder;
 use crate::error::{Limit, Result, there};
 
 impl Coder<'_, '_> {
-    /// Gives the parameters their places, in order. Who calls a program with a parameter of a type that is missing
-    /// stops before the call, so such parameters need none.
+    /// Gives the parameters their places, in order. A parameter of a missing type needs none: a caller stops before the
+    /// call.
     pub(crate) fn params(&mut self, params: &[Declared]) -> Result<Vec<Param>> {
         params.iter().filter_map(|param| there(self.param(param)).transpose()).collect()
     }
@@ -118,7 +118,7 @@ impl Coder<'_, '_> {
             variables.push(Variable { name: param.name.clone(), kind, container, storage });
         }
         for local in self.header.locals.iter().filter(|local| params.iter().all(|param| param.name != local.name)) {
-            // A local of a type that is missing has no place.
+            // A local of a missing type has no place.
             let Some(storage) = self.frame.find(&local.name) else { continue };
             let base = resolve_type(&self.unit.items.types, &local.type_name).unwrap_or(Base::Unknown);
             let (kind, name) = (self.kind(base)?, local.name.to_string());

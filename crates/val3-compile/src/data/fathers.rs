@@ -1,4 +1,4 @@
-//! What frames, tools and points are relative to at the start, and the grippers of tools (9.4 to 9.6).
+//! The fathers of frames, tools and points at the start, and the grippers of tools (9.4 to 9.6).
 
 use val3_analysis::data_check::steps;
 use val3_analysis::xml::Element as Xml;
@@ -9,7 +9,7 @@ use val3_lang::types::BaseType;
 
 use super::Found;
 
-/// The father that a value names; in the old dialect the data around it does, for all values.
+/// The father that a value names. In the old dialect the data around it names one for all values.
 pub(super) fn of(value: Xml<'_>, around: Xml<'_>) -> Option<FatherLink> {
     if let Some(text) = value.value("fatherId") {
         return parse(&text);
@@ -22,7 +22,7 @@ pub(super) fn gripper(value: Xml<'_>) -> Option<FatherLink> {
     named(value.elements().find(|element| element.name() == "io")?, "ioIndex")
 }
 
-/// What an element of the old dialect names.
+/// The reference in an element of the old dialect.
 fn named(element: Xml<'_>, index: &str) -> Option<FatherLink> {
     let written = |name: &str| element.value(name).filter(|text| !text.is_empty()).map(|text| text.into_owned());
     let at = written(index).unwrap_or_else(|| "0".to_owned());
@@ -39,7 +39,7 @@ fn parse(reference: &str) -> Option<FatherLink> {
     Some(FatherLink { library: None, name, at, fields: steps.collect() })
 }
 
-/// Links a value to its father: at once to what every controller has, else when all data exist.
+/// Links a value to its father: immediately if every controller has it, otherwise when all data exist.
 pub(super) fn hang(value: &mut Element, father: FatherLink, number: u32, links: &mut Vec<Found>) {
     let builtin = builtins::find(&father.name).filter(|builtin| builtin.is_variable && father.library.is_none());
     match builtin {
@@ -51,7 +51,7 @@ pub(super) fn hang(value: &mut Element, father: FatherLink, number: u32, links: 
     }
 }
 
-/// Takes the links to what every controller has out of these values.
+/// Takes the links to built-in variables out of these values.
 pub(crate) fn unhang(init: &mut PartInit) {
     for value in init.values.iter_mut().flatten() {
         value.links.iter_mut().filter(|link| matches!(link, Link::Data(_))).for_each(|link| *link = Link::None);

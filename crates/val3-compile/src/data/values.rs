@@ -12,14 +12,14 @@ use val3_lang::values::Text;
 
 use super::{Found, fathers};
 
-/// The value that a file leaves out, where that is another than the one a program creates (`mdesc`).
+/// The default of files for a value, where it differs from the one of programs (`mdesc`).
 pub(super) fn unwritten(base: Base, kind: &Kind) -> Option<Element> {
     let Base::Builtin(base, arm) = base else { return None };
     let value = default_of(base, arm, kind);
     (value != kind.default).then_some(value)
 }
 
-/// Reads the value that `value` writes; `around` is what declares the data.
+/// Reads the value that `value` writes; `around` is the element that declares the data.
 pub(super) fn read(
     value: Xml<'_>,
     around: Xml<'_>,
@@ -53,7 +53,7 @@ pub(super) fn read(
     read
 }
 
-/// The value of which nothing is written.
+/// The value of an element that writes nothing.
 fn default_of(base: BaseType, arm: Option<Arm>, kind: &Kind) -> Element {
     let mut value = kind.default.clone();
     for attribute in attributes(base, arm) {

@@ -103,12 +103,12 @@ impl Cell {
         controller
     }
 
-    /// What `main` prints, and the errors that stop its tasks.
+    /// The output of `main`, and the errors that stop its tasks.
     pub(crate) fn run(&self) -> String {
         shown(&run(&mut self.controller(), |_| {}))
     }
 
-    /// What happens to libraries while `main` runs.
+    /// The events about libraries while `main` runs.
     pub(crate) fn library_events(&self) -> String {
         let shown = |event: Event| match event.what {
             What::Lib { op, alias, path, code } => Some(format!("{op} {alias}:{path} {code}\n")),
@@ -134,7 +134,7 @@ pub(crate) fn run(controller: &mut Controller, mut outside: impl FnMut(&mut Cont
     panic!("goes on: {}", shown(&events));
 }
 
-/// What was printed, and the errors.
+/// The printed lines and the errors.
 pub(crate) fn shown(events: &[Event]) -> String {
     let shown = |event: &Event| match &event.what {
         What::Print { text } => Some(format!("{text}\n")),

@@ -1,4 +1,4 @@
-//! Statements that lead elsewhere, and their instruction lines (2.2.5).
+//! Statements that jump, and their instruction lines (2.2.5).
 
 use expect_test::{Expect, expect};
 

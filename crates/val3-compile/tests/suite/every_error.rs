@@ -51,7 +51,7 @@ taskResume("one",99)"#,
     (165, "link(fTable,l_fPart)"),
 ];
 
-/// The other numbers: moves and options are not there yet, and some are no program's doing.
+/// The other numbers: moves and options are not implemented yet, and some are not caused by programs.
 const OTHERS: [(RangeInclusive<u16>, &str); 9] = [
     (50..=50, "the controller's own messages, which 12.1 lacks"),
     (60..=61, "faults of the interpreter"),
@@ -64,7 +64,8 @@ const OTHERS: [(RangeInclusive<u16>, &str); 9] = [
     (270..=999, "the controller's own messages, which 12.1 lacks"),
 ];
 
-/// What the lines use. `Io` is a device with an input, an output of the system and an output that fails.
+/// The declarations that the lines use. `Io` is a device with an input, an output of the system and an output that
+/// fails.
 const SURROUNDINGS: &str = r#"
 library io "Disk://io/io.pjx"
 library part "Disk://part/part.pjx"

@@ -20,10 +20,10 @@ impl Libraries for NoLibraries {
     }
 }
 
-/// How long an application may run, in nanoseconds of its own time.
+/// Maximum duration of an application, in nanoseconds of its own time.
 const LONGEST: Time = 1_000_000_000_000;
 
-/// What a line takes, in nanoseconds.
+/// The time of a line, in nanoseconds.
 pub(crate) const LINE_COST: Time = 2_000;
 
 /// A controller whose application has begun.
@@ -34,12 +34,12 @@ pub(crate) fn started(image: &Arc<Image>, line_cost: Time) -> Controller {
     controller
 }
 
-/// What happens while an application runs, until it has ended.
+/// The events of an application, until it has ended.
 pub(crate) fn events(image: &Arc<Image>, line_cost: Time) -> Vec<Event> {
     rest(&mut started(image, line_cost))
 }
 
-/// What happens from now on until an application has ended.
+/// The events from now on until an application has ended.
 pub(crate) fn rest(controller: &mut Controller) -> Vec<Event> {
     let mut events = Vec::new();
     while controller.now() < LONGEST {
@@ -343,7 +343,7 @@ fn tasks_and_waiting() {
     );
 }
 
-/// A task that is alone executes several turns in one go; one that waits for a condition is looked at in each round.
+/// A task that is alone executes several turns in a row. A task that waits for a condition is checked in each round.
 #[test]
 fn a_task_that_is_alone_gets_the_same_turns() {
     let printed = |waits: &str| {

@@ -1,4 +1,4 @@
-//! Tasks of libraries: who sees them, and how they end (2.1.3, 5.2, 5.3).
+//! Tasks of libraries: their visibility and their end (2.1.3, 5.2, 5.3).
 
 use expect_test::{Expect, expect};
 use val3_machine::event::What;

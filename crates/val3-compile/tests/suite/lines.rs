@@ -42,7 +42,7 @@ fn connected(cell: &Cell, kind: LineKind) -> (Controller, Peer) {
     (controller, peer)
 }
 
-/// What a program prints that hears `input`, and what it sends.
+/// Checks the output and the sent data of a program that receives `input`.
 #[track_caller]
 fn check(lines: &str, input: &[u8], expected: Expect) {
     let (mut controller, peer) = connected(&cell(lines), LineKind::Client);

@@ -21,7 +21,7 @@ fn with_memory(image: Image, bytes: u64) -> Controller {
     controller
 }
 
-/// What is printed, and the errors of tasks, until the application has ended or is stuck.
+/// The output and the errors of tasks, until the application has ended or is stuck.
 fn run(controller: &mut Controller) -> String {
     let mut shown = String::new();
     loop {
@@ -262,7 +262,7 @@ fn local_screens_take_memory() {
     );
 }
 
-/// The sizes of files are believed before there is a value.
+/// The sizes in files are checked before a value exists.
 #[test]
 fn data_beyond_all_memory_are_refused() {
     for data in [

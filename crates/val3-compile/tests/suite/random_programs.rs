@@ -11,7 +11,7 @@ use val3_machine::event::Event;
 use crate::execution::{LINE_COST, events, rest, run_at, started};
 use crate::show::image;
 
-/// What a statement is made of, by numbers: the same for the same numbers.
+/// A statement of a random program.
 #[derive(Debug, Clone)]
 enum Statement {
     Assign(String, String),
@@ -34,7 +34,7 @@ fn variable() -> impl Strategy<Value = String> {
     prop_oneof![6 => plain, 1 => indexed, 2 => computed]
 }
 
-/// Instructions that make a number of numbers, with what they take.
+/// Functions of numbers, with the number of their arguments.
 const FUNCTIONS: [(&str, usize); 17] = [
     ("abs", 1),
     ("bAnd", 2),
@@ -55,7 +55,7 @@ const FUNCTIONS: [(&str, usize); 17] = [
     ("sqrt", 1),
 ];
 
-/// What becomes of whole numbers, also of those that are too large to be exact, and of truth values.
+/// Statements on whole numbers, also on those that are too large to be exact, and on truth values.
 const COUNTS: [&str; 19] = [
     "l_nU=0",
     "l_nU=l_nU+1",
@@ -193,8 +193,8 @@ fn with_tasks(application: &str) -> String {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// The end of a cycle interrupts a turn between two lines, and the turn resumes in the next cycle: a program that does
-    /// not read the clock gives the same results wherever the cycles end.
+    /// The end of a cycle interrupts a turn between two lines, and the turn resumes in the next cycle: a program that
+    /// does not read the clock gives the same results wherever the cycles end.
     #[test]
     fn results_do_not_depend_on_where_cycles_end(statements in statements(), line_cost in 20_000_u64..400_000) {
         let listing = application(&statements);
@@ -228,7 +228,7 @@ proptest! {
         prop_assert_eq!(resumed, whole);
     }
 
-    /// A controller that returns to a snapshot, taken anywhere in a cycle, does the same again to the byte.
+    /// A controller that returns to a snapshot, taken anywhere in a cycle, repeats its events to the byte.
     #[test]
     fn restored_controllers_repeat_their_events(
         statements in statements(),

@@ -61,7 +61,7 @@ fn data_of_a_library_are_references_and_have_them() {
     );
 }
 
-/// A local variable may refer to it: nothing names its reference.
+/// A local variable may refer to it, because nothing can name the reference of a local variable.
 #[test]
 fn what_is_private_in_a_library_is_no_reference_of_global_data() {
     check(
@@ -81,7 +81,7 @@ fn what_belongs_to_a_library_that_is_not_declared_is_no_reference_of_global_data
     check("  call part:hang()\n  ? 1\n  fCell=part:fTable", expect!["1\nerror 82 in start\n"]);
 }
 
-/// What is refused changes nothing.
+/// A refused assignment changes nothing.
 #[test]
 fn a_refused_assignment_leaves_the_variable() {
     check(

@@ -1,4 +1,4 @@
-//! What `libSave` writes and `libLoad` reads again (6.7).
+//! Files that `libSave` writes and `libLoad` reads again (6.7).
 
 use expect_test::expect;
 

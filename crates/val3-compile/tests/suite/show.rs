@@ -45,7 +45,7 @@ pub(crate) fn program<'i>(image: &'i Image, name: &str) -> &'i Program {
     image.programs.iter().find(|program| program.name == name).unwrap()
 }
 
-/// Where the variables of `start` are, the constants of its frame, and its operations.
+/// The places of the variables of `start`, the constants of its frame, and its operations.
 #[track_caller]
 pub(crate) fn code(listing: &str) -> String {
     let image = image(listing);

@@ -56,7 +56,7 @@ fn connected(cell: &Cell) -> (Controller, Peer) {
     (controller, peer)
 }
 
-/// What the peer and the operator do before each cycle. `last` is the cycle before which they did something.
+/// The actions of the peer and the operator before each cycle. `last` is the last cycle with actions.
 fn outside(controller: &mut Controller, peer: &Peer, last: &mut u64) {
     let cycle = controller.now() / CYCLE;
     if std::mem::replace(last, cycle) == cycle {
