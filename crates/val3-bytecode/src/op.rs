@@ -135,8 +135,8 @@ pub enum Op {
 
     /// The task waits unless `condition` is true. It resumes at `retry`, where the condition is computed again.
     WaitUntil { condition: Register, retry: u32 },
-    /// `to` becomes true when `condition` is, and false when `seconds` have passed. Until then the task waits and resumes
-    /// at `retry`.
+    /// `to` becomes true when `condition` is, and false when `seconds` have passed. Until then the task waits and
+    /// resumes at `retry`.
     Watch { to: Register, condition: Register, seconds: Register, retry: u32 },
 
     /// Begins a `for`: goes to `exit` if the counter is beyond `limit`; the step is in the register after `limit`.

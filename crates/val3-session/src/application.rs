@@ -26,8 +26,9 @@ pub struct Application {
 }
 
 impl Application {
-    /// Reads the application at `path`, which is absolute: its folder, its `.pjx`, or a folder that holds one application.
-    /// Of several applications, the only one that has the program `program` is meant. The others are not kept.
+    /// Reads the application at `path`, which is absolute: its folder, its `.pjx`, or a folder that holds one
+    /// application. Of several applications, the only one that has the program `program` is meant. The others are not
+    /// kept.
     ///
     /// # Errors
     /// `path` does not hold exactly one such application, or a `val3.toml` is at fault.
@@ -97,8 +98,8 @@ impl Application {
 }
 
 impl Application {
-    /// Replaces the text of a file in `system`, and reads what the application newly refers to. `arm` is chosen again where
-    /// the configuration was read again.
+    /// Replaces the text of a file in `system`, and reads what the application newly refers to. `arm` is chosen again
+    /// where the configuration was read again.
     pub(crate) fn set_text(&mut self, system: &dyn System, path: &Utf8Path, text: String, arm: Option<&str>) {
         let key = path_key(path.as_str());
         let db = &mut self.workspace.db;

@@ -69,8 +69,8 @@ enum Text {
 }
 
 impl Evaluator {
-    /// Opens the application at the absolute path `application`, or an empty one, which behaves as if it were in the folder
-    /// `current`. Each of `variables` declares a variable, such as `num nVal` or `point pA[3]`.
+    /// Opens the application at the absolute path `application`, or an empty one, which behaves as if it were in the
+    /// folder `current`. Each of `variables` declares a variable, such as `num nVal` or `point pA[3]`.
     ///
     /// # Errors
     /// The application cannot be read or loaded, a setting is at fault, or a variable cannot be declared.
@@ -173,8 +173,8 @@ impl Evaluator {
         Ok(())
     }
 
-    /// Completions after the first `at` bytes of a line, in a statement and in an expression. Each has the offset in the
-    /// line at which it is inserted.
+    /// Completions after the first `at` bytes of a line, in a statement and in an expression. Each has the offset in
+    /// the line at which it is inserted.
     pub fn completions(&mut self, line: &str, at: usize) -> Vec<(usize, String)> {
         let mut all = Vec::new();
         for before in ["", PRINT] {

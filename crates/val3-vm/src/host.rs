@@ -40,8 +40,8 @@ pub trait Host: Ports {
 
     /// Saves data and programs of an application or library; the code of `libSave` (6.6).
     ///
-    /// `to` is the destination that the program, which is one of `from`, gives; without one, the path that `from` was
-    /// loaded from.
+    /// `to` is the path that the program, which is one of `from`, gives. Without one, the files that `saved` was loaded
+    /// from are replaced.
     fn save(&mut self, space: &Space, from: InstanceId, saved: InstanceId, to: Option<&str>) -> u16;
 }
 

@@ -70,7 +70,8 @@ impl TurnContext<'_> {
         Ok(stop.map(Leave::Turn).or(leave))
     }
 
-    /// Ends the turn after an instruction that takes time outside the program, and suspends it where the host interrupts.
+    /// Ends the turn after an instruction that takes time outside the program, and suspends it where the host
+    /// interrupts.
     fn pause(&mut self, thread: &mut Thread, now: Time) -> Option<Outcome> {
         let elapsed = self.ports.take_elapsed();
         if elapsed == 0 {

@@ -1,7 +1,7 @@
 //! Runs images: tasks, frames of programs, data, scheduling.
 //!
-//! This crate has no clock, no input and no arm: instructions reach them through ports. Runs of the same images with the
-//! same answers of the ports execute the same operations.
+//! This crate has no clock, no input and no arm: instructions reach them through ports. Runs of the same images with
+//! the same answers of the ports execute the same operations.
 
 mod arithmetic;
 mod calls;

@@ -104,8 +104,8 @@ impl Space {
         Ok(id)
     }
 
-    /// Loads the libraries that load with an application or library. A library that cannot be loaded is missing when it is used
-    /// (error 80).
+    /// Loads the libraries that load with an application or library. A library that cannot be loaded is missing when it
+    /// is used (error 80).
     pub fn load_with(&mut self, id: InstanceId, host: &mut dyn Host) {
         let Some(instance) = self.instance(id) else { return };
         let (image, path) = (Arc::clone(&instance.image), instance.path.clone());

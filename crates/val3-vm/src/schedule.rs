@@ -1,8 +1,8 @@
 //! The scheduler: which task runs when (5.4 to 5.7).
 //!
 //! Time is virtual: every line takes the same time, waiting takes none, and the host jumps over the time in which all
-//! tasks wait. In a cycle of 4 ms the synchronous tasks that are due run first, then the asynchronous ones in rounds until
-//! the cycle is over or all of them wait.
+//! tasks wait. In a cycle of 4 ms the synchronous tasks that are due run first, then the asynchronous ones in rounds
+//! until the cycle is over or all of them wait.
 //!
 //! A cycle is a value. It can stop in the middle of a turn, and the next call resumes it there.
 

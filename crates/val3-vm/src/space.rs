@@ -103,8 +103,8 @@ impl Space {
 
     /// Binds a library identifier of `user` to `library`.
     ///
-    /// An item that the library lacks raises error 80 when it is used. Returns whether the library has all that its interface
-    /// promises.
+    /// An item that the library lacks raises error 80 when it is used. Returns whether the library has all that its
+    /// interface promises.
     pub fn connect(&mut self, user: InstanceId, alias: u16, library: InstanceId, host: &mut dyn Host) -> bool {
         let complete = self.connect_items(user, alias, library);
         self.declare_libraries(user);

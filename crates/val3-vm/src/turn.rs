@@ -34,7 +34,7 @@ pub struct TurnReport {
 pub struct Grant {
     /// In the current turn.
     pub first: u32,
-    /// In each turn that follows immediately while no other task can run; 0 if another one can.
+    /// In each immediately following turn while this is the only task that can run; 0 if another one can.
     pub per_turn: u32,
     /// In total.
     pub limit: u32,
@@ -47,7 +47,7 @@ impl Grant {
         Self { first: lines, per_turn: 0, limit: lines }
     }
 
-    /// Maximum number of lines if no other task becomes able to run.
+    /// Maximum number of lines if this remains the only task that can run.
     pub(crate) fn budget(self) -> u32 {
         if self.per_turn == 0 { self.limit.min(self.first) } else { self.limit }
     }

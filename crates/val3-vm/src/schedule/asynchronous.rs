@@ -23,7 +23,8 @@ struct Round {
 }
 
 impl Schedule {
-    /// The first round of a cycle. One that the end of the last cycle has interrupted does not show that all tasks wait.
+    /// The first round of a cycle. One that the end of the last cycle has interrupted does not show that all tasks
+    /// wait.
     pub(super) fn first_round(&self) -> Rounds {
         let round = Round { has_run: self.next != TaskNumber(0), reads_clock: false };
         Rounds { any: false, round, suspended: None }
