@@ -16,44 +16,44 @@ use crate::output::to_file;
 use crate::paths::{Paths, relative};
 use crate::user_error::UserError;
 
-/// What to do with the baselines.
+/// The treatment of the baselines.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Mode {
     /// Known findings are left out.
     #[default]
     Use,
-    /// Everything that is found is known from now on.
+    /// All findings are known from now on.
     Write,
-    /// As [`Mode::Use`]; what is not found any more is taken out.
+    /// As [`Mode::Use`], and known findings that are not found any more are removed.
     Prune,
 }
 
-/// What the baselines did.
+/// The effect of the baselines.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Outcome {
     /// Findings that are known.
     pub(crate) known: usize,
-    /// Known findings that are not found any more and still stand in a baseline.
+    /// Known findings of a baseline that are not found any more.
     pub(crate) gone: usize,
-    /// The files that were written, as people see them, with what they hold.
+    /// The written files, as people see them, each with its number of findings.
     pub(crate) written: Vec<(String, usize)>,
 }
 
-/// What the baselines are held against.
+/// A check whose findings are compared with the baselines.
 pub(crate) struct KnownFindings<'a> {
-    /// All that was loaded.
+    /// All loaded files.
     pub(crate) workspace: &'a Workspace,
-    /// What was checked.
+    /// The checked units.
     pub(crate) units: &'a [Unit],
-    /// What the command line says about findings.
+    /// The selection of the command line.
     pub(crate) selection: &'a Selection,
     /// How paths are shown.
     pub(crate) paths: &'a Paths,
 }
 
 impl KnownFindings<'_> {
-    /// Takes the known findings out of `diagnostics`. A baseline named on the command line (`named`, absolute) counts
-    /// for all applications; else each has the one of its `val3.toml`.
+    /// Removes the known findings from `diagnostics`. A baseline named on the command line (`named`, absolute) applies
+    /// to all applications. Otherwise each has the one of its `val3.toml`.
     pub(crate) fn apply(
         &self,
         named: Option<&Utf8Path>,
@@ -80,7 +80,7 @@ impl KnownFindings<'_> {
         &self.workspace.db
     }
 
-    /// The baselines with the project files they count for.
+    /// The baselines with the project files to which they apply.
     fn baselines(&self, named: Option<&Utf8Path>) -> BTreeMap<Utf8PathBuf, FxHashSet<File>> {
         let mut baselines: BTreeMap<Utf8PathBuf, FxHashSet<File>> = BTreeMap::new();
         for project in &self.workspace.projects {
@@ -109,7 +109,7 @@ impl BaselineFile<'_> {
     /// The findings that are new.
     fn apply(&self, mut found: Vec<Diagnostic>, outcome: &mut Outcome) -> Result<Vec<Diagnostic>, UserError> {
         let mut baseline = self.read()?;
-        // A file that two applications use is judged twice.
+        // A file that two applications use is checked twice.
         let mut seen = FxHashSet::default();
         found.retain(|it| seen.insert((it.place, it.rule.code, it.message.clone())));
         let fingerprints: Vec<Fingerprint> = found.iter().map(|diagnostic| self.fingerprint(diagnostic)).collect();
@@ -143,7 +143,7 @@ impl BaselineFile<'_> {
         Fingerprint::new(db, diagnostic, |file| relative(self.folder(), file.path(db)))
     }
 
-    /// Whether this check would have found it again: not where its file or its rule was left out this time.
+    /// Whether this check would have found it again: its file and its rule were not left out this time.
     fn was_looked_for(&self, known: &Fingerprint, files: &BTreeSet<String>) -> bool {
         let Selection { only, never, .. } = self.known.selection;
         let code = known.rule.as_str();

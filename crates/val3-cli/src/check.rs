@@ -1,4 +1,4 @@
-//! `val3 check`: finds the faults of applications, libraries and whole cells, and mends what can be mended.
+//! `val3 check`: finds the faults of applications, libraries and whole cells, and fixes those that have a fix.
 
 use std::process::ExitCode;
 
@@ -59,7 +59,7 @@ fn request(args: &CheckArgs) -> Result<Request, UserError> {
     })
 }
 
-/// The file that `-` stands for.
+/// The file that `-` means.
 fn standard_input(args: &CheckArgs) -> Result<Option<StandardInput>, UserError> {
     let help = "write `val3 check - --stdin-path FILE`";
     let error = |message: &str| Err(UserError::new(message).with_help(help));
@@ -108,7 +108,7 @@ fn write_report(args: &CheckArgs, color: Color, report: &Report) -> Result<ExitC
     Ok(exit_code(args, report, report.reaches(args.fail_level)))
 }
 
-/// Checks again and again; every round reads all files anew. It ends when it cannot go on, or with the process.
+/// Repeats the check. Each round reads all files again. It ends with an error, or with the process.
 fn watch(args: &CheckArgs, color: Color, request: &Request) -> Result<ExitCode, UserError> {
     let mut watch = Watch::start(&request.asked)?;
     let mut session = Some(Session::open(request)?);
@@ -153,7 +153,7 @@ fn fixes(args: &CheckArgs, session: &mut Session<'_>) -> Result<AppliedFixes, Us
     Ok(applied)
 }
 
-/// The rule on files that cannot be read: without them the check is not complete.
+/// The rule on unreadable files. The check is incomplete if it has findings.
 const UNREADABLE_FILE: &str = "V0502";
 
 fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
@@ -163,7 +163,7 @@ fn exit_code(args: &CheckArgs, report: &Report, failed: bool) -> ExitCode {
     if failed && !args.exit_zero { ExitCode::FAILURE } else { ExitCode::SUCCESS }
 }
 
-/// Findings go to the standard output; what only people want, to the standard error output.
+/// Findings go to the standard output; the summary for people goes to the standard error output.
 fn write_findings(args: &CheckArgs, color: Color, report: &Report) -> Result<(), UserError> {
     to_stdout(color, |out| match args.statistics {
         true => rule_counts::write(args.format, report, out),

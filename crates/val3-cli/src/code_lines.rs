@@ -4,12 +4,12 @@ use val3_analysis::items::faults::CodeRange;
 
 use crate::line_index::LineIndex;
 
-/// Where the code of each program of a file stands.
+/// The ranges of the code of each program of a file.
 #[derive(Debug)]
 pub(crate) struct CodeLines(Vec<CodeRange>);
 
 impl CodeLines {
-    /// Those of a file with code in these places.
+    /// The code lines of a file with code in these ranges.
     pub(crate) fn new(codes: &[CodeRange]) -> Self {
         Self(codes.to_vec())
     }

@@ -1,4 +1,4 @@
-//! From a request to findings: the one file that knows how the analysis is asked.
+//! From a request to findings. Only this file knows how to run the analysis.
 
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -24,11 +24,11 @@ use crate::scope::Scope;
 use crate::translation::Translator;
 use crate::user_error::UserError;
 
-/// Pieces of work between which the code of programs is freed that nobody will ask for again. Memory that a process
-/// touches for the first time costs more than freeing what it no longer needs.
+/// Number of units after which the code of programs is freed that is not needed any more. Memory that a process touches
+/// for the first time costs more than freeing what it no longer needs.
 const BATCH: usize = 1500;
 
-/// Findings that are translated together: those of a file stand together, and share what is known of it.
+/// Findings that are translated together. Those of a file are adjacent and share its indexes.
 const CHUNK: usize = 32;
 
 /// Everything that was asked for, read and ready to be checked.
@@ -36,16 +36,16 @@ pub(crate) struct Session<'r> {
     request: &'r Request,
     opened: Opened,
     started: Instant,
-    /// What was changed since everything was read.
+    /// Texts that were changed since everything was read.
     edited: EditedTexts,
 }
 
-/// What is done with the findings of all units.
+/// The processing of the findings of all units.
 type Finish = fn(&dyn Db, &[Unit], &WorkspaceSettings, Checked) -> Checked;
 
-/// What one check of a session gives.
+/// The result of one check of a session.
 pub(crate) struct Outcomes {
-    /// The findings in the order of the files, however many threads there are; without those that are known.
+    /// The findings in the order of the files, for any number of threads, without the known ones.
     pub(crate) diagnostics: Vec<Diagnostic>,
     silenced: usize,
     baseline: Outcome,
@@ -65,7 +65,7 @@ impl<'r> Session<'r> {
         Ok(Self { request, opened, started, edited: EditedTexts::default() })
     }
 
-    /// The workspace, to be used otherwise.
+    /// The workspace, for another use.
     pub(crate) fn into_workspace(self) -> Workspace {
         self.opened.workspace
     }
@@ -75,8 +75,8 @@ impl<'r> Session<'r> {
         self.check_with(finish)
     }
 
-    /// As [`check`](Self::check), with each place of what is said once for an application; without what only the whole
-    /// shows.
+    /// As [`check`](Self::check), but with each place of findings that are reported once for an application, and
+    /// without findings that need the whole application.
     pub(crate) fn occurrences(&mut self) -> Result<Outcomes, UserError> {
         self.check_with(|_, _, _, found| found)
     }
@@ -96,13 +96,13 @@ impl<'r> Session<'r> {
         Ok(Outcomes { diagnostics: checked.findings, silenced: checked.silenced, baseline })
     }
 
-    /// All findings in all that was read, whatever was asked for.
+    /// All findings in all files that were read, including those outside the request.
     pub(crate) fn check_everything(&mut self) -> Vec<Diagnostic> {
         let Opened { threads, workspace, .. } = &mut self.opened;
         let mut projects: Vec<Project> =
             Sources::get(&workspace.db).projects(&workspace.db).values().copied().collect();
         projects.sort_unstable_by_key(|project| project.manifest(&workspace.db).path(&workspace.db));
-        // What is wrong with configurations was said before, or they do not count for what was asked for.
+        // Faults of configurations were reported before, or the configurations do not apply to the request.
         let settings = WorkspaceSettings::new(&workspace.db, &projects, &Selection::default()).unwrap_or_default();
         let units = units(workspace, &projects, threads);
         let progress = Progress::new(units.len(), !self.request.quiet);
@@ -110,7 +110,7 @@ impl<'r> Session<'r> {
         finish(&workspace.db, &units, &settings, found).findings
     }
 
-    /// Replaces texts, and reads what becomes part of the workspace by it.
+    /// Replaces texts, and reads the files that become part of the workspace.
     pub(crate) fn set_texts<'t>(&mut self, texts: impl Iterator<Item = (&'t Utf8Path, &'t Arc<str>)>) {
         let mut is_shaped = false;
         for (path, text) in texts {
@@ -120,7 +120,7 @@ impl<'r> Session<'r> {
         if is_shaped {
             let Opened { threads, workspace, asked, .. } = &mut self.opened;
             let system = system(threads, self.request.input.as_ref(), &self.edited);
-            // A configuration that became faulty meanwhile counts as it was.
+            // A configuration that has become faulty keeps its previous content.
             let _ = workspace.refresh(&system, asked, &|_| false);
         }
     }
@@ -137,7 +137,7 @@ impl<'r> Session<'r> {
         !is_program(path.as_str()) && !is_data(path.as_str()) || !loads_alike(&before, text)
     }
 
-    /// The report on what was found.
+    /// The report on the findings.
     pub(crate) fn report(&self, outcomes: Outcomes) -> Report {
         let Opened { threads, paths, workspace, .. } = &self.opened;
         let unreadable = workspace.unreadable.iter().map(|(path, reason)| unreadable(path, reason, paths)).collect();
@@ -153,7 +153,7 @@ impl<'r> Session<'r> {
         }
     }
 
-    /// What was read.
+    /// The database with all files.
     pub(crate) fn db(&self) -> &Database {
         &self.opened.workspace.db
     }
@@ -169,7 +169,7 @@ impl<'r> Session<'r> {
         files.filter_map(|file| file.path(self.db()).parent()).map(Utf8Path::to_owned).collect()
     }
 
-    /// Ends the session when the process ends: taking the database apart piece by piece would only cost time.
+    /// Ends the session without dropping its database, because the process ends anyway.
     pub(crate) fn abandon(self) {
         std::mem::forget(self.opened.workspace);
     }
@@ -180,15 +180,15 @@ fn unreadable(folder: &Utf8Path, reason: &str, paths: &Paths) -> UserError {
         .with_help("what lies in it was not checked")
 }
 
-/// The pieces of work, in the order of the projects.
+/// The units, in the order of the projects.
 fn units(workspace: &Workspace, projects: &[Project], threads: &ThreadPool) -> Vec<Unit> {
     let units = |db: &mut Database, project: &Project| val3_check::units(db, std::slice::from_ref(project));
     let found = projects.par_iter().map_with(workspace.db.clone(), units);
     threads.install(|| found.flatten_iter().collect())
 }
 
-/// Checks the projects side by side, and the pieces of each. Trees of a project that is done are of no more use, and
-/// memory is to grow with the largest project rather than with all of them.
+/// Checks projects, and the units of each, in parallel. The trees of a finished project are dropped, so that memory
+/// grows with the largest project instead of with all of them.
 fn check_units(
     workspace: &mut Workspace,
     units: &[Unit],
@@ -227,7 +227,7 @@ fn check_units(
     checked.into_iter().flatten().sum()
 }
 
-/// The units of each project, in lots of about [`BATCH`] units.
+/// The units of each project, in batches of about [`BATCH`] units.
 fn batches<'a, 'u>(projects: &'a [&'u [Unit]]) -> impl Iterator<Item = &'a [&'u [Unit]]> {
     let mut count = 0;
     projects.chunk_by(move |project, _| {

@@ -58,7 +58,7 @@ impl Progress {
         Ok(true)
     }
 
-    /// Evaluates each text of the standard input as soon as it is complete.
+    /// Evaluates each text of the standard input when it is complete.
     fn read_stdin(&mut self) -> Result<(), UserError> {
         let mut open = String::new();
         for line in io::stdin().lines() {
@@ -162,8 +162,8 @@ impl Listener for Display<'_> {
     }
 }
 
-/// Shows a line on the standard output, and the place of a fault on the standard error output. The result is whether the
-/// output is still read.
+/// Shows a line on the standard output, and the place of a fault on the standard error output. The result is whether
+/// the output is still read.
 fn show(answer: &Answer, text: &str, color: Color) -> Result<bool, UserError> {
     let is_read = to_reader(color, |out| writeln!(out, "{answer}"))?;
     if let Some(excerpt) = answer.fault().and_then(|fault| fault.excerpt(text)) {

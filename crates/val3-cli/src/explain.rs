@@ -23,7 +23,7 @@ pub(crate) fn run(args: &ExplainArgs, color: Color) -> Result<(), UserError> {
     }
 }
 
-/// The topics a word asks for: a number may be that of several errors.
+/// The topics of a word. Several errors may share a number.
 fn find<'a>(topics: &'a [Topic], word: &str) -> Result<Vec<&'a Topic>, UserError> {
     let word = word.trim();
     let exact: Vec<_> = topics.iter().filter(|topic| topic.names.iter().any(|name| name == word)).collect();

@@ -1,4 +1,4 @@
-//! `val3 check --explain-config`: which settings each application has, and who says so.
+//! `val3 check --explain-config`: the settings of each application, with their sources.
 
 use std::collections::BTreeMap;
 use std::io::{self, Write};
@@ -13,12 +13,12 @@ use val3_config::ConfigFile;
 use crate::opening::{Opened, Request};
 use crate::report::Severity;
 
-/// Who sets what nobody else does.
+/// The source of settings without another source.
 const DEFAULT: &str = "default";
-/// Who sets what wins over every file.
+/// The source of settings that take precedence over every file.
 const COMMAND_LINE: &str = "command line";
 
-/// Writes the settings of every application; applications with the same `val3.toml` stand together.
+/// Writes the settings of every application, grouped by `val3.toml`.
 pub(crate) fn write(opened: &Opened, request: &Request, out: &mut dyn Write) -> io::Result<()> {
     let db = &opened.workspace.db;
     let mut groups: BTreeMap<String, Group> = BTreeMap::new();
@@ -45,7 +45,7 @@ struct Group<'a> {
     projects: Vec<Project>,
 }
 
-/// A setting, its value, and who says so.
+/// A setting, its value, and its source.
 type Row = [String; 3];
 
 impl Group<'_> {
@@ -69,7 +69,7 @@ impl Group<'_> {
         self.configuration.map(|configuration| configuration.file(self.db()))
     }
 
-    /// The application with what the settings come to for it.
+    /// The application with its version, arm and disk.
     fn application(&self, project: Project) -> String {
         let (db, paths) = (self.db(), &self.opened.paths);
         let known = items(db, project);
@@ -92,7 +92,7 @@ impl Group<'_> {
         val3_config::settings(self.file()).into_iter().map(row).collect()
     }
 
-    /// The rules whose level is not the usual one.
+    /// The rules with another level than the default.
     fn levels(&self, file: &str) -> Vec<Row> {
         let Some(project) = self.projects.first() else { return Vec::new() };
         let settings = self.opened.settings.of(self.db(), *project);
@@ -103,7 +103,7 @@ impl Group<'_> {
         rules::all().iter().filter_map(row).collect()
     }
 
-    /// Who sets the level of a rule; `None` where nobody does.
+    /// The source of the level of a rule; `None` for its default.
     fn who(&self, settings: &Settings, rule: &Rule, file: &str) -> Option<String> {
         if settings.is_chosen(rule) {
             return Some(COMMAND_LINE.to_owned());
@@ -119,7 +119,7 @@ fn level(settings: &Settings, rule: &Rule) -> String {
     level.map_or("off", Severity::word).to_owned()
 }
 
-/// Writes rows with their columns below each other.
+/// Writes rows with aligned columns.
 fn table(rows: &[Row], out: &mut dyn Write) -> io::Result<()> {
     let width = |column: fn(&Row) -> &String| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
     let (keys, values) = (width(|[key, ..]| key), width(|[_, value, _]| value).min(40));

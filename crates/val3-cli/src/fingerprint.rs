@@ -1,4 +1,4 @@
-//! Fingerprints as services ask for them: one text a finding, and no two alike.
+//! Fingerprints as services require them: one text for each finding, no two equal.
 
 use std::fmt::Write;
 
@@ -8,9 +8,8 @@ use val3_check::fingerprint::Fingerprint;
 
 use crate::report::Finding;
 
-/// One fingerprint a finding, in the same order; no two are equal. The same line with the same finding further down
-/// the file counts as the next occurrence. What the finding says is left out: a service keeps a finding through new
-/// versions of the tool.
+/// One fingerprint for each finding, in the same order; no two are equal. Findings of a rule on equal lines of a file
+/// are numbered. The message is left out, so that a service recognises a finding after an update of the tool.
 pub(crate) fn fingerprints(findings: &[Finding]) -> Vec<String> {
     let mut seen: FxHashMap<[&str; 3], usize> = FxHashMap::default();
     let mut hashes = Vec::with_capacity(findings.len());

@@ -38,7 +38,7 @@ impl TrialWorkspace for Session<'_> {
     }
 }
 
-/// Writes the files. Each is replaced as a whole or stays as it is.
+/// Writes the files. Each is replaced as a whole or stays unchanged.
 pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), UserError> {
     for FixedFile { path, encoding, before, after } in files {
         let shown = session.paths().shown(path);
@@ -51,7 +51,7 @@ pub(crate) fn write(session: &Session<'_>, files: &[FixedFile]) -> Result<(), Us
     Ok(())
 }
 
-/// The bytes of the text; `None` where they would not be read as the same text.
+/// The bytes of the text; `None` if they would not be read as the same text.
 pub(crate) fn encoded(encoding: Encoding, text: &str) -> Option<Vec<u8>> {
     let bytes = encoding.encode(text);
     let read = decode(bytes.clone());

@@ -72,7 +72,7 @@ fn stream(args: &FmtArgs, color: Color, current: &Utf8Path) -> Result<ExitCode, 
     Ok(exit_code(args, formatted.changes()))
 }
 
-/// What is asked to be shown of the programs that change.
+/// Shows the diffs or names of the programs that change, according to the arguments.
 fn show(args: &FmtArgs, color: Color, formatted: &[Formatted]) -> Result<(), UserError> {
     let mut changing = formatted.iter().filter(|program| program.changes());
     to_stdout(color, |out| {

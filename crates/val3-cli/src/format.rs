@@ -56,12 +56,12 @@ pub(crate) enum Format {
 }
 
 impl Format {
-    /// Whether people read it, so that a summary belongs below it.
+    /// Whether people read it, so that a summary follows it.
     pub(crate) fn is_for_people(self) -> bool {
         matches!(self, Self::Human | Self::Concise)
     }
 
-    /// The format that is called so on the command line.
+    /// The format with this name on the command line.
     pub(crate) fn named(name: &str) -> Option<Self> {
         Self::from_str(name, true).ok()
     }
@@ -85,7 +85,7 @@ pub(crate) fn write(format: Format, report: &Report, template: &Template, out: &
     }
 }
 
-/// What `write` puts out without colours.
+/// The output of `write` without colours.
 #[cfg(test)]
 fn rendered(format: Format, report: &Report) -> String {
     let mut out = codespan_reporting::term::termcolor::NoColor::new(Vec::new());

@@ -1,4 +1,4 @@
-//! What is new since the last round of `val3 check --watch`.
+//! New findings since the last round of `val3 check --watch`.
 
 use val3_check::baseline::Baseline;
 use val3_check::fingerprint::Fingerprint;
@@ -12,7 +12,8 @@ pub(crate) struct History {
 }
 
 impl History {
-    /// Marks what the last round did not find, and remembers this one. In the first round nothing is new.
+    /// Marks the findings that the last round did not have, and remembers this round. In the first round no finding is
+    /// new.
     pub(crate) fn mark(&mut self, report: &mut Report) {
         let found: Vec<Fingerprint> = report.findings.iter().map(|finding| finding.fingerprint.clone()).collect();
         if let Some(last) = &self.last {

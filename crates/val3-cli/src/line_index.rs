@@ -5,7 +5,7 @@ use std::ops::Range;
 use memchr::memchr_iter;
 use val3_syntax::encoding::Encoding;
 
-/// A place in a file as people and editors count.
+/// A place in a file, counted as in editors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Position {
     /// Line, from 1.
@@ -49,7 +49,7 @@ impl LineIndex {
         }
     }
 
-    /// The place of a character boundary; an offset behind the end is the end.
+    /// The place of a character boundary. An offset beyond the end means the end.
     pub(crate) fn position(&self, offset: usize) -> Position {
         let offset = offset.min(self.len);
         let line = self.line(offset);
@@ -66,7 +66,7 @@ impl LineIndex {
         self.starts.partition_point(|&start| start <= offset) - 1
     }
 
-    /// The text of a line (from 0) with its line end, `None` behind the last line.
+    /// The text of a line (from 0) with its line end, `None` after the last line.
     pub(crate) fn line_range(&self, line: usize) -> Option<Range<usize>> {
         let start = *self.starts.get(line)?;
         let end = self.starts.get(line + 1).copied().unwrap_or(self.len);
@@ -92,7 +92,7 @@ impl LineIndex {
     }
 }
 
-/// Most texts and lines have none, which is told fast.
+/// Characters of more than one byte. Texts and lines without any are skipped fast.
 fn wide_characters(text: &str) -> Vec<WideCharacter> {
     let (mut wide, mut start, mut surplus) = (Vec::new(), 0, 0);
     if text.is_ascii() {

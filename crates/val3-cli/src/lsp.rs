@@ -7,7 +7,7 @@ use val3_lsp::ServerOptions;
 use crate::args::LspArgs;
 use crate::user_error::UserError;
 
-/// Serves one client; the exit code says whether it ended the session as the protocol wants it.
+/// Serves one client. The exit code says whether the client has ended the session as the protocol requires.
 pub(crate) fn run(args: &LspArgs) -> Result<ExitCode, UserError> {
     let options = ServerOptions { log: args.log.clone() };
     let code = val3_lsp::run(std::io::stdin(), std::io::stdout(), &options)

@@ -5,7 +5,7 @@ use std::io;
 use codespan_reporting::term::termcolor::{Color, ColorSpec, WriteColor};
 
 const CODE_INDENT: &str = "    ";
-/// Text is filled to lines of so many characters at most.
+/// Maximum number of characters in a line of text.
 const WIDTH: usize = 80;
 
 /// Writes `page`. Colours mark headings and code; without them the text says the same.
@@ -77,7 +77,7 @@ fn heading(line: &str) -> Option<&str> {
     line.starts_with('#').then(|| line.trim_start_matches('#').strip_prefix(' ')).flatten()
 }
 
-/// A paragraph in lines; those of a list item stand below its text.
+/// Writes a paragraph in lines. Those of a list item are aligned with its text.
 fn filled(paragraph: &str) -> Vec<String> {
     let indent = if paragraph.starts_with("- ") { "  " } else { "" };
     let mut lines: Vec<String> = Vec::new();

@@ -1,4 +1,4 @@
-//! From what is asked for to what can be checked: threads, files in the database, settings.
+//! From a request to the workspace that is checked: threads, files in the database, settings.
 
 use std::sync::Arc;
 
@@ -22,46 +22,46 @@ use crate::user_error::UserError;
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
 const STACK_SIZE: usize = 16 << 20;
 
-/// What is to be checked, and how.
+/// The paths to check, with the options of the check.
 #[derive(Debug, Default)]
 pub(crate) struct Request {
     /// Folders and files.
     pub(crate) asked: Vec<Utf8PathBuf>,
-    /// The findings that are wanted.
+    /// The selected rules.
     pub(crate) selection: Selection,
     /// The baseline of all applications; without it each has the one of its `val3.toml`.
     pub(crate) baseline: Option<Utf8PathBuf>,
-    /// What happens to the baselines.
+    /// The treatment of the baselines.
     pub(crate) mode: Mode,
-    /// Threads; one a core where nothing is said.
+    /// Number of threads; by default one for each core.
     pub(crate) jobs: Option<u16>,
-    /// Of single programs and data files that are asked for, only their own findings are reported.
+    /// For single programs and data files in the request, only their own findings are reported.
     pub(crate) files_alone: bool,
     /// A file whose text is not the stored one.
     pub(crate) input: Option<StandardInput>,
-    /// No progress is shown.
+    /// Whether progress is hidden.
     pub(crate) quiet: bool,
 }
 
-/// What [`open`] gives.
+/// The result of [`open`].
 pub(crate) struct Opened {
-    /// Where the work is done.
+    /// The threads for the work.
     pub(crate) threads: ThreadPool,
     /// The current folder, absolute.
     pub(crate) current: Utf8PathBuf,
-    /// How paths are written.
+    /// The form of paths in the output.
     pub(crate) paths: Paths,
     /// All files.
     pub(crate) workspace: Workspace,
-    /// What each application is checked for.
+    /// The settings of each application.
     pub(crate) settings: WorkspaceSettings,
-    /// What was asked for, as absolute paths.
+    /// The requested paths, absolute.
     pub(crate) asked: Vec<Utf8PathBuf>,
-    /// Which findings are reported.
+    /// The scope of reported findings.
     pub(crate) scope: Scope,
 }
 
-/// Reads everything that is asked for.
+/// Reads everything that the request needs.
 pub(crate) fn open(request: &Request) -> Result<Opened, UserError> {
     open_with(request, |threads, asked| {
         load::load(&system(threads, request.input.as_ref(), &EditedTexts::default()), asked)
@@ -148,12 +148,12 @@ pub(crate) fn current_folder() -> Result<Utf8PathBuf, UserError> {
         .map_err(|path| UserError::new(format!("the current folder `{}` is not UTF-8", path.display())))
 }
 
-/// The nearest folder above `current` that a version control keeps.
+/// The nearest folder above `current` that is under version control.
 fn repository(current: &Utf8Path) -> Option<&Utf8Path> {
     current.ancestors().find(|folder| [".git", ".hg", ".svn"].iter().any(|name| folder.join(name).exists()))
 }
 
-/// The folders that were asked for; of a file, the one around it.
+/// The requested folders. For a file, its folder.
 fn folders(asked: &[Utf8PathBuf]) -> Vec<Utf8PathBuf> {
     // A file that is read from the standard input need not be there.
     let is_part = |path: &Utf8Path| (is_program(path.as_str()) || is_data(path.as_str())) && !path.exists();

@@ -1,4 +1,4 @@
-//! Where text goes: the standard output, with or without colours, and files.
+//! Destinations of text: the standard output, with or without colours, and files.
 
 use std::fs::File;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write};
@@ -10,7 +10,7 @@ use tempfile::NamedTempFile;
 use crate::args::Color;
 use crate::user_error::UserError;
 
-/// Writes to the standard output. A reader that went away is no error: it has read what it wanted.
+/// Writes to the standard output. A closed pipe is no error, because its reader has read enough.
 pub(crate) fn to_stdout(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
@@ -18,7 +18,7 @@ pub(crate) fn to_stdout(
     to_reader(color, write).map(|_| ())
 }
 
-/// As [`to_stdout`]; whether somebody still reads it.
+/// As [`to_stdout`]. Returns whether the output is still read.
 pub(crate) fn to_reader(
     color: Color,
     write: impl FnOnce(&mut dyn WriteColor) -> io::Result<()>,
@@ -39,7 +39,7 @@ pub(crate) fn clear_screen() {
     }
 }
 
-/// Writes to the standard error output; if that is not possible, there is nobody to tell.
+/// Writes to the standard error output. Errors of writing are ignored, because they cannot be reported.
 pub(crate) fn to_stderr(write: impl FnOnce(&mut dyn Write) -> io::Result<()>) {
     let _ = write(&mut io::stderr().lock());
 }
@@ -66,11 +66,11 @@ pub(crate) fn to_file(
     })
 }
 
-/// Replaces what a file holds, at once and with its permissions. It must hold `before` until then: what somebody else
-/// wrote in the meantime is not lost. The error says why it was not replaced.
+/// Replaces the content of a file as a whole, with its permissions. It must still be `before`, so that changes of other
+/// programs are not lost. The error gives the reason why it was not replaced.
 pub(crate) fn replace_file(path: &Utf8Path, before: &[u8], after: &[u8]) -> Result<(), String> {
     let worded = |error: io::Error| error.to_string();
-    // A link stays one; the file it leads to is replaced.
+    // A symbolic link remains, and its target is replaced.
     let path = path.canonicalize_utf8().map_err(worded)?;
     if std::fs::read(&path).map_err(worded)? != before {
         return Err("it was changed in the meantime".to_owned());

@@ -1,4 +1,4 @@
-//! The disk, with many files read side by side, and each folder listed once.
+//! The disk, with many files read in parallel, and each folder listed once.
 
 use std::io;
 use std::sync::{Mutex, PoisonError};
@@ -9,13 +9,12 @@ use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use val3_analysis::system::{Content, Disk, Kind, System};
 
-/// The disk as it is at one time, read on several threads.
+/// A snapshot of the disk, read on several threads.
 #[derive(Debug)]
 pub(crate) struct ParallelDisk<'t> {
     /// The threads that read.
     threads: &'t ThreadPool,
-    /// What lies in the folders that were listed: they are asked for when projects are looked for, and when they are
-    /// read.
+    /// The entries of the folders that were listed. They are needed to find projects, and again to read them.
     listed: Mutex<FxHashMap<Utf8PathBuf, Vec<String>>>,
 }
 

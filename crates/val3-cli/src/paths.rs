@@ -1,4 +1,4 @@
-//! How paths are written: relative to what was asked for, or to where the reader is; always with `/`.
+//! The form of written paths: relative to the requested folder, or to the reader's folder; always with `/`.
 
 use camino::{Utf8Component, Utf8Path, Utf8PathBuf};
 

@@ -16,7 +16,7 @@ pub(crate) struct Progress {
 }
 
 impl Progress {
-    /// A bar for `total` pieces, invisible for now, and for good unless it is wanted.
+    /// A bar for `total` pieces. It is invisible at first, and always if `is_wanted` is false.
     pub(crate) fn new(total: usize, is_wanted: bool) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total as u64), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("checking {bar:30} {pos}/{len}") {
@@ -25,7 +25,7 @@ impl Progress {
         Self { bar, started: Instant::now(), is_wanted }
     }
 
-    /// One more piece is done; any thread may say so.
+    /// Counts a finished piece. Any thread may call it.
     pub(crate) fn advance(&self) {
         if self.is_wanted && self.bar.is_hidden() && self.started.elapsed() > PATIENCE {
             // Where the standard error output is no terminal, this target draws nothing either.

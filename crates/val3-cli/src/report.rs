@@ -48,7 +48,7 @@ impl From<rule::Severity> for Severity {
     }
 }
 
-/// What was checked.
+/// The extent of a check.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Statistics {
     /// Projects that are applications or libraries.
@@ -72,35 +72,35 @@ pub(crate) struct Changes {
     pub(crate) gone: usize,
 }
 
-/// Everything a check says.
+/// The complete result of a check.
 #[derive(Debug)]
 pub(crate) struct Report {
-    /// What was checked.
+    /// The extent of the check.
     pub(crate) statistics: Statistics,
     /// The paths of the `.pjx` of all applications, like [`SourceFile::path`], sorted.
     pub(crate) applications: Vec<String>,
     /// In the order of file, place and code: the same input gives the same order on every machine.
     pub(crate) findings: Vec<Finding>,
-    /// How many findings were mended before the report, where that was asked for.
+    /// The number of findings that `--fix` has fixed before the report, if it was given.
     pub(crate) mended: Option<usize>,
     /// How many fixes were left out because they would have added errors.
     pub(crate) refused: usize,
-    /// How many findings comments silence that were written before the report, where that was asked for.
+    /// The number of findings silenced by comments that were written before the report, if that was requested.
     pub(crate) newly_silenced: Option<usize>,
-    /// What is different from the last check, where it is repeated.
+    /// The difference from the last check, if the check is repeated.
     pub(crate) changes: Option<Changes>,
     /// The folder under version control as an absolute path with `/`; empty where it is not known.
     pub(crate) source_root: String,
-    /// How many findings comments in the code silence.
+    /// The number of findings that comments in the code silence.
     pub(crate) silenced: usize,
-    /// What the baselines left out.
+    /// The effect of the baselines.
     pub(crate) baseline: Outcome,
-    /// Folders that could not be read, so that the findings may not be all.
+    /// Folders that could not be read, so that findings may be missing.
     pub(crate) unreadable: Vec<UserError>,
 }
 
 impl Report {
-    /// Puts the findings in order and drops repetitions.
+    /// Sorts the findings and drops repetitions.
     pub(crate) fn new(
         statistics: Statistics,
         applications: Vec<String>,
@@ -108,7 +108,7 @@ impl Report {
         unreadable: Vec<UserError>,
     ) -> Self {
         findings.sort_by(|a, b| order(a).cmp(&order(b)));
-        // A file that two applications use may be judged twice.
+        // A file that two applications use may be checked twice.
         findings.dedup_by(|a, b| order(a) == order(b));
         Self {
             statistics,
@@ -125,25 +125,25 @@ impl Report {
         }
     }
 
-    /// How many findings have a level.
+    /// The number of findings of a level.
     pub(crate) fn count(&self, severity: Severity) -> usize {
         let same = |finding: &&Finding| finding.severity == severity;
         self.findings.iter().filter(same).count()
     }
 
-    /// How many findings have a fix that is safe, or one that is a guess.
+    /// The number of findings with a safe fix, or with an unsafe one.
     pub(crate) fn fixable(&self, safe: bool) -> usize {
         let fixes = self.findings.iter().filter_map(|finding| finding.fix.as_ref());
         fixes.filter(|fix| fix.safe == safe).count()
     }
 
-    /// How many files have findings.
+    /// The number of files with findings.
     pub(crate) fn faulty_files(&self) -> usize {
         let paths = self.findings.iter().map(|finding| &finding.place.file.path);
         paths.collect::<BTreeSet<_>>().len()
     }
 
-    /// There is a finding of the rule with this code.
+    /// Whether there is a finding of the rule with this code.
     pub(crate) fn has(&self, code: &str) -> bool {
         self.findings.iter().any(|finding| finding.code == code)
     }

@@ -1,4 +1,4 @@
-//! `val3 check --statistics`: how many findings each rule has.
+//! `val3 check --statistics`: the number of findings of each rule.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -19,9 +19,9 @@ struct RuleCount {
     /// The highest level among them.
     severity: Severity,
     count: usize,
-    /// How many of them `--fix` mends.
+    /// The number of them that `--fix` fixes.
     fixable: usize,
-    /// How many more of them `--unsafe-fixes` mends.
+    /// The number of them that only `--unsafe-fixes` fixes.
     fixable_unsafely: usize,
 }
 

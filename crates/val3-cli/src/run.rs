@@ -36,16 +36,16 @@ const EXIT_LIMIT: u8 = 3;
 /// Exit code of a run that the operator has broken off, as shells give it for Ctrl-C.
 const EXIT_BROKEN_OFF: u8 = 130;
 
-/// What has ended a run.
+/// The reason why a run has ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum End {
     /// The controller, with its last outcome.
     Controller(Outcome),
-    /// The recording that the run replays has ended, for this reason.
+    /// The replayed recording has ended, for this reason.
     Recorded(EndReason),
-    /// The reader of the output has gone.
+    /// The output is no longer read.
     Unread,
-    /// The operator did not want to wait for `stop`, or a signal came. With the exit code.
+    /// The operator did not wait for `stop`, or a signal arrived. With the exit code.
     BrokenOff(u8),
 }
 
@@ -91,7 +91,7 @@ fn exit_code(args: &RunArgs, end: End, controller: &Controller, audience: &Audie
     }
 }
 
-/// Tells everything that happens until the run ends.
+/// Runs the controller until the run ends, and passes all events to the observers.
 fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Audience) -> Result<End, UserError> {
     let (pace, signals) = (pace(args, audience), Signals::catch()?);
     let started = pace.real_time.then(Instant::now);
@@ -130,7 +130,7 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
     Ok(end)
 }
 
-/// Why the run has ended, for the record.
+/// The reason of the end for the record.
 fn reason(end: End) -> EndReason {
     match end {
         End::Controller(outcome) => outcome.into(),
@@ -155,7 +155,7 @@ fn next(pace: &Pace, controller: &mut Controller, outcome: Outcome) -> Option<De
     }
 }
 
-/// How the run ends after a wait, if it does.
+/// The end of the run after a wait, if it ends.
 fn end_after(args: &RunArgs, delay: Option<Delay>, controller: &Controller, audience: &Audience) -> Option<End> {
     let now = controller.now();
     match audience.recording() {

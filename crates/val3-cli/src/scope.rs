@@ -1,4 +1,4 @@
-//! Which findings are reported: those of everything that is asked for, or of single files.
+//! The scope of reported findings: everything in the request, or single files.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use rustc_hash::FxHashSet;
@@ -8,24 +8,24 @@ use val3_analysis::items::unlisted::{is_data, is_program};
 use val3_analysis::paths::normalise;
 use val3_check::Unit;
 
-/// What is reported on.
+/// The scope of the report.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Scope {
-    /// The keys of the programs and data files that were asked for. Their applications are read, to be seen alone.
+    /// The keys of the requested programs and data files. Their applications are read, but not reported on.
     files: FxHashSet<String>,
-    /// Folders and project files that were asked for: what belongs to them is reported whole.
+    /// The requested folders and project files. All findings in them are reported.
     whole: Vec<Utf8PathBuf>,
 }
 
 impl Scope {
-    /// What `asked` means: absolute paths.
+    /// The scope for the absolute paths `asked`.
     pub(crate) fn new(asked: &[Utf8PathBuf]) -> Self {
         let is_file = |path: &Utf8PathBuf| (is_program(path.as_str()) || is_data(path.as_str())) && !path.is_dir();
         let (files, whole) = asked.iter().map(|path| normalise(path)).partition::<Vec<_>, _>(is_file);
         Self { files: files.iter().map(|path| path_key(path.as_str())).collect(), whole }
     }
 
-    /// Whether a finding in `file` is reported, which was made by looking at `project`.
+    /// Whether a finding in `file` is reported, which the check of `project` has made.
     pub(crate) fn covers(&self, db: &Database, project: Project, file: File) -> bool {
         self.files.is_empty() || self.names(db, file) || self.is_whole(project.manifest(db).path(db))
     }
@@ -38,7 +38,7 @@ impl Scope {
         self.whole.iter().any(|asked| manifest.starts_with(asked))
     }
 
-    /// Files that were asked for and that no project lists: they are checked as parts of the project beside them.
+    /// Requested files that no project lists. They are checked as parts of the project in their folder.
     pub(crate) fn unlisted(&self, db: &Database, projects: &[Project]) -> Vec<Unit> {
         let mut units = Vec::new();
         for file in Sources::get(db).unlisted(db).values().filter(|file| self.names(db, **file)) {

@@ -1,4 +1,4 @@
-//! Which findings are wanted: `--select`, `--extend-select` and `--ignore`.
+//! The selection of findings: `--select`, `--extend-select` and `--ignore`.
 
 use val3_check::rule::Rule;
 use val3_check::rules;
@@ -8,8 +8,8 @@ use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
 /// The findings that an entry of `select` means (all if it is empty), and those that an entry of `extend` means, on or
-/// off, without those that an entry of `ignore` means. An entry is a code, the beginning of one, a name or `all`, in any
-/// letter case; one that means no rule is an error.
+/// off, without those that an entry of `ignore` means. An entry is a code, the beginning of one, a name or `all`, in
+/// any letter case; one that means no rule is an error.
 pub(crate) fn read(select: &[String], extend: &[String], ignore: &[String]) -> Result<Selection, UserError> {
     let mut selection = Selection::default();
     for (rule, exactness) in meant(select, "--select")? {

@@ -1,6 +1,6 @@
-//! Proposals for words that nobody knows.
+//! Proposals for unknown words.
 
-/// The candidates nearest to `word`, if they are near enough to be meant; three at most, in alphabetical order.
+/// The candidates nearest to `word`, if they are similar enough; at most three, in alphabetical order.
 pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     let word = word.to_lowercase();
     let mut near: Vec<(usize, &str)> = candidates
@@ -15,14 +15,14 @@ pub(crate) fn similar<'a>(word: &str, candidates: impl IntoIterator<Item = &'a s
     near.into_iter().map(|(_, candidate)| candidate).take(3).collect()
 }
 
-/// The question that proposes words, `None` where there is nothing to propose.
+/// The question that proposes words; `None` without words.
 pub(crate) fn question(words: &[&str]) -> Option<String> {
     let quoted: Vec<_> = words.iter().map(|word| format!("`{word}`")).collect();
     (!quoted.is_empty()).then(|| format!("did you mean {}?", quoted.join(", ")))
 }
 
 fn distance(word: &str, candidate: &str) -> usize {
-    // A beginning is the best guess for a word that was not written to its end.
+    // A candidate that begins with the word is the best guess for an incomplete word.
     let begun = word.len() >= 3 && candidate.starts_with(word);
     if begun { 1 } else { strsim::damerau_levenshtein(word, candidate) }
 }

@@ -1,11 +1,11 @@
-//! The last lines for people: what was found in what.
+//! The last lines for people: counts of findings and files.
 
 use std::io::{self, Write};
 
 use crate::baseline::Outcome;
 use crate::report::{Changes, Report, Severity};
 
-/// Writes the hint at the pages, where there are findings, and the counts.
+/// Writes the reference to the pages, if there are findings, and the counts.
 pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     if let Some(finding) = most_serious(report) {
         writeln!(out, "More about a finding: val3 explain {}", finding)?;
@@ -18,7 +18,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     fixes(report).map_or(Ok(()), |fixes| writeln!(out, "{fixes}"))
 }
 
-/// What was found and is not reported, and what happened to the baselines.
+/// Writes the numbers of findings that are not reported, and the effect of the baselines.
 fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     let Outcome { known, gone, written } = &report.baseline;
     let hidden = [(*known, "known from the baseline"), (report.silenced, "silenced by comments")];
@@ -34,7 +34,7 @@ fn left_out(report: &Report, out: &mut dyn Write) -> io::Result<()> {
     written.iter().try_for_each(|(path, count)| writeln!(out, "wrote {path} with {}", number(*count, "known finding")))
 }
 
-/// What was mended, or can be.
+/// The numbers of findings that were fixed, or can be.
 fn fixes(report: &Report) -> Option<String> {
     if let Some(mended) = report.mended {
         let all = number(mended + report.findings.len(), "finding");
@@ -54,7 +54,7 @@ fn fixes(report: &Report) -> Option<String> {
     }
 }
 
-/// Fixes that would have made something worse.
+/// Fixes that were left out because they would have added errors.
 fn refused(count: usize) -> String {
     match count {
         0 => String::new(),

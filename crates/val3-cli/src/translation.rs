@@ -105,7 +105,7 @@ impl<'a> Translator<'a> {
         }
     }
 
-    /// `Disk://app/prog.pgx`; where nothing tells what `Disk://` is, the folder around the application.
+    /// `Disk://app/prog.pgx`. If `Disk://` is unknown, it is the folder around the application.
     fn on_controller(&self, path: &Utf8Path, application: File) -> Option<String> {
         let manifest = application.path(&self.db);
         let project = self.project(manifest);

@@ -1,4 +1,4 @@
-//! What stops a command: wrong usage, or a file that cannot be read or written.
+//! Errors that stop a command: wrong usage, or a file that cannot be read or written.
 
 use std::fmt::{self, Display};
 
@@ -8,19 +8,19 @@ pub(crate) const EXIT_USAGE: u8 = 2;
 /// An error for the person at the terminal; it ends the command with exit code 2.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct UserError {
-    /// What is wrong and where.
+    /// The problem and its place.
     message: String,
-    /// What to do; may be empty.
+    /// The remedy; may be empty.
     help: String,
 }
 
 impl UserError {
-    /// An error that explains itself.
+    /// An error that needs no remedy.
     pub(crate) fn new(message: impl Into<String>) -> Self {
         Self { message: message.into(), help: String::new() }
     }
 
-    /// Says what to do about it.
+    /// Adds the remedy.
     pub(crate) fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = help.into();
         self

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use val3_session::Delay;
 
-/// Waits. `started` is the time at which the controller's clock was 0; without it only durations are waited for.
+/// Waits. `started` is the time at which the controller's clock was 0. Without it, only durations are waited for.
 pub(crate) fn wait(delay: Delay, started: Option<Instant>) {
     match (delay, started) {
         (Delay::Until(time), Some(started)) => {

@@ -1,4 +1,4 @@
-//! `val3 check --watch`: tells when a file that matters was changed.
+//! `val3 check --watch`: reports changes of files that a check reads.
 
 use std::collections::BTreeSet;
 use std::path::PathBuf;
@@ -10,27 +10,27 @@ use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watc
 
 use crate::user_error::UserError;
 
-/// An editor that saves makes several events; a change is over when there were none for this long.
+/// An editor causes several events when it saves. A change is complete after this long without an event.
 const QUIET: Duration = Duration::from_millis(100);
 
-/// How often files are looked at where the system does not tell of changes.
+/// The interval between two looks at the files where the system does not report changes.
 const POLL_INTERVAL: Duration = Duration::from_secs(1);
 
-/// What a check reads.
+/// The extensions of files that a check reads.
 const EXTENSIONS: [&str; 5] = ["pjx", "dtx", "pgx", "cfx", "toml"];
 
-/// Looks after some folders.
+/// Watches folders.
 pub(crate) struct Watch {
     watcher: Box<dyn Watcher>,
     sender: Sender<notify::Result<Event>>,
     events: Receiver<notify::Result<Event>>,
-    /// What is looked after, and with everything below or not.
+    /// The watched folders; `true` means with everything below.
     watched: BTreeSet<(Utf8PathBuf, bool)>,
     polls: bool,
 }
 
 impl Watch {
-    /// Begins to look after `paths` and everything below.
+    /// Starts to watch `paths` and everything below.
     pub(crate) fn start(paths: &[Utf8PathBuf]) -> Result<Self, UserError> {
         let (sender, events) = channel();
         let (watcher, polls): (Box<dyn Watcher>, _) = match RecommendedWatcher::new(sender.clone(), Config::default()) {
@@ -44,20 +44,20 @@ impl Watch {
         Ok(watch)
     }
 
-    /// Looks after `folder` as well: itself, or everything below. A folder that is gone is left out.
+    /// Watches `folder` too: itself, or everything below. A missing folder is skipped.
     pub(crate) fn include(&mut self, folder: &Utf8Path, below: bool) -> Result<(), UserError> {
         if !folder.exists() {
             return Ok(());
         }
         self.watched.insert((folder.to_owned(), below));
-        // A folder that was deleted and made again has to be named again.
+        // A folder that was deleted and created again has to be registered again.
         match self.watcher.watch(folder.as_std_path(), mode(below)) {
             Err(_) if !self.polls => self.poll_instead(),
             outcome => outcome.map_err(|error| cannot_watch(&error)),
         }
     }
 
-    /// The system watches no more: the files are looked at from time to time.
+    /// Switches to polling after the system has failed to watch a folder.
     fn poll_instead(&mut self) -> Result<(), UserError> {
         self.watcher = polling(self.sender.clone())?;
         self.polls = true;
@@ -67,7 +67,7 @@ impl Watch {
         Ok(())
     }
 
-    /// Waits until files were changed and all is quiet again; returns the first of them.
+    /// Waits until files were changed and the change is complete. Returns the first of them.
     pub(crate) fn changed(&self) -> Result<PathBuf, UserError> {
         let changed = loop {
             let event = self.events.recv().map_err(|_| UserError::new("the system stopped telling of changes"))?;
@@ -99,7 +99,7 @@ fn cannot_watch(error: &notify::Error) -> UserError {
     UserError::new(format!("cannot watch for changes: {error}"))
 }
 
-/// The file that was changed, if a check reads it: reading alone is no change.
+/// The file that was changed, if a check reads it. Read access is no change.
 fn relevant(event: Event) -> Option<PathBuf> {
     let is_source = |path: &PathBuf| {
         let extension = path.extension().and_then(|extension| extension.to_str());

@@ -10,12 +10,12 @@ const TAIL: &str = "</code></source></program></programList>";
 /// The byte order mark.
 const MARK: char = '\u{feff}';
 
-/// The text is code and no XML.
+/// Whether the text is code and not XML.
 pub(super) fn is_bare(text: &str) -> bool {
     !text.trim_start_matches(MARK).trim_start().starts_with('<')
 }
 
-/// The code with its layout, and whether some of it cannot be read; `None` where it does not begin with `begin`.
+/// The code with its layout, and whether some of it cannot be read; `None` if it does not begin with `begin`.
 pub(super) fn format(text: &str, style: &Style) -> Option<(String, bool)> {
     let code = text.trim_start_matches(MARK).trim_start();
     if !begins(code) {
@@ -28,7 +28,7 @@ pub(super) fn format(text: &str, style: &Style) -> Option<(String, bool)> {
     Some((decode_entities(code).into_owned(), !parse.errors().is_empty()))
 }
 
-/// The first word is `begin`.
+/// Whether the first word is `begin`.
 fn begins(code: &str) -> bool {
     let word = code.split(|letter: char| !letter.is_alphanumeric() && letter != '_').next().unwrap_or("");
     word.eq_ignore_ascii_case("begin")

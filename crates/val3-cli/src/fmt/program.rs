@@ -52,7 +52,7 @@ impl Formatted {
         Ok(Self { path, shown, before: decoded.text, after, left_alone, bytes, encoding: decoded.encoding })
     }
 
-    /// The layout is another than before.
+    /// Whether the layout changes.
     pub(super) fn changes(&self) -> bool {
         self.before != self.after
     }

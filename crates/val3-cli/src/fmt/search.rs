@@ -1,4 +1,4 @@
-//! Which programs lie under the paths, and the style of each.
+//! The programs under the paths, and the style of each.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,7 @@ pub(super) fn programs(
         let path = val3_analysis::paths::normalise(&current.join(asked));
         for program in under(system, &path, paths)? {
             let file = configuration(system, &program)?;
-            // Who names a program or an excluded folder wants it.
+            // An exclusion does not apply to a program or an excluded folder that the arguments name.
             let excluded = |file: &ConfigFile| program != path && file.excludes(&program) && !file.excludes(&path);
             if !file.as_ref().is_some_and(excluded) {
                 found.insert(program.clone(), style_in(system, file.as_ref(), &program));

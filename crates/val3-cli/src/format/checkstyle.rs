@@ -18,7 +18,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     })
 }
 
-/// Findings are sorted by file, so those of one file stand together.
+/// Findings are sorted by file, so those of one file are adjacent.
 fn files(report: &Report, writer: &mut XmlWriter<'_>) -> io::Result<()> {
     for findings in report.findings.chunk_by(|a, b| a.place.file.path == b.place.file.path) {
         let Some(first) = findings.first() else { continue };

@@ -1,7 +1,7 @@
 //! The lines that one finding shows.
 //!
-//! A project may hold a line of many megabytes, so at most a window of each line is shown, and of a place that spans
-//! several lines the first.
+//! A project may hold a line of many megabytes, so at most a window of each line is shown. Of a place that spans
+//! several lines, only the first line is shown.
 
 use std::ops::Range;
 use std::ptr;
@@ -12,7 +12,7 @@ use crate::report::{Place, SourceFile};
 
 /// Lines longer than this many bytes are cut.
 const LONGEST_LINE: usize = 240;
-/// What is shown before the place in a cut line, in bytes.
+/// Bytes that are shown before the place in a cut line.
 const BEFORE: usize = 80;
 
 /// The visible parts of the lines that a finding points at.
@@ -21,7 +21,7 @@ pub(crate) struct Excerpt<'a> {
     windows: Vec<Window<'a>>,
 }
 
-/// A file, told apart by its identity.
+/// A file, compared by its address.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FileId<'a>(&'a SourceFile);
 
@@ -39,7 +39,7 @@ struct Window<'a> {
 }
 
 impl<'a> Excerpt<'a> {
-    /// Makes the start of `place` visible. `None` if its line is already cut to a part that does not hold it.
+    /// Makes the start of `place` visible. `None` if the visible part of its line is already cut and lacks it.
     pub(crate) fn show(&mut self, place: &'a Place) -> Option<(FileId<'a>, Range<usize>)> {
         let file = FileId(&place.file);
         let line = place.file.lines.line(place.range.start);
@@ -67,7 +67,7 @@ impl<'a> Excerpt<'a> {
     }
 }
 
-/// A line without its line end; empty behind the last line.
+/// A line without its line end; empty after the last line.
 fn content(file: &SourceFile, line: usize) -> Range<usize> {
     let end = file.text.len();
     let range = file.lines.line_range(line).unwrap_or(end..end);

@@ -1,5 +1,5 @@
-//! For people: the source line with the place marked, the other sides, and what to write instead. What is most serious
-//! comes first, and what is said several times about a file is shown once.
+//! For people: the source line with the place marked, the other sides, and the remedy. The most serious findings come
+//! first, and equal findings of a file are shown once.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -54,16 +54,16 @@ fn elsewhere_in_file(others: &[&Finding]) -> Option<String> {
     })
 }
 
-/// A run-time error or what keeps a program from running, for [`write_fault`].
+/// A run-time error, or a reason why a program cannot run, for [`write_fault`].
 #[derive(Debug)]
 pub(crate) struct Fault<'a> {
-    /// Its number; `None` for what no run-time error is.
+    /// Its number; `None` if it is no run-time error.
     pub(crate) code: Option<u16>,
-    /// What has happened.
+    /// The problem.
     pub(crate) message: String,
-    /// What to do about it.
+    /// The remedy.
     pub(crate) help: &'a str,
-    /// What its line is.
+    /// The label of its line.
     pub(crate) label: &'a str,
     /// The file of the program; empty where it is not known.
     pub(crate) path: &'a str,

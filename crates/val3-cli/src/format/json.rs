@@ -16,10 +16,10 @@
 //! - `severity` is `error`, `warning` or `info`.
 //! - `file` and `application` are relative to the folder asked for, with `/`.
 //! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
-//!   `end` is the first place behind the range.
+//!   `end` is the first place after the range.
 //! - `program` is `null` outside programs; `code_line`, which counts the line of `begin` as 1, outside their code.
-//! - `fix` is `null` where there is none; a `safe` one changes nothing but what was plainly meant. `text` replaces the
-//!   range, as it is written in the file: escaped where the code is.
+//! - `fix` is `null` if there is none. A `safe` one only applies what was plainly meant. `text` replaces the
+//!   range and is written like the file: escaped where the code is.
 //! - `code_lines` leaves out blank lines and comments.
 
 use std::io;

@@ -1,7 +1,7 @@
 //! JUnit XML: an application is a suite, a finding a test that failed.
 //!
-//! Errors and warnings fail; advice passes and stands in the output of its test. An application without findings is a
-//! suite with one test that passed.
+//! Errors and warnings fail. Advice passes, and the output of its test has the message. An application without findings
+//! is a suite with one test that passed.
 
 use std::io;
 
@@ -24,7 +24,7 @@ pub(crate) fn write(report: &Report, out: &mut dyn WriteColor) -> io::Result<()>
     })
 }
 
-/// The applications in their order, with what was found in each.
+/// The applications in their order, each with its findings.
 fn suites(report: &Report) -> Vec<Suite<'_>> {
     let found_in = |application: &'_ String| {
         let here = |finding: &&Finding| finding.application.as_ref() == Some(application);

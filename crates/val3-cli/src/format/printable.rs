@@ -6,20 +6,20 @@ use codespan_reporting::diagnostic::{LabelStyle, Severity};
 use codespan_reporting::term::termcolor::WriteColor;
 use codespan_reporting::term::{GeneralWriteResult, WriteStyle};
 
-/// Bytes that are kept back at most, about.
+/// Approximate number of bytes that are buffered.
 const PENDING: usize = 4096;
 
-/// Passes text on with `?` for every control character but tab and line feed; colours pass by their own way.
+/// Replaces every control character except tab and line feed by `?`. Colours bypass the filter.
 pub(crate) struct Printable<'a> {
     out: &'a mut dyn WriteColor,
-    /// What was written last, in one colour: codespan writes character by character.
+    /// The last text in one colour. Codespan writes character by character.
     pending: Vec<u8>,
-    /// The word of a level is being written.
+    /// Whether the word of a level is being written.
     in_level: bool,
 }
 
 impl<'a> Printable<'a> {
-    /// Runs `write` with a writer before `out`.
+    /// Runs `write` with a writer that filters text for `out`.
     pub(crate) fn before(
         out: &'a mut dyn WriteColor,
         write: impl FnOnce(&mut Self) -> io::Result<()>,
@@ -29,7 +29,7 @@ impl<'a> Printable<'a> {
         printable.hand_on().map(drop)
     }
 
-    /// The writer behind, which has everything now.
+    /// Writes the buffer out and returns the inner writer.
     fn hand_on(&mut self) -> io::Result<&mut dyn WriteColor> {
         self.out.write_all(&self.pending)?;
         self.pending.clear();

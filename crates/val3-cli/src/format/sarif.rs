@@ -45,7 +45,7 @@ fn log(report: &Report) -> Log<'_> {
     Log { schema: log::SCHEMA, version: "2.1.0", runs: [run] }
 }
 
-/// What the name of the folder under version control stands for on this machine.
+/// The folder under version control on this machine, under its name.
 fn base_uris(root: &str) -> BTreeMap<&'static str, BaseUri> {
     let absolute = Some(root).filter(|root| !root.is_empty()).map(|root| root.trim_matches('/'));
     let uri = |path: &str| format!("file:///{}/", utf8_percent_encode(path, ESCAPED)).replace("////", "///");
@@ -115,7 +115,7 @@ fn region(place: &Place) -> Region {
 /// The name of the folder under version control, which paths are relative to.
 const SOURCE_ROOT: &str = "%SRCROOT%";
 
-/// What a path may hold as it is; everything else is written as a percent sign and two digits.
+/// The characters of a path that need no escape. All others are written as a percent sign and two digits.
 const ESCAPED: &AsciiSet = &NON_ALPHANUMERIC.remove(b'-').remove(b'.').remove(b'_').remove(b'~').remove(b'/');
 
 fn artifact_location(path: &str) -> ArtifactLocation {

@@ -2,7 +2,7 @@
 //!
 //! A template says what a record holds:
 //!
-//! | placeholder | stands for |
+//! | placeholder | meaning |
 //! |---|---|
 //! | `%e` | level: `Error`, `Warning` or `Message` |
 //! | `%f` | file on the controller (`Disk://pal/pick.pgx`) |

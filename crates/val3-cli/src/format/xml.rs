@@ -1,4 +1,4 @@
-//! What the XML formats share: a writer, and texts that XML can hold.
+//! Shared parts of the XML formats: a writer, and texts that XML can hold.
 
 use std::io;
 

@@ -70,67 +70,67 @@ pub(crate) struct Finding {
     pub(crate) name: &'static str,
     /// Its level.
     pub(crate) severity: Severity,
-    /// What is wrong, in one sentence.
+    /// The message: one sentence.
     pub(crate) message: String,
     /// A few words under the place; may be empty.
     pub(crate) label: String,
-    /// What to write instead; may be empty.
+    /// The remedy; may be empty.
     pub(crate) help: String,
-    /// What it is known by, seen from the folder of the version control.
+    /// Its identity in baselines, with the path relative to the folder of the version control.
     pub(crate) fingerprint: Fingerprint,
-    /// Where.
+    /// The place.
     pub(crate) place: Place,
-    /// The program it lies in.
+    /// The program that contains the place.
     pub(crate) program: Option<String>,
     /// The line within the program's code, where the line of `begin` is 1.
     pub(crate) code_line: Option<usize>,
     /// The path of the application's `.pjx`, like [`SourceFile::path`].
     pub(crate) application: Option<String>,
-    /// The last check did not have it.
+    /// Whether the last check did not have it.
     pub(crate) is_new: bool,
     /// The other sides of the fault.
     pub(crate) related: Vec<Related>,
-    /// How to mend it.
+    /// The fix.
     pub(crate) fix: Option<Fix>,
 }
 
 impl Finding {
-    /// What is wrong, with a mark on what is new: for people who have seen the rest before.
+    /// The message, with a mark if the finding is new since the last check.
     pub(crate) fn marked_message(&self) -> String {
         if self.is_new { format!("{} (new)", self.message) } else { self.message.clone() }
     }
 
-    /// What is wrong and what to write instead, for readers that show one text.
+    /// The message with the remedy, for outputs that show one text.
     pub(crate) fn message_with_help(&self) -> String {
         if self.help.is_empty() { self.message.clone() } else { format!("{}; {}", self.message, self.help) }
     }
 }
 
-/// A change that mends a finding.
+/// A change that fixes a finding.
 #[derive(Debug, Clone)]
 pub(crate) struct Fix {
-    /// What it does, as an order.
+    /// The description of the change, as an order.
     pub(crate) title: String,
-    /// It is applied without asking.
+    /// Whether it is applied without asking.
     pub(crate) safe: bool,
-    /// What changes.
+    /// The replacements.
     pub(crate) edits: Vec<Edit>,
 }
 
 /// Replaces a place.
 #[derive(Debug, Clone)]
 pub(crate) struct Edit {
-    /// Where.
+    /// The place.
     pub(crate) place: Place,
-    /// What stands there afterwards.
+    /// The new text of the place.
     pub(crate) text: String,
 }
 
 /// Another side of a finding.
 #[derive(Debug, Clone)]
 pub(crate) struct Related {
-    /// Where.
+    /// The place.
     pub(crate) place: Place,
-    /// What stands there.
+    /// The message for the place.
     pub(crate) message: String,
 }

@@ -1,4 +1,4 @@
-//! Who follows a run: the record, and people.
+//! The observers of a run: the record, and people.
 
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Outcome};
@@ -13,7 +13,7 @@ use crate::args::{Color, RunArgs};
 use crate::output::to_stderr;
 use crate::user_error::UserError;
 
-/// Everybody who is told what happens.
+/// The observers that receive the events of a run.
 pub(super) struct Audience {
     record: Record,
     console: Console,
@@ -23,7 +23,7 @@ pub(super) struct Audience {
 }
 
 impl Audience {
-    /// Those that the arguments name.
+    /// The observers that the arguments name.
     pub(super) fn open(args: &RunArgs, recording: Option<Recording>, color: Color) -> Result<Self, UserError> {
         let record = Record::open(args.events.as_deref())?;
         let console = Console::new(color, !record.takes_stdout())?;
@@ -31,7 +31,7 @@ impl Audience {
         Ok(Self { record, console, live, recording })
     }
 
-    /// Tells what has happened.
+    /// Passes events on.
     pub(super) fn tell(&mut self, events: &[Event]) -> Result<(), UserError> {
         events.iter().try_for_each(|event| {
             self.record.write(event)?;
@@ -43,7 +43,7 @@ impl Audience {
         })
     }
 
-    /// Tells the last events of a run. A recording that goes beyond `--until` is not compared any further.
+    /// Passes the last events of a run on. A recording that continues after `--until` is not compared any further.
     pub(super) fn tell_end(&mut self, end: End, events: &[Event]) -> Result<(), UserError> {
         if matches!(end, End::Controller(Outcome::Limit) | End::BrokenOff(_) | End::Unread) {
             let recording = self.recording.take();
@@ -56,7 +56,7 @@ impl Audience {
         Ok(())
     }
 
-    /// Lets those who follow the run see what has happened so far.
+    /// Makes all events so far visible.
     pub(super) fn flush(&mut self, now: Time) -> Result<(), UserError> {
         if self.live.is_none() {
             self.console.show_failures(Some(seconds(now)));
@@ -69,17 +69,17 @@ impl Audience {
         self.recording.as_ref()
     }
 
-    /// The run differs from the one that it repeats.
+    /// Whether the run differs from the one that it repeats.
     pub(super) fn has_diverged(&self) -> bool {
         self.recording.as_ref().is_some_and(Recording::has_diverged)
     }
 
-    /// A task has ended in an error that no other task has handled.
+    /// Whether a task has ended in an unhandled error.
     pub(super) fn has_unhandled_errors(&self) -> bool {
         self.console.has_unhandled_errors()
     }
 
-    /// Those who read what the run writes have gone.
+    /// Whether the output of the run is no longer read.
     pub(super) fn has_left(&self) -> bool {
         self.record.is_abandoned() || self.console.is_abandoned()
     }
@@ -89,7 +89,7 @@ impl Audience {
         self.live.as_mut().map_or(Ok(Wish::GoOn), |live| live.attend(controller))
     }
 
-    /// Nothing happens any more. What was to be read on a page that is gone now stays readable.
+    /// Ends the output. The journal of the user page, which disappears, is printed and thus stays readable.
     pub(super) fn close(mut self) -> Result<Console, UserError> {
         match self.live.take() {
             // The journal has the errors.

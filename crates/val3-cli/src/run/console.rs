@@ -1,4 +1,4 @@
-//! What a run shows to people.
+//! The output of a run for people.
 
 use std::io;
 
@@ -17,17 +17,17 @@ use crate::output::{to_reader, to_stderr_in_color, to_stdout};
 use crate::paths::Paths;
 use crate::user_error::UserError;
 
-/// What the line of a run-time error is.
+/// The label of the line of a run-time error.
 const STOPPED: &str = "the task stopped here";
 
-/// What people at a terminal can do about a line that no cell configures.
+/// The help for a line that no cell configures.
 const CONNECT: &str = "A serial line or socket of a cell that is not at hand is connected by --line: \
                        `val3 run --help` tells how.";
 
 /// The standard output and error output.
 pub(crate) struct Console {
     pub(super) color: Color,
-    /// The standard output is free for what the application says.
+    /// Whether the standard output is free for the output of the application.
     speaks: bool,
     is_read: bool,
     pub(super) paths: Paths,
@@ -48,7 +48,7 @@ impl Console {
         })
     }
 
-    /// A task has ended in an error that no other task has handled.
+    /// Whether a task has ended in an unhandled error.
     pub(crate) fn has_unhandled_errors(&self) -> bool {
         !self.failures.is_empty()
     }
@@ -68,13 +68,13 @@ impl Console {
         }
     }
 
-    /// Follows what becomes of errors and of libraries.
+    /// Keeps track of errors and of libraries.
     pub(crate) fn follow(&mut self, event: &Event) {
         self.failures.follow(event);
         self.missing.follow(event);
     }
 
-    /// Shows the errors that no task handles: at a time of the run, or all of them at its end.
+    /// Shows the unhandled errors: those at a time of the run, or all of them at its end.
     pub(crate) fn show_failures(&mut self, now: Option<f64>) {
         for failure in self.failures.take_unhandled(now) {
             self.fault(&failure);
@@ -89,7 +89,7 @@ impl Console {
         Ok(())
     }
 
-    /// Nobody reads the standard output any more.
+    /// Whether the standard output is no longer read.
     pub(crate) fn is_abandoned(&self) -> bool {
         !self.is_read
     }
@@ -109,7 +109,7 @@ impl Console {
         to_stderr_in_color(self.color, |out| human::write_fault(&fault, out));
     }
 
-    /// An instruction that is not there, with its line.
+    /// An instruction that the controller lacks, with its line.
     fn lacking(&self, task: &str, instruction: &str, file: &str, line: u32) {
         let message = format!("{} (task `{task}`)", missing_instruction(instruction));
         let help = "the run has ended: what the program does from here on depends on it";

@@ -1,4 +1,4 @@
-//! Why a run has ended, for people: what its tasks were waiting for.
+//! The reason for the end of a run, for people: the waits of its tasks.
 
 use std::fs;
 use std::io::{self, Write};
@@ -12,17 +12,17 @@ use super::console::Console;
 use crate::args::RunArgs;
 use crate::output::to_stderr;
 
-/// What an operator can do for tasks that wait.
+/// The help for tasks that wait.
 const UNSTICK: &str = "Let a script change what a task waits for (--script), type keys (--keys), or resume the task \
                        from another one.";
 
-/// What makes the limit of a cyclic program its normal end.
+/// The help for a cyclic program, whose normal end is the limit.
 const EXPECTED: &str = "With --until-ok this is a success.";
 
-/// What a run that was interrupted can be used for.
+/// The help for a run that was interrupted.
 const RECORDED: &str = "With --events FILE a run can be repeated up to this point (--replay).";
 
-/// The most tasks that are listed. Applications have a dozen; a run-away loop of `taskCreate` has thousands.
+/// Maximum number of listed tasks. Applications have a dozen; a run-away loop of `taskCreate` has thousands.
 const MOST_TASKS: usize = 50;
 
 impl Console {

@@ -12,12 +12,12 @@ pub(super) struct Failure {
     pub(super) code: u16,
     pub(super) file: String,
     pub(super) line: u32,
-    /// When it happened, in seconds.
+    /// The time of the error, in seconds.
     at: f64,
     is_shown: bool,
 }
 
-/// The errors that no other task has handled, in the order in which they happened.
+/// The unhandled errors, in the order in which they occurred.
 #[derive(Debug, Default)]
 pub(super) struct Failures(Vec<Failure>);
 
@@ -38,13 +38,13 @@ impl Failures {
         }
     }
 
-    /// Every error was handled.
+    /// Whether every error was handled.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The errors that were not shown yet and that no task will handle: those older than a moment at time `now`, or
-    /// all of them when the run has ended.
+    /// The unhandled errors that were not shown yet: those older than a moment at time `now`, or all of them when the
+    /// run has ended.
     pub(super) fn take_unhandled(&mut self, now: Option<f64>) -> Vec<Failure> {
         let is_old = |failure: &Failure| now.is_none_or(|now| now >= failure.at + PATIENCE);
         let due = self.0.iter_mut().filter(|failure| !failure.is_shown && is_old(failure));

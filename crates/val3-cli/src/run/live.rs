@@ -17,12 +17,12 @@ use journal::Journal;
 use keyboard::Command;
 use view::View;
 
-/// The least time from one picture to the next.
+/// Minimum time between two pictures.
 const REFRESH: Duration = Duration::from_millis(40);
 
 /// A terminal that shows the pendant.
 ///
-/// While it lives the terminal is in raw mode and on its other page; dropping it, or a panic, brings back what was.
+/// While it exists, the terminal is in raw mode and on its alternate screen. A drop or a panic restores it.
 pub(super) struct Live {
     terminal: DefaultTerminal,
     journal: Journal,
@@ -30,12 +30,12 @@ pub(super) struct Live {
     interrupted: bool,
 }
 
-/// What the operator wants of the run.
+/// The operator's decision about the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wish {
-    /// It goes on.
+    /// The run continues.
     GoOn,
-    /// It ends at once.
+    /// The run ends immediately.
     End,
 }
 
@@ -68,7 +68,7 @@ impl Live {
         Ok(Self { terminal, journal: Journal::default(), drawn: None, interrupted: false })
     }
 
-    /// Keeps what people want to know of an event.
+    /// Keeps the text of an event that people want to read.
     pub(super) fn hear(&mut self, event: &Event) {
         self.journal.hear(event);
     }
@@ -85,7 +85,7 @@ impl Live {
         Ok(wish)
     }
 
-    /// Gives the terminal back; what there was to read is returned.
+    /// Restores the terminal and returns the lines of the journal.
     pub(super) fn close(mut self) -> Vec<String> {
         self.journal.take()
     }

@@ -12,7 +12,7 @@ use super::ending::code;
 pub(super) struct MissingLibraries(BTreeMap<String, (String, u16)>);
 
 impl MissingLibraries {
-    /// Keeps what becomes of libraries, those that load with the application among them.
+    /// Keeps track of libraries, including those that load with the application.
     pub(super) fn follow(&mut self, event: &Event) {
         let What::Lib { op: "load", alias, path, code } = &event.what else { return };
         if *code < INTERFACE_DIFFERS {
@@ -22,7 +22,8 @@ impl MissingLibraries {
         }
     }
 
-    /// Sentences about the libraries that a line of a file uses; about all of them where it cannot be read.
+    /// Sentences about the missing libraries that a line of a file uses, or about all of them if the line cannot be
+    /// read.
     pub(super) fn told_at(&self, file: &str, line: u32) -> String {
         let code = code(file, line);
         let is_used = |alias: &str| code.as_ref().is_none_or(|code| code.contains(&format!("{alias}:")));

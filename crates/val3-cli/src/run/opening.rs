@@ -20,11 +20,11 @@ use crate::paths::Paths;
 use crate::similar::{question, similar};
 use crate::user_error::{EXIT_USAGE, UserError};
 
-/// What opening an application comes to.
+/// The result of opening an application.
 pub(crate) enum Opened {
-    /// It is in memory.
+    /// The application is in memory.
     Ready(Box<Controller>),
-    /// It has faults, which were shown.
+    /// The application has faults, which were shown.
     Faulty(ExitCode),
 }
 
@@ -50,7 +50,7 @@ pub(crate) fn open(args: &RunArgs, color: Color) -> Result<Opened, UserError> {
         }
     };
     let programs: Vec<String> = image.programs.iter().map(|program| program.name.clone()).collect();
-    // What a replay is compared with has the answers of its lines too.
+    // The recording of a compared run contains the answers of its lines, so this run records them too.
     let tape = Tape { records: args.events.is_some() || args.replay.is_some(), replays: args.replay.as_deref() };
     let mut controller = application.controller(&args.controller.settings(), tape, image)?;
     outside::arrange(&mut controller, args, &|data| is_resized(application.db(), project, data))?;

@@ -1,4 +1,4 @@
-//! What happens to an application from outside while it runs: the operator, and what a script says.
+//! Effects on an application from outside while it runs: the operator and the script.
 
 use std::fs;
 use std::time::SystemTime;
@@ -12,11 +12,11 @@ use crate::args::RunArgs;
 use crate::similar::{question, similar};
 use crate::user_error::UserError;
 
-/// Lets the operator, the script and the calendar on the wall do the part that the arguments give them.
+/// Sets up the operator, the script and the wall calendar as the arguments say.
 ///
 /// # Errors
-/// The script cannot be read, says what no script can say, or names a variable or signal that does not exist.
-/// `is_resized` tells which data change their size.
+/// The script cannot be read, contains an unknown action, or names a variable or signal that does not exist.
+/// `is_resized` returns whether a data item changes its size.
 pub(super) fn arrange(
     controller: &mut Controller,
     args: &RunArgs,

@@ -8,7 +8,7 @@ use val3_machine::event::Event;
 
 use crate::user_error::UserError;
 
-/// Where the record goes.
+/// The destination of the record.
 pub(crate) struct Record {
     out: Option<Box<dyn Write>>,
     path: Utf8PathBuf,
@@ -27,24 +27,24 @@ impl Record {
         Ok(Self { out, path, is_read: true })
     }
 
-    /// The standard output is taken: what people read goes elsewhere.
+    /// Whether the record uses the standard output, so that output for people goes elsewhere.
     pub(crate) fn takes_stdout(&self) -> bool {
         self.path == "-"
     }
 
-    /// Writes an event. A reader that went away is no error.
+    /// Writes an event. A closed pipe is no error.
     pub(crate) fn write(&mut self, event: &Event) -> Result<(), UserError> {
         let Some(out) = &mut self.out else { return Ok(()) };
         let written = serde_json::to_writer(&mut *out, event).map_err(io::Error::from).and_then(|()| writeln!(out));
         self.judge(written)
     }
 
-    /// Nobody reads it any more.
+    /// Whether the record is no longer read.
     pub(crate) fn is_abandoned(&self) -> bool {
         !self.is_read
     }
 
-    /// Writes what is still held back.
+    /// Writes the buffer out.
     pub(crate) fn flush(&mut self) -> Result<(), UserError> {
         let written = self.out.as_mut().map_or(Ok(()), |out| out.flush());
         self.judge(written)

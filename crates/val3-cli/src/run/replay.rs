@@ -1,4 +1,4 @@
-//! `--replay`: a run is compared with the recording of another one, and ends where that ends.
+//! `--replay`: a run is compared with the recording of another one, and ends at its end.
 
 use std::fs;
 
@@ -16,11 +16,11 @@ pub(super) struct Recording {
     path: Utf8PathBuf,
     /// The events, one a line.
     lines: Vec<String>,
-    /// How many events of the run were compared.
+    /// The number of events of the run that were compared.
     compared: usize,
     /// The time of the last event.
     end: Time,
-    /// Why the recorded run ended; `None` where the recording breaks off.
+    /// The reason why the recorded run ended; `None` if the recording breaks off.
     reason: Option<EndReason>,
     has_diverged: bool,
 }
@@ -35,7 +35,7 @@ pub(super) struct Divergence {
     found: Option<String>,
 }
 
-/// What the end of a recording depends on.
+/// The fields of an event that give the end of a recording.
 #[derive(Deserialize)]
 struct Moment {
     t: f64,
@@ -68,28 +68,28 @@ impl Recording {
         Ok(Self { path: path.to_owned(), lines, compared: 0, end: nanoseconds(last.t), reason, has_diverged: false })
     }
 
-    /// The time at which the run is ended: that of the recorded end, where the recorded run did not end by itself.
+    /// The time of the recorded end, unless the recorded run ended on its own. The run ends there.
     pub(super) fn limit(&self) -> Option<Time> {
         let is_by_itself = matches!(self.reason, Some(EndReason::Finished | EndReason::Error | EndReason::Refused));
         (!is_by_itself).then_some(self.end)
     }
 
-    /// The run has continued beyond the recorded end.
+    /// Whether the run has continued beyond the recorded end.
     pub(super) fn is_over(&self, now: Time) -> bool {
         self.limit().map_or(now > self.end, |limit| now >= limit)
     }
 
-    /// Why the recorded run ended.
+    /// The reason why the recorded run ended.
     pub(super) fn reason(&self) -> EndReason {
         self.reason.unwrap_or(EndReason::Stopped)
     }
 
-    /// The run differs from the recording.
+    /// Whether the run differs from the recording.
     pub(super) fn has_diverged(&self) -> bool {
         self.has_diverged
     }
 
-    /// Compares the next event of the run. The answer is the difference, if it is the first one.
+    /// Compares the next event of the run. Returns the difference if it is the first one.
     pub(super) fn compare(&mut self, event: &Event) -> Option<Divergence> {
         let at = self.compared;
         self.compared += 1;
@@ -103,7 +103,7 @@ impl Recording {
         self.diverge(at, recorded, found)
     }
 
-    /// The run has ended. The answer is the difference, if it lacks recorded events and did not differ before.
+    /// Ends the comparison. Returns the difference if recorded events are missing and the run did not differ before.
     pub(super) fn finish(&mut self) -> Option<Divergence> {
         let next = self.lines.get(self.compared).filter(|_| !self.has_diverged)?.clone();
         self.diverge(self.compared, Some(next), None)
@@ -115,7 +115,7 @@ impl Recording {
     }
 }
 
-/// Two events are the same. The order of fields and the form of numbers do not count.
+/// Whether two events are the same. The order of fields and the form of numbers do not count.
 fn is_equal(one: Option<&String>, other: Option<&String>) -> bool {
     let value = |event: Option<&String>| event.and_then(|event| serde_json::from_str::<Value>(event).ok());
     one == other || value(one).is_some_and(|one| Some(one) == value(other))

@@ -1,4 +1,4 @@
-//! Signals that end a run from outside: what it holds, such as the terminal and its record, is given back first.
+//! Signals that end a run from outside. Resources such as the terminal and the record are released first.
 
 use std::sync::Arc;
 use std::sync::atomic::Ordering::Relaxed;
@@ -6,10 +6,10 @@ use std::sync::atomic::{AtomicBool, AtomicUsize};
 
 use crate::user_error::UserError;
 
-/// Exit code of a process that a signal ends, less the number of the signal, as shells count.
+/// Base of the exit codes of processes that a signal ends, as in shells. The number of the signal is added.
 const EXIT_SIGNAL: u8 = 128;
 
-/// The signal that was caught, 0 before one was.
+/// The signal that was caught, or 0.
 #[derive(Debug, Default)]
 pub(super) struct Signals {
     caught: Arc<AtomicUsize>,
@@ -29,7 +29,7 @@ impl Signals {
         Some(EXIT_SIGNAL.saturating_add(signal))
     }
 
-    /// Catches Ctrl-C, the end of the terminal and what asks a process to end. The second signal has its usual effect.
+    /// Catches Ctrl-C, the end of the terminal and the request to end. The second signal has its usual effect.
     ///
     /// # Errors
     /// The system refuses.

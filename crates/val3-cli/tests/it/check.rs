@@ -1,4 +1,4 @@
-//! What `val3 check` finds, and how it ends.
+//! Findings and exit codes of `val3 check`.
 
 use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL, run};
 

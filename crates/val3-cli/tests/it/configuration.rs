@@ -1,4 +1,4 @@
-//! What a `val3.toml` does to a check.
+//! Effects of a `val3.toml` on a check.
 
 use crate::support::{CLEAN, FAULTY, Folder, UNUSUAL};
 

@@ -34,7 +34,7 @@ const LOADER: &str = r#"
     end
 "#;
 
-/// The library that is encrypted; it loads another one, in the open, from beside it.
+/// The library that is encrypted. It loads an unencrypted one next to it.
 const SECRET: &str = r#"
     --- secret
     library bolt "Disk://bolt/bolt.pjx"
@@ -66,7 +66,7 @@ fn secret() -> Vec<(String, String)> {
     files.filter_map(|(path, text)| Some((path.strip_prefix("usrapp/secret/")?.to_owned(), text))).collect()
 }
 
-/// What a run of the application prints that finds these bytes in `part.zip`.
+/// Runs the application with these bytes in `part.zip`.
 #[track_caller]
 fn run(archive: &[u8], password: &str) -> Run {
     let folder = Folder::with(&LOADER.replace("string sPassword", &format!("string sPassword=\"{password}\"")));
@@ -80,7 +80,7 @@ fn run(archive: &[u8], password: &str) -> Run {
     run
 }
 
-/// The files around the application, and what lies beside them.
+/// All files in the folder of the cell.
 fn listing(folder: &Folder) -> Vec<String> {
     let mut open = vec![folder.path().to_owned()];
     let mut found = Vec::new();

@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::support::{CLEAN, Folder};
 
-/// What comes of texts, with the exit code last.
+/// The output of an evaluation, with the exit code last.
 fn answers(arguments: &[&str]) -> String {
     let run = Folder::empty().val3(&[&["eval"], arguments].concat());
     format!("{}{}{}", run.stdout, run.stderr, run.code)

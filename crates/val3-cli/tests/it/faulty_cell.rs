@@ -1,4 +1,4 @@
-//! What a user reads who checks the shipped cell with a fault of each family.
+//! The output of a check of the shipped cell with a fault of each family.
 
 use std::process::Command;
 

@@ -89,7 +89,8 @@ fn nothing_to_change_is_an_empty_diff() {
     assert_eq!(run.code, 1, "{run:?}");
 }
 
-/// A project whose folder holds one program more than it lists. This one uses data and a library that nothing else uses.
+/// A project whose folder holds one program more than it lists. This one uses data and a library that nothing else
+/// uses.
 fn with_stray_program(code: &str) -> Folder {
     let folder = Folder::with(
         "library part \"Disk://part/part.pjx\"\nnum nUsed\nnum nLeft\nprogram start()\nbegin\nend\n--- part\npublic num nA\n",
@@ -102,7 +103,7 @@ fn with_stray_program(code: &str) -> Folder {
 
 const USES: &str = "nUsed=part:nA";
 
-/// The findings in the JSON of a check, without what fixes could be offered.
+/// The findings in the JSON of a check, without the offered fixes.
 fn findings(run: &Run) -> serde_json::Value {
     let mut json: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
     json["diagnostics"].take()

@@ -1,4 +1,4 @@
-//! What the formats say, and where it goes.
+//! Contents and destinations of the formats.
 
 use serde_json::Value;
 

@@ -1,4 +1,4 @@
-//! Programs and files that would break a careless controller: the program gets its error, and the run goes on.
+//! Programs and files that would break a careless controller. The program gets an error, and the run continues.
 
 use std::fs;
 use std::io::{Cursor, Write};
@@ -69,7 +69,7 @@ end
     prints(&folder, &[], "40\n9999\n9\n128\n");
 }
 
-/// The secret lies beside the folders that the roots stand for.
+/// The secret is next to the folders of the roots, outside of them.
 fn beside_a_secret(code: &str) -> Folder {
     let folder = Folder::with(&format!(
         r#"

@@ -26,7 +26,7 @@ begin
 end
 "#;
 
-/// What `taskStatus` gives at each try: 1, or the error. The middle one comes behind `event`, the last behind `undo`.
+/// The result of `taskStatus` at each try: 1, or the error. The second follows `event`, the third follows `undo`.
 fn tries(act: &str, event: &str, undo: &str) -> String {
     let folder = Folder::with(&PROGRAM.replace("ACT", act));
     let data = folder.read("usrapp/main/main.dtx");

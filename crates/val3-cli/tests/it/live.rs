@@ -77,7 +77,7 @@ fn a_signal_ends_a_loop_of_file_accesses() {
     assert_eq!(child.wait().unwrap().code(), Some(143));
 }
 
-/// A run that somebody ends from outside has written everything down, and how it ended.
+/// The record of a run that a signal ends is complete, including the end.
 #[test]
 fn a_signal_leaves_a_whole_record() {
     let folder = Folder::with("while true\n?1\ndelay(3600)\nendWhile\n");
@@ -92,7 +92,7 @@ fn a_signal_leaves_a_whole_record() {
     assert!(events.ends_with("\"kind\":\"end\",\"reason\":\"stopped\"}\n"), "{events}");
 }
 
-/// Whoever reads the events of a run in real time sees them as they happen.
+/// The events of a run in real time can be read when they happen.
 #[test]
 fn events_can_be_followed() {
     let folder = Folder::with("?1\ndelay(3600)\n");

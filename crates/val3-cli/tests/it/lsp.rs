@@ -45,7 +45,7 @@ fn initialize(process: u32) -> String {
 fn a_session() {
     let folder = tempfile::tempdir().unwrap();
     let log = folder.path().join("val3.log");
-    // What clients say on the command line.
+    // The arguments that clients pass.
     let mut server = server(&["--stdio", "--clientProcessId=1", "--log", log.to_str().unwrap()]);
     send(&mut server, &initialize(std::process::id()));
     let mut output = BufReader::new(server.stdout.take().unwrap());

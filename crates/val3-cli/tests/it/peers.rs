@@ -1,5 +1,5 @@
-//! Sockets of a run with real peers: what they say is heard, what they do wrong is survived, and a run that was
-//! recorded is replayed without them.
+//! Sockets of a run with real peers. The run hears them and survives their mistakes, and its recording is replayed
+//! without them.
 
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
 use std::net::{Ipv4Addr, Shutdown, TcpListener, TcpStream, UdpSocket};
@@ -30,7 +30,7 @@ fn application(programs: &str) -> Folder {
     Folder::with(&format!("{programs}\n{DATA}"))
 }
 
-/// A port that nobody listens at.
+/// A port without a listener.
 fn free_port() -> u16 {
     TcpListener::bind("127.0.0.1:0").unwrap().local_addr().unwrap().port()
 }
@@ -107,7 +107,7 @@ fn a_server_is_recorded_and_replayed() {
     replays(&folder, &end, &first);
 }
 
-/// A server of one line of dialogue for each call, as often as it is called.
+/// A server that reads one line and answers it, for `calls` connections.
 fn host(listener: TcpListener, calls: usize) -> JoinHandle<Vec<String>> {
     spawn(move || {
         let answer = |(stream, _): (TcpStream, _)| {
@@ -160,7 +160,7 @@ fn datagrams_are_recorded_and_replayed() {
         let started = Instant::now();
         let mut answer = [0; 64];
         for text in ["one\r", "end\r"] {
-            // What is sent before the run listens is lost.
+            // Datagrams that are sent before the run listens are lost.
             let heard = loop {
                 assert!(started.elapsed() < PATIENCE);
                 let _ = socket.send(text.as_bytes());
@@ -179,7 +179,7 @@ fn datagrams_are_recorded_and_replayed() {
     replays(&folder, &end, &first);
 }
 
-/// Bytes without an end, faster than anyone reads: what the program does not take stays outside, and time goes on.
+/// An endless stream, faster than the program reads: unread bytes stay outside, and time passes.
 #[test]
 fn a_flood_is_taken_string_by_string() {
     let folder = application(
@@ -214,7 +214,7 @@ end
     assert_eq!((first.code, first.stdout.as_str()), (0, "100\ntrue\n"), "{first:?}");
 }
 
-/// A peer that calls and says nothing, or half a word, costs its task the time-out (error 125), nobody else.
+/// A peer that connects and sends nothing, or half a word, costs only its task the time-out (error 125).
 #[test]
 fn a_stalled_peer_times_out() {
     let folder = application(

@@ -28,7 +28,7 @@ impl Server {
         Self { child: command.spawn().unwrap(), _folder: folder, feedback, motion }
     }
 
-    /// What the server says when it ends by itself, and its exit code.
+    /// The exit code and the messages of a server that ends on its own.
     fn end(mut self) -> (i32, String) {
         let code = self.child.wait().unwrap().code().unwrap();
         let mut said = String::new();
@@ -44,13 +44,13 @@ impl Drop for Server {
     }
 }
 
-/// Ports that nobody listens at.
+/// Ports without listeners.
 fn free_ports() -> [u16; 2] {
     let listeners = [0, 1].map(|_| TcpListener::bind("127.0.0.1:0").unwrap());
     listeners.map(|listener| listener.local_addr().unwrap().port())
 }
 
-/// What the client prints.
+/// The output of the client.
 #[track_caller]
 fn client(arguments: &[&str]) -> String {
     let mut command = Command::new("python3");

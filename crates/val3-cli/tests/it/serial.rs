@@ -9,7 +9,7 @@ use rustix::termios::{ControlModes, tcgetattr};
 use crate::support::Folder;
 use crate::terminal::pair;
 
-/// Talks to whoever is at the other end: greets, repeats two texts, sends bytes, waits for what does not come.
+/// Talks to the device at the other end: greets, repeats two texts, sends bytes, waits for a text that never arrives.
 const PROGRAM: &str = r#"
 sio siLine
 string sText

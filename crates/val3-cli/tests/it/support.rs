@@ -12,13 +12,13 @@ use val3_test::Fixture;
 pub(crate) const CLEAN: &str = "num nCount\nnCount=nCount+1\n";
 /// A program with an unknown name in line 2 of its code.
 pub(crate) const FAULTY: &str = "num nCount\nnCuont=1\n";
-/// A program with nothing but a keyword in an unusual spelling.
+/// A program whose only fault is a keyword in an unusual spelling.
 pub(crate) const UNUSUAL: &str = "num nCount\nIF nCount==1\nnCount=2\nendIf\n";
 
-/// A temporary folder with the files of a listing; it goes with the value.
+/// A temporary folder with the files of a listing. It is deleted when the value is dropped.
 pub(crate) struct Folder(TempDir);
 
-/// What a run left.
+/// The result of a run of the command.
 #[derive(Debug)]
 pub(crate) struct Run {
     pub(crate) code: i32,

@@ -9,15 +9,15 @@ use std::time::Duration;
 use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
 use rustix::termios::{Winsize, tcsetwinsize};
 
-/// How long a picture may take; a test that waits in vain ends.
+/// Maximum time for a picture, after which the test fails.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A terminal with a command in it.
 pub(crate) struct Terminal {
     keyboard: File,
-    /// What comes onto the screen. It is read aside: a read has no end while the line is open.
+    /// The output on the screen. Another thread reads it, because a read blocks while the line is open.
     picture: Receiver<String>,
-    /// The end of the command, kept to look at its modes.
+    /// The end of the command, kept to check its modes.
     pub(crate) line: File,
     pub(crate) child: Child,
     seen: String,
@@ -35,7 +35,7 @@ impl Terminal {
         Self { keyboard, picture, line, child, seen: String::new() }
     }
 
-    /// Reads on until the picture holds a text behind the one that was waited for before.
+    /// Reads until the picture holds a text after the one of the previous call.
     pub(crate) fn wait_for(&mut self, text: &str) {
         while !self.seen.contains(text) {
             match self.picture.recv_timeout(PATIENCE) {
@@ -52,13 +52,13 @@ impl Terminal {
 }
 
 impl Drop for Terminal {
-    /// A command whose test has failed does not stay.
+    /// A failed test must not leave its command running.
     fn drop(&mut self) {
         let _ = self.child.kill();
     }
 }
 
-/// What a terminal shows, as it comes.
+/// The output on a terminal, in pieces.
 fn pictures(mut terminal: File) -> Receiver<String> {
     let (to, pictures) = channel();
     std::thread::spawn(move || {
@@ -72,7 +72,7 @@ fn pictures(mut terminal: File) -> Receiver<String> {
     pictures
 }
 
-/// A new pseudo terminal: the end of who sits at it, and the name of the other end.
+/// A new pseudo terminal: the user's end, and the name of the other end.
 pub(crate) fn pair() -> (File, String) {
     let other = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
     grantpt(&other).unwrap();

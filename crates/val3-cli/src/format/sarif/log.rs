@@ -145,7 +145,7 @@ pub(super) struct ArtifactLocation {
     pub(super) uri_base_id: &'static str,
 }
 
-/// What a name of a folder stands for; the URI ends with a slash.
+/// The URI of a named folder. It ends with a slash.
 #[derive(Serialize)]
 pub(super) struct BaseUri {
     pub(super) uri: String,

@@ -1,11 +1,11 @@
-//! What there is to read below the user page.
+//! The text below the user page.
 
 use std::collections::VecDeque;
 
 use val3_lang::runtime_errors;
 use val3_machine::event::{Event, What};
 
-/// How many lines are kept: what a terminal usually keeps as well.
+/// Maximum number of lines that are kept, similar to the history of a terminal.
 const KEPT: usize = 1000;
 
 /// The last lines that `?` has printed, and the last messages and errors.
@@ -15,7 +15,7 @@ pub(super) struct Journal {
 }
 
 impl Journal {
-    /// Keeps what people want to know of an event.
+    /// Keeps the text of an event that people want to read.
     pub(super) fn hear(&mut self, event: &Event) {
         if let Some(line) = line(event) {
             self.lines.extend(line.lines().map(str::to_owned));

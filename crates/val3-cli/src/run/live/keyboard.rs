@@ -1,12 +1,12 @@
-//! Which key of the pendant a key of the keyboard stands for (12.2).
+//! The keys of the pendant for the keys of the keyboard (12.2).
 
 use ratatui::crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 use val3_lang::keys::{KEYS, character};
 
-/// What a key of the keyboard does.
+/// The effect of a key of the keyboard.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Command {
-    /// The key of the pendant with this code is tapped: a terminal does not tell when a key comes up.
+    /// The key of the pendant with this code is tapped, because terminals do not report the release of keys.
     Tap(u16),
     /// User-Down.
     NextPage,
@@ -16,7 +16,7 @@ pub(super) enum Command {
     Interrupt,
 }
 
-/// What a key does, if it does anything.
+/// The effect of a key, if it has one.
 pub(super) fn command(key: KeyEvent) -> Option<Command> {
     if key.kind == KeyEventKind::Release {
         return None;
@@ -42,7 +42,7 @@ fn typed(written: char, modifiers: KeyModifiers) -> Option<u16> {
     (held != KeyModifiers::CONTROL && character(code).is_some()).then_some(code)
 }
 
-/// What stands on the key of the pendant.
+/// The label of the key of the pendant.
 fn name(code: KeyCode) -> Option<&'static str> {
     Some(match code {
         KeyCode::Enter => "Return",

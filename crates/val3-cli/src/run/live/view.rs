@@ -1,4 +1,4 @@
-//! The picture in the terminal: the pendant, what there is to read, and the state of the controller.
+//! The picture in the terminal: the pendant, the journal, and the state of the controller.
 
 use ratatui::Frame;
 use ratatui::layout::{Constraint, Layout, Rect};
@@ -12,26 +12,26 @@ use val3_machine::screen::{COLUMNS, Cell, Pendant, ROWS};
 
 use super::journal::Journal;
 
-/// How long flashing text is seen, and then not seen.
+/// The duration of each phase of flashing text, visible and hidden.
 const FLASH: Time = SECOND / 2;
 
 /// The page with its border.
 #[allow(clippy::cast_possible_truncation, reason = "42 and 16")]
 const SIZE: (u16, u16) = (COLUMNS as u16 + 2, ROWS as u16 + 2);
 
-/// What is shown.
+/// The objects in the picture.
 pub(super) struct View<'a> {
     pub(super) pendant: &'a Pendant,
     pub(super) robot: &'a Robot,
     pub(super) journal: &'a Journal,
     /// The controller's clock.
     pub(super) now: Time,
-    /// The application was told to stop.
+    /// Whether the application was ordered to stop.
     pub(super) stopping: bool,
 }
 
 impl View<'_> {
-    /// Draws it; in a terminal that is too small the right and the lower part are missing.
+    /// Draws the picture. A terminal that is too small lacks the right and the lower part.
     pub(super) fn draw(&self, frame: &mut Frame<'_>) {
         let (width, height) = SIZE;
         let parts = [Constraint::Length(height), Constraint::Min(0), Constraint::Length(1)];
@@ -51,7 +51,7 @@ impl View<'_> {
         frame.render_widget(Paragraph::new(rows.collect::<Vec<_>>()).block(block), area);
     }
 
-    /// A column of the page. Flashing text leaves its background when it goes.
+    /// A column of the page. Flashing text keeps its background while it is hidden.
     fn span<'a>(&self, cell: &'a Cell) -> Span<'a> {
         let seen = !cell.mode.is_flashing() || (self.now / FLASH).is_multiple_of(2);
         let gone = if cell.text.is_empty() { "" } else { " " };
