@@ -31,7 +31,7 @@ const BATCH: usize = 1500;
 /// Findings that are translated together. Those of a file are adjacent and share its indexes.
 const CHUNK: usize = 32;
 
-/// Everything that was asked for, read and ready to be checked.
+/// The files of a request, read and ready to be checked.
 pub(crate) struct Session<'r> {
     request: &'r Request,
     opened: Opened,
@@ -52,7 +52,7 @@ pub(crate) struct Outcomes {
 }
 
 impl<'r> Session<'r> {
-    /// Reads everything that is asked for.
+    /// Reads everything that the request needs.
     pub(crate) fn open(request: &'r Request) -> Result<Self, UserError> {
         let started = Instant::now();
         Ok(Self { request, opened: open(request)?, started, edited: EditedTexts::default() })

@@ -71,7 +71,7 @@ impl Progress {
     }
 }
 
-/// Texts may begin with a hyphen (`-nA`), so an option after one would be taken for a text.
+/// Texts may begin with a hyphen (`-nA`), so an option after a text would be read as a text.
 fn is_option(text: &str) -> bool {
     let Some(name) = text.strip_prefix("--").and_then(|text| text.split('=').next()) else { return false };
     let mut command = Args::command();

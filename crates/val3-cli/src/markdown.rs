@@ -8,7 +8,7 @@ const CODE_INDENT: &str = "    ";
 /// Maximum number of characters in a line of text.
 const WIDTH: usize = 80;
 
-/// Writes `page`. Colours mark headings and code; without them the text says the same.
+/// Writes `page`. Colours mark headings and code. Without colours the text is complete too.
 pub(crate) fn render(page: &str, out: &mut dyn WriteColor) -> io::Result<()> {
     let mut renderer = Renderer { out, paragraph: String::new(), in_code: false };
     page.lines().try_for_each(|line| renderer.line(line))?;

@@ -94,7 +94,7 @@ fn color_choice(color: Color) -> ColorChoice {
     if wanted { ColorChoice::Always } else { ColorChoice::Never }
 }
 
-/// Colours are unwanted where NO_COLOR has a value, and unreadable on a terminal that says it is dumb.
+/// Colours are unwanted if NO_COLOR has a value, and unreadable on a dumb terminal.
 fn environment_allows_colors() -> bool {
     let no_color = std::env::var_os("NO_COLOR").is_some_and(|value| !value.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|value| value == "dumb");

@@ -38,7 +38,7 @@ impl Paths {
         slashes(&self.repository)
     }
 
-    /// The path relative to the folder asked for.
+    /// The path relative to the requested folder.
     pub(crate) fn relative(&self, path: &Utf8Path) -> String {
         relative(&self.asked, &self.absolute(path))
     }

@@ -25,7 +25,7 @@ struct RuleCount {
     fixable_unsafely: usize,
 }
 
-/// Whether counts can be written in a format; the error says in which they can.
+/// Whether counts can be written in a format. The error names the formats that can.
 pub(crate) fn supports(format: Format) -> Result<(), UserError> {
     match format {
         Format::Human | Format::Concise | Format::Json | Format::JsonLines => Ok(()),

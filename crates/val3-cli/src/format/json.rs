@@ -14,7 +14,7 @@
 //!    "fix": {"title": "…", "safe": true, "edits": [{"file": "pal/pick.pgx", "range": {}, "text": "…"}]}}]}
 //! ```
 //! - `severity` is `error`, `warning` or `info`.
-//! - `file` and `application` are relative to the folder asked for, with `/`.
+//! - `file` and `application` are relative to the requested folder, with `/`.
 //! - `line` and `column` count from 1, columns in characters; `offset` counts the bytes of the stored file from 0.
 //!   `end` is the first place after the range.
 //! - `program` is `null` outside programs; `code_line`, which counts the line of `begin` as 1, outside their code.

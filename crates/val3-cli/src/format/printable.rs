@@ -39,7 +39,7 @@ impl<'a> Printable<'a> {
 
 impl Write for Printable<'_> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // codespan knows the levels of compilers; ours has no note, it says info.
+        // Codespan has the levels of compilers. Its level note is our level info.
         let is_note = std::mem::take(&mut self.in_level) && bytes == b"note";
         let text: &[u8] = if is_note { b"info" } else { bytes };
         self.pending.extend(text.iter().map(|byte| if is_control(*byte) { b'?' } else { *byte }));

@@ -69,7 +69,7 @@ struct Position {
 
 impl<'a> Diagnostic<'a> {
     fn of(finding: &'a Finding) -> Self {
-        // Several suggestions would be taken for a choice.
+        // Reviewdog would offer several suggestions as a choice.
         let edits = finding.fix.iter().map(|fix| &fix.edits).filter(|edits| edits.len() == 1).flatten();
         Self {
             message: finding.message_with_help(),

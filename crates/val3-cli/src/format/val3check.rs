@@ -1,6 +1,6 @@
 //! One record a line in the shape of the manufacturer's checker, so that wrappers made for it keep working.
 //!
-//! A template says what a record holds:
+//! A template defines the contents of a record:
 //!
 //! | placeholder | meaning |
 //! |---|---|
@@ -68,7 +68,7 @@ fn record(finding: &Finding, template: &Template) -> String {
             _ => record.push(letter),
         }
     }
-    // A record is a line, whatever a message quotes.
+    // A record is one line, even if its message quotes several.
     record.replace(['\r', '\n'], " ")
 }
 

@@ -12,7 +12,7 @@ use crate::line_index::{LineIndex, Position};
 /// A file that findings point at.
 #[derive(Debug)]
 pub(crate) struct SourceFile {
-    /// The path relative to the folder asked for, with `/`.
+    /// The path relative to the requested folder, with `/`.
     pub(crate) path: String,
     /// The path as people open it: relative to the current folder where that is shorter.
     pub(crate) shown: String,

@@ -76,7 +76,7 @@ impl Live {
     /// Gives the keys that were pressed to the pendant, and shows it.
     ///
     /// # Errors
-    /// The terminal is gone.
+    /// The terminal was closed.
     pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<Wish, UserError> {
         let wish = self.listen(controller).map_err(|error| refused(&error))?;
         if self.drawn.is_none_or(|drawn| drawn.elapsed() >= REFRESH) {

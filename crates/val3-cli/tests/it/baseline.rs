@@ -67,7 +67,7 @@ fn baselines_that_cannot_be() {
     assert!(nameless.stderr.contains("--baseline FILE"), "{nameless:?}");
 }
 
-/// The findings of the generated application, whatever rules there will be.
+/// Arguments that fix the rules, so that new rules do not change the findings of the generated application.
 const SELECTED: &[&str] = &["--select", "V0101,V0202,V0701"];
 
 /// Numbers that are the same in every run.

@@ -2,7 +2,7 @@
 
 use crate::support::Folder;
 
-/// A program that tries something with a signal three times a second apart, each time in a task of its own.
+/// A program that accesses a signal three times, one second apart, each time in a task of its own.
 const PROGRAM: &str = r#"
 dio dOut
 dio dIn

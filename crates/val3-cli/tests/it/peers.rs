@@ -294,7 +294,7 @@ fn a_reset_ends_one_connection_alone() {
             stream.write_all(b"half a wor").unwrap();
             drop(stream);
         }
-        // The run may still be busy with those that are gone.
+        // The run may still be busy with earlier peers.
         let started = Instant::now();
         loop {
             let mut stream = call(port);

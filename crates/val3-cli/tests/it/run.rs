@@ -441,7 +441,7 @@ fn a_run_whose_tasks_are_all_suspended_does_not_wait_for_its_limit() {
     ends(&folder.val3(&["run", "--until", "1000", "--script", "operator.toml"]), 0, "");
 }
 
-/// The controller kills the tasks that are left; that does not mend them.
+/// The controller kills the remaining tasks, which does not count as handling their errors.
 #[test]
 fn an_error_is_not_handled_by_stopping_the_application() {
     let folder = failing("wait(false)");

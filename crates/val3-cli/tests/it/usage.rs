@@ -1,4 +1,4 @@
-//! Wrong usage ends with exit code 2 and says what to do.
+//! Wrong usage ends with exit code 2 and names the remedy.
 
 use crate::support::{CLEAN, Folder};
 
