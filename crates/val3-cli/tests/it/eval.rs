@@ -68,7 +68,7 @@ fn braces_can_be_multiplied() {
     assert!(answers(&["{1,2}+{3,4}"]).contains("error: "));
 }
 
-/// A variable of a program has the given sizes and the initial values of the manual (2.3, 9.4 to 10.5).
+/// A variable of a program has its declared sizes and the initial values of the manual (2.3, 9.4 to 10.5).
 #[test]
 fn variables_of_every_container_and_type() {
     let locals =
