@@ -17,7 +17,7 @@ use crate::shown::ShownIn;
 use crate::snapshot::Snapshot;
 use crate::world::World;
 
-/// What the client was told and is no longer right, as it is now.
+/// The current values of everything that the client has cached and that is now stale.
 struct Outdated {
     reports: Vec<(Url, Report)>,
     shown: Vec<(Url, ShownIn, Parts)>,
@@ -31,7 +31,7 @@ struct Parts {
 }
 
 impl World {
-    /// Looks whether something that the client was told is different now.
+    /// Checks whether something that the client has cached has changed.
     pub(crate) fn look_again(&self, generation: u64) {
         let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
         let has_findings = waits_for_findings && !self.documents.reports().is_empty();
@@ -102,7 +102,7 @@ fn outdated_looks(snapshot: &Snapshot) -> Vec<(Url, ShownIn, Parts)> {
     now.filter(|(_, _, parts)| parts.hints || parts.lenses).collect()
 }
 
-/// What a document looks like now, as far as the client has seen it.
+/// The current state of a document, as far as the client has seen it.
 fn look(snapshot: &Snapshot, uri: &Url, known: &ShownIn) -> ShownIn {
     let uses = known.uses.iter().map(|(lens, count)| (*lens, current_uses(snapshot, uri, *lens).unwrap_or(*count)));
     ShownIn {

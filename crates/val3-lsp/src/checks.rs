@@ -1,4 +1,4 @@
-//! Which projects are to be checked, and in what order: those that were edited at once, the rest behind them.
+//! Which projects are checked, and in what order: the edited ones first, then the others.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -17,7 +17,7 @@ use crate::world::World;
 /// Files after which trees that are no longer needed are freed.
 const BATCH: usize = 128;
 
-/// What is left to check.
+/// The checks that are left.
 #[derive(Debug, Default)]
 pub(crate) struct Checks {
     /// Counts the changes; results of an earlier state are of no use.
@@ -35,7 +35,7 @@ pub(crate) struct Checks {
 /// Projects that are checked together, by all threads of a lane.
 struct Batch {
     projects: Vec<Project>,
-    /// Files that were edited, whose findings somebody waits for.
+    /// Edited files. The user waits for their findings.
     edited: FxHashSet<File>,
     next: AtomicUsize,
     /// Threads that still work on it.
@@ -67,7 +67,7 @@ impl Checks {
         generation == self.generation && generation == self.started
     }
 
-    /// Projects that are left, for those who watch.
+    /// The number of projects that are left, for the display of progress.
     pub(crate) fn left(&self) -> usize {
         self.open.len()
     }
@@ -140,7 +140,7 @@ impl World {
                 let is_last = batch.working.fetch_sub(1, Ordering::AcqRel) == 1;
                 inbox.post(move |world| {
                     match outcome {
-                        // Whoever wrote begins anew.
+                        // A write has cancelled this check and starts a new one.
                         Ok(Err(_)) => return world.check_again(batch.generation),
                         Ok(Ok(())) => {}
                         Err(reason) => world.complain("the check", &reason),
@@ -153,7 +153,7 @@ impl World {
         }
     }
 
-    /// A write stopped a check. If it changed nothing that is checked, the check goes on.
+    /// A write stopped a check. The check starts again unless the write concerns it.
     pub(crate) fn check_again(&mut self, generation: u64) {
         if self.checks.is_current(generation) {
             self.checks.all();
@@ -214,7 +214,7 @@ fn found_early<'a>(
     own.filter_map(move |file| Some((file, convert::program_diagnostics(snapshot, project, file)?)))
 }
 
-/// The edited files that are part of `project` and of no other.
+/// The edited files that belong to `project` only.
 fn edited_in<'a>(batch: &'a Batch, snapshot: &'a Snapshot, project: Project) -> impl Iterator<Item = File> + 'a {
     batch.edited.iter().copied().filter(move |file| val3_ide::projects_of(snapshot.db(), *file) == [project])
 }

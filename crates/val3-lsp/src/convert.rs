@@ -19,16 +19,16 @@ use val3_ide as ide;
 
 use crate::snapshot::Snapshot;
 
-/// What findings say they come from.
+/// The source of findings.
 const SOURCE: &str = "val3";
 
-/// The findings of a project, by file. What concerns a project file that does not exist is left out.
+/// The findings of a project, by file. Findings in a project file that does not exist are left out.
 pub(crate) fn diagnostics(snapshot: &Snapshot, project: Project) -> Vec<(Url, Vec<Diagnostic>)> {
     let Some(settings) = snapshot.settings else { return Vec::new() };
     let mut files: Vec<(File, Vec<Diagnostic>)> = Vec::new();
     for found in &ide::project_diagnostics(snapshot.db(), settings, &snapshot.projects, project) {
         let file = found.place.file;
-        // There may be many, and whoever writes waits for the end of this.
+        // There may be many findings, and a writer waits for the end of this loop.
         snapshot.db.unwind_if_revision_cancelled();
         if !snapshot.is_shown(file) {
             continue;
@@ -70,7 +70,7 @@ pub(crate) fn diagnostic(snapshot: &Snapshot, found: &check::Diagnostic) -> Diag
     }
 }
 
-/// What is wrong, and on a line of its own what to write instead.
+/// The message, and the help on a line of its own.
 fn message(message: &str, help: &str) -> String {
     if help.is_empty() { message.to_owned() } else { format!("{message}\nhelp: {help}") }
 }
@@ -130,7 +130,7 @@ pub(crate) fn configuration_fault(snapshot: &Snapshot, error: &ConfigError) -> D
     }
 }
 
-/// What an entry of an outline is shown as.
+/// The symbol kind of an outline entry.
 pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     match kind {
         ide::SymbolKind::Project => SymbolKind::PACKAGE,
@@ -141,7 +141,7 @@ pub(crate) fn symbol_kind(kind: ide::SymbolKind) -> SymbolKind {
     }
 }
 
-/// What a completion is shown as.
+/// The item kind of a completion.
 pub(crate) fn completion_kind(kind: ide::CompletionKind) -> CompletionItemKind {
     match kind {
         ide::CompletionKind::Local | ide::CompletionKind::Parameter | ide::CompletionKind::Data => {

@@ -27,7 +27,7 @@ fn spin(client: &mut Client) -> i64 {
     id
 }
 
-/// Edits with a question behind each: the versions that the answers are about. Refused questions are left out.
+/// Edits, each followed by a request. Returns the versions of the answers, without refused requests.
 fn versions_seen(client: &mut Client, edits: i64) -> Vec<(i64, i64)> {
     client.open(PATH, "");
     let asked: Vec<(i64, i64)> = (2..2 + edits)
@@ -117,7 +117,7 @@ fn an_edit_stops_what_it_makes_useless() {
     let whole = client.request("test/spinUntilEdit", json!({ "uri": uri(PATH), "version": 2 }));
     client.change(PATH, 2, "// new");
     assert_eq!(client.answer(positional)["error"]["code"], -32801);
-    // What asks about the document as it is, is computed again.
+    // A request about the current document is computed again.
     assert_eq!(client.answer(whole)["result"], 2);
     assert_eq!(client.end(), 0);
 }

@@ -23,7 +23,7 @@ pub(crate) struct Document {
     pub(crate) text: Arc<str>,
 }
 
-/// The findings that a client was told about a document.
+/// The findings in a document that the client has.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Report {
     /// The version they are of.

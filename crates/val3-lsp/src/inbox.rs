@@ -1,4 +1,4 @@
-//! What the main loop is told, in the order in which it was told.
+//! Messages to the main loop, in their order.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
@@ -18,7 +18,7 @@ impl Inbox {
         (Self(sender), receiver)
     }
 
-    /// Puts a message behind those that are there. When the main loop has ended there is nobody left to tell.
+    /// Adds a message at the end. Once the main loop has ended, no receiver is left.
     pub(crate) fn post(&self, message: impl FnOnce(&mut World) + Send + 'static) {
         let _ = self.0.send(Box::new(message));
     }

@@ -5,7 +5,7 @@ use tower_lsp::lsp_types::{Position, Range};
 use val3_analysis::db::{Db, File};
 use val3_syntax::{TextRange, TextSize};
 
-/// What a column counts.
+/// The unit of a column.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum Encoding {
     /// Bytes.
@@ -35,7 +35,7 @@ pub(crate) fn text_range(text: &str, range: Range, encoding: Encoding) -> TextRa
     Lines::new(lines, &LineIndex::new(lines), encoding, false).text_range(range) + start
 }
 
-/// Where a line begins; behind the last it is the end.
+/// The start of a line; after the last line, the end of the text.
 fn line_start(text: &str, line: u32) -> usize {
     let Some(before) = line.checked_sub(1) else { return 0 };
     let end = memchr::memchr_iter(b'\n', text.as_bytes()).nth(before as usize);
@@ -54,13 +54,13 @@ pub(crate) struct Lines<'a> {
 }
 
 impl<'a> Lines<'a> {
-    /// `hides_mark` for a text as it is stored: what an editor shows of it begins behind a byte order mark.
+    /// `hides_mark` for a stored text: the text that an editor shows begins after the byte order mark.
     pub(crate) fn new(text: &'a str, index: &'a LineIndex, encoding: Encoding, hides_mark: bool) -> Self {
         let hidden = if hides_mark && text.starts_with(MARK) { MARK.len_utf8() } else { 0 };
         Self { text, index, encoding, hidden: u32::try_from(hidden).unwrap_or(0) }
     }
 
-    /// The place of an offset; behind the end it is the end.
+    /// The position of an offset. An offset after the end means the end.
     pub(crate) fn position(&self, offset: TextSize) -> Position {
         let offset = offset.min(self.end());
         let offset = TextSize::try_from(self.text.floor_char_boundary(offset.into())).unwrap_or(offset);
@@ -89,7 +89,7 @@ impl<'a> Lines<'a> {
         u32::try_from(width).unwrap_or(u32::MAX)
     }
 
-    /// The offset of a place; behind the end of a line it is that end, and within a character its start.
+    /// The offset of a position. After the end of a line it is that end, inside a character its start.
     pub(crate) fn offset(&self, position: Position) -> TextSize {
         let Some(line) = self.index.line(position.line) else { return self.end() };
         let column = position.character.saturating_add(self.hidden_columns(position.line));

@@ -1,4 +1,4 @@
-//! The log file, for whoever looks for the cause of something.
+//! The log file, for finding the cause of a problem.
 
 use std::fs::File;
 use std::io::{self, Write as _};

@@ -6,7 +6,7 @@ use val3_analysis::db::{Database, Sources, path_key};
 
 use crate::documents::Documents;
 
-/// What the path of the project file ends with.
+/// The end of the path of the project file.
 const ENDING: &str = ".loose.pjx";
 
 /// The documents of VAL 3 that no project lists, by path. Those in `before` are listed by the project they got.
@@ -39,7 +39,7 @@ pub(crate) fn is_manifest(path: &Utf8Path) -> bool {
     path.as_str().ends_with(ENDING)
 }
 
-/// The project file that a document gets. It lacks its end: whatever the document names may stand there.
+/// The project file of a document. It lacks its end, since the document may use names that it would declare.
 pub(crate) fn manifest(document: &Utf8Path) -> String {
     let name = document.file_name().unwrap_or("").replace('&', "&amp;").replace('"', "&quot;").replace('<', "&lt;");
     let is_data = document.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("dtx"));

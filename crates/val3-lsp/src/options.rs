@@ -30,7 +30,7 @@ pub(crate) struct CheckOptions {
     pub(crate) select: Vec<String>,
     /// Findings that are not wanted.
     pub(crate) ignore: Vec<String>,
-    /// Who begins: the server, the client, or whichever the client is made for.
+    /// Which side begins: the server, the client, or the one that the client prefers.
     pub(crate) delivery: Delivery,
 }
 

@@ -1,4 +1,4 @@
-//! What the server tells and asks the client.
+//! Notifications and requests to the client.
 
 use std::sync::atomic::{AtomicI64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -53,7 +53,7 @@ impl Outbox {
         self.send(&json!({ "jsonrpc": "2.0", "id": id, "method": R::METHOD, "params": params }));
     }
 
-    /// The client answered. An answer that nobody waits for is none.
+    /// The client answered. An answer without a waiting request is ignored.
     pub(crate) fn answered(&self, id: i64, answer: Result<Value, Value>) {
         let waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner).remove(&id);
         if let Some(answered) = waiting {

@@ -18,7 +18,7 @@ pub(crate) fn files(documents: &Documents, loose: &[Utf8PathBuf]) -> OverlayFs<D
     files
 }
 
-/// The same files as they are in a snapshot.
+/// The files of a snapshot.
 pub(crate) fn files_of(snapshot: &Snapshot) -> OverlayFs<Disk> {
     let mut files = files(&snapshot.documents, &[]);
     for project in snapshot.projects.iter().map(|project| project.manifest(&snapshot.db)) {

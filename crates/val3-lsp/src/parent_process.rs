@@ -1,11 +1,11 @@
-//! A server whose client has died serves nobody.
+//! Ends a server whose client has died.
 
 use std::time::Duration;
 
 /// How often the client is looked for.
 const INTERVAL: Duration = Duration::from_secs(2);
 
-/// Ends the process when the client's process is gone. Where the system does not tell, the end of the input does.
+/// Ends the process when the client's process has ended. Without support of the system, the end of the input does so.
 pub(crate) fn die_with(client: u32) {
     if !is_alive(client) {
         // It cannot be seen from here, for instance from within a container.

@@ -1,4 +1,4 @@
-//! The threads that compute: a lane for what somebody waits for, and one for the rest.
+//! The threads that compute: one lane for requests that the user waits for, and one for the rest.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -13,12 +13,12 @@ const MOST_THREADS: usize = 8;
 
 type Job = Box<dyn FnOnce() + Send>;
 
-/// Who waits for a job.
+/// The urgency of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Lane {
-    /// Somebody looks at the screen.
+    /// The user waits for it.
     Latency,
-    /// Nobody.
+    /// It runs in the background.
     Background,
 }
 
@@ -44,7 +44,7 @@ impl Pool {
         self.threads
     }
 
-    /// Hands over a job. It must catch its own panics where somebody waits for its result.
+    /// Adds a job. It must catch its own panics if its result is waited for.
     pub(crate) fn spawn(&self, lane: Lane, job: impl FnOnce() + Send + 'static) {
         let lane = match lane {
             Lane::Latency => &self.latency,
@@ -70,7 +70,7 @@ fn work(jobs: &Mutex<Receiver<Job>>) {
     loop {
         let job = jobs.lock().unwrap_or_else(PoisonError::into_inner).recv();
         let Ok(job) = job else { return };
-        // A job that panics must not take its thread along; whoever waits for it was told by the job itself.
+        // A panic of a job must not end its thread. The job itself has already reported it.
         let _ = catch_unwind(AssertUnwindSafe(job));
     }
 }

@@ -10,7 +10,7 @@ use crate::documents::{Document, Documents};
 use crate::outbox::Outbox;
 use crate::snapshot::Snapshot;
 
-/// Who found something.
+/// The origin of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Finder {
     /// The reader of configurations.
@@ -28,16 +28,16 @@ pub(crate) struct ProjectFindings {
     pub(crate) files: Vec<(Url, Vec<Diagnostic>)>,
 }
 
-/// What was sent.
+/// The findings that were sent.
 #[derive(Debug, Default)]
 pub(crate) struct Published {
-    /// The latest findings, by who found them and file.
+    /// The latest findings, by origin and file.
     found: FxHashMap<Finder, FxHashMap<Url, Vec<Diagnostic>>>,
-    /// What the client has.
+    /// The findings that the client has.
     sent: FxHashMap<Url, (Option<i32>, Vec<Diagnostic>)>,
 }
 
-/// Where a finding stands in a list.
+/// The position of a finding in a list.
 fn place(diagnostic: &Diagnostic) -> (u32, u32, Option<&str>, &str) {
     let Diagnostic { range, code, message, .. } = diagnostic;
     let code = match code {

@@ -1,6 +1,6 @@
-//! The answer that a client waits for: given once, by whoever is first.
+//! The answer that a client waits for. It is given once: the first answer counts.
 //!
-//! It is written on the thread that computed it, so that a long one holds up nobody else.
+//! It is written on the thread that computed it, so that a long answer delays no other.
 
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 
@@ -36,7 +36,7 @@ impl Reply {
         self.0.give(answer);
     }
 
-    /// A computation begins that `token` stops; false if nobody waits for it any more.
+    /// Starts a computation that `token` stops. False if its answer is no longer waited for.
     pub(crate) fn begins(&self, token: CancellationToken) -> bool {
         let mut state = self.0.state();
         state.running = Some(token);

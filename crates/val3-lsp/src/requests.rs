@@ -1,4 +1,4 @@
-//! What a client can ask and tell: one file a request, one line here.
+//! The requests and notifications of clients: one file for each request, one line here.
 
 mod call_hierarchy;
 mod capabilities;
@@ -50,7 +50,7 @@ pub(crate) fn routes() -> Routes {
     routes
 }
 
-/// What is shown around the text and in it.
+/// Features that show something around the text or in it.
 fn showing(routes: &mut Routes) {
     routes.on::<r::HoverRequest>(Latency, Refuse, hover::hover);
     routes.on::<r::DocumentHighlightRequest>(Latency, Refuse, document_highlight::document_highlight);
@@ -87,7 +87,7 @@ fn navigation(routes: &mut Routes) {
     routes.on::<r::DocumentLinkRequest>(Latency, Retry, document_link::document_link);
 }
 
-/// What changes texts.
+/// Features that change texts.
 fn writing(routes: &mut Routes) {
     routes.on::<r::Completion>(Latency, Refuse, completion::completion);
     routes.on::<r::ResolveCompletionItem>(Latency, Retry, completion::resolve);

@@ -25,12 +25,12 @@ use crate::world::{Job, World};
 /// The error of a request that comes before `initialize`.
 const NOT_INITIALIZED: i64 = -32002;
 
-/// What becomes of a request while an edit changes what it asks about.
+/// Handling of a request when an edit changes its subject before it is answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum OnEdit {
     /// Its position means another place now: ContentModified.
     Refuse,
-    /// It asks about the document as it is, and is computed again.
+    /// The request is about the current document. It is computed again.
     Retry,
 }
 
@@ -120,7 +120,7 @@ pub(crate) struct Router<S: LanguageServer> {
 type Answer = BoxFuture<'static, std::result::Result<Option<Response>, Infallible>>;
 
 impl<S: LanguageServer> Router<S> {
-    /// `exit` is told when the client ends the session, and whether it had shut it down before.
+    /// Receives `exit` when the client ends the session, and whether it had shut down the session before.
     pub(crate) fn new(
         lifecycle: LspService<S>,
         routes: Routes,
@@ -134,7 +134,7 @@ impl<S: LanguageServer> Router<S> {
     fn dispatch(&mut self, request: Request) -> Answer {
         match (request.method(), self.life) {
             ("exit", life) => {
-                // Nobody waits for the exit once the process ends for another reason.
+                // The receiver is gone when the process ends for another reason.
                 let _ = self.exit.send(life == Life::Down);
                 nothing()
             }
@@ -207,7 +207,7 @@ impl<S: LanguageServer> Router<S> {
         }
     }
 
-    /// The answer does not come this way: whoever computes it writes it.
+    /// The thread that computes the answer writes it.
     fn ask(&self, id: Id, job: Job) -> Answer {
         let reply = self.waiting.begin(id, &self.pump);
         self.inbox.post(move |world| world.ask(job, reply));

@@ -11,7 +11,7 @@ use crate::world::World;
 
 const TOKEN: &str = "val3/check";
 
-/// Where the progress of the first check stands.
+/// The progress of the first check.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) enum ScanProgress {
     /// Not begun.

@@ -71,7 +71,7 @@ pub(crate) fn serve(
     Ok(code)
 }
 
-/// Whatever comes first: the client's `exit`, the end of its input, or an output that it has closed.
+/// The first of these ends the server: `exit` of the client, the end of its input, or an output that it has closed.
 async fn end_of(serving: impl Future<Output = ()>, mut exited: UnboundedReceiver<bool>) -> u8 {
     let was_shut_down = tokio::select! {
         was_shut_down = exited.recv() => was_shut_down,

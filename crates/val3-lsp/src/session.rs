@@ -1,4 +1,4 @@
-//! What the client said about itself.
+//! The session: information that the client gives about itself.
 
 use camino::Utf8PathBuf;
 use serde_json::Value;
@@ -15,28 +15,28 @@ use crate::uri;
 /// One client and what was agreed with it.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Session {
-    /// What columns count.
+    /// The unit of columns.
     pub(crate) encoding: Encoding,
     /// The folders it has open.
     pub(crate) folders: Vec<Utf8PathBuf>,
     /// The user's settings.
     pub(crate) options: Options,
-    /// What it can do.
+    /// Its capabilities.
     pub(crate) client: ClientAbilities,
     /// The commands of ours that it brings.
     pub(crate) commands: ClientCommands,
-    /// How much it wants to be told about what the server does.
+    /// The trace level that it wants.
     pub(crate) trace: Trace,
 }
 
-/// What a client can do, as far as it makes a difference here.
+/// The capabilities of a client that make a difference here.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct ClientAbilities {
-    /// It tells about files that change on the disk, if asked.
+    /// It reports files that change on the disk if it is asked to.
     pub(crate) watches_files: bool,
     /// It asks for findings.
     pub(crate) pulls: bool,
-    /// It asks for findings anew when it is told to.
+    /// It asks for findings again on request.
     pub(crate) pulls_again: bool,
     /// It can be asked for settings.
     pub(crate) has_settings: bool,
@@ -60,9 +60,9 @@ pub(crate) struct ClientAbilities {
     pub(crate) shows_disabled: bool,
     /// It asks for the range of a symbol of the workspace when that is chosen.
     pub(crate) resolves_symbols: bool,
-    /// It asks for inlay hints anew when it is told to.
+    /// It asks for inlay hints again on request.
     pub(crate) refreshes_hints: bool,
-    /// It asks for code lenses anew when it is told to.
+    /// It asks for code lenses again on request.
     pub(crate) refreshes_lenses: bool,
     /// It knows edits that name the version they are made for.
     pub(crate) has_document_changes: bool,
@@ -92,7 +92,7 @@ pub(crate) enum TextFormat {
     Plain,
 }
 
-/// What a client does with files as part of an edit.
+/// The file operations that a client can perform as part of an edit.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct FileChanges {
     pub(crate) creates: bool,

@@ -1,4 +1,4 @@
-//! What clients show about documents beside their findings, as far as edits of other files may change it.
+//! Contents that clients show besides findings and that edits of other files may change.
 
 use std::hash::{Hash as _, Hasher as _};
 
@@ -12,7 +12,7 @@ pub(crate) struct Shown {
     by_uri: FxHashMap<Url, ShownIn>,
 }
 
-/// What is shown in one document.
+/// The contents that are shown for one document.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct ShownIn {
     /// The version of the text that it belongs to.
@@ -21,7 +21,7 @@ pub(crate) struct ShownIn {
     pub(crate) hints: Option<(Range, Fingerprint)>,
     /// The places of the lenses.
     pub(crate) lenses: Option<Fingerprint>,
-    /// The lenses that were on the screen, by their lines, and the number of uses that each tells.
+    /// The lenses on the screen, by their lines, with their numbers of uses.
     pub(crate) uses: Vec<(Range, usize)>,
 }
 
@@ -39,7 +39,7 @@ impl Fingerprint {
 }
 
 impl Shown {
-    /// What is shown in a version of a document, to be changed: nothing yet, if it was of another version.
+    /// The contents of one version of a document, to be changed. They are empty if they belong to another version.
     pub(crate) fn entry(&mut self, uri: &Url, version: i32) -> &mut ShownIn {
         let nothing = || ShownIn { version, hints: None, lenses: None, uses: Vec::new() };
         let shown = self.by_uri.entry(uri.clone()).or_insert_with(nothing);
@@ -66,7 +66,7 @@ impl Shown {
 }
 
 impl ShownIn {
-    /// A lens tells a number of uses.
+    /// A lens shows a number of uses.
     pub(crate) fn counted(&mut self, lens: Range, uses: usize) {
         match self.uses.iter_mut().find(|(range, _)| *range == lens) {
             Some((_, known)) => *known = uses,

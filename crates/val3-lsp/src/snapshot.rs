@@ -23,7 +23,7 @@ use crate::uri;
 pub(crate) enum Refusal {
     /// It asks about something that is no part of the workspace; there is nothing to say.
     Unknown,
-    /// What was asked cannot be done, in a sentence for the user.
+    /// The request is impossible, with a sentence for the user.
     Because(String),
     /// It asks about a text that was edited since.
     Outdated,
@@ -33,21 +33,21 @@ pub(crate) enum Refusal {
 pub(crate) struct Snapshot {
     /// Every file.
     pub(crate) db: Database,
-    /// What the client said about itself.
+    /// Information that the client has given about itself.
     pub(crate) session: Arc<Session>,
     /// The open documents.
     pub(crate) documents: Arc<Documents>,
     /// The projects that are judged.
     pub(crate) projects: Arc<Vec<Project>>,
-    /// What they are checked for; `None` before the first of them was read.
+    /// The settings of their check; `None` before the first of them was read.
     pub(crate) settings: Option<CheckSettings>,
-    /// What is wrong with configurations.
+    /// The faults of configurations.
     pub(crate) faults: Arc<Vec<ConfigError>>,
     /// The way back to the main loop.
     pub(crate) inbox: Inbox,
     /// The URIs that were asked for: findings name the same files again and again.
     pub(crate) uris: RefCell<FxHashMap<File, Url>>,
-    /// Tells that somebody reads the database. It comes last: when it is gone, `db` is.
+    /// Marks the database as read. It is the last field: when it is dropped, `db` has been dropped.
     #[expect(dead_code, reason = "it is counted, not read")]
     pub(crate) reader: Arc<()>,
 }

@@ -26,7 +26,7 @@ pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
     let file = world.file(&path);
     world.edited(file, &text);
     match file {
-        // What an editor shows of a stored file lacks its byte order mark; that alone moves no reference.
+        // An editor shows a stored file without its byte order mark. That alone moves no reference.
         Some(file) if !shapes_workspace(&path) && !world.is_unreadable(file) => world.checks.edited(file),
         _ => world.is_stale(&path),
     }

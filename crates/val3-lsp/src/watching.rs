@@ -1,4 +1,4 @@
-//! Files that change on the disk: the client tells, or the server looks itself.
+//! Files that change on the disk: the client reports them, or the server watches them.
 
 use camino::{Utf8Path, Utf8PathBuf};
 use notify::event::{EventKind, ModifyKind};
@@ -22,7 +22,7 @@ const PATTERN: &str = "**/*";
 /// The endings of the files that matter: those of projects, of the cell around them, and configurations.
 const ENDINGS: [&str; 6] = ["pgx", "dtx", "pjx", "toml", "cfx", "xml"];
 
-/// What happened to a path.
+/// The change of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Change {
     /// The file has another text.
@@ -109,7 +109,7 @@ fn tell(inbox: &Inbox, event: notify::Result<Event>) {
     }
 }
 
-/// What an event reports; `None` for mere access.
+/// The changes that an event reports; `None` for mere access.
 fn change(kind: EventKind) -> Option<Change> {
     match kind {
         EventKind::Access(_) => None,

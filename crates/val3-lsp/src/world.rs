@@ -39,7 +39,7 @@ pub(crate) struct Job {
     pub(crate) method: &'static str,
     /// Where it is computed.
     pub(crate) lane: Lane,
-    /// What happens when the text changes meanwhile.
+    /// Handling of a change of the text meanwhile.
     pub(crate) on_edit: OnEdit,
     /// Gives the answer.
     pub(crate) compute: Compute,
@@ -53,7 +53,7 @@ const TREES: usize = 64;
 
 /// The state of the server. One thread owns it; all others see snapshots.
 pub(crate) struct World {
-    /// What the client said about itself.
+    /// Information that the client has given about itself.
     pub(crate) session: Arc<Session>,
     /// The open documents.
     pub(crate) documents: Arc<Documents>,
@@ -61,7 +61,7 @@ pub(crate) struct World {
     pub(crate) outbox: Outbox,
     /// The way to this loop.
     pub(crate) inbox: Inbox,
-    /// What was told to the client about files.
+    /// The file events that the client has registered for.
     pub(crate) published: Published,
     /// Which projects are to be checked.
     pub(crate) checks: Checks,
@@ -80,17 +80,17 @@ pub(crate) struct World {
     stale: Option<Stale>,
     /// Counts the edits of documents.
     edits: u64,
-    /// Shared by all who read the database.
+    /// Shared by all readers of the database.
     readers: Arc<()>,
     /// The database keeps results of earlier states.
     has_surplus: bool,
     /// Documents outside of every project have a project of their own.
     loose: Vec<Utf8PathBuf>,
-    /// What is wrong with configurations.
+    /// The faults of configurations.
     faults: Arc<Vec<ConfigError>>,
     /// The client asks for that, so that it is not sent as well.
     asks_for_configurations: bool,
-    /// What the user was told about already.
+    /// The messages that the user has already received.
     complained: FxHashSet<String>,
     log: Log,
 }
@@ -124,7 +124,7 @@ impl World {
         }
     }
 
-    /// Does what the inbox says, until nobody can post to it any more.
+    /// Processes messages until the inbox is closed.
     pub(crate) fn run(mut self, inbox: &Receiver<Message>) {
         loop {
             let message = match inbox.try_recv() {
@@ -156,7 +156,7 @@ impl World {
         }
     }
 
-    /// Computes a request on the state as it is at this place in the order of messages.
+    /// Computes a request on the state at its position in the order of messages.
     pub(crate) fn ask(&mut self, job: Job, reply: Reply) {
         self.bring_up_to_date();
         self.trace(job.method);
@@ -190,7 +190,7 @@ impl World {
         }
     }
 
-    /// The state as it is now. The writer waits until it is dropped.
+    /// The current state. A write waits until it is dropped.
     pub(crate) fn snapshot(&self) -> Snapshot {
         Snapshot {
             db: self.workspace.db.clone(),
@@ -251,20 +251,20 @@ impl World {
         {
             self.workspace.db.trigger_cancellation();
             self.has_surplus = true;
-            // What is edited once is edited again: from then on its changes are no changes of what is stored.
+            // An edited file is likely to be edited again: later edits do not count as changes of stored files.
             file.set_text(&mut self.workspace.db).with_durability(Durability::LOW).to(Arc::clone(text));
             self.checks.edited(file);
         }
     }
 
-    /// Frees what earlier states have left, once nobody computes: the next edit has one thing less to wait for.
+    /// Frees data of earlier states while no thread computes, so that the next edit is faster.
     fn tidy(&mut self) {
         if self.has_surplus && Arc::strong_count(&self.readers) == 1 {
             self.forget_surplus();
         }
     }
 
-    /// Frees what nobody needs at the moment.
+    /// Frees data that is not needed at the moment.
     pub(crate) fn forget_surplus(&mut self) {
         self.has_surplus = false;
         self.workspace.db.trees().keep_latest(TREES);

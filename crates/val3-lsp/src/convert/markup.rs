@@ -14,7 +14,7 @@ pub(crate) fn markup(format: TextFormat, text: String) -> MarkupContent {
     }
 }
 
-/// As [`markup`], where a string alone can stand as well.
+/// As [`markup`], where the protocol also allows a plain string.
 pub(crate) fn documentation(format: TextFormat, text: String) -> Documentation {
     match format {
         TextFormat::Plain => Documentation::String(plain(&text)),
@@ -41,7 +41,7 @@ fn plain(markdown: &str) -> String {
 fn unmarked(line: &str) -> String {
     let text = line.trim_start_matches('#');
     let text = if text.len() < line.len() { text.trim_start() } else { line };
-    // What stands between backticks is code.
+    // Text between backticks is code.
     let parts = text.split('`').enumerate();
     parts.map(|(at, part)| if at % 2 == 1 { part.to_owned() } else { part.replace("**", "") }).collect()
 }

@@ -1,4 +1,4 @@
-//! What the server says it can do.
+//! The capabilities of the server.
 
 use serde_json::Value;
 use tower_lsp::lsp_types::*;
@@ -30,7 +30,7 @@ pub(crate) fn capabilities(session: &Session) -> ServerCapabilities {
     }
 }
 
-/// What is shown around the text and in it.
+/// Features that show something around the text or in it.
 fn showing(others: ServerCapabilities) -> ServerCapabilities {
     ServerCapabilities {
         hover_provider: Some(HoverProviderCapability::Simple(true)),
@@ -66,7 +66,7 @@ fn navigation(others: ServerCapabilities) -> ServerCapabilities {
     }
 }
 
-/// What changes the text.
+/// Features that change the text.
 fn writing(others: ServerCapabilities) -> ServerCapabilities {
     ServerCapabilities {
         completion_provider: Some(completion()),

@@ -31,7 +31,7 @@ pub(super) const KINDS: [CodeActionKind; 6] = [
     SORT,
 ];
 
-/// What was offered where, so that its edit can be computed later.
+/// An offered action and its place, from which the edit can be computed later.
 #[derive(Clone, Serialize, Deserialize)]
 struct Offered {
     /// That of the assist, or [`FIX_ALL`].
@@ -59,7 +59,7 @@ pub(crate) fn code_action(
     let is_lazy = is_lazy(snapshot, file);
     actions.extend(assists.into_iter().filter_map(|found| assist(snapshot, at, found, &place, is_lazy)));
     if wanted.has(&CodeActionKind::SOURCE_FIX_ALL) {
-        // Who asks for this kind when a file is saved seldom asks for the edit later.
+        // Clients that ask for this kind when a file is saved rarely resolve actions.
         actions.extend(fix_all(snapshot, at, &place, is_lazy && wanted.0.is_none()));
     }
     let answer = actions.into_iter().filter_map(|action| match snapshot.session.client.has_code_actions {
@@ -163,7 +163,7 @@ fn is_lazy(snapshot: &Snapshot, file: File) -> bool {
     client.resolves_edits && can_all && is_listed
 }
 
-/// What an action changes; `None` if there is nothing to do.
+/// The edit of an action; `None` if there is nothing to do.
 fn edit_of(snapshot: &Snapshot, id: &str, at: FileRange) -> Option<Result<WorkspaceEdit, NotPossible>> {
     let change = match id {
         FIX_ALL => {

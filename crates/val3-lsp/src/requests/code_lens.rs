@@ -26,12 +26,12 @@ pub(crate) fn code_lens(snapshot: &Snapshot, params: &CodeLensParams) -> Result<
     Ok(Some(lenses))
 }
 
-/// The lenses that the client would be told now.
+/// The lenses for the current state.
 pub(crate) fn current_lenses(snapshot: &Snapshot, uri: &Url) -> Option<Fingerprint> {
     lenses(snapshot, uri).ok().map(|lenses| Fingerprint::of(&lenses))
 }
 
-/// The number of uses that a lens would tell now.
+/// The current number of uses of a lens.
 pub(crate) fn current_uses(snapshot: &Snapshot, uri: &Url, lens: Range) -> Option<usize> {
     snapshot.file(uri).ok().map(|file| places(snapshot, file, lens).len())
 }

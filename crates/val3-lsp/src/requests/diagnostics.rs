@@ -77,7 +77,7 @@ pub(crate) fn workspace(
     let mut known: FxHashMap<&Url, &str> = FxHashMap::default();
     for previous in &params.previous_result_ids {
         known.insert(&previous.uri, &previous.value);
-        // What was found before and is no more has to be taken back.
+        // Findings that have disappeared since are cleared.
         files.insert(previous.uri.clone(), Vec::new());
     }
     for project in snapshot.projects.iter() {

@@ -1,4 +1,4 @@
-//! `workspace/willRenameFiles`, `willCreateFiles` and `willDeleteFiles`, and what is told once it is done.
+//! `workspace/willRenameFiles`, `willCreateFiles`, `willDeleteFiles`, and the notifications after each of them.
 
 use camino::Utf8PathBuf;
 use tower_lsp::lsp_types::*;
@@ -12,7 +12,7 @@ use crate::world::World;
 
 type Answer = Result<Option<WorkspaceEdit>, Refusal>;
 
-/// What is to be asked and told about: files of projects, and folders, with which projects move.
+/// The files that the client asks about: files of projects, and folders, with which projects move.
 pub(super) fn capabilities() -> WorkspaceFileOperationsServerCapabilities {
     let filter = |glob: &str, matches| FileOperationFilter {
         scheme: Some("file".to_owned()),
@@ -53,7 +53,7 @@ pub(crate) fn will_delete(snapshot: &Snapshot, params: &DeleteFilesParams) -> An
 }
 
 fn answer(snapshot: &Snapshot, change: &SourceChange) -> Answer {
-    // What cannot be followed does not keep the user from changing files.
+    // A change that cannot be followed does not keep the user from changing files.
     Ok(workspace_edit(snapshot, change).ok().filter(|_| !change.is_empty()))
 }
 

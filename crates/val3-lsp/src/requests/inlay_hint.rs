@@ -14,7 +14,7 @@ pub(crate) fn inlay_hint(snapshot: &Snapshot, params: &InlayHintParams) -> Resul
     Ok(Some(hints))
 }
 
-/// What the client would be told about a range now.
+/// The current hints of a range.
 pub(crate) fn current_hints(snapshot: &Snapshot, uri: &Url, range: Range) -> Option<Fingerprint> {
     hints(snapshot, uri, range).ok().map(|hints| Fingerprint::of(&hints))
 }

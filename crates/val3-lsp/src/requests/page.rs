@@ -15,7 +15,7 @@ impl Request for Page {
     const METHOD: &'static str = "val3/page";
 }
 
-/// What is asked about.
+/// The subject of the request.
 #[derive(Debug, Deserialize, Serialize)]
 pub(crate) struct PageParams {
     /// A code (`V0203`), the name of a rule, an instruction, a keyword or the number of a run-time error.
@@ -25,7 +25,7 @@ pub(crate) struct PageParams {
 /// The page.
 #[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct PageResult {
-    /// What `val3 explain` calls it.
+    /// Its name in `val3 explain`.
     title: String,
     /// Markdown.
     markdown: String,

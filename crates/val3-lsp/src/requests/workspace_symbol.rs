@@ -13,7 +13,7 @@ use crate::snapshot::{Refusal, Snapshot};
 /// Names that a client gets at most; more letters find others.
 const LIMIT: usize = 256;
 
-/// Where a name stands, in bytes; lines are counted for the one that is chosen.
+/// The position of a name in bytes. Lines are computed for the chosen symbol only.
 #[derive(Serialize, Deserialize)]
 struct Place {
     start: u32,

@@ -7,7 +7,7 @@ const HEAD_LIMIT: usize = 16 << 10;
 /// Bytes that a message may have.
 const BODY_LIMIT: usize = 256 << 20;
 
-/// What is wrong with a frame.
+/// A fault of a frame.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) enum Fault {
     /// There is no length; what follows may be another frame.

@@ -17,7 +17,7 @@ use super::frame::{Fault, frame, read_message};
 use super::pump::Pump;
 use crate::outbox::Outbox;
 
-/// What tower-lsp reads from: messages in their frames, as many as there are.
+/// The input of tower-lsp: messages in their frames.
 pub(crate) struct Intake {
     messages: UnboundedReceiver<Vec<u8>>,
     rest: Vec<u8>,
@@ -53,7 +53,7 @@ impl AsyncRead for Intake {
     }
 }
 
-/// What a message is, as far as the transport has to know.
+/// The kind of a message, as far as the transport needs it.
 #[derive(Deserialize)]
 struct Envelope<'a> {
     jsonrpc: &'a str,

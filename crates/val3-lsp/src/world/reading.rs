@@ -1,4 +1,4 @@
-//! What was changed is read again, before anything else is asked.
+//! Reads changed files again before anything else is computed.
 
 use std::sync::Arc;
 
@@ -21,7 +21,7 @@ use crate::panics::contained;
 use crate::parent::project_above;
 use crate::published::{Finder, ProjectFindings};
 
-/// What has to be read again.
+/// The files that have to be read again.
 pub(super) enum Stale {
     /// Path keys of files, and of folders with everything in them.
     Paths(FxHashSet<String>),
@@ -96,7 +96,7 @@ impl World {
         self.workspace.refresh(&overlay, &asked, is_stale)
     }
 
-    /// The settings that configurations and the client come to; faulty ones count as they were before.
+    /// The settings of the configurations and of the client. A faulty configuration keeps its earlier settings.
     fn configure(&mut self) -> Vec<ConfigError> {
         let db = &mut self.workspace.db;
         let found = WorkspaceSettings::new(db, &self.projects, &self.session.options.selection());

@@ -1,4 +1,4 @@
-//! What the main loop tells users and those who look for the cause of something.
+//! Messages of the main loop to the user and to the log.
 
 use tower_lsp::lsp_types::notification::LogTrace;
 use tower_lsp::lsp_types::{LogTraceParams, MessageType};
@@ -7,7 +7,7 @@ use super::World;
 use crate::session::Trace;
 
 impl World {
-    /// Tells the user that something went wrong in the server, which goes on; once is enough.
+    /// Reports an internal error to the user once. The server continues.
     pub(crate) fn complain(&mut self, what: &str, reason: &str) {
         self.log(&format!("{what} failed: {reason}"));
         if !self.complained.insert(what.to_owned()) {
@@ -32,7 +32,7 @@ impl World {
         }
     }
 
-    /// Writes a line for whoever looks for the cause of something.
+    /// Writes a line to the log.
     pub(crate) fn log(&mut self, line: &str) {
         self.log.write(line);
         self.outbox.log(MessageType::LOG, line);
