@@ -32,7 +32,7 @@ use context::Context;
 
 pub use fixes::{FixContext, QuickFix, fix_all, quick_fixes};
 
-/// What sort of thing an assist does; editors group by it.
+/// The kind of an assist, by which editors group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum AssistKind {
     /// It mends a finding.
@@ -52,9 +52,9 @@ pub enum AssistKind {
 pub struct Assist {
     /// Which one, for [`resolve_assist`].
     pub id: &'static str,
-    /// What sort.
+    /// Its kind.
     pub kind: AssistKind,
-    /// What it does, as an order.
+    /// Its title, in the imperative.
     pub title: String,
     /// Assists with the same words here are shown as one with choices.
     pub group: Option<&'static str>,
@@ -62,7 +62,7 @@ pub struct Assist {
     pub disabled: Option<String>,
 }
 
-/// Offers its assists for a place. What each changes is computed only when it is asked for.
+/// Offers assists for a place. The edits of an assist are computed only when it is chosen.
 type Handler = fn(&Context<'_>, &mut Assists<'_>) -> Option<()>;
 
 /// Every assist, those first that mend something.
@@ -83,7 +83,7 @@ const HANDLERS: &[Handler] = &[
     sort_programs::offer,
 ];
 
-/// What is collected: all offers, or the change of one.
+/// The result: all offers, or the change of one.
 pub(crate) struct Assists<'a> {
     only: Option<&'a [AssistKind]>,
     wanted: Option<&'a str>,

@@ -1,4 +1,4 @@
-//! Who calls a program, and what it calls; tasks that it starts count as calls.
+//! The callers of a program, and its calls. Tasks that it starts count as calls.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
@@ -21,7 +21,7 @@ pub struct CallItem {
     pub project: String,
     /// Its file.
     pub file: File,
-    /// Where its name stands in the file.
+    /// The range of its name in the file.
     pub range: TextRange,
 }
 

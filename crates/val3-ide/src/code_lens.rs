@@ -1,4 +1,4 @@
-//! What editors show above programs and declarations: how often they are used, and that an application can be run.
+//! Lines above programs and declarations: their numbers of uses, and a command to run the application.
 
 use val3_analysis::db::{Db, File, FileRange, Project};
 use val3_analysis::items::declarations;
@@ -14,13 +14,13 @@ use crate::references::places;
 /// A line above a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CodeLens {
-    /// The name it stands above.
+    /// The range of the name below it.
     pub range: TextRange,
-    /// What it offers.
+    /// Its content.
     pub kind: LensKind,
 }
 
-/// What a line above a declaration offers.
+/// The content of a line above a declaration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LensKind {
     /// Running the application of this `.pjx`.

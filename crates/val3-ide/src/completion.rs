@@ -1,4 +1,4 @@
-//! What can be written at the cursor.
+//! Completions at the cursor.
 
 mod code;
 mod context;
@@ -32,27 +32,27 @@ use context::{Context, context};
 /// Something that can be written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Completion {
-    /// What is shown.
+    /// The displayed name.
     pub label: String,
     /// Its type or signature; may be empty.
     pub detail: String,
-    /// What it is.
+    /// Its kind.
     pub kind: CompletionKind,
-    /// What it replaces: the word at the cursor.
+    /// The replaced range: the word at the cursor.
     pub range: TextRange,
-    /// What is put there. In a snippet `$1`, `${2:name}` and `$0` are places to fill.
+    /// The inserted text. In a snippet, `$1`, `${2:name}` and `$0` are placeholders.
     pub insert: String,
-    /// What is put there by an editor that knows no snippets.
+    /// The inserted text for editors without snippets.
     pub plain: String,
     /// `insert` is a snippet.
     pub is_snippet: bool,
     /// How likely it is, higher first.
     pub score: i32,
-    /// What it stands for, for its documentation.
+    /// The item that it names, for its documentation.
     pub symbol: Option<Symbol>,
     /// Its documentation in Markdown, for an item without a symbol.
     pub documentation: Option<String>,
-    /// What else has to change: an entry in the project file or the data file.
+    /// Additional edits: an entry in the project file or the data file.
     pub additional: Vec<FileEdit>,
 }
 
@@ -91,7 +91,7 @@ pub enum CompletionKind {
     Attribute,
 }
 
-/// What can be written at a position, the likeliest first.
+/// The completions at a position, the most probable first.
 pub fn completions(db: &dyn Db, at: FilePosition) -> Vec<Completion> {
     let Some(project) = owner(db, at.file) else { return Vec::new() };
     let (context, range) = context(db, project, at);
@@ -140,21 +140,21 @@ pub fn completion_documentation(db: &dyn Db, project: Project, completion: &Comp
     }
 }
 
-/// What a name gains that the code uses already.
+/// Bonus of a name that the code already uses.
 const USED: i32 = 10;
 
-/// What was found so far.
+/// The completions found so far.
 struct Found<'db> {
     db: &'db dyn Db,
     project: Project,
     file: File,
-    /// What every completion replaces.
+    /// The range that every completion replaces.
     range: TextRange,
     /// The letters before the cursor.
     query: &'db str,
     /// A `(` follows: names of what is called are written without their arguments.
     is_called: bool,
-    /// What precedes the range, and what follows it.
+    /// The text before the range and the text after it.
     around: (&'db str, &'db str),
     items: Vec<Completion>,
 }

@@ -18,7 +18,7 @@ use val3_syntax::TextRange;
 use crate::edit::FileEdit;
 use crate::xml_list::{List, escaped};
 
-/// What a variable is declared as.
+/// The declaration of a variable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Variable {
     pub(crate) name: String,
@@ -72,7 +72,7 @@ fn local_entry(old: bool, variable: &Variable) -> String {
     format!("<Local name=\"{name}\" type=\"{ty}\" xsi:type=\"array\" size=\"{size}\" />")
 }
 
-/// A parameter of the program in `file`, behind the others.
+/// Adds a parameter after the others of the program in `file`.
 pub(crate) fn parameter(db: &dyn Db, file: File, variable: &Variable, by_reference: bool) -> Option<FileEdit> {
     let old = is_old_program(db, file);
     // It has no collections, and arrays of one dimension.
@@ -180,7 +180,7 @@ fn keys(sizes: &[u32]) -> Vec<String> {
     }
 }
 
-/// What a new point, frame or tool hangs on.
+/// The father of a new point, frame or tool.
 pub(crate) fn built_in_father(type_name: &str) -> Option<&'static str> {
     let (ty, _) = BaseType::from_file_name(type_name)?;
     let father = ty.father()?;

@@ -10,7 +10,7 @@ use val3_check::{
     is_once_per_application, join_causes, merge_findings, units,
 };
 
-/// What every application is checked for.
+/// The settings of the check of every application.
 #[salsa::input(debug)]
 pub struct CheckSettings {
     /// The settings by application.

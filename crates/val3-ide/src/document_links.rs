@@ -1,4 +1,4 @@
-//! Paths in files that lead to other files.
+//! Paths in files to other files.
 
 use val3_analysis::db::{Db, File, Project};
 use val3_analysis::interfaces::{LoadedPath, uses};

@@ -9,7 +9,7 @@ use val3_syntax::TextRange;
 pub struct SourceChange {
     /// Files that are created, with their text. None of them exists.
     pub creates: Vec<(Utf8PathBuf, String)>,
-    /// Edits; those of one file do not overlap and stand in order.
+    /// Edits. Those of one file are sorted and do not overlap.
     pub edits: Vec<FileEdit>,
     /// Files that move: from where to where.
     pub moves: Vec<(Utf8PathBuf, Utf8PathBuf)>,
@@ -22,9 +22,9 @@ pub struct SourceChange {
 pub struct FileEdit {
     /// The file.
     pub file: File,
-    /// What is replaced; empty where something is put in.
+    /// The replaced range; empty for an insertion.
     pub range: TextRange,
-    /// What stands there afterwards, as it is written in the file.
+    /// The new text, as it is written in the file.
     pub text: String,
 }
 

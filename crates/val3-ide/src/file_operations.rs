@@ -33,7 +33,7 @@ pub fn will_rename_files(db: &dyn Db, renames: &[(Utf8PathBuf, Utf8PathBuf)]) ->
     SourceChange::of(edits).sorted(db)
 }
 
-/// Files come: programs and data are listed in the `.pjx` beside them.
+/// New programs and data are listed in the `.pjx` next to them.
 pub fn will_create_files(db: &dyn Db, paths: &[Utf8PathBuf]) -> SourceChange {
     let mut edits = Vec::new();
     for project in projects(db) {

@@ -1,4 +1,4 @@
-//! What can be folded: blocks, comments, and the XML around the code.
+//! Foldable ranges: blocks, comments, and the XML around the code.
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File};
@@ -11,7 +11,7 @@ use val3_syntax::{SyntaxKind, TextRange, TextSize};
 pub struct Fold {
     /// From the end of the line that stays to the end of what is hidden.
     pub range: TextRange,
-    /// What it is.
+    /// Its kind.
     pub kind: FoldKind,
 }
 
@@ -22,7 +22,7 @@ pub enum FoldKind {
     Block,
     /// Lines of comment.
     Comment,
-    /// XML before or behind the code, or an element of data.
+    /// XML before or after the code, or an element of data.
     Xml,
 }
 
@@ -52,7 +52,7 @@ fn find_code(node: View<'_>) -> Option<View<'_>> {
     })
 }
 
-/// The XML before `begin` and behind `end`, each as a whole.
+/// The XML before `begin` and the XML after `end`.
 fn envelope(root: View<'_>, code: View<'_>, folds: &mut Vec<Fold>) {
     let begin = code.token(SyntaxKind::BEGIN_KW).map_or(code.range().start(), |token| token.range().start());
     let end = code.token(SyntaxKind::END_KW).map_or(code.range().end(), |token| token.range().end());
@@ -102,7 +102,7 @@ fn last_line(block: View<'_>) -> TextSize {
     ends.last().unwrap_or(block.range().start())
 }
 
-/// Comments in a row, with nothing but one line end between them.
+/// Consecutive comments, each separated by one line end.
 #[derive(Default)]
 struct Comments {
     run: Option<TextRange>,

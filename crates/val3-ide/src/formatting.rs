@@ -51,7 +51,7 @@ fn editorconfig(system: &dyn System, path: &Utf8Path) -> Properties {
         }
     }
     let mut properties = Properties::new();
-    // What stands nearer to the file comes later, and wins.
+    // Nearer files come later and override the others.
     for (inside, sections) in sections.iter().rev() {
         for section in sections.iter().filter(|section| section.applies_to(inside)) {
             // Adding a section cannot fail.
@@ -71,7 +71,7 @@ pub fn format_range(db: &dyn Db, file: File, range: TextRange, style: &Style) ->
     of_file(file, val3_fmt::format_range(file.text(db), &parse(db, file), style, range))
 }
 
-/// The edits that follow from typing a character, which now stands before the position.
+/// The edits after a character was typed directly before the position.
 pub fn format_on_type(db: &dyn Db, at: FilePosition, typed: char, style: &Style) -> Vec<FileEdit> {
     let text: &str = at.file.text(db);
     if at.offset > TextSize::of(text) {

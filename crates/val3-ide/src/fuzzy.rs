@@ -38,7 +38,7 @@ fn starts_word(before: Option<char>, found: char) -> bool {
     before.is_none_or(|before| !before.is_alphanumeric() || !before.is_uppercase() && found.is_uppercase())
 }
 
-/// A letter counts more at the start of the name or of a word in it, behind the letter before, and in its own case.
+/// A letter scores more at the start of the name or of a word, directly after the previous letter, and in its own case.
 fn letter_score(wanted: char, found: char, before: Option<char>, run: bool) -> i32 {
     let mut score = 1;
     score += if before.is_none() { 8 } else { 0 };

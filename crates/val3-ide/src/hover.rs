@@ -1,4 +1,4 @@
-//! What the name under the cursor is: type, initial value, father, comment, page.
+//! Information on the name at the cursor: type, initial value, father, comment, page.
 
 mod attributes;
 mod data;
@@ -30,13 +30,13 @@ use crate::owner::owner;
 /// A text about a place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Hover {
-    /// What it is about.
+    /// The range that it describes.
     pub range: TextRange,
     /// The text in Markdown.
     pub markdown: String,
 }
 
-/// What there is to say about a position.
+/// The information on a position.
 pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     if let Some((project, found)) = name_at(db, at) {
         let markdown = symbol(db, project, &found.symbol)?;
@@ -50,7 +50,7 @@ pub fn hover(db: &dyn Db, at: FilePosition) -> Option<Hover> {
     attributes::hover(db, project, at).or_else(in_code).or_else(|| xml::hover(db, project, at))
 }
 
-/// What there is to say about a symbol that is named in `project`.
+/// The information on a symbol that is named in `project`.
 pub(crate) fn symbol(db: &dyn Db, project: Project, symbol: &Symbol) -> Option<String> {
     match symbol {
         Symbol::Local(file, name) => {

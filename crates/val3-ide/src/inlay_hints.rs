@@ -24,9 +24,9 @@ pub struct InlayHintSettings {
     pub parameter_names: bool,
     /// Types before `{…}`.
     pub literal_types: bool,
-    /// The frame behind the target of a move.
+    /// The frame after the target of a move.
     pub point_frames: bool,
-    /// The blend behind the motion descriptor of a move.
+    /// The blend after the motion descriptor of a move.
     pub blends: bool,
 }
 
@@ -41,9 +41,9 @@ impl Default for InlayHintSettings {
 pub struct InlayHint {
     /// The word it is about begins here (a parameter name, a type) or ends here (a frame, a blend).
     pub offset: TextSize,
-    /// What is shown.
+    /// Its text.
     pub label: String,
-    /// What it tells.
+    /// Its kind.
     pub kind: InlayHintKind,
     /// More about it; may be empty.
     pub tooltip: String,
@@ -63,7 +63,7 @@ pub enum InlayHintKind {
 }
 
 impl InlayHintKind {
-    /// The remark stands before the word it is about.
+    /// Whether the hint precedes the word that it describes.
     pub fn is_before(self) -> bool {
         matches!(self, Self::Parameter | Self::Type)
     }
@@ -122,7 +122,7 @@ impl Hints<'_> {
     }
 
     fn instruction(&mut self, instruction: &'static Instruction, form: &'static Overload, arguments: &[ExprId]) {
-        // What the only argument is for, the name of the instruction tells.
+        // The name of an instruction explains its only argument.
         if form.params.len() > 1 {
             for (param, argument) in form.params.iter().zip(arguments) {
                 self.parameter(param.name, *argument);
@@ -164,7 +164,7 @@ impl Hints<'_> {
         }
     }
 
-    /// Of literals in each other the outer one alone: it tells what the inner ones are.
+    /// Of nested literals only the outer one gets hints, since they describe the inner ones.
     fn literal(&mut self, id: ExprId, range: TextRange, values: &[Option<ExprId>]) {
         if !self.settings.literal_types {
             return;
@@ -195,7 +195,7 @@ impl Hints<'_> {
         }
     }
 
-    /// What the data file says of a variable or an element of it, unless this program changes it.
+    /// The initial value of a variable or an element in the data file, unless this program changes it.
     fn placement(&mut self, id: ExprId) -> Option<&Placement> {
         let key = key(self.body, id)?;
         let root = self.effects.root(id)?;

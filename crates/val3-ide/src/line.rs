@@ -23,9 +23,9 @@ use val3_syntax::{SyntaxNode, SyntaxToken, TextRange, TextSize};
 #[derive(Debug, Clone)]
 pub(crate) struct Line {
     tokens: Vec<SyntaxToken>,
-    /// How many of them stand wholly before the cursor and do not touch it as a word or a string.
+    /// The number of tokens that end before the cursor and do not touch it as a word or a string.
     before: usize,
-    /// The word, number or string that the cursor is in or behind; it follows those before.
+    /// The word, number or string at the cursor or directly before it; it follows the tokens before.
     current: Option<SyntaxToken>,
 }
 
@@ -62,13 +62,13 @@ impl Line {
         &self.tokens
     }
 
-    /// The word, number or string that the cursor is in or behind.
+    /// The word, number or string at the cursor or directly before it.
     pub(crate) fn current(&self) -> Option<&SyntaxToken> {
         self.current.as_ref()
     }
 }
 
-/// The cursor stands behind `begin` and not behind `end`, as far as they are there.
+/// The cursor is after `begin` and before `end`, as far as they are written.
 fn holds_statements(code: &SyntaxNode, offset: TextSize) -> bool {
     let token = |kind| {
         let mut tokens = code.children_with_tokens().filter_map(|child| child.into_token());
@@ -86,7 +86,7 @@ fn ends_line(kind: SyntaxKind) -> bool {
 }
 
 fn before(left: &SyntaxToken, offset: TextSize, skip: bool) -> Vec<SyntaxToken> {
-    // The cursor stands in or behind a line end, or inside of a token that is none of its own.
+    // The cursor is in or after a line end, or inside a token of another kind.
     let whole = left.text_range().end() <= offset && !skip;
     let first = if whole { Some(left.clone()) } else { left.prev_token() };
     if left.kind() == NEWLINE {
@@ -159,7 +159,7 @@ fn open_bracket(tokens: &[SyntaxToken]) -> Option<usize> {
     })
 }
 
-/// The pieces between the commas that stand in no bracket, up to a bracket that closes more than it opens here.
+/// The parts between commas outside of brackets, up to a closing bracket that is not opened here.
 fn pieces(tokens: &[SyntaxToken]) -> Vec<&[SyntaxToken]> {
     let (mut depth, mut start, mut end) = (0usize, 0, tokens.len());
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! From a name to what it stands for: definition, type definition, implementations.
+//! From a name to its definition, type definition and implementations.
 
 use val3_analysis::db::{Db, File, FileRange, Project, Sources};
 use val3_analysis::interfaces::replacements;
@@ -17,7 +17,7 @@ use crate::owner::owner;
 pub struct Target {
     /// The name under the cursor.
     pub from: TextRange,
-    /// What it leads to: the name in its declaration, or the start of a file.
+    /// The target: the name in its declaration, or the start of a file.
     pub to: FileRange,
 }
 
@@ -25,7 +25,7 @@ pub struct Target {
 pub fn definition(db: &dyn Db, at: FilePosition) -> Vec<Target> {
     let Some((project, found)) = name_at(db, at) else { return Vec::new() };
     let place = match &found.symbol {
-        // A library identifier leads on to the library where it is declared already.
+        // At its declaration, a library identifier leads to the library.
         Symbol::Library(..) | Symbol::Type(..) if is_declaration(found, at.file, project, db) => {
             project_of(db, &found.symbol).map(|project| start_of(project.manifest(db)))
         }
@@ -88,7 +88,7 @@ pub(crate) fn declaration(db: &dyn Db, symbol: &Symbol) -> Option<FileRange> {
     }
 }
 
-/// The project that a library identifier or a type name stands for.
+/// The project that a library identifier or a type name means.
 fn project_of(db: &dyn Db, symbol: &Symbol) -> Option<Project> {
     match symbol {
         Symbol::Library(project, name) => items(db, *project).libraries.get(name)?.interface,

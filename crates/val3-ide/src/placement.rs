@@ -1,4 +1,4 @@
-//! What the data files say of positions and motion descriptors at the start: fathers and blends.
+//! Initial fathers and blends of positions and motion descriptors in the data files.
 
 use rustc_hash::FxHashMap;
 use smol_str::SmolStr;

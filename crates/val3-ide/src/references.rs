@@ -32,7 +32,7 @@ pub(crate) fn places(db: &dyn Db, symbol: &Symbol, with_declaration: bool) -> Ve
     places
 }
 
-/// Every use of a symbol: file, project it is read in, and where the name stands there.
+/// Every use of a symbol: file, project it is read in, and range.
 pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, Project, TextRange)> {
     // Most files do not hold the name at all; the rest need not be looked at.
     let finder = memmem::Finder::new(text(symbol));
@@ -44,7 +44,7 @@ pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, 
     places.collect::<Vec<_>>().into_iter()
 }
 
-/// The name as it is written.
+/// The name as it is spelled there.
 pub(crate) fn text(symbol: &Symbol) -> &str {
     match symbol {
         Symbol::Local(_, name)
@@ -83,7 +83,7 @@ fn all(db: &dyn Db) -> Vec<Project> {
 }
 
 /// The projects that can name something of `used`: itself, and those that reach it through libraries and user types.
-/// A field can be named by who does not name its type: `part:sSlot.nHeight`.
+/// Code can name a field without naming its type: `part:sSlot.nHeight`.
 pub(crate) fn projects_using(db: &dyn Db, used: Project) -> Vec<Project> {
     let mut users = FxHashSet::from_iter([used]);
     let projects = all(db);

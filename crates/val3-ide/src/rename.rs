@@ -22,7 +22,7 @@ use crate::references::{text, uses};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct RenameError(pub String);
 
-/// The name, or the key of a collection, at a position if it can be renamed, and where it stands.
+/// The name, or the key of a collection, at a position if it can be renamed, with its range.
 ///
 /// # Errors
 /// If there is no name, or one that belongs to the language or the controller.

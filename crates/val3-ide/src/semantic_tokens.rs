@@ -1,4 +1,4 @@
-//! What each word of a file is, for colours.
+//! The kind of each word of a file, for colours.
 
 use rowan::NodeOrToken;
 use val3_analysis::db::{Db, File, Project};
@@ -16,9 +16,9 @@ use crate::owner::owner;
 /// A coloured word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SemanticToken {
-    /// Where it stands; it never holds a line end.
+    /// Its range, which never contains a line end.
     pub range: TextRange,
-    /// What it is.
+    /// Its kind.
     pub kind: TokenKind,
     /// More about it: a set of [`TokenModifier`] bits.
     pub modifiers: u32,
@@ -33,7 +33,7 @@ macro_rules! names {
         }
 
         impl $enum {
-            /// The names that a client is told, in the order of the numbers.
+            /// The names for the client, in the order of their numbers.
             pub const NAMES: &'static [&'static str] = &[$($text),*];
         }
     };
@@ -72,7 +72,7 @@ names! {
 }
 
 names! {
-    /// What a word can be besides its kind.
+    /// Modifiers of a word.
     TokenModifier {
         /// It is declared here.
         Declaration = "declaration",

@@ -30,7 +30,7 @@ pub struct SignatureHelp {
 pub struct Form {
     /// The line: `num movej(joint jPosition, tool tTool, mdesc mDesc)`.
     pub line: String,
-    /// Where each parameter stands in the line, in bytes.
+    /// The range of each parameter in the line, in bytes.
     pub parameters: Vec<(u32, u32)>,
     /// A sentence about it.
     pub documentation: String,
@@ -57,7 +57,7 @@ pub fn signature_help(db: &dyn Db, at: FilePosition) -> Option<SignatureHelp> {
     Some(SignatureHelp { forms: vec![program(&names, &call.callee)?], active_form: 0, active_parameter })
 }
 
-/// Forms on a library identifier are shown behind one, the others elsewhere; all where there are no such ones.
+/// After a library identifier, the forms for libraries are shown, elsewhere the others; all if there are none.
 fn suits_place(form: &Overload, found: &Instruction, callee: &Callee) -> bool {
     let on_library = callee.library.is_some();
     form.on_library == on_library || found.overloads.iter().all(|form| form.on_library != on_library)
@@ -69,7 +69,7 @@ fn instruction_form(found: &Instruction, form: &Overload) -> Form {
     Form { parameters: places(&line, params), documentation: page::summary(found.page), line }
 }
 
-/// Where the parameters stand in a line, one behind the other.
+/// The ranges of the parameters in a line, in order.
 fn places(line: &str, params: impl Iterator<Item = String>) -> Vec<(u32, u32)> {
     let mut from = line.find(['(', ' ']).map_or(0, |at| at + 1);
     let place = |param: String| {
@@ -89,7 +89,7 @@ fn best_form(forms: &[&Overload], types: &[Ty], active: usize) -> usize {
         });
         (form.params.len() > active, form.params.len() >= types.len(), agreeing.count())
     };
-    // Of forms that fit alike the first stands.
+    // Of equally suitable forms, the first one is taken.
     forms.iter().enumerate().rev().max_by_key(|(_, form)| fits(form)).map_or(0, |(index, _)| index)
 }
 
@@ -315,7 +315,7 @@ mod tests {
             > num nAll[0..6] | 0..6
         "#]],
         );
-        // What is not known is left to the call around it.
+        // Without knowledge here, the call around it decides.
         check(
             "put(nUnknown[$0",
             expect![[r#"

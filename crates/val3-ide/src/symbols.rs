@@ -10,7 +10,7 @@ use smol_str::SmolStr;
 use val3_analysis::db::FileRange;
 use val3_syntax::TextRange;
 
-/// What an entry of the outline is.
+/// The kind of an entry of the outline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum SymbolKind {
     /// A project.
@@ -36,7 +36,7 @@ pub struct OutlineItem {
     pub name: SmolStr,
     /// The type or signature, in a few words; may be empty.
     pub detail: String,
-    /// What it is.
+    /// Its kind.
     pub kind: SymbolKind,
     /// The whole declaration.
     pub range: TextRange,
@@ -53,7 +53,7 @@ pub struct WorkspaceSymbol {
     pub name: SmolStr,
     /// The project it belongs to.
     pub container: String,
-    /// What it is.
+    /// Its kind.
     pub kind: SymbolKind,
     /// Where its name is declared.
     pub place: FileRange,

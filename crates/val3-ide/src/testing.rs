@@ -14,7 +14,7 @@ pub(crate) struct Marked {
     pub(crate) system: Memory,
     pub(crate) workspace: Workspace,
     pub(crate) position: Option<FilePosition>,
-    /// What stands between two `$0`.
+    /// The text between two `$0`.
     pub(crate) selected: Option<TextRange>,
 }
 
@@ -43,7 +43,7 @@ impl Marked {
         &self.workspace.db
     }
 
-    /// Where `$0` stands.
+    /// The position of `$0`.
     pub(crate) fn at(&self) -> FilePosition {
         self.position.unwrap()
     }

@@ -20,10 +20,10 @@ impl<'t> Tag<'t> {
     }
 }
 
-/// What is written at a position.
+/// The syntactic context of a position.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum XmlPlace<'t> {
-    /// What is between tags: the word there.
+    /// Text between tags: the word at the position.
     Content(TextRange),
     /// The name of a start tag.
     ElementName(TextRange),
@@ -42,7 +42,7 @@ pub(crate) struct XmlCursor<'t> {
     pub(crate) open: Vec<Tag<'t>>,
     /// The tag that the position is in.
     pub(crate) tag: Option<Tag<'t>>,
-    /// What is written there.
+    /// The syntactic context of the position.
     pub(crate) place: XmlPlace<'t>,
     /// The other elements in the innermost one around, in order, with the values of their attributes.
     pub(crate) siblings: Vec<Tag<'t>>,
@@ -72,7 +72,7 @@ impl<'t> XmlCursor<'t> {
     }
 }
 
-/// What is found at a position.
+/// The context found at a position.
 struct Found<'t> {
     tag: Option<Tag<'t>>,
     place: XmlPlace<'t>,
@@ -172,7 +172,7 @@ impl<'t> Scan<'t> {
         }
     }
 
-    /// What follows `from` in the innermost of `depth` elements that are open.
+    /// The text after `from` in the innermost of `depth` open elements.
     fn rest(&mut self, from: usize, depth: usize) -> Vec<Tag<'t>> {
         // The levels further out are not collected.
         self.siblings = vec![Vec::new(); depth + 1];

@@ -12,13 +12,13 @@ const LEVEL: &str = "  ";
 pub(crate) struct List<'a> {
     /// The text of the file.
     pub(crate) text: &'a str,
-    /// What the list stands in.
+    /// The element that contains the list.
     pub(crate) parent: Element<'a>,
     /// The name of the list.
     pub(crate) name: &'a str,
-    /// What its start tag holds besides, with a blank before it, where it has to be made.
+    /// Additional attributes of its start tag, with a blank before them, if it has to be created.
     pub(crate) attributes: &'a str,
-    /// The elements it has to stand before, where it has to be made.
+    /// The elements that follow it, if it has to be created.
     pub(crate) followers: &'a [&'a str],
 }
 

@@ -23,7 +23,7 @@ pub(crate) struct Context<'db> {
     pub(crate) db: &'db dyn Db,
     pub(crate) project: Project,
     pub(crate) file: File,
-    /// What is selected; empty at a cursor.
+    /// The selection; empty at a cursor.
     pub(crate) range: TextRange,
     pub(crate) text: &'db str,
     pub(crate) root: SyntaxNode,
@@ -67,7 +67,7 @@ impl<'db> Context<'db> {
         Style::new(&format, Elsewhere::default()).indent.text(1)
     }
 
-    /// The token at the cursor, or the one that is selected; a name rather than what stands beside it.
+    /// The token at the cursor, or the selected one. Names are preferred to their neighbours.
     pub(crate) fn token(&self) -> Option<SyntaxToken> {
         if !self.range.is_empty() {
             return self.root.covering_element(self.range).into_token();
@@ -99,7 +99,7 @@ impl<'db> Context<'db> {
         covering.ancestors().find_map(Code::cast)
     }
 
-    /// The expression of the body that stands exactly at `range`; the innermost one of several.
+    /// The expression of the body whose range is `range`; the innermost one of several.
     pub(crate) fn expr_at(&self, range: TextRange) -> Option<ExprId> {
         self.body().exprs().find(|(_, _, found)| *found == range).map(|(id, ..)| id)
     }
@@ -115,7 +115,7 @@ impl<'db> Context<'db> {
         let selected = self.trimmed()?;
         let covering = self.root.covering_element(selected);
         let around = covering.ancestors().next()?;
-        // A comment before the first statement of a block stands outside of the block.
+        // A comment before the first statement of a block is outside of the block.
         let inner = around.children().filter_map(Block::cast);
         let blocks = inner.chain(around.ancestors().find_map(Block::cast));
         let mut blocks = blocks.filter(|block| with_comments(block).contains_range(selected));
@@ -156,7 +156,7 @@ impl<'db> Context<'db> {
         TextRange::new(offset(start), offset(end))
     }
 
-    /// The blanks that the line of `at` starts with; none where the XML before the code stands on it.
+    /// The blanks at the start of the line of `at`; none if the line begins with XML.
     pub(crate) fn indentation(&self, at: TextSize) -> &'db str {
         let line = self.slice(self.line(at));
         let blanks = line.get(..line.len() - line.trim_start_matches([' ', '\t']).len()).unwrap_or("");
@@ -192,7 +192,7 @@ impl<'db> Context<'db> {
         if self.is_escaped() { escaped(plain) } else { plain.to_owned() }
     }
 
-    /// An edit of this file; `text` stands in it as it is.
+    /// An edit of this file. `text` is inserted as it is written in the file.
     pub(crate) fn replace(&self, range: TextRange, text: impl Into<String>) -> FileEdit {
         FileEdit { file: self.file, range, text: text.into() }
     }

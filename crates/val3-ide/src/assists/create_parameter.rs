@@ -68,7 +68,7 @@ fn is_written(context: &Context<'_>, unknown: &Unknown) -> bool {
         })
 }
 
-/// What is called takes a variable as its argument number `at`, not a value.
+/// Whether the callee takes a variable, not a value, as its argument number `at`.
 fn takes_reference(context: &Context<'_>, call: ExprId, callee: ExprId, at: usize) -> bool {
     if let Some(found) = context.inference().call(call) {
         let is_variable = |shape| !matches!(shape, Shape::Value | Shape::ProgramCall);

@@ -29,7 +29,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The arguments behind the name at `id`, if it is called as a program.
+/// The arguments after the name at `id`, if it is called as a program.
 fn called_with<'db>(context: &Context<'db>, id: ExprId) -> Option<&'db [ExprId]> {
     let body = context.body();
     body.stmts().into_iter().find_map(|stmt| {

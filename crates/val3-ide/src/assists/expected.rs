@@ -1,4 +1,4 @@
-//! What an unknown name would have to be, as the place where it stands tells.
+//! The expected meaning of an unknown name, derived from its context.
 
 use smol_str::SmolStr;
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind};
@@ -14,10 +14,10 @@ use val3_syntax::SyntaxKind;
 use super::context::Context;
 use crate::declare::Variable;
 
-/// A name in the code that stands for nothing.
+/// A name in the code that is not declared.
 pub(super) struct Unknown {
     pub(super) name: SmolStr,
-    /// What it would have to be.
+    /// Its expected type.
     variable: Ty,
 }
 
@@ -52,7 +52,7 @@ fn stands_in(expected: Base, named: Base) -> bool {
     )
 }
 
-/// The name stands before brackets with arguments: an instruction or a program.
+/// The name is followed by brackets with arguments: an instruction or a program.
 pub(super) fn is_called(body: &Body, id: ExprId) -> bool {
     body.exprs().any(|(_, expr, _)| matches!(expr, Expr::Call(callee, _) if *callee == id))
 }
@@ -85,7 +85,7 @@ impl Unknown {
         Variable { name: self.name.to_string(), type_name, container: self.variable.container, sizes }
     }
 
-    /// What it would have to be.
+    /// Its expected type.
     pub(super) fn ty(&self) -> Ty {
         self.variable
     }
@@ -95,7 +95,7 @@ impl Unknown {
         self.variable.base.builtin().is_some_and(BaseType::is_linkable)
     }
 
-    /// The type as it is called in a title.
+    /// The name of the type in a title.
     pub(super) fn shown(&self, db: &dyn Db) -> SmolStr {
         Ty::element(self.variable.base).display(db)
     }
@@ -182,7 +182,7 @@ struct Place<'c, 'db> {
 }
 
 impl Place<'_, '_> {
-    /// The type that `id` would have to be of; `None` where nothing tells.
+    /// The expected type of `id`; `None` if the context does not determine it.
     fn expected(&self, id: ExprId) -> Option<Ty> {
         let parent = self.body.exprs().find(|(_, expr, _)| holds(expr, id));
         match parent {
@@ -218,7 +218,7 @@ impl Place<'_, '_> {
         }
     }
 
-    /// What stands before brackets is an array, or a collection where a text stands in them.
+    /// A name before brackets is an array, or a collection if the brackets contain a string.
     fn indexed(&self, whole: ExprId, indexes: &[ExprId]) -> Option<Ty> {
         let element = self.expected(whole).unwrap_or(Ty::of(BaseType::Num));
         let text = indexes.first().is_some_and(|index| self.known(*index) == Some(Ty::of(BaseType::String)));

@@ -24,11 +24,11 @@ pub struct FixContext<'a> {
 pub struct QuickFix<'d> {
     /// The finding that it mends.
     pub diagnostic: &'d Diagnostic,
-    /// What it does, as an order.
+    /// The title, in the imperative.
     pub title: String,
     /// It does what was plainly meant; editors may prefer it.
     pub safe: bool,
-    /// What it changes.
+    /// The edits.
     pub change: SourceChange,
     /// Why it cannot be applied, as a sentence for the user; `None` if it can.
     pub disabled: Option<String>,

@@ -39,16 +39,16 @@ struct Inlined<'c, 'db> {
     header: &'db Header,
 }
 
-/// What a name of the inlined program becomes, in plain characters.
+/// The replacement of a name of the inlined program, in plain characters.
 struct NewName {
     old: SmolStr,
     new: String,
-    /// It has to be declared where it comes to stand.
+    /// A variable to be declared in the caller.
     local: Option<Variable>,
 }
 
 impl Inlined<'_, '_> {
-    /// What parameters and locals become; `None` where the code would not do the same.
+    /// The replacements of parameters and locals; `None` if the code would behave differently.
     fn names(&self, call: TextRange, arguments: &[ExprId]) -> Option<Vec<NewName>> {
         let is_self = self.file == self.context.file;
         let plain = |kind: &StmtKind| !matches!(kind, StmtKind::Return | StmtKind::Error);
@@ -58,7 +58,7 @@ impl Inlined<'_, '_> {
         if !self.body.stmts().iter().all(|stmt| plain(&stmt.kind)) || self.hides_globals() {
             return None;
         }
-        // A local starts anew with each call, and would keep its value in a loop.
+        // A local is initialised by each call, but would keep its value in a loop.
         if !self.header.locals.is_empty() && self.is_repeated(call) {
             return None;
         }
@@ -86,7 +86,7 @@ impl Inlined<'_, '_> {
         Some(names)
     }
 
-    /// The text that stands for a parameter; `None` where more than a name or a constant would be computed again.
+    /// The text that replaces a parameter; `None` if an expression would be computed several times.
     fn argument(&self, param: &str, by_reference: bool, argument: ExprId) -> Option<String> {
         let own = self.context.body();
         let text = self.context.plain(own.range(argument));
@@ -112,7 +112,7 @@ impl Inlined<'_, '_> {
             || effects.may_wait()
     }
 
-    /// A global that the program uses means something else where it comes to stand.
+    /// A global that the program uses has another meaning in the caller.
     fn hides_globals(&self) -> bool {
         let caller = self.context.header();
         let hidden = |name: &SmolStr| {

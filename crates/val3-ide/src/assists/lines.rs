@@ -28,7 +28,7 @@ pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
         text.get(..usize::from(range.start())).and_then(|before| before.rfind(['\n', '\r'])).map_or(0, |at| at + 1);
     let whole = text.get(start..usize::from(range.end())).unwrap_or("");
     let first = text.get(start..usize::from(range.start())).unwrap_or("");
-    // Where XML stands before the first line, that line starts with the code.
+    // If XML precedes the first line, that line starts with the code.
     let whole = if first.trim().is_empty() { whole } else { whole.get(first.len()..).unwrap_or("") };
     let lines: Vec<&str> = whole.lines().map(|line| line.strip_suffix("&#13;").unwrap_or(line)).collect();
     let blanks = |line: &&str| line.len() - line.trim_start_matches([' ', '\t']).len();
@@ -36,7 +36,7 @@ pub(super) fn dedented(text: &str, range: TextRange) -> Vec<String> {
     lines.iter().map(|line| line.get(common..).unwrap_or("").trim_end().to_owned()).collect()
 }
 
-/// From the first comment or statement of a block to the last: comments at its ends stand beside it in the tree.
+/// From the first comment or statement of a block to the last: in the tree, comments at its ends are its siblings.
 pub(super) fn with_comments(block: &Block) -> TextRange {
     let own = block.syntax().text_range();
     let is_blank = |token: &SyntaxToken| matches!(token.kind(), SyntaxKind::WHITESPACE | SyntaxKind::NEWLINE);
@@ -54,7 +54,7 @@ pub(super) fn with_comments(block: &Block) -> TextRange {
     content.reduce(TextRange::cover).unwrap_or(TextRange::empty(own.start()))
 }
 
-/// The comments directly in a node, outside of its parts, each with where it stands.
+/// The ranges of the comments that are direct children of a node.
 pub(super) fn own_comments(node: &SyntaxNode) -> Vec<TextRange> {
     let tokens = node.children_with_tokens().filter_map(NodeOrToken::into_token);
     tokens.filter(|token| token.kind() == SyntaxKind::COMMENT).map(|token| token.text_range()).collect()
@@ -65,7 +65,7 @@ pub(super) fn is_escaped(code: &Code) -> bool {
     !code.syntax().children_with_tokens().any(|it| it.kind() == SyntaxKind::CDATA_OPEN)
 }
 
-/// A part of code in plain characters, with other texts in some places, which lie in it and stand in order.
+/// A part of code in plain characters, with some of its ranges, which are sorted, replaced by other texts.
 pub(super) fn plain_with(code: &Code, text: &str, range: TextRange, places: &[(TextRange, &str)]) -> String {
     let escaped = is_escaped(code);
     let plain = |start: TextSize, end: TextSize| {

@@ -52,7 +52,7 @@ fn existing(context: &Context<'_>, ty: &str, value: &str) -> Option<String> {
     known.next().map(|(name, ..)| name.to_string())
 }
 
-/// A name for the key or the run-time error that a number is, where it stands in a place for one.
+/// A name for the key or the run-time error that a number means in its context.
 fn meaning(body: &Body, id: ExprId) -> Option<String> {
     let number = body.number(id)?;
     if is_compared(body, id, &READ_KEYS) || is_argument(body, id) {

@@ -17,7 +17,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     Some(())
 }
 
-/// The entries that have to stand elsewhere; `None` where all are in order.
+/// The entries that have to move; `None` if all are in order.
 fn sorted(context: &Context<'_>) -> Option<Vec<FileEdit>> {
     let parse = val3_analysis::items::parse(context.db, context.file);
     let root = xml::root(parse.view())?;

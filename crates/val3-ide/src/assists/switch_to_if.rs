@@ -17,7 +17,7 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let default = defaults.next();
     let is_whole = clauses.iter().all(|clause| clause.break_keyword().is_some() && clause.values().next().is_some())
         && default.as_ref().is_none_or(|clause| clause.break_keyword().is_some());
-    // `default` may stand in the middle only in code that is not taken anyway.
+    // A `default` in the middle occurs only in code that is excluded anyway.
     let ends = default.as_ref().is_none_or(|default| {
         clauses.iter().all(|clause| clause.syntax().text_range().end() <= default.syntax().text_range().start())
     });
@@ -48,7 +48,7 @@ fn written(
     };
     let start = switch.syntax().text_range().start();
     let first = clauses.first()?.syntax().text_range().start();
-    // What introduces the first case introduces all.
+    // A comment before the first case belongs to the whole statement.
     let head = between(start, first, outer);
     let mut text = head.strip_prefix(&format!("{line_end}{outer}")).map_or_else(String::new, str::to_owned);
     let mut done = first;

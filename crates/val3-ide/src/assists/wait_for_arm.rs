@@ -1,4 +1,4 @@
-//! Waits behind a move until the arm has got there.
+//! Adds a wait for the arm after a move.
 
 use val3_analysis::body::{Body, Expr, ExprId, Stmt, StmtKind};
 use val3_lang::instruction::{Family, Instruction};

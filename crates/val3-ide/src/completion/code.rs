@@ -18,9 +18,9 @@ use super::{CompletionKind as Kind, Found, literals, missing};
 use crate::hover::program_line;
 use crate::line::{Block, Expected};
 
-/// What the instructions gain that most programs use.
+/// Bonus of instructions that most programs use.
 const COMMON: i32 = 8;
-/// What an instruction loses that this controller has by an add-on or not at all.
+/// Malus of instructions that need an add-on, or that the controller lacks.
 const RARE: i32 = -40;
 
 /// Blocks to fill in, as snippets; the editor indents what follows the first line.
@@ -57,7 +57,7 @@ pub(super) fn statement(found: &mut Found<'_>, blocks: &[Block]) {
     missing::library_data(found, &Expected::anything());
 }
 
-/// The creation of a task with its values to fill in; they stand without parentheses.
+/// The creation of a task with its values to fill in. They have no parentheses.
 fn task_creation(keyword: &str) -> String {
     let forms = instructions::find(keyword).map_or(&[][..], |instruction| instruction.overloads);
     let params = (1..).zip(forms.first().map_or(&[][..], |form| form.params));
@@ -121,7 +121,7 @@ fn instructions_of(found: &mut Found<'_>, expected: &[Base], suits: impl Fn(&Ove
     let only_fitting = !expected.is_empty() && !expected.contains(&Base::of(BaseType::Bool)) && found.query.is_empty();
     for instruction in instructions::all().iter().filter(|instruction| !is_task_creation(instruction.name)) {
         let forms = instruction.overloads.iter().filter(|form| suits(form));
-        // Of forms that fit alike the first stands.
+        // Of equally suitable forms, the first one is taken.
         let Some(form) = forms.rev().max_by_key(fit_of) else { continue };
         let prior = if !instruction.exists_in(version) {
             RARE
@@ -137,7 +137,7 @@ fn instructions_of(found: &mut Found<'_>, expected: &[Base], suits: impl Fn(&Ove
     }
 }
 
-/// What programs of every kind use, rather than what sets up a controller or an option.
+/// Instructions that programs of every kind use, in contrast to those that set up a controller or an option.
 fn is_common(family: Family) -> bool {
     !matches!(family, Family::Controller | Family::Options | Family::Additions | Family::AddOns)
 }
@@ -266,7 +266,7 @@ pub(super) fn task_programs(found: &mut Found<'_>) {
     missing::libraries(found);
 }
 
-/// At the start of a line a program stands behind `call`, which is written as well.
+/// At the start of a line, a program needs `call`, which is inserted as well.
 fn calls(found: &mut Found<'_>) {
     let (db, project, own) = (found.db, found.project, found.file);
     for (name, file) in items(db, project).programs.iter().filter(|(_, file)| **file != own) {

@@ -12,7 +12,7 @@ use crate::FilePosition;
 use crate::line::{Block, Expected, Line, Names, ends_value, expected, inside, open_blocks, takes_program};
 use crate::xml_context::XmlContext;
 
-/// What a place takes.
+/// The kinds of completions that are possible at a position.
 pub(super) enum Context<'db> {
     /// Nothing that could be proposed.
     Nothing,
@@ -22,7 +22,7 @@ pub(super) enum Context<'db> {
     Expression(Expected),
     /// A key of a collection, before its quotes are there.
     Key(Collection, Expected),
-    /// What follows a value: an operator that is a word.
+    /// Operators that are words, after a value.
     Operator(Operators),
     /// A field of a value.
     Members(Base),
@@ -30,7 +30,7 @@ pub(super) enum Context<'db> {
     LibraryItem {
         /// The identifier.
         library: SmolStr,
-        /// What is wanted of it.
+        /// The expected kind.
         wanted: Wanted,
     },
     /// A program that is called.
@@ -54,7 +54,7 @@ pub(super) enum Operators {
     Logical,
 }
 
-/// What is wanted of a library.
+/// The expected kind of library item.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Wanted {
     /// A program that is called.
@@ -65,7 +65,7 @@ pub(super) enum Wanted {
     Value(Expected),
 }
 
-/// What the place of a position takes, and the letters that stand there already.
+/// The possible completions at a position, and the letters that are already there.
 pub(super) fn context(db: &dyn Db, project: Project, at: FilePosition) -> (Context<'_>, TextRange) {
     let parse = parse(db, at.file);
     let root = parse.root();

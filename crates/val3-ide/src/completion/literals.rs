@@ -6,7 +6,7 @@ use val3_lang::types::{Arm, BaseType, fields};
 
 use super::{CompletionKind, Found};
 
-/// What a literal gains: less than a variable of the type, more than one of another.
+/// Bonus of a literal: less than that of a variable of the type, more than that of one of another type.
 const LITERAL: i32 = 40;
 
 /// `{…}` of the expected types.
@@ -28,7 +28,7 @@ fn literal(found: &mut Found<'_>, ty: BaseType, arm: Option<Arm>) {
     found.add(&text, CompletionKind::Literal).detail(|| ty.name().to_owned()).snippet(|| snippet).scored(LITERAL);
 }
 
-/// A literal as it is shown, and as a snippet.
+/// A literal as it is displayed, and as a snippet.
 struct Literal {
     arm: Option<Arm>,
     text: String,
@@ -56,7 +56,7 @@ impl Literal {
         self.push('}');
     }
 
-    /// In a snippet a `}` ends no place when it stands outside of one.
+    /// In a snippet, a `}` outside of a placeholder needs no escape.
     fn push(&mut self, letter: char) {
         self.text.push(letter);
         self.snippet.push(letter);
@@ -67,7 +67,7 @@ fn initial(ty: BaseType) -> &'static str {
     match ty {
         BaseType::Bool => "false",
         BaseType::String => "\"\"",
-        // A value left out stands for no link (2.4.2).
+        // An omitted value means no link (2.4.2).
         ty if ty.is_linkable() => "",
         _ => val3_lang::enumerations::values(ty).next().map_or("0", |value| value.name),
     }

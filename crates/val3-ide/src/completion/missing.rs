@@ -18,7 +18,7 @@ use crate::fuzzy::score;
 use crate::hover::program_line;
 use crate::line::Expected;
 
-/// What is not there yet comes last.
+/// Malus of items that are not declared yet.
 const MISSING: i32 = -120;
 
 /// New global data with the name that was typed.
@@ -88,7 +88,7 @@ pub(super) fn libraries(found: &mut Found<'_>) {
     }
 }
 
-/// What an item of a library loses without its identifier: most names are meant as they are typed.
+/// Malus of a library item without its identifier: most names are meant as they are typed.
 const WITHOUT_IDENTIFIER: i32 = -80;
 
 /// The letters fit the name of the item, not only the identifier of its library.

@@ -10,16 +10,16 @@ use val3_lang::types::{self, BaseType};
 use super::{CompletionKind as Kind, Found};
 use crate::line::Expected;
 
-/// What a value of the expected type gains.
+/// Bonus of a value of the expected type.
 pub(super) const FITS: i32 = 60;
-/// What a value gains that has a field of the expected type.
+/// Bonus of a value that has a field of the expected type.
 const LEADS_ON: i32 = 10;
-/// What names of the program gain over those of the language.
+/// Bonus of names of the program over those of the language.
 pub(super) const OWN: i32 = 20;
-/// What locals and parameters gain over data.
+/// Bonus of locals and parameters over data.
 const NEAR: i32 = 4;
 
-/// What a value of type `base` gains where one of type `expected` is wanted.
+/// The bonus of a value of type `base` where the type `expected` is expected.
 pub(super) fn fit(expected: &[Base], base: Base) -> i32 {
     expected.iter().map(|expected| fit_one(*expected, base)).max().unwrap_or(0)
 }

@@ -17,7 +17,7 @@ use super::{CompletionKind, Found};
 use crate::hover::keys_of;
 use crate::rename::spelt_keys;
 
-/// What can stand in a string.
+/// The possible contents of a string.
 pub(super) fn texts(found: &mut Found<'_>, place: &TextPlace) {
     match place {
         TextPlace::LibraryPath(alias) => paths(found, alias.as_deref()),
@@ -103,7 +103,7 @@ fn formats(found: &mut Found<'_>, format: TextForm) {
     }
 }
 
-/// A date holds many keys: the one that was begun before the cursor is replaced, and no other text.
+/// A string can hold several keys. Only the one at the cursor is replaced.
 fn last_key_alone(found: &mut Found<'_>) {
     let begun = found.query.rfind('%').filter(|at| found.query.len() - at <= 2).unwrap_or(found.query.len());
     let cursor = found.range.start() + TextSize::of(found.query);

@@ -19,7 +19,7 @@ fn check(listing: &str, expected: Expect) {
     expected.assert_eq(&found(listing).iter().take(6).map(line).collect::<String>());
 }
 
-/// What the completion called `label` puts there, with and without places, and what else it changes.
+/// The text that the completion called `label` inserts, with and without placeholders, and its additional edits.
 fn check_insert(listing: &str, label: &str, expected: Expect) {
     let marked = Marked::new(listing);
     let found = completions(marked.db(), marked.at());

@@ -1,4 +1,4 @@
-//! What reads the string that the cursor is in.
+//! The reader of the string at the cursor.
 
 use smol_str::SmolStr;
 use val3_analysis::db::Project;
@@ -11,7 +11,7 @@ use val3_syntax::SyntaxKind::*;
 
 use crate::line::{CallSite, Line, Names, string_text};
 
-/// What can stand in a string.
+/// The possible contents of a string.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum TextPlace {
     /// The path of a library; where it is loaded, with the identifier under which it is.
@@ -41,7 +41,7 @@ pub(super) struct Collection {
     pub(super) name: SmolStr,
 }
 
-/// What the string around the cursor is for, if anything is known of it.
+/// The purpose of the string around the cursor, if it is known.
 pub(super) fn text_place(names: &Names<'_>, line: &Line) -> Option<TextPlace> {
     if let Some(collection) = collection(names, line) {
         return Some(TextPlace::Key(collection));

@@ -12,7 +12,7 @@ use super::{Completion, CompletionKind, Found};
 use crate::xml_context::XmlContext;
 use crate::xml_cursor::XmlPlace;
 
-/// What can be written at a position in XML.
+/// The kinds of completions at a position in XML.
 pub(super) fn complete(found: &mut Found<'_>, context: &XmlContext<'_>) {
     match context.cursor.place {
         XmlPlace::Content(_) => elements::elements(found, context, "<"),

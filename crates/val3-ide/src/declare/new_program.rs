@@ -77,7 +77,7 @@ fn old_program(new: &NewProgram) -> String {
     lines.join(new.line_end)
 }
 
-/// A name that no program of the project has, and no file beside it: `stem`, else `stem2` and so on.
+/// A name that no program of the project and no file next to it has: `stem`, otherwise `stem2` and so on.
 pub(crate) fn free_program_name(db: &dyn Db, project: Project, stem: &str) -> String {
     let items = val3_analysis::items::project::items(db, project);
     let taken = |name: &str| {

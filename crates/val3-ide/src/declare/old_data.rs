@@ -37,7 +37,7 @@ struct Layout {
     value: &'static str,
     /// The elements in it, each with the type whose fields it holds.
     parts: &'static [(&'static str, BaseType)],
-    /// What follows these.
+    /// The elements that follow these.
     rest: &'static [&'static str],
 }
 

@@ -43,7 +43,7 @@ fn entries(
     let parent = xml::root(parse.view())?;
     let spelling = spelling(parent);
     let (name, item) = list(spelling);
-    // What stands behind the list in a project file.
+    // The elements that follow the list in a project file.
     let order = [spelling.programs.0, spelling.data.0, spelling.libraries.0, spelling.types.0];
     let followers: Vec<&str> = order.into_iter().skip_while(|other| *other != name).skip(1).collect();
     let list = List { text: file.text(db), parent, name, attributes: "", followers: &followers };

@@ -7,7 +7,7 @@ use crate::assists::shown;
 use crate::edit::SourceChange;
 use crate::testing::Marked;
 
-/// What a declaration changes in the project of the program `start`.
+/// The edits of a declaration in the project of the program `start`.
 fn check(listing: &str, declare: impl Fn(&dyn Db, Project) -> Option<FileEdit>, expected: Expect) {
     let marked = Marked::new(listing);
     let project = crate::owner(marked.db(), marked.at().file).unwrap();

@@ -15,7 +15,7 @@ use crate::document_links::without_quotes;
 use crate::edit::FileEdit;
 use crate::xml_list::escaped;
 
-/// The edits when everything below the folder `from` comes to lie below `to`.
+/// The edits for a move of the folder `from` to `to`.
 pub(super) fn of_folder(db: &dyn Db, from: &Utf8Path, to: &Utf8Path) -> Vec<FileEdit> {
     all(db, |path| paths::inside(path, from).map_or_else(|| path.to_owned(), |rest| to.join(rest)))
 }
@@ -59,7 +59,7 @@ fn of_project(db: &dyn Db, project: Project, moved: &impl Fn(&Utf8Path) -> Utf8P
 const ANY_PROJECT: &str = "any.pjx";
 
 /// The beginning of a path (`"Disk://parts/p" + sName`) when the folder that it names moves, or the project itself.
-/// Where it is one of the projects in that folder that moves, the others stay: then it is left as it is.
+/// If only one of several projects in that folder moves, the reference stays unchanged.
 fn written_beginning(
     db: &dyn Db,
     project: Project,
@@ -101,7 +101,7 @@ fn beginnings(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)>
     found
 }
 
-/// Every reference of a project to another: where it stands, and as it is meant.
+/// Every reference of a project to another project: its range and its target.
 fn references(db: &dyn Db, project: Project) -> Vec<((File, TextRange), String)> {
     let mut found = Vec::new();
     let manifest = project.manifest(db);

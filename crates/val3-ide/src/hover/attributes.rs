@@ -49,7 +49,7 @@ pub(super) fn field_page(db: &dyn Db, project: Project, ty: BaseType, arm: Optio
     Some(fenced(&format!("{}.{path}", ty.name())) + &format!("\n{doc}{unit}"))
 }
 
-/// What the field `trsf.x` of a type means, and its unit.
+/// The meaning of the field `trsf.x` of a type, and its unit.
 pub(super) fn field_at(ty: BaseType, arm: Option<Arm>, path: &str) -> Option<(&'static str, Unit)> {
     let (first, rest) = path.split_once('.').unwrap_or((path, ""));
     let found = field(ty, arm, first)?;

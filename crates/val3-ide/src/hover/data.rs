@@ -79,7 +79,7 @@ struct Line<'db> {
 impl Line<'_> {
     fn value(&self, value: Element<'_>, single: bool) -> Option<String> {
         let mut shown: Vec<String> = value.attributes().filter_map(|found| self.attribute(found)).collect();
-        // In s5 and s6 the numbers stand one level deeper, as do the fields of user types.
+        // In s5 and s6, the numbers and the fields of user types are one level deeper.
         for part in value.elements() {
             match part.value("name").filter(|_| part.name() == "Field") {
                 Some(name) => shown.extend(part.elements().next().and_then(|inner| self.field(&name, inner))),

@@ -1,4 +1,4 @@
-//! Numbers that stand for something: run-time errors, codes of keys, what the instructions on libraries return.
+//! Meanings of numbers: run-time errors, codes of keys, return codes of the instructions on libraries.
 
 use val3_analysis::body::{Body, Expr, ExprId, StmtKind, body};
 use val3_analysis::db::{Db, Project};
@@ -13,7 +13,7 @@ use val3_lang::types::BaseType;
 use super::{Hover, fenced};
 use crate::FilePosition;
 
-/// What the number at a position stands for.
+/// The meaning of the number at a position.
 pub(super) fn hover(db: &dyn Db, project: Project, at: FilePosition) -> Option<Hover> {
     let (body, inference) = (body(db, at.file), infer(db, project, at.file));
     let holds = |id: ExprId| body.range(id).contains_inclusive(at.offset);

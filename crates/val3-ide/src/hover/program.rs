@@ -41,7 +41,7 @@ pub(crate) fn comment(db: &dyn Db, file: File) -> Option<String> {
     Some(text).filter(|text| !text.is_empty()).or_else(|| description(db, file))
 }
 
-/// What the comment of a program says of a parameter.
+/// The description of a parameter in the comment of a program.
 pub(super) fn parameter(db: &dyn Db, file: File, name: &str) -> Option<String> {
     let about = |line: &String| match tag(line)? {
         ("param", rest) => {

@@ -40,7 +40,7 @@ pub(super) fn word(db: &dyn Db, project: Project, unit: Unit) -> Option<&'static
     })
 }
 
-/// The sign behind a number; empty where it has no unit.
+/// The unit sign after a number; empty without a unit.
 pub(super) fn sign(db: &dyn Db, project: Project, unit: Unit) -> &'static str {
     let inch = || is_inch(db, project);
     match unit {

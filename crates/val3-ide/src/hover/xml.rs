@@ -121,7 +121,7 @@ pub(crate) fn value_attribute(
     Some(fenced(&format!("{} {name}", ty.name())) + &format!("\n{page}"))
 }
 
-/// What a value leads to or means.
+/// The target or the meaning of a value.
 fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &str, value: &str) -> Option<String> {
     let element = context.cursor.tag.as_ref()?.name;
     match (context.file, element, name) {
@@ -135,7 +135,7 @@ fn value_page(db: &dyn Db, project: Project, context: &XmlContext<'_>, name: &st
     }
 }
 
-/// What a version is, and what it lacks.
+/// The description of a version, with the features that it lacks.
 fn version_page(db: &dyn Db, project: Project, text: &str) -> String {
     let Some(version) = Version::parse(text) else {
         return format!("`{text}` is no version. One looks like `s7.11` or `s8.10.2Cs9_BS1991`.");
@@ -218,7 +218,7 @@ fn file_page(db: &dyn Db, project: Project, name: &str) -> String {
     }
 }
 
-/// The input or output of the cell that a link leads to.
+/// The input or output of the cell that a link names.
 fn link_page(db: &dyn Db, project: Project, link: &str) -> Option<String> {
     let (device, name) = link.split_once('\\')?;
     let channels = project.cell(db)?.config(db).io.get(device)?;

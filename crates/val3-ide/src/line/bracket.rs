@@ -5,7 +5,7 @@ use val3_syntax::SyntaxToken;
 
 use super::{Line, open_bracket, pieces};
 
-/// What the innermost bracket around the cursor is.
+/// The kind of the innermost bracket around the cursor.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Bracket<'t> {
     /// `{`, with the tokens before it.

@@ -6,23 +6,23 @@ use val3_syntax::SyntaxToken;
 
 use super::{Line, open_bracket, pieces};
 
-/// What is called.
+/// The callee.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Callee {
     /// The library identifier before it.
     pub(crate) library: Option<SmolStr>,
     /// The instruction or program.
     pub(crate) name: SmolStr,
-    /// It is called as a program: behind `call`, or as the program of a task.
+    /// It is called as a program: after `call`, or as the program of a task.
     pub(crate) is_program: bool,
 }
 
 /// A call whose arguments are being written.
 #[derive(Debug, Clone)]
 pub(crate) struct CallSite<'t> {
-    /// What is called.
+    /// The callee.
     pub(crate) callee: Callee,
-    /// The tokens of each argument, as far as they are there.
+    /// The tokens of each argument, as far as they are written.
     pub(crate) arguments: Vec<&'t [SyntaxToken]>,
     /// The argument that the cursor is in, from 0.
     pub(crate) active: usize,
@@ -50,7 +50,7 @@ impl<'t> CallSite<'t> {
         Some(Self { callee, arguments: pieces(tokens.get(open + 1..)?), active: 0 })
     }
 
-    /// The arguments of `taskCreate` stand without parentheses.
+    /// The arguments of `taskCreate` have no parentheses.
     fn task_creation(line: &'t Line) -> Option<Self> {
         let (keyword, before) = line.before().split_first()?;
         if !matches!(keyword.kind(), TASK_CREATE_KW | TASK_CREATE_SYNC_KW) {

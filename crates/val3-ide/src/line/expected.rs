@@ -1,4 +1,4 @@
-//! What type of value the next token should begin.
+//! The type of the value that the next token begins.
 
 use val3_analysis::items::project::Param;
 use val3_analysis::ty::{Base, Ty};
@@ -10,10 +10,10 @@ use val3_syntax::SyntaxToken;
 use super::call::CallSite;
 use super::{Names, open_bracket, pieces};
 
-/// What a place takes.
+/// The expected contents of a position.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(crate) struct Expected {
-    /// The types that the value can have, as far as the place tells; none where it does not.
+    /// The possible types of the value; empty if the context does not determine them.
     pub(crate) bases: Vec<Base>,
     /// Only a variable will do.
     pub(crate) variable: bool,
@@ -51,7 +51,7 @@ impl Expected {
     }
 }
 
-/// What may follow the tokens of a line.
+/// The tokens that may follow the tokens of a line.
 pub(crate) fn expected(names: &Names<'_>, before: &[SyntaxToken]) -> Expected {
     let Some((last, head)) = before.split_last() else { return Expected::anything() };
     match last.kind() {

@@ -1,4 +1,4 @@
-//! What stands against a new name.
+//! Conflicts of a new name.
 
 use memchr::memmem;
 use smol_str::SmolStr;
@@ -17,7 +17,7 @@ fn refused(reason: String) -> Result<(), RenameError> {
     Err(RenameError(reason))
 }
 
-/// The name is one that the files declare, and nobody else relies on it.
+/// The files declare the name, and nothing outside of them depends on it.
 pub(super) fn is_ours(db: &dyn Db, symbol: &Symbol) -> Result<(), RenameError> {
     let name = text(symbol);
     match symbol {
@@ -90,7 +90,7 @@ fn free(db: &dyn Db, symbol: &Symbol, new_name: &str) -> Result<(), RenameError>
             hides_no_data(db, *file, new_name)?;
             takes_no_unknown(db, *file, new_name)
         }
-        // A local hides data of its own project alone: items of libraries and fields stand behind `:` and `.`.
+        // A local hides data of its own project only: items of libraries and fields follow `:` and `.`.
         Symbol::Data(project, _) | Symbol::Program(project, _) | Symbol::Library(project, _) => {
             let own = |file: &File| crate::owner::projects_of(db, *file).contains(project);
             users(db, symbol).filter(own).try_for_each(|file| not_declared_in(db, file, new_name))?;

@@ -18,7 +18,7 @@ use crate::hover::keys_of;
 use crate::owner::owner;
 use crate::references::uses;
 
-/// A key of a collection, and where it stands.
+/// A key of a collection and its range.
 pub(super) struct Key {
     project: Project,
     data: SmolStr,
@@ -26,7 +26,7 @@ pub(super) struct Key {
     pub(super) range: TextRange,
 }
 
-/// What stands behind the name of a collection.
+/// The text after the name of a collection.
 enum Index {
     /// A text: the key and its place between the quotes.
     Literal(String, TextRange),
@@ -57,7 +57,7 @@ fn key_attributes<'g>(element: Element<'g>) -> impl Iterator<Item = Attribute<'g
 
 fn key_behind_name(db: &dyn Db, project: Project, at: FilePosition) -> Option<Key> {
     let text: &str = at.file.text(db);
-    // The name that the cursor stands behind.
+    // The name before the cursor.
     let before = occurrences(db, project, at.file).iter().rev().find(|found| found.range.end() <= at.offset)?;
     let (owner, name) = collection(db, before)?;
     match index(text, before.range.end()) {
@@ -74,7 +74,7 @@ fn collection<'o>(db: &dyn Db, found: &'o Occurrence) -> Option<(Project, &'o Sm
     (item.decl.container == Container::Collection).then_some((*project, name))
 }
 
-/// What stands in brackets behind a name, in code or in a reference to a father.
+/// The text in the brackets after a name, in code or in a reference to a father.
 fn index(text: &str, end: TextSize) -> Index {
     let rest = text.get(usize::from(end)..).unwrap_or("");
     let is_blank = [' ', '\t'];

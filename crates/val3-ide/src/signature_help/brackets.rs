@@ -1,4 +1,4 @@
-//! What is being written in `{…}` and `[…]`: the fields of a type, the indexes of an array, the keys of a collection.
+//! Help in `{…}` and `[…]`: the fields of a type, the indexes of an array, the keys of a collection.
 
 use val3_analysis::ty::Base;
 use val3_lang::types::{Arm, BaseType, Container, Field, fields};

@@ -11,7 +11,7 @@ use val3_lang::types::Container;
 use super::{OutlineItem, SymbolKind};
 use crate::hover::shape;
 
-/// What a file declares, in the order of the text.
+/// The declarations of a file, in the order of the text.
 pub fn outline(db: &dyn Db, file: File) -> Vec<OutlineItem> {
     let parse = parse(db, file);
     let view = parse.view();

@@ -9,7 +9,7 @@ use super::{SymbolKind, WorkspaceSymbol};
 use crate::fuzzy::score;
 use crate::navigate::declaration;
 
-/// The names that a few letters of `query` can stand for, the likeliest first. At most `limit`.
+/// The names that match `query`, the most probable first. At most `limit`.
 pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<WorkspaceSymbol> {
     let mut found: Vec<Candidate> = Vec::new();
     let mut projects: Vec<Project> = Sources::get(db).projects(db).values().copied().collect();
@@ -21,7 +21,7 @@ pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<Workspac
             }
         }
     }
-    // Those that score alike stand in the order of their projects' paths.
+    // Names with the same score are sorted by the paths of their projects.
     found.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.name.cmp(&b.name)));
     // Places are looked up for those that are shown alone.
     found.into_iter().filter_map(|candidate| candidate.placed(db)).take(limit).collect()

@@ -1,4 +1,4 @@
-//! What the calls of a program pass for a new parameter.
+//! The arguments of the calls of a program for a new parameter.
 
 use val3_analysis::body::{Expr, ExprId, body};
 use val3_analysis::db::{Db, File, Project};
@@ -19,7 +19,7 @@ use crate::owner::projects_of;
 use crate::references::uses;
 use crate::xml_list::escaped;
 
-/// What the calls pass.
+/// The arguments of the calls.
 #[derive(Debug, Default)]
 pub(super) struct Passed {
     /// One more argument in each call.

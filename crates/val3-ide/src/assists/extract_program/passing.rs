@@ -67,7 +67,7 @@ fn passed(
     let written = inside.iter().any(|access| access.kind != AccessKind::Read);
     let (goes_in, comes_out) = (living.before.contains(name), written && living.behind.contains(name));
     let (variable, is_local) = declared(context, name)?;
-    // Without a loop around it, nobody else has seen the value.
+    // Without a loop around it, no other code has seen the value.
     let alone = is_local && inside.len() == uses.len() && !(goes_in && is_in_loop(context, range));
     let passing = match (alone, goes_in, comes_out) {
         (true, ..) => Passing::Inside,
@@ -106,7 +106,7 @@ fn is_whole(variable: &Variable) -> bool {
     is_array || BaseType::from_name(&variable.type_name).is_some_and(BaseType::is_linkable)
 }
 
-/// A loop of the program stands around the statements.
+/// The statements are inside a loop of the program.
 fn is_in_loop(context: &Context<'_>, range: TextRange) -> bool {
     let repeats = |kind: &StmtKind| matches!(kind, StmtKind::While { .. } | StmtKind::Do { .. } | StmtKind::For { .. });
     let around = |stmt: &&Stmt| stmt.range.contains_range(range) && stmt.range != range;
@@ -145,7 +145,7 @@ impl Living {
     }
 }
 
-/// What is used later when a point is reached; everything where no way leads from it to the end.
+/// Variables live at a point; all of them if no path leads from it to the end.
 fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: PointId) -> Names {
     let header = context.header();
     let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
@@ -156,7 +156,7 @@ fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: Po
     }
 }
 
-/// What is used later before a point, from what is behind it.
+/// Variables live before a point, computed from those live after it (backward analysis).
 fn before(effects: &Effects<'_>, id: PointId, behind: &Names) -> Names {
     let mut names = behind.clone();
     for access in effects.at(id).iter().rev() {

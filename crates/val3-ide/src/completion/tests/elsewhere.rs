@@ -1,4 +1,4 @@
-//! What other files offer: keys of collections, programs of tasks, items of libraries.
+//! Completions from other files: keys of collections, programs of tasks, items of libraries.
 
 use expect_test::expect;
 

@@ -11,7 +11,7 @@ use crate::declare::old_data;
 use crate::hover;
 use crate::xml_context::XmlContext;
 
-/// What an attribute gains without which its element says nothing, and one that every writer gives.
+/// Bonus of required attributes, and of attributes that every writer adds.
 const REQUIRED: i32 = 60;
 const EXPECTED: i32 = 30;
 

@@ -55,7 +55,7 @@ fn indexes(sizes: &[u32], taken: usize) -> Vec<String> {
     keys
 }
 
-/// What an attribute of a value has by default.
+/// The default of an attribute of a value.
 pub(super) fn initial(attribute: &Attribute) -> String {
     match (attribute.value, attribute.default) {
         (AttributeValue::Father(ty), _) => father(ty),
@@ -68,7 +68,7 @@ pub(super) fn initial(attribute: &Attribute) -> String {
     }
 }
 
-/// What a position is relative to unless something else is said.
+/// The default father of a position.
 fn father(ty: BaseType) -> String {
     built_in_father(ty.name()).map(|name| format!("{name}[0]")).unwrap_or_default()
 }

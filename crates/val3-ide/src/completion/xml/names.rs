@@ -90,7 +90,7 @@ pub(super) fn versions(db: &dyn Db, project: Project) -> Vec<String> {
     versions
 }
 
-/// Names for what a path leads to: the name of its project, and identifiers that the code uses and nothing declares.
+/// Names for a path: the name of its project, and identifiers that the code uses but that are not declared.
 pub(super) fn aliases(found: &Found<'_>, path: Option<&str>) -> Vec<String> {
     let (db, project) = (found.db, found.project);
     let of_path = path.map(Utf8Path::new).and_then(Utf8Path::file_stem).filter(|stem| !stem.is_empty());

@@ -21,7 +21,7 @@ use crate::completion::{CompletionKind as Kind, Found};
 use crate::declare::old_data;
 use crate::xml_context::XmlContext;
 
-/// What can be written as the value of an attribute.
+/// The possible values of an attribute.
 pub(super) fn values(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) {
     let element = context.cursor.tag.as_ref().map_or("", |tag| tag.name);
     match context.file {
@@ -216,7 +216,7 @@ fn field_size(found: &mut Found<'_>, context: &XmlContext<'_>) {
     }
 }
 
-/// What a value of the type around can have in this attribute.
+/// The possible values of this attribute for a value of the type around it.
 fn value_attribute(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) {
     let Some((ty, arm)) = context.builtin(found.db, found.project) else { return };
     let Some(known) = attribute(ty, arm, name) else { return };
@@ -232,7 +232,7 @@ fn value_attribute(found: &mut Found<'_>, context: &XmlContext<'_>, name: &str) 
     }
 }
 
-/// What an attribute of s5 and s6 has by default.
+/// The default of an attribute in s5 and s6.
 fn old_default(found: &mut Found<'_>, context: &XmlContext<'_>, element: &str, name: &str) {
     let Some(ty) = context.types().next() else { return };
     let default = old_data::attributes(ty, element).into_iter().find(|(known, _)| known == name);

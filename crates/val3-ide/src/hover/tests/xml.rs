@@ -1,4 +1,4 @@
-//! What there is to say about the XML of files in both dialects.
+//! Hovers on the XML of files in both dialects.
 
 use expect_test::expect;
 
