@@ -73,7 +73,7 @@ impl Arc {
         Ok(Self { circle, angle, start: start.rotation, linear: whole - quadratic, quadratic })
     }
 
-    /// The place at a fraction of the way: 0 is the start, 1 the end; smaller and greater ones lead on round the circle.
+    /// The position at a fraction of the way: 0 is the start, 1 the end. Values beyond them continue round the circle.
     #[must_use]
     pub fn at(&self, fraction: f64) -> IsometryMatrix3<f64> {
         let turn = (self.linear + self.quadratic * fraction) * fraction;

@@ -44,7 +44,7 @@ impl Circle {
         2.0 * libm::atan2(-chord.dot(&self.radius), chord.dot(&self.tangent))
     }
 
-    /// The point so many radians on.
+    /// The point after an angle in radians.
     pub(crate) fn at(&self, angle: f64) -> Vector3<f64> {
         let (sin, cos) = libm::sincos(angle / 2.0);
         self.first + (self.tangent * cos - self.radius * sin) * (2.0 * sin)

@@ -5,7 +5,7 @@
 
 use crate::sine::{MANY_TURNS, reduce, sine_and_cosine, sine_of, to_radians};
 
-/// What the tangent is at odd multiples of 90°, where it has no value: that of the double next to π/2.
+/// The tangent at odd multiples of 90°, where it has no value: that of the double next to π/2.
 ///
 /// The manual gives `tan` no run-time error, and a number must not be infinite.
 const TANGENT_AT_POLE: f64 = 1.633123935319537e16;

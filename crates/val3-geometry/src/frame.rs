@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Rotation3};
 
 use crate::Trsf;
 
-/// What is nearer than this, in mm, is too close. The manual gives no number; it is the precision of a position.
+/// The smallest distance, in mm. The manual gives no number; this is the precision of a position.
 const TOO_CLOSE: f64 = 1e-3;
 
 /// Why three points make no frame.

@@ -61,7 +61,7 @@ impl Error for InterpolationError {}
 
 /// The instruction `interpolateL` (manual 9.3.4): the place at `fraction` of the way from `start` to `end`.
 ///
-/// At 0 and 1 it is `start` and `end` as they are written, to the bit.
+/// At 0 and 1 the result is exactly `start` and `end`.
 ///
 /// # Errors
 /// A fraction outside ]-1, 2[.
@@ -83,7 +83,7 @@ pub fn interpolate_c(start: &Trsf, intermediate: &Trsf, end: &Trsf, fraction: f6
     at_fraction(start, end, fraction, || arc.at(fraction))
 }
 
-/// The ends as they are written, and what is between or beyond them as computed.
+/// Exact ends, and computed values between and beyond them.
 fn at_fraction(
     start: &Trsf,
     end: &Trsf,

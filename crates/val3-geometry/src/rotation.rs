@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-/// Below this sine the two directions of a half turn are told apart by noise alone.
+/// Below this sine, the two directions of a half turn differ by noise only.
 const NOISE: f64 = 1e-12;
 
 /// The shortest rotation vector, at most π long.

@@ -39,7 +39,7 @@ const COSINE: [f64; 6] = [
     -1.1359647557788195e-11,
 ];
 
-/// The sine of an angle of less than [`MANY_TURNS`] degrees, so many quarters of a turn further on; never -0.
+/// The sine of an angle of less than [`MANY_TURNS`] degrees, `ahead` quarters of a turn further; never -0.
 pub(crate) fn sine_of(degrees: f64, ahead: u64) -> f64 {
     let (quarters, rest) = reduce(degrees);
     let (sin, cos) = near_zero(rest);
@@ -74,7 +74,7 @@ pub(crate) fn to_radians(degrees: f64) -> (f64, f64) {
     (radians, product_error(degrees, radians) + degrees * RADIANS.1)
 }
 
-/// What `product`, the rounded product of `degrees` and π/180, lacks (T. J. Dekker).
+/// The rounding error of `product`, the rounded product of `degrees` and π/180 (T. J. Dekker).
 fn product_error(degrees: f64, product: f64) -> f64 {
     let head = f64::from_bits(degrees.to_bits() & HEAD);
     let tail = degrees - head;

@@ -28,7 +28,7 @@ pub struct Trsf {
 }
 
 impl Trsf {
-    /// What changes nothing, and what a variable holds at first.
+    /// The identity, which is also the initial value of variables.
     pub const IDENTITY: Self = Self::new([0.0; 3], [0.0; 3]);
 
     /// From the fields in the manual's order: lengths in mm, angles in degrees.
@@ -81,7 +81,7 @@ impl Trsf {
     }
 }
 
-/// The operator `*` (manual 9.3.3): `right` is meant in the place that `self` leads to.
+/// The operator `*` (manual 9.3.3): `right` is relative to `self`.
 ///
 /// The instruction `appro` is this product, with the point on the left (manual 9.6.3).
 impl Mul for Trsf {

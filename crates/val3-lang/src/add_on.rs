@@ -23,10 +23,10 @@ use crate::{
 /// The instructions of one add-on for one kind of arm.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AddOnTable {
-    /// The version of VAL 3 that the table was made for, as it is written there.
+    /// The version of VAL 3 in the table, as it is written there.
     pub version: Option<String>,
     instructions: Vec<AddOnInstruction>,
-    /// Where each name stands in `instructions`.
+    /// The index of each name in `instructions`.
     places: FxHashMap<String, usize>,
 }
 
@@ -48,7 +48,7 @@ pub struct AddOnOverload {
     pub params: Vec<AddOnParam>,
     /// The value it yields; `None` for no value.
     pub result: Option<BaseType>,
-    /// Whether it may stand alone as a statement.
+    /// Whether it may be a statement by itself.
     pub class: Class,
 }
 
@@ -59,7 +59,7 @@ pub struct AddOnParam {
     pub name: String,
     /// Its type; `None` means any type, also one that this version does not know.
     pub ty: Option<BaseType>,
-    /// What the argument has to be.
+    /// The kind of argument.
     pub shape: Shape,
 }
 
@@ -130,7 +130,7 @@ impl fmt::Display for AddOnParam {
     }
 }
 
-/// The add-on and the arm that the name of a table file tells: `val3.Velocity.anthro.cfx`, in any letter case.
+/// The add-on and the arm in the name of a table file: `val3.Velocity.anthro.cfx`, in any letter case.
 #[must_use]
 pub fn table_of_file(file_name: &str) -> Option<(&str, Arm)> {
     let mut parts = file_name.split('.');
@@ -145,11 +145,11 @@ pub fn table_of_file(file_name: &str) -> Option<(&str, Arm)> {
 pub struct TableError {
     /// Where in the text, in bytes.
     pub offset: usize,
-    /// What is wrong there.
+    /// The fault.
     pub kind: TableErrorKind,
 }
 
-/// What is wrong in a table.
+/// A fault of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum TableErrorKind {
     /// The text is no XML.

@@ -12,7 +12,7 @@ pub struct Builtin {
     /// Whether it stands for a variable, which may be passed where a reference is wanted and be the father of
     /// data, or for a mere value.
     pub is_variable: bool,
-    /// What it is, in one line.
+    /// Its description, in one line.
     pub doc: &'static str,
 }
 

@@ -31,7 +31,7 @@ pub enum Flow<T = ()> {
     Wait(Wait),
 }
 
-/// What a task waits for.
+/// The condition under which a waiting task continues.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Wait {
     /// When time ends the wait; `None` where only the doing of others does.
@@ -47,7 +47,7 @@ impl Wait {
     pub const FOR_OTHERS: Self = Self { wake: None, sleeps: false, part: 0 };
 }
 
-/// What a task knows of the instruction that it waits in.
+/// The state of the instruction in which a task waits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Waiting {
     /// When the wait began.
@@ -95,7 +95,7 @@ pub struct Call<'c> {
     pub reads_clock: bool,
     /// The version of the application: what limits hold.
     pub version: Version,
-    /// What the application counts lengths in.
+    /// The unit of lengths in the application.
     pub unit: LengthUnit,
     arguments: &'c [Argument],
     next: usize,

@@ -11,7 +11,7 @@ pub struct Enumerator {
     pub file_name: &'static str,
     /// The field type it belongs to.
     pub ty: BaseType,
-    /// What it asks for, one line.
+    /// Its meaning, in one line.
     pub doc: &'static str,
 }
 

@@ -23,5 +23,5 @@ impl Fault {
     pub const LIBRARY_ITEM_MISSING: Self = Self(runtime_errors::LIBRARY_ITEM_MISSING);
 }
 
-/// What can fail with a run-time error.
+/// The result of an operation that can raise a run-time error.
 pub type Result<T> = std::result::Result<T, Fault>;

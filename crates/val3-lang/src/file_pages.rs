@@ -1,4 +1,4 @@
-//! What the elements and attributes of project, data and program files mean, in a sentence each.
+//! The meaning of the elements and attributes of project, data and program files, in a sentence each.
 
 use crate::files::FileKind;
 use crate::types::BaseType;
@@ -6,7 +6,7 @@ use crate::types::BaseType;
 /// One page: the element, the attribute (empty for the element itself), the text.
 type Page = (&'static str, &'static str, &'static str);
 
-/// What an element means. Letter case counts, as in [`crate::files::find`].
+/// The meaning of an element. Letter case matters, as in [`crate::files::find`].
 #[must_use]
 pub fn element(file: FileKind, name: &str) -> Option<&'static str> {
     find(file, name, "").or_else(|| (file == FileKind::Data).then(|| old_data_element(name)).flatten())

@@ -1,4 +1,4 @@
-//! What `open` and `close` do (9.5.4): `waitEndMove`, then the output of the tool, then `delay`.
+//! The effect of `open` and `close` (9.5.4): `waitEndMove`, then the output of the tool, then `delay`.
 
 use crate::call::{Call, Flow, IoRef, Stored, ToolRef, Wait};
 use crate::fault::{Fault, Result};

@@ -10,7 +10,7 @@ mod syntax;
 /// One instruction name with all its forms.
 #[derive(Debug)]
 pub struct Instruction {
-    /// The name as it is written in code (`movej`, `$fileOpen`).
+    /// The name in code (`movej`, `$fileOpen`).
     pub name: &'static str,
     /// The family it belongs to, as the manual's chapters group them.
     pub family: Family,
@@ -43,7 +43,7 @@ pub struct Overload {
     pub class: Class,
     /// First major version with this form, where the form is younger than the instruction.
     pub since: Option<u8>,
-    /// What it does at run time; `None` where the virtual controller does not have it.
+    /// Its handler; `None` if the virtual controller does not have the instruction.
     pub run: Option<Run>,
 }
 
@@ -54,11 +54,11 @@ pub struct Param {
     pub name: &'static str,
     /// Its type; `None` means any type.
     pub ty: Option<BaseType>,
-    /// What the argument has to be.
+    /// The kind of argument.
     pub shape: Shape,
 }
 
-/// What an argument has to be.
+/// The kind of an argument.
 ///
 /// An element counts as an array of one value (2.3.4), so `x`, `x[3]` and `x["k"]` all suit `Array { dims: 1 }`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -152,7 +152,7 @@ impl Instruction {
 
     /// Whether a controller of this version has the instruction without an add-on.
     ///
-    /// What the manual describes counts as present everywhere: what s5 and s6 lack of it is not known.
+    /// Instructions of the manual count as present in every version: the gaps of s5 and s6 are not known.
     #[must_use]
     pub fn exists_in(&self, version: Version) -> bool {
         match self.availability {

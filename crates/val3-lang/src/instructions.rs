@@ -301,7 +301,7 @@ pub const WAIT_END_MOVE: &str = "waitEndMove";
 /// Lets other tasks go on until a condition holds (5.10).
 pub const WAIT: &str = "wait";
 
-/// As [`WAIT`], for a limited time; tells whether the condition came to hold (5.10).
+/// As [`WAIT`], for a limited time; returns whether the condition held (5.10).
 pub const WATCH: &str = "watch";
 
 /// Lets other tasks go on for a time, with 0 until their turns are over (5.10).
@@ -314,7 +314,7 @@ pub const LINK: &str = "link";
 /// Tells whether a variable or element exists (2.5.4): a guard before its use.
 pub const IS_DEFINED: &str = "isDefined";
 
-/// The move at hand and how far it has come (10.6): a number that grows in steps of any size.
+/// The current move and its progress (10.6): a number that grows in steps of any size.
 pub const GET_MOVE_ID: &str = "getMoveId";
 
 /// The last key that was struck since it was asked before, or -1 (4.3).

@@ -5,7 +5,7 @@
 pub struct Key {
     /// The code that `get` and `getKey` give.
     pub code: u16,
-    /// What stands on it.
+    /// Its label.
     pub name: &'static str,
 }
 

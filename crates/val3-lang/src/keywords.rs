@@ -69,7 +69,7 @@ pub enum Reserved {
 
 /// Whether `name` is a word of the language, and which.
 ///
-/// `joint` and `config` are several of these at once: the first in the order of [`Reserved`] is told.
+/// `joint` and `config` are several of these at once. The first one in the order of [`Reserved`] counts.
 #[must_use]
 pub fn reserved(name: &str) -> Option<Reserved> {
     if canonical(name).is_some() {

@@ -1,4 +1,4 @@
-//! What VAL 3 is, written once.
+//! The definition of VAL 3, written once.
 //!
 //! Types, instructions, operators, enumerations, run-time errors and versions as data that the analysis, the
 //! editor features and the run time read. Nothing else in the project spells an instruction, a built-in field

@@ -5,7 +5,7 @@
 pub struct LibraryError {
     /// The code.
     pub number: u16,
-    /// What happened, a few words.
+    /// The cause, in a few words.
     pub short: &'static str,
     /// Why, and what to do about it.
     pub long: &'static str,

@@ -40,7 +40,7 @@ pub struct Memory {
     pub stores: Stores,
     /// The stack of the task that runs; [`Place::store`] names it [`StoreId::STACK`].
     pub stack: Stack,
-    /// What library identifiers stand for, by the number of the application or library that has them.
+    /// The libraries of library identifiers, by the number of the application or library that declares them.
     libraries: Vec<Vec<u16>>,
 }
 
@@ -197,7 +197,7 @@ impl Memory {
         Ok(())
     }
 
-    /// What a value is linked to.
+    /// The target of a value's link.
     ///
     /// # Errors
     /// 20 if the value is gone.

@@ -1,4 +1,4 @@
-//! What instructions mean for the arm: which record moves, which wait for it, and which need a reference (9, 10).
+//! The meaning of instructions for the arm: which record moves, which wait for it, and which need a reference (9, 10).
 //!
 //! The program runs ahead of the arm: a move is recorded, and the arm makes it later (10.2).
 
@@ -6,7 +6,7 @@ use crate::enumerations::Enumerator;
 use crate::instruction::{Family, Instruction, Overload, Param, Shape};
 use crate::types::{Attribute, BaseType};
 
-/// What an instruction does to the recorded moves.
+/// The effect of an instruction on the recorded moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum MotionRole {
     /// Records a move.
@@ -64,7 +64,7 @@ static ROLES: [(&str, MotionRole); 21] = [
     ("waitEndMove", MotionRole::Arrive),
 ];
 
-/// What `instruction` does to the recorded moves; `None` where it leaves them alone.
+/// The effect of `instruction` on the recorded moves; `None` if it has none.
 #[must_use]
 pub fn role(instruction: &Instruction) -> Option<MotionRole> {
     let at = ROLES.binary_search_by(|(name, _)| (*name).cmp(instruction.name)).ok()?;
@@ -95,7 +95,7 @@ pub fn keeps_configuration(instruction: &Instruction) -> bool {
     matches!(instruction.name, "appro" | "compose")
 }
 
-/// The move goes on around its target instead of stopping there (10.1.2.1).
+/// The move continues around its target instead of stopping there (10.1.2.1).
 #[must_use]
 pub fn is_blend(choice: &Enumerator) -> bool {
     choice.ty == BaseType::Blend && choice.name != "off"

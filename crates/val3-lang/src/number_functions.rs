@@ -12,7 +12,7 @@ use crate::types::BaseType;
 use crate::values::{bits, numbers};
 use crate::versions::Version;
 
-/// What such an instruction computes of its arguments. Those that it does not have may be anything.
+/// The function of such an instruction. Missing arguments may have any value.
 type Compute = fn([f64; 3]) -> Result<f64>;
 
 macro_rules! number_functions {
@@ -57,7 +57,7 @@ number_functions! {
 }
 
 impl NumberFunction {
-    /// What a form of an instruction computes in an application of a version, if it makes a number of numbers alone.
+    /// The function of a form of an instruction in a version, if it computes a number from numbers only.
     #[must_use]
     pub fn of(instruction: &Instruction, form: &Overload, version: Version) -> Option<Self> {
         let is_number = |ty| matches!(ty, Some(BaseType::Num | BaseType::Bool));
@@ -70,7 +70,7 @@ impl NumberFunction {
         (takes_numbers && is_number(form.result)).then_some(function)
     }
 
-    /// Its number, for those who pass it on as one.
+    /// Its number, for images.
     #[must_use]
     pub fn number(self) -> u32 {
         self as u32
@@ -82,7 +82,7 @@ impl NumberFunction {
         ALL.get(number as usize).map(|(function, ..)| *function)
     }
 
-    /// Computes it. The arguments come first; what stands behind them is not looked at.
+    /// Computes it. The arguments come first; further values are ignored.
     ///
     /// # Errors
     /// Those of the instruction.

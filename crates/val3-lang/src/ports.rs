@@ -1,4 +1,4 @@
-//! What instructions reach outside the program: ports that the controller implements.
+//! Ports: the interfaces through which instructions reach outside the program. The controller implements them.
 //!
 //! The catalogue names them and never runs them; the virtual controller gives each a body. Times are in nanoseconds of
 //! the controller's clock.
@@ -38,7 +38,7 @@ pub fn nanoseconds(seconds: f64) -> Time {
 
 /// Everything outside programs and their data.
 pub trait Ports: Io + Serial + Screen + Robot + Motion + Media {
-    /// Where the next calls come from. The run time tells it before each instruction.
+    /// The origin of the next calls. The runtime sets it before each instruction.
     fn origin(&mut self, origin: Origin);
 
     /// A task was created, has ended, or has changed its state. `at` is where it is; `None` for the one that runs.
@@ -74,7 +74,7 @@ pub struct CodePlace {
     pub line: u32,
 }
 
-/// What has happened to a task.
+/// An event of a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TaskChange {
     /// It was created.
@@ -83,7 +83,7 @@ pub enum TaskChange {
     Ended,
     /// It was halted.
     Halted,
-    /// It goes on.
+    /// It continues.
     Resumed,
     /// It was killed.
     Killed,
@@ -99,7 +99,7 @@ pub enum Request {
     Load {
         /// The identifier, by number.
         library: u16,
-        /// What the program says of its place.
+        /// The path as the program writes it.
         path: Text,
         /// The public password, where the library is encrypted.
         password: Text,
@@ -115,7 +115,7 @@ pub enum Request {
 
 /// Tasks and libraries, as the task that calls sees them: those of its own application or library (5.3).
 pub trait Tasks {
-    /// What `taskStatus` gives.
+    /// The result of `taskStatus`.
     fn status(&self, name: &str) -> i16;
 
     /// Halts a task.
@@ -124,7 +124,7 @@ pub trait Tasks {
     /// 30 if there is no such task.
     fn suspend(&mut self, name: &str) -> Result<()>;
 
-    /// Lets a halted task go on `skip` lines behind its line.
+    /// Resumes a halted task `skip` lines after its line.
     ///
     /// # Errors
     /// 30 if there is no such task, 90 if there is no such line.
@@ -146,6 +146,6 @@ pub trait Tasks {
     /// is loaded.
     fn path(&self, library: Option<u16>) -> String;
 
-    /// A library has public data of this name, or with `()` behind it a public program (6.7).
+    /// Whether a library has public data of this name, or with `()` after it a public program (6.7).
     fn exports(&self, library: u16, symbol: &str) -> bool;
 }

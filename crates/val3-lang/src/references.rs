@@ -66,7 +66,7 @@ pub fn frame_of(memory: &Memory, PointRef(point): PointRef) -> Result<FrameRef> 
     frame.map(FrameRef).ok_or(Fault(POINT_WITHOUT_REFERENCE))
 }
 
-/// What a frame or tool is given in, or a point; `None` if it has no reference that is there.
+/// The reference of a frame, a tool or a point; `None` if it has none that exists.
 ///
 /// # Errors
 /// 20 if it is gone itself, 82 if its reference is out of its reach.

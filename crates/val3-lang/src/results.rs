@@ -1,4 +1,4 @@
-//! What is worth knowing of the results of instructions.
+//! The importance of results of instructions.
 
 /// What the result of an instruction tells that a program should not ignore, in a few words; `None` where nothing
 /// is lost.
@@ -7,7 +7,7 @@ pub fn tells(instruction: &str) -> Option<&'static str> {
     TELLING.iter().find(|(name, _)| *name == instruction).map(|(_, tells)| *tells)
 }
 
-/// The result is a number that is rounded somewhere behind its fourteenth digit (3.2.1).
+/// Whether the result is a number that is rounded after its fourteenth digit (3.2.1).
 #[must_use]
 pub fn is_rounded(instruction: &str) -> bool {
     ROUNDED.contains(&instruction)

@@ -8,13 +8,13 @@
 pub struct RuntimeError {
     /// The number, as `taskStatus` gives it.
     pub number: u16,
-    /// What happened, a few words.
+    /// The cause, in a few words.
     pub short: &'static str,
     /// Why, and what to do about it.
     pub long: &'static str,
 }
 
-/// What `taskStatus` gives for a task that no error has stopped.
+/// The result of `taskStatus` for a task that no error has stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum TaskState {
     /// -1: the library or application has created no task of this name.
@@ -36,7 +36,7 @@ impl TaskState {
         }
     }
 
-    /// What the table of 12.1 says of it, which is what `help` gives.
+    /// The description in the table of 12.1, which `help` returns.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {

@@ -1,4 +1,4 @@
-//! What the controller asks of tasks (5.5, 5.10).
+//! Requirements of the controller on tasks (5.5, 5.10).
 
 use crate::arguments::{Range, range};
 use crate::versions::Version;
@@ -35,7 +35,7 @@ pub fn period_steps(seconds: f64) -> Option<u32> {
     (seconds > 0.0 && steps <= f64::from(u32::MAX)).then_some(steps as u32)
 }
 
-/// What is wrong with the name of a task.
+/// A fault of the name of a task.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameFault {
     /// There is none.
@@ -46,7 +46,7 @@ pub enum NameFault {
     Character(char),
 }
 
-/// What is wrong with the name of a task in this version; `None` for a good one.
+/// The fault of the name of a task in this version; `None` for a valid one.
 ///
 /// 1 to 15 characters up to s7 (5.10). Applications of s8 use longer ones.
 #[must_use]

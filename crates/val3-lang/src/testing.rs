@@ -34,7 +34,7 @@ pub(crate) struct Bench {
     variables: BTreeMap<String, (View, BaseType)>,
 }
 
-/// What a call without variables yields.
+/// The value of a call without variables.
 #[track_caller]
 pub(crate) fn check(call: &str, expected: &str) {
     assert_eq!(Bench::default().run(call), expected, "{call}");
@@ -100,7 +100,7 @@ impl Bench {
         self
     }
 
-    /// Lets a parameter stand for an array from an index on (2.6.3).
+    /// Makes a parameter refer to an array from an index on (2.6.3).
     pub(crate) fn part(mut self, name: &str, of: &str, start: u32) -> Self {
         let (view, base) = self.variables[of];
         self.variables.insert(name.to_owned(), (View { start, ..view }, base));

@@ -103,7 +103,7 @@ impl BaseType {
         matches!(self, Self::Blend | Self::Shoulder | Self::Elbow | Self::Wrist)
     }
 
-    /// A type whose variables stand for a physical input, output or line: `dio`, `aio`, `sio` (3.5 to 3.7).
+    /// A type whose variables are linked to a physical input, output or line: `dio`, `aio`, `sio` (3.5 to 3.7).
     #[must_use]
     pub fn is_linkable(self) -> bool {
         matches!(self, Self::Dio | Self::Aio | Self::Sio)

@@ -1,4 +1,4 @@
-//! What the values of the simple types are and what their instructions compute (3.1 to 3.4, 4.3).
+//! Values of the simple types, and the functions of their instructions (3.1 to 3.4, 4.3).
 //!
 //! Plain functions of plain values: no machine, no clock, no allocation. What an instruction does not accept is the
 //! number of a run-time error. Numbers are IEEE doubles; the functions that the hardware or the system's library

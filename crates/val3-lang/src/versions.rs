@@ -5,7 +5,7 @@ use std::fmt;
 /// A version of VAL 3: s5 to s7 run on CS8 controllers, s8 on CS9.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Version {
-    /// The number behind the `s`.
+    /// The number after the `s`.
     pub major: u8,
     /// 0 where none is given.
     pub minor: u16,

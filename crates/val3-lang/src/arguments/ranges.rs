@@ -14,11 +14,11 @@ pub struct Range {
     pub low: Bound<f64>,
     /// The greatest number.
     pub high: Bound<f64>,
-    /// What a number beyond them does.
+    /// The effect of a number beyond them.
     pub beyond: Beyond,
 }
 
-/// What a number beyond the range does.
+/// The effect of a number beyond the range.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Beyond {
     /// It stops the task with this run-time error.

@@ -26,7 +26,7 @@ pub enum SerialValue {
     Between(u16, u16),
 }
 
-/// What is wrong with a value, and what the instruction returns instead of 0.
+/// The fault of a value, and the return code of the instruction in place of 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SerialFault {
     /// -1: there is no such parameter.
@@ -96,7 +96,7 @@ impl SerialValue {
 }
 
 impl SerialFault {
-    /// What the instruction returns.
+    /// The return code of the instruction.
     #[must_use]
     pub fn result(self) -> i8 {
         match self {

@@ -2,7 +2,7 @@
 
 use crate::values::number_text;
 
-/// What a text is read as.
+/// The form of a text argument.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextForm {
     /// A binary encoding, one of [`BINARY_FORMATS`]; any other is run-time error 70 (3.3.3).
@@ -28,7 +28,7 @@ pub fn bytes(format: &str) -> Option<u32> {
     format.trim_start_matches('-').chars().next().filter(|_| known)?.to_digit(10)
 }
 
-/// What `instruction` reads the parameter `parameter` as.
+/// The form in which `instruction` reads the parameter `parameter`.
 #[must_use]
 pub fn text_form(instruction: &str, parameter: &str) -> Option<TextForm> {
     match (instruction, parameter) {

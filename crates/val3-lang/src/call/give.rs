@@ -1,4 +1,4 @@
-//! What handlers yield.
+//! Results of handlers.
 
 use val3_geometry::Trsf;
 
@@ -61,7 +61,7 @@ macro_rules! stored {
 }
 stored!(f64, bool, Text, Trsf, [f64; 6], ConfigValue, PointValue);
 
-/// What a handler returns: a value, or that the task has to wait.
+/// The result of a handler: a value, or a wait of the task.
 pub trait Outcome {
     /// Writes the value, if there is one.
     ///

@@ -49,7 +49,7 @@ pub struct Any {
 pub struct IoRef {
     /// The variable.
     pub place: Place,
-    /// What it is linked to.
+    /// The target of its link.
     pub port: Option<u32>,
 }
 
@@ -90,7 +90,7 @@ pub struct MdescValue {
     pub blend: f64,
     /// Distance before the target at which blending starts, in mm.
     pub leave: f64,
-    /// Distance behind the target at which blending ends, in mm.
+    /// Distance after the target at which blending ends, in mm.
     pub reach: f64,
 }
 

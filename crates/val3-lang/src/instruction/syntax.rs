@@ -65,7 +65,7 @@ impl Shape {
         write!(f, "{ty}{reference} {name}{}", self.brackets())
     }
 
-    /// What stands behind the name in a syntax line.
+    /// The text after the name in a syntax line.
     fn brackets(self) -> &'static str {
         match self {
             Self::Array { dims: 1 } => "[]",

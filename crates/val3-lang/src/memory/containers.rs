@@ -61,7 +61,7 @@ impl Memory {
         if number < store.shape.len() { Ok(store.place(view.store, number)) } else { Err(Fault::INDEX_TOO_LARGE) }
     }
 
-    /// Inserts a default value before the one with this index, or behind the last (2.5.4).
+    /// Inserts a default value before the one with this index, or after the last (2.5.4).
     ///
     /// # Errors
     /// 20 and 21 for a bad index, 40 beyond `limit` values, or without memory, 70 for a local array or one of more
@@ -114,7 +114,7 @@ impl Memory {
         Ok(true)
     }
 
-    /// Adds a default value behind the last one (2.5.5).
+    /// Appends a default value (2.5.5).
     ///
     /// # Errors
     /// 40 beyond `limit` values, or without memory, 70 for a local array or one of more dimensions.

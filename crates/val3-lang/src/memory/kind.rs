@@ -1,4 +1,4 @@
-//! What a container holds: the type of its values and their defaults.
+//! The content of a container: the type of its values and their defaults.
 
 use std::sync::Arc;
 
@@ -201,7 +201,7 @@ fn numbers(base: BaseType, arm: Option<Arm>, nums: &mut Vec<f64>) {
     }
 }
 
-/// The number that stands for an enumerator: its place among those of its type.
+/// The number of an enumerator: its position in its type.
 #[must_use]
 pub fn enumerator(name: &str) -> f64 {
     let Some(found) = enumerations::find(name) else { return 0.0 };

@@ -48,7 +48,7 @@ impl Add for Lanes {
     }
 }
 
-/// The lanes of so many values, one behind the other.
+/// The lanes of several consecutive values.
 impl Mul<u32> for Lanes {
     type Output = Self;
 

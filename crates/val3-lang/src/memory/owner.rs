@@ -50,7 +50,7 @@ impl Memory {
         }
     }
 
-    /// Says which libraries the identifiers of an application or library stand for now, by their numbers.
+    /// Sets the current libraries of the identifiers of an application or library, by their numbers.
     pub fn declare_libraries(&mut self, project: u16, libraries: Vec<u16>) {
         let at = usize::from(project);
         if self.libraries.len() <= at {
@@ -70,7 +70,7 @@ impl Memory {
         self.check_link(self.owner(at.store), Link::Data(reference))
     }
 
-    /// What a value of an owner may be linked to.
+    /// Whether a value of an owner may be linked to a target.
     ///
     /// # Errors
     /// 165 if it would outlive what it refers to. 82 if that belongs to a library which the owner does not declare, or

@@ -49,7 +49,7 @@ impl Place {
         Self::new(store, Lanes::nums(0))
     }
 
-    /// The place `lanes` behind this one: a field.
+    /// The place `lanes` after this one: a field.
     #[must_use]
     pub fn behind(self, lanes: Lanes) -> Self {
         Self::new(self.store, Lanes { num: self.num, text: self.text, link: self.link, part: self.part } + lanes)
@@ -107,7 +107,7 @@ pub enum Subscript<I, K> {
     Key(K),
 }
 
-/// What a value is linked to.
+/// The target of a value's link.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Link {
     /// Nothing.

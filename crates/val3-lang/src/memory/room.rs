@@ -4,7 +4,7 @@ use crate::fault::{Fault, Result};
 
 /// Bytes for all data, code, stacks and tasks of a controller together.
 ///
-/// Controllers have some hundred megabytes. What a program asks for beyond them is run-time error 40.
+/// Controllers have some hundred megabytes. Exceeding them is run-time error 40.
 pub const MEMORY: u64 = 512 << 20;
 
 /// The memory of a controller: how much of it is taken.

@@ -1,4 +1,4 @@
-//! The stack of a task: the frames of the programs it is in, one behind the other.
+//! The stack of a task: the consecutive frames of the programs that it executes.
 
 use super::{Lanes, Link, Place, StoreId, View, bytes_of};
 use crate::values::Text;

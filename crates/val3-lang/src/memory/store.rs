@@ -26,7 +26,7 @@ impl Shape {
     /// One value.
     pub const ELEMENT: Self = Self::Array { dims: 1, sizes: [1, 1, 1] };
 
-    /// An array of so many values.
+    /// An array of this size.
     #[must_use]
     pub const fn array(size: u32) -> Self {
         Self::Array { dims: 1, sizes: [size, 1, 1] }
@@ -258,7 +258,7 @@ impl Store {
         self.shape.number_of_text(at)
     }
 
-    /// Adds the default lanes of one value of a built-in type behind the others; of a user type all but its parts.
+    /// Appends the default lanes of one value of a built-in type; of a user type all but its parts.
     pub(super) fn push_default(&mut self) {
         let Element { nums, texts, links, .. } = &self.kind.default;
         self.nums.extend_from_slice(nums);

@@ -1,4 +1,4 @@
-//! What operators do at run time where they are no operations of the virtual machine.
+//! Operators at run time that are no operations of the virtual machine.
 //!
 //! Their arguments are the operands, from left to right; an assignment that only reads has the value alone.
 
@@ -41,7 +41,7 @@ pub fn binary(op: BinaryOp, base: BaseType, arm: Option<Arm>) -> Option<Run> {
     })
 }
 
-/// What `op operand` does.
+/// The handler of `op operand`.
 #[must_use]
 pub fn unary(op: UnaryOp, base: BaseType) -> Option<Run> {
     match (op, base) {
@@ -50,7 +50,7 @@ pub fn unary(op: UnaryOp, base: BaseType) -> Option<Run> {
     }
 }
 
-/// What `target = value` does where it reads or writes an input or output.
+/// The handler of `target = value` if it reads or writes an input or output.
 #[must_use]
 pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
     match (target, value) {
@@ -66,7 +66,7 @@ pub fn assignment(target: BaseType, value: BaseType) -> Option<Run> {
     }
 }
 
-/// What a line does that uses an item of a library which nothing declares (6.4).
+/// The handler of a line that uses an item of a library that no file declares (6.4).
 ///
 /// # Errors
 /// 80, always.
@@ -74,7 +74,7 @@ pub fn missing_item(_: &mut Call<'_>) -> Result<Flow> {
     Err(Fault::LIBRARY_ITEM_MISSING)
 }
 
-/// What a line does that was accepted and has no meaning.
+/// The handler of a line that is accepted but has no meaning.
 ///
 /// # Errors
 /// 61, always.
@@ -82,7 +82,7 @@ pub fn not_executable(_: &mut Call<'_>) -> Result<Flow> {
     Err(Fault::INTERPRETER)
 }
 
-/// What `?` does with positions of this arm.
+/// The handler of `?` for positions of this arm.
 #[must_use]
 pub fn print(arm: Option<Arm>) -> Run {
     match arm {

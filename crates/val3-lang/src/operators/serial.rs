@@ -1,4 +1,4 @@
-//! What `=` does between a value and a serial line (3.7.2).
+//! Assignments between a value and a serial line (3.7.2).
 
 use crate::call::{Call, Flow, IoRef, Outcome, Run, Take};
 use crate::fault::{Fault, Result};
@@ -7,7 +7,7 @@ use crate::runtime_errors::NO_ANSWER;
 use crate::types::BaseType;
 use crate::values::Text;
 
-/// What `to = from` does where one side is a `sio`; `None` for other types.
+/// The handler of `to = from` if one side is a `sio`; `None` for other types.
 ///
 /// To a line the arguments are the line and the value, and the result is what was sent; from a line the argument is the
 /// line and the result what was received. The task waits within.

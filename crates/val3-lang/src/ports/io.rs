@@ -4,12 +4,12 @@ use crate::fault::Result;
 use crate::types::BaseType;
 use crate::values::Text;
 
-/// What `ioStatus` tells beside the status.
+/// Details that `ioStatus` returns besides the status.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Described {
     /// The free text of its configuration; empty where the link leads nowhere.
     pub description: Text,
-    /// What the variable is linked to.
+    /// The target of the variable's link.
     pub path: Text,
 }
 

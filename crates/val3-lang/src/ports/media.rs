@@ -9,7 +9,7 @@ pub trait Media {
     /// `libDelete`: its code.
     fn delete_library(&mut self, from: &str, path: &str) -> u16;
 
-    /// What is in a folder, by name; `None` where it cannot be read.
+    /// The entries of a folder, by name; `None` if it cannot be read.
     fn list(&mut self, from: &str, path: &str) -> Option<Vec<String>>;
 
     /// Opens a file for `mode` (`r`, `w`, `a`); its number, `None` where that is not possible.

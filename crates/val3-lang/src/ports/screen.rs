@@ -7,7 +7,7 @@ use crate::memory::Place;
 /// The number of the page that instructions without a screen use; it always exists (4.2.1).
 pub const DEFAULT_PAGE: u32 = 0;
 
-/// What the operator is asked for.
+/// The kind of input that the operator is asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Asked {
     /// Any key; it is not shown.
@@ -30,7 +30,7 @@ pub enum Asked {
 pub struct Answer {
     /// The code of the key that ended it: the result of `get`.
     pub key: u16,
-    /// What the variable becomes.
+    /// The new value of the variable.
     pub entry: Entry,
 }
 
@@ -42,10 +42,10 @@ impl Answer {
     }
 }
 
-/// What the operator entered.
+/// The input of the operator.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Entry {
-    /// The variable stays as it is: Esc, or no variable, or a text that is no number.
+    /// The variable keeps its value: Esc, or no variable, or a text that is no number.
     Unchanged,
     /// The text accepted with Return or a menu key.
     Text(String),

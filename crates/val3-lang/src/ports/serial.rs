@@ -53,7 +53,7 @@ pub trait Serial {
     fn control_line(&mut self, port: Option<u32>, parameter: &str, value: LineValue) -> Result<i8>;
 }
 
-/// What a line answers.
+/// The answer of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Reply<T> {
     /// This.
@@ -81,10 +81,10 @@ impl<T> Reply<T> {
     }
 }
 
-/// What is sent.
+/// The data to send.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Outgoing<'o> {
-    /// A text, and behind it the end of string of the line.
+    /// A text, followed by the end of string of the line.
     Text(&'o str),
     /// A byte for each number: the nearest whole one modulo 256.
     Numbers(&'o [f64]),

@@ -20,14 +20,14 @@ pub(super) struct Line<'t> {
     pub(super) arguments: Vec<Spoken<'t>>,
 }
 
-/// An argument as it is written.
+/// An argument as in code.
 pub(super) enum Spoken<'t> {
     Num(f64),
     Text(&'t str),
     Bool(bool),
     /// Numbers in braces.
     Structure(Vec<f64>),
-    /// A variable, with the index or key behind it.
+    /// A variable with its index or key.
     Name(&'t str, At),
 }
 
@@ -103,7 +103,7 @@ fn indexed(text: &str) -> (&str, At) {
     (name, at)
 }
 
-/// What stands between commas that are in no quotes, braces or brackets.
+/// The parts between commas outside of quotes, braces and brackets.
 fn parts(text: &str) -> Vec<&str> {
     let (mut depth, mut quoted) = (0, false);
     let split = text.split(|character| {

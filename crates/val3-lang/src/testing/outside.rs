@@ -1,4 +1,4 @@
-//! What is outside the program: nothing but a list of tasks.
+//! The outside of the program in tests: a list of tasks.
 
 use std::collections::BTreeMap;
 

@@ -13,13 +13,13 @@ pub struct Attribute {
     /// The field it gives, as code writes it behind the variable: `tvel`, `trsf.x`; empty where the attribute
     /// gives the value itself or its father.
     pub field: &'static str,
-    /// What stands in it.
+    /// Its content.
     pub value: AttributeValue,
-    /// What its absence means.
+    /// The meaning of its absence.
     pub default: DefaultValue,
 }
 
-/// What stands in an attribute.
+/// The content of an attribute.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum AttributeValue {
     /// `true` or `false`.

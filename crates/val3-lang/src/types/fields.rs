@@ -9,16 +9,16 @@ pub struct Field {
     pub name: &'static str,
     /// Its type.
     pub ty: BaseType,
-    /// What its numbers are counted in.
+    /// The unit of its numbers.
     pub unit: Unit,
     /// The value in a variable that the program creates. Files may omit other values:
     /// [`Attribute::default`](super::Attribute::default).
     pub default: DefaultValue,
-    /// What it means, one line.
+    /// Its meaning, in one line.
     pub doc: &'static str,
 }
 
-/// What a number is counted in.
+/// The unit of a number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// No number, or one without a unit.
@@ -37,7 +37,7 @@ pub enum Unit {
     Seconds,
 }
 
-/// The value that stands where none is given.
+/// The default value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum DefaultValue {
     /// `false`.

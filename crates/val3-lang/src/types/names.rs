@@ -100,7 +100,7 @@ impl Arm {
         }
     }
 
-    /// What people call such an arm.
+    /// The usual name of such an arm.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {

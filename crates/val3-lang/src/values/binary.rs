@@ -115,7 +115,7 @@ impl Format {
         (0..width).filter_map(move |at| low_first.get(self.place(at, width)).copied())
     }
 
-    /// The number that bytes stand for, as many as the format is wide, each rounded; `None` if they are corrupt.
+    /// The number that bytes encode, as many as the format is wide, each rounded; `None` if they are corrupt.
     #[must_use]
     pub fn decode(self, bytes: &[f64]) -> Option<f64> {
         let mut low_first = [0; 8];
@@ -125,7 +125,7 @@ impl Format {
         Some(self.number(u64::from_le_bytes(low_first))).filter(|number| number.is_finite())
     }
 
-    /// Where the byte `at` of `width` bytes stands when the low byte comes first.
+    /// The position of the byte `at` of `width` bytes when the low byte comes first.
     fn place(self, at: usize, width: usize) -> usize {
         match self.order {
             Order::LowFirst => at,

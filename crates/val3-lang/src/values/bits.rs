@@ -5,7 +5,7 @@
 
 use super::numbers::round;
 
-/// The 32 bits that a number stands for.
+/// The 32 bits of a number.
 #[must_use]
 pub fn field(value: f64) -> u32 {
     // The cast ends at both bounds of the range.

@@ -2,10 +2,10 @@
 
 use super::Text;
 
-/// What `toNum` finds.
+/// The result of `toNum`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
-    /// The number at the start of the text, if one stands there: `bReport`, and what `nValue` becomes.
+    /// The number at the start of the text, if there is one: `bReport`, and the new value of `nValue`.
     pub value: Option<f64>,
     /// The text from the next number on; the whole text where it starts with no number.
     pub rest: Text,
@@ -56,13 +56,13 @@ fn length(text: &str) -> Option<usize> {
     Some(text.len() - rest.len())
 }
 
-/// What follows the exponent with which the text starts.
+/// The rest of a text that starts with an exponent.
 fn exponent(text: &str) -> Option<&str> {
     let behind_mark = text.strip_prefix(['e', 'E'])?;
     some_digits(behind_mark.strip_prefix(['+', '-']).unwrap_or(behind_mark))
 }
 
-/// What follows the digits with which the text starts; `None` where it starts with none.
+/// The rest of a text that starts with digits; `None` if it does not.
 fn some_digits(text: &str) -> Option<&str> {
     Some(without_digits(text)).filter(|rest| rest.len() < text.len())
 }

@@ -66,13 +66,13 @@ fn leading_count(text: &str) -> Option<(usize, &str)> {
     (count <= Text::CAPACITY).then_some((count, rest))
 }
 
-/// What `put` and `putln` show of a number: at most 3 decimals, without zeros at the end.
+/// A number as `put` and `putln` show it: at most 3 decimals, without zeros at the end.
 #[must_use]
 pub fn shown(value: f64) -> Text {
     Text::from(without_final_zeros(&fixed(value, 3)))
 }
 
-/// What `?` and `val3 eval` print of a number: at most 14 significant digits.
+/// A number as `?` and `val3 eval` print it: at most 14 significant digits.
 ///
 /// Numbers below 0.0001 and numbers of more than 14 digits have an exponent, written as VAL 3 writes it: `1e-5`.
 #[must_use]
@@ -86,7 +86,7 @@ pub fn significant(value: f64) -> Text {
     }
 }
 
-/// The exponent of a number written with one, and how many digits stand before it.
+/// The exponent of a number written with one, and the number of digits before it.
 fn exponent_and_digits(scientific: &str) -> Option<(i32, i32)> {
     let (mantissa, exponent) = scientific.split_once('e')?;
     let digits = mantissa.bytes().filter(u8::is_ascii_digit).count();

@@ -1,4 +1,4 @@
-//! What the instructions and operators of numbers compute (3.2).
+//! Functions of the instructions and operators of numbers (3.2).
 //!
 //! `sin` and its kin belong to the geometry. What is not stated of numbers that are no ordinary ones follows IEEE 754:
 //! `+`, `-`, `*` and `/` may leave the range of a number and then give an infinity.

@@ -10,7 +10,7 @@ pub fn bool(value: bool) -> &'static str {
 
 /// A string in quotes.
 ///
-/// A control character, which a literal cannot hold, stands outside them: `"a"+chr(10)+"b"`.
+/// A control character, which a literal cannot hold, is outside of the quotes: `"a"+chr(10)+"b"`.
 #[must_use]
 pub fn string(text: &str) -> String {
     let mut printed = String::from('"');

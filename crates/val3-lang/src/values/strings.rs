@@ -1,4 +1,4 @@
-//! What the instructions of strings compute (3.4.3, `getDisplayLen` of 4.3).
+//! Functions of the instructions of strings (3.4.3, `getDisplayLen` of 4.3).
 //!
 //! Positions and sizes count characters (code points) from 0 on and are rounded as an index is. A result beyond 128
 //! bytes is cut at a character.
@@ -53,7 +53,7 @@ pub fn mid(text: &str, size: f64, position: f64) -> Result<Text> {
     Ok(Text::from(middle))
 }
 
-/// `insert`: with `insertion` before the character at `position`, behind all where there is none.
+/// `insert`: with `insertion` before the character at `position`, or at the end if there is none.
 ///
 /// # Errors
 /// 70: `position` is negative.
@@ -83,7 +83,7 @@ pub fn replace(text: &str, replacement: &str, size: f64, position: f64) -> Resul
     Ok(Text::from_iter([before, if beyond { "" } else { replacement }, behind]))
 }
 
-/// `find`: where `wanted` stands first in `text`, -1 where it does not. The empty string stands at 0.
+/// `find`: the first position of `wanted` in `text`, -1 if there is none. The empty string is at 0.
 #[must_use]
 pub fn find(text: &str, wanted: &str) -> f64 {
     let before = first_occurrence(text, wanted).and_then(|at| text.get(..at));
@@ -119,7 +119,7 @@ pub fn columns(character: char) -> usize {
     character.width().unwrap_or(1)
 }
 
-/// What stands before the character at `position`, and it with all behind it.
+/// The text before the character at `position`, and the text from it on.
 fn split(text: &str, position: usize) -> (&str, &str) {
     let at = if text.is_ascii() {
         position.min(text.len())
@@ -129,7 +129,7 @@ fn split(text: &str, position: usize) -> (&str, &str) {
     text.split_at_checked(at).unwrap_or((text, ""))
 }
 
-/// What stands before, in and behind the `size` characters from `position` on.
+/// The text before, in and after the `size` characters from `position` on.
 fn cut_out(text: &str, size: f64, position: f64) -> Result<[&str; 3]> {
     let (before, rest) = split(text, numbers::count(position)?);
     let (middle, behind) = split(rest, numbers::count(size)?);
