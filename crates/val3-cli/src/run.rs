@@ -24,7 +24,6 @@ use crate::args::{Color, RunArgs};
 use crate::user_error::UserError;
 use crate::wall_clock;
 use audience::Audience;
-use live::Wish;
 use opening::Opened;
 use record::Record;
 use replay::Recording;
@@ -103,7 +102,7 @@ fn until_the_end(args: &RunArgs, controller: &mut Controller, audience: &mut Aud
         let wish = audience.attend(controller)?;
         let end = match outcome {
             Outcome::Finished | Outcome::Stopped | Outcome::Lacking => Some(End::Controller(outcome)),
-            _ if wish == Wish::End => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
+            _ if wish.is_break() => Some(End::BrokenOff(EXIT_BROKEN_OFF)),
             _ if audience.has_left() => Some(End::Unread),
             _ => signals.exit_code().map(End::BrokenOff),
         };

@@ -12,7 +12,7 @@ pub fn element(file: FileKind, name: &str) -> Option<&'static str> {
     find(file, name, "").or_else(|| (file == FileKind::Data).then(|| old_data_element(name)).flatten())
 }
 
-/// What an attribute of an element means. The fields in a `Value` have pages of their own
+/// The meaning of an attribute of an element. The fields in a `Value` have pages of their own
 /// ([`crate::types::Field::doc`]).
 #[must_use]
 pub fn attribute(file: FileKind, element: &str, name: &str) -> Option<&'static str> {

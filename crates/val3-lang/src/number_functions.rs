@@ -70,7 +70,7 @@ impl NumberFunction {
         (takes_numbers && is_number(form.result)).then_some(function)
     }
 
-    /// Its number, for images.
+    /// Its number.
     #[must_use]
     pub fn number(self) -> u32 {
         self as u32

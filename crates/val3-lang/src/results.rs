@@ -1,4 +1,4 @@
-//! The importance of results of instructions.
+//! Results of instructions that a program should not ignore, and results that are rounded.
 
 /// What the result of an instruction tells that a program should not ignore, in a few words; `None` where nothing
 /// is lost.

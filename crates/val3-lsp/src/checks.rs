@@ -9,10 +9,10 @@ use tower_lsp::lsp_types::{Diagnostic, Url};
 use val3_analysis::db::{File, Project};
 
 use crate::convert;
-use crate::pool::Lane;
+use crate::pool::Priority;
 use crate::published::{self, ProjectFindings};
+use crate::server_state::ServerState;
 use crate::snapshot::Snapshot;
-use crate::world::World;
 
 /// Files after which trees that are no longer needed are freed.
 const BATCH: usize = 128;
@@ -32,7 +32,7 @@ pub(crate) struct Checks {
     pub(crate) first_is_done: bool,
 }
 
-/// Projects that are checked together, by all threads of a lane.
+/// Projects that are checked together, by all threads of a priority.
 struct Batch {
     projects: Vec<Project>,
     /// Edited files. The user waits for their findings.
@@ -41,7 +41,7 @@ struct Batch {
     /// Threads that still work on it.
     working: AtomicUsize,
     generation: u64,
-    lane: Lane,
+    priority: Priority,
 }
 
 impl Checks {
@@ -73,7 +73,7 @@ impl Checks {
     }
 }
 
-impl World {
+impl ServerState {
     /// Begins to check what changed since the last time.
     pub(crate) fn check(&mut self) {
         let is_checked = self.checks.started == self.checks.generation;
@@ -98,7 +98,7 @@ impl World {
         if first.is_empty() {
             self.check_next();
         } else {
-            self.start_batch(first, edited, Lane::Latency);
+            self.start_batch(first, edited, Priority::Latency);
         }
     }
 
@@ -117,11 +117,11 @@ impl World {
             self.checks.first_is_done = true;
             self.end_progress();
         } else {
-            self.start_batch(batch, FxHashSet::default(), Lane::Background);
+            self.start_batch(batch, FxHashSet::default(), Priority::Background);
         }
     }
 
-    fn start_batch(&self, projects: Vec<Project>, edited: FxHashSet<File>, lane: Lane) {
+    fn start_batch(&self, projects: Vec<Project>, edited: FxHashSet<File>, priority: Priority) {
         let threads = self.pool.threads().min(projects.len());
         let batch = Arc::new(Batch {
             projects,
@@ -129,24 +129,24 @@ impl World {
             next: AtomicUsize::new(0),
             working: AtomicUsize::new(threads),
             generation: self.checks.started,
-            lane,
+            priority,
         });
         for _ in 0..threads {
             let (batch, snapshot, inbox) = (Arc::clone(&batch), self.snapshot(), self.inbox.clone());
-            self.pool.spawn(lane, move || {
+            self.pool.spawn(priority, move || {
                 let work = || Cancelled::catch(std::panic::AssertUnwindSafe(|| work(&batch, &snapshot)));
                 let outcome = crate::panics::contained(work);
                 drop(snapshot);
                 let is_last = batch.working.fetch_sub(1, Ordering::AcqRel) == 1;
-                inbox.post(move |world| {
+                inbox.post(move |server| {
                     match outcome {
                         // A write has cancelled this check and starts a new one.
-                        Ok(Err(_)) => return world.check_again(batch.generation),
+                        Ok(Err(_)) => return server.check_again(batch.generation),
                         Ok(Ok(())) => {}
-                        Err(reason) => world.complain("the check", &reason),
+                        Err(reason) => server.complain("the check", &reason),
                     }
                     if is_last {
-                        world.batch_is_done(&batch);
+                        server.batch_is_done(&batch);
                     }
                 });
             });
@@ -164,7 +164,7 @@ impl World {
         if batch.generation != self.checks.generation {
             return;
         }
-        if batch.lane == Lane::Background && !self.checks.first_is_done {
+        if batch.priority == Priority::Background && !self.checks.first_is_done {
             self.forget_surplus();
         }
         self.report_progress();
@@ -193,11 +193,11 @@ fn work(batch: &Batch, snapshot: &Snapshot) {
         for (file, found) in found_early(batch, snapshot, *project) {
             let found = (snapshot.uri(file), found);
             let project = *project;
-            snapshot.inbox.post(move |world| world.found_in_file(generation, project, found));
+            snapshot.inbox.post(move |server| server.found_in_file(generation, project, found));
         }
         let found = published::findings(snapshot, *project);
-        snapshot.inbox.post(move |world| world.found(generation, found));
-        if batch.lane == Lane::Background {
+        snapshot.inbox.post(move |server| server.found(generation, found));
+        if batch.priority == Priority::Background {
             val3_analysis::occurrences::index(snapshot.db(), *project);
         }
     }

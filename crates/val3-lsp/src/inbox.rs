@@ -2,10 +2,10 @@
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use crate::world::World;
+use crate::server_state::ServerState;
 
 /// Something for the main loop to do.
-pub(crate) type Message = Box<dyn FnOnce(&mut World) + Send>;
+pub(crate) type Message = Box<dyn FnOnce(&mut ServerState) + Send>;
 
 /// The way to the main loop. It takes any number of messages and never waits.
 #[derive(Clone)]
@@ -19,7 +19,7 @@ impl Inbox {
     }
 
     /// Adds a message at the end. Once the main loop has ended, no receiver is left.
-    pub(crate) fn post(&self, message: impl FnOnce(&mut World) + Send + 'static) {
+    pub(crate) fn post(&self, message: impl FnOnce(&mut ServerState) + Send + 'static) {
         let _ = self.0.send(Box::new(message));
     }
 }

@@ -25,10 +25,10 @@ impl LanguageServer for Lifecycle {
             parent_process::die_with(process);
         }
         let client = params.client_info.map_or_else(|| "a client".to_owned(), |info| info.name);
-        self.inbox.post(move |world| {
-            world.log(&format!("{client} opens {:?}, columns in {:?}", session.folders, session.encoding));
-            faults.iter().for_each(|fault| world.warn(fault));
-            world.begin(session);
+        self.inbox.post(move |server| {
+            server.log(&format!("{client} opens {:?}, columns in {:?}", session.folders, session.encoding));
+            faults.iter().for_each(|fault| server.warn(fault));
+            server.begin(session);
         });
         let version = Some(env!("CARGO_PKG_VERSION").to_owned());
         Ok(InitializeResult { capabilities, server_info: Some(ServerInfo { name: "val3".to_owned(), version }) })
@@ -44,8 +44,8 @@ impl LanguageServer for Lifecycle {
 }
 
 /// The client is ready to be asked.
-pub(crate) fn initialized(world: &mut crate::world::World, _: InitializedParams) {
-    world.ready();
-    watching::start(world);
-    world.ask_for_settings();
+pub(crate) fn initialized(server: &mut crate::server_state::ServerState, _: InitializedParams) {
+    server.ready();
+    watching::start(server);
+    server.ask_for_settings();
 }

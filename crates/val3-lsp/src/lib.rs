@@ -6,15 +6,14 @@
 
 #![allow(clippy::disallowed_methods, reason = "a server has threads, a clock and a process to watch")]
 
-mod asking_again;
 mod checks;
 mod convert;
+mod detached;
 mod documents;
 mod inbox;
 mod initialize;
 mod line_index;
 mod log;
-mod loose;
 mod options;
 mod outbox;
 mod overlay;
@@ -23,11 +22,13 @@ mod parent;
 mod parent_process;
 mod pool;
 mod published;
+mod refresh;
 mod reply;
 mod requests;
 mod router;
 mod scan_progress;
 mod server;
+mod server_state;
 mod session;
 mod shown;
 mod snapshot;
@@ -36,7 +37,6 @@ mod transport;
 mod uri;
 mod watching;
 mod workspace_folders;
-mod world;
 
 pub use server::{ServerOptions, run};
 

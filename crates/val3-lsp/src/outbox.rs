@@ -10,10 +10,10 @@ use tower_lsp::lsp_types::request::Request;
 use tower_lsp::lsp_types::{LogMessageParams, MessageType, ShowMessageParams};
 
 use crate::inbox::Inbox;
+use crate::server_state::ServerState;
 use crate::transport::{Pump, frame};
-use crate::world::World;
 
-type Answered = Box<dyn FnOnce(&mut World, Result<Value, Value>) + Send>;
+type Answered = Box<dyn FnOnce(&mut ServerState, Result<Value, Value>) + Send>;
 
 /// The way to the client; it never waits.
 #[derive(Clone)]
@@ -39,14 +39,14 @@ impl Outbox {
     pub(crate) fn ask<R: Request>(
         &self,
         params: R::Params,
-        answered: impl FnOnce(&mut World, Option<R::Result>) + Send + 'static,
+        answered: impl FnOnce(&mut ServerState, Option<R::Result>) + Send + 'static,
     ) {
         let id = self.next.fetch_add(1, Ordering::Relaxed);
-        let read = move |world: &mut World, answer: Result<Value, Value>| match answer {
-            Ok(value) => answered(world, serde_json::from_value(value).ok()),
+        let read = move |server: &mut ServerState, answer: Result<Value, Value>| match answer {
+            Ok(value) => answered(server, serde_json::from_value(value).ok()),
             Err(error) => {
-                world.log(&format!("the client refused `{}`: {error}", R::METHOD));
-                answered(world, None);
+                server.log(&format!("the client refused `{}`: {error}", R::METHOD));
+                answered(server, None);
             }
         };
         self.waiting.lock().unwrap_or_else(PoisonError::into_inner).insert(id, Box::new(read));
@@ -57,7 +57,7 @@ impl Outbox {
     pub(crate) fn answered(&self, id: i64, answer: Result<Value, Value>) {
         let waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner).remove(&id);
         if let Some(answered) = waiting {
-            self.inbox.post(move |world| answered(world, answer));
+            self.inbox.post(move |server| answered(server, answer));
         }
     }
 

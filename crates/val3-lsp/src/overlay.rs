@@ -5,16 +5,16 @@ use std::sync::Arc;
 use camino::Utf8PathBuf;
 use val3_analysis::system::{Disk, OverlayFs};
 
+use crate::detached;
 use crate::documents::Documents;
-use crate::loose;
 use crate::snapshot::Snapshot;
 
 /// The files that the loader reads: open documents, and the project files that those without a project get, hide
 /// stored files.
-pub(crate) fn files(documents: &Documents, loose: &[Utf8PathBuf]) -> OverlayFs<Disk> {
+pub(crate) fn files(documents: &Documents, detached: &[Utf8PathBuf]) -> OverlayFs<Disk> {
     let mut files = OverlayFs::new(Disk);
     documents.effective().for_each(|document| files.edit(&document.path, Arc::clone(&document.text)));
-    loose.iter().for_each(|path| files.edit(&loose::manifest_path(path), loose::manifest(path).into()));
+    detached.iter().for_each(|path| files.edit(&detached::manifest_path(path), detached::manifest(path).into()));
     files
 }
 

@@ -1,4 +1,4 @@
-//! The threads that compute: one lane for requests that the user waits for, and one for the rest.
+//! The threads that compute: some for requests that the user waits for, and some for the rest.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -8,21 +8,21 @@ use std::thread;
 /// Bytes of stack a thread, ample for the deepest nesting the parser takes.
 const STACK_SIZE: usize = 16 << 20;
 
-/// Threads of a lane at most: more would only wait for memory.
+/// Most threads of one priority: more would only wait for memory.
 const MOST_THREADS: usize = 8;
 
 type Job = Box<dyn FnOnce() + Send>;
 
 /// The urgency of a job.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Lane {
+pub(crate) enum Priority {
     /// The user waits for it.
     Latency,
     /// It runs in the background.
     Background,
 }
 
-/// A fixed number of threads for each lane; neither takes threads from the other.
+/// A fixed number of threads for each priority; neither takes threads from the other.
 #[derive(Clone)]
 pub(crate) struct Pool {
     latency: Sender<Job>,
@@ -35,27 +35,27 @@ impl Pool {
     pub(crate) fn start() -> std::io::Result<Self> {
         let threads = thread::available_parallelism().map_or(1, usize::from).min(MOST_THREADS);
         // One more thread keeps a long request from holding up a short one.
-        let latency = lane("latency", threads + 1)?;
-        Ok(Self { latency, background: lane("background", threads)?, threads })
+        let latency = workers("latency", threads + 1)?;
+        Ok(Self { latency, background: workers("background", threads)?, threads })
     }
 
-    /// Threads of the background lane.
+    /// The number of background threads.
     pub(crate) fn threads(&self) -> usize {
         self.threads
     }
 
     /// Adds a job. It must catch its own panics if its result is waited for.
-    pub(crate) fn spawn(&self, lane: Lane, job: impl FnOnce() + Send + 'static) {
-        let lane = match lane {
-            Lane::Latency => &self.latency,
-            Lane::Background => &self.background,
+    pub(crate) fn spawn(&self, priority: Priority, job: impl FnOnce() + Send + 'static) {
+        let queue = match priority {
+            Priority::Latency => &self.latency,
+            Priority::Background => &self.background,
         };
-        // The threads live as long as their lane.
-        let _ = lane.send(Box::new(job));
+        // The threads live as long as their queue.
+        let _ = queue.send(Box::new(job));
     }
 }
 
-fn lane(name: &str, threads: usize) -> std::io::Result<Sender<Job>> {
+fn workers(name: &str, threads: usize) -> std::io::Result<Sender<Job>> {
     let (sender, receiver) = channel::<Job>();
     let receiver = Arc::new(Mutex::new(receiver));
     for number in 0..threads {
@@ -85,10 +85,10 @@ mod tests {
     fn a_panic_takes_no_thread_along() {
         let pool = Pool::start().unwrap();
         for _ in 0..2 * (MOST_THREADS + 1) {
-            pool.spawn(Lane::Latency, || panic!("a job"));
+            pool.spawn(Priority::Latency, || panic!("a job"));
         }
         let (sender, receiver) = channel();
-        pool.spawn(Lane::Latency, move || sender.send(1).unwrap());
+        pool.spawn(Priority::Latency, move || sender.send(1).unwrap());
         assert_eq!(receiver.recv_timeout(Duration::from_secs(10)), Ok(1));
     }
 
@@ -99,10 +99,10 @@ mod tests {
         let closed = gate.lock().unwrap();
         for _ in 0..100 {
             let gate = Arc::clone(&gate);
-            pool.spawn(Lane::Background, move || drop(gate.lock()));
+            pool.spawn(Priority::Background, move || drop(gate.lock()));
         }
         let (sender, receiver) = channel();
-        pool.spawn(Lane::Latency, move || sender.send(1).unwrap());
+        pool.spawn(Priority::Latency, move || sender.send(1).unwrap());
         assert_eq!(receiver.recv_timeout(Duration::from_secs(10)), Ok(1));
         drop(closed);
     }

@@ -35,7 +35,7 @@ pub(crate) use inlay_hint::current_hints;
 use tower_lsp::lsp_types::notification as n;
 use tower_lsp::lsp_types::request as r;
 
-use crate::pool::Lane::{Background, Latency};
+use crate::pool::Priority::{Background, Latency};
 use crate::router::OnEdit::{Refuse, Retry};
 use crate::router::Routes;
 use crate::{initialize, sync, watching, workspace_folders};

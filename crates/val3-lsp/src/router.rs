@@ -15,12 +15,12 @@ use tower_lsp::{LanguageServer, LspService};
 use tower_service::Service;
 
 use crate::inbox::Inbox;
-use crate::pool::Lane;
+use crate::pool::Priority;
 use crate::reply::Waiting;
 use crate::requests;
+use crate::server_state::{Job, ServerState};
 use crate::snapshot::{Refusal, Snapshot};
 use crate::transport::Pump;
-use crate::world::{Job, World};
 
 /// The error of a request that comes before `initialize`.
 const NOT_INITIALIZED: i64 = -32002;
@@ -34,7 +34,7 @@ pub(crate) enum OnEdit {
     Retry,
 }
 
-type Notified = Box<dyn FnOnce(&mut World) + Send>;
+type Notified = Box<dyn FnOnce(&mut ServerState) + Send>;
 type ReadRequest = Box<dyn Fn(Value) -> Result<Job> + Send>;
 type ReadNotification = Box<dyn Fn(Value) -> Result<Notified> + Send>;
 
@@ -51,7 +51,7 @@ impl Routes {
     /// A request that is computed on a snapshot.
     pub(crate) fn on<R>(
         &mut self,
-        lane: Lane,
+        priority: Priority,
         on_edit: OnEdit,
         handler: fn(&Snapshot, &R::Params) -> std::result::Result<R::Result, Refusal>,
     ) where
@@ -67,20 +67,20 @@ impl Routes {
                 Err(Refusal::Because(reason)) => Err(request_failed(reason)),
                 Err(Refusal::Outdated) => Err(Error::content_modified()),
             });
-            Ok(Job { method: R::METHOD, lane, on_edit, compute })
+            Ok(Job { method: R::METHOD, priority, on_edit, compute })
         };
         self.0.insert(R::METHOD, Route::Request(Box::new(read)));
     }
 
     /// A notification, which the main loop takes itself.
-    pub(crate) fn notify<N>(&mut self, handler: fn(&mut World, N::Params))
+    pub(crate) fn notify<N>(&mut self, handler: fn(&mut ServerState, N::Params))
     where
         N: tower_lsp::lsp_types::notification::Notification,
         N::Params: Send + 'static,
     {
         let read = move |params: Value| {
             let params: N::Params = read_params(params)?;
-            Ok(Box::new(move |world: &mut World| handler(world, params)) as Notified)
+            Ok(Box::new(move |server: &mut ServerState| handler(server, params)) as Notified)
         };
         self.0.insert(N::METHOD, Route::Notification(Box::new(read)));
     }
@@ -194,7 +194,7 @@ impl<S: LanguageServer> Router<S> {
             (Some(Route::Notification(read)), None) => {
                 match read(params) {
                     Ok(notified) => self.inbox.post(notified),
-                    Err(error) => self.inbox.post(move |world| world.log(&format!("{method}: {}", error.message))),
+                    Err(error) => self.inbox.post(move |server| server.log(&format!("{method}: {}", error.message))),
                 }
                 nothing()
             }
@@ -210,7 +210,7 @@ impl<S: LanguageServer> Router<S> {
     /// The thread that computes the answer writes it.
     fn ask(&self, id: Id, job: Job) -> Answer {
         let reply = self.waiting.begin(id, &self.pump);
-        self.inbox.post(move |world| world.ask(job, reply));
+        self.inbox.post(move |server| server.ask(job, reply));
         nothing()
     }
 }

@@ -7,7 +7,7 @@ use tower_lsp::lsp_types::{
     WorkDoneProgressCreateParams, WorkDoneProgressEnd, WorkDoneProgressReport,
 };
 
-use crate::world::World;
+use crate::server_state::ServerState;
 
 const TOKEN: &str = "val3/check";
 
@@ -25,7 +25,7 @@ pub(crate) enum ScanProgress {
     Over,
 }
 
-impl World {
+impl ServerState {
     /// The first check begins.
     pub(crate) fn begin_progress(&mut self) {
         if self.progress != ScanProgress::Before || self.projects().is_empty() {
@@ -37,15 +37,15 @@ impl World {
         }
         self.progress = ScanProgress::Asked;
         let params = WorkDoneProgressCreateParams { token: token() };
-        self.outbox.ask::<WorkDoneProgressCreate>(params, |world, agreed| {
-            if agreed.is_some() && world.progress == ScanProgress::Asked {
-                world.progress = ScanProgress::Shown;
+        self.outbox.ask::<WorkDoneProgressCreate>(params, |server, agreed| {
+            if agreed.is_some() && server.progress == ScanProgress::Asked {
+                server.progress = ScanProgress::Shown;
                 let begin = WorkDoneProgressBegin {
                     title: "Checking VAL 3".to_owned(),
                     percentage: Some(0),
                     ..Default::default()
                 };
-                world.tell(WorkDoneProgress::Begin(begin));
+                server.tell(WorkDoneProgress::Begin(begin));
             }
         });
     }

@@ -15,8 +15,8 @@ use crate::outbox::Outbox;
 use crate::pool::Pool;
 use crate::requests::routes;
 use crate::router::{Router, Routes};
+use crate::server_state::ServerState;
 use crate::transport::{Intake, Pump, PumpWriter, read};
-use crate::world::World;
 
 /// Bytes of stack of the main loop, which parses as well.
 const STACK_SIZE: usize = 16 << 20;
@@ -55,9 +55,9 @@ pub(crate) fn serve(
     let (inbox, messages) = Inbox::new();
     let outbox = Outbox::new(pump.clone(), inbox.clone());
     let log = Log::open(options.log.as_deref())?;
-    let world = World::new(inbox.clone(), outbox.clone(), Pool::start()?, log.clone());
+    let server = ServerState::new(inbox.clone(), outbox.clone(), Pool::start()?, log.clone());
     let main_loop = thread::Builder::new().name("main loop".to_owned()).stack_size(STACK_SIZE);
-    main_loop.spawn(move || world.run(&messages))?;
+    main_loop.spawn(move || server.run(&messages))?;
     let (requests, intake) = Intake::new();
     start_reading(BufReader::new(input), requests, outbox, pump.clone())?;
     let (lifecycle, socket) = LspService::new(|_| Lifecycle { inbox: inbox.clone(), log: log.clone() });

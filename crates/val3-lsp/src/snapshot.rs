@@ -11,10 +11,10 @@ use val3_config::ConfigError;
 use val3_ide::{CheckSettings, FilePosition};
 use val3_syntax::TextRange;
 
+use crate::detached;
 use crate::documents::{Document, Documents};
 use crate::inbox::Inbox;
 use crate::line_index::{Lines, line_index};
-use crate::loose;
 use crate::session::Session;
 use crate::uri;
 
@@ -120,7 +120,7 @@ impl Snapshot {
 
     /// Clients can open the file; the project file that a document without a project gets, they cannot.
     pub(crate) fn is_shown(&self, file: File) -> bool {
-        !loose::is_manifest(file.path(&self.db))
+        !detached::is_manifest(file.path(&self.db))
     }
 
     /// Whether a document is a file of a project.

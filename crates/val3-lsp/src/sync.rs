@@ -9,68 +9,68 @@ use tower_lsp::lsp_types::{
 use val3_analysis::load::loads_alike;
 
 use crate::documents::Document;
+use crate::server_state::ServerState;
 use crate::uri;
-use crate::world::World;
 
 /// A document was opened: its text counts from now on.
-pub(crate) fn opened(world: &mut World, params: DidOpenTextDocumentParams) {
+pub(crate) fn opened(server: &mut ServerState, params: DidOpenTextDocumentParams) {
     // A client that opens documents has begun, whether it says so or not.
-    world.ready();
+    server.ready();
     let item = params.text_document;
     let Some(path) = uri::path(&item.uri, Some(&item.language_id)) else {
-        return world.log(&format!("{} has no path in UTF-8", item.uri));
+        return server.log(&format!("{} has no path in UTF-8", item.uri));
     };
     let text: Arc<str> = item.text.into();
     let document = Document { uri: item.uri, path: path.clone(), version: item.version, text: Arc::clone(&text) };
-    Arc::make_mut(&mut world.documents).open(document);
-    let file = world.file(&path);
-    world.edited(file, &text);
+    Arc::make_mut(&mut server.documents).open(document);
+    let file = server.file(&path);
+    server.edited(file, &text);
     match file {
         // An editor shows a stored file without its byte order mark. That alone moves no reference.
-        Some(file) if !shapes_workspace(&path) && !world.is_unreadable(file) => world.checks.edited(file),
-        _ => world.is_stale(&path),
+        Some(file) if !shapes_workspace(&path) && !server.is_unreadable(file) => server.checks.edited(file),
+        _ => server.is_stale(&path),
     }
 }
 
 /// A document was changed.
-pub(crate) fn changed(world: &mut World, params: DidChangeTextDocumentParams) {
-    let encoding = world.session.encoding;
+pub(crate) fn changed(server: &mut ServerState, params: DidChangeTextDocumentParams) {
+    let encoding = server.session.encoding;
     let uri = params.text_document.uri;
-    let Some(document) = Arc::make_mut(&mut world.documents).get_mut(&uri) else {
-        return world.log(&format!("{uri} was changed but is not open"));
+    let Some(document) = Arc::make_mut(&mut server.documents).get_mut(&uri) else {
+        return server.log(&format!("{uri} was changed but is not open"));
     };
     if params.text_document.version <= document.version {
         let known = document.version;
-        return world.log(&format!("{uri}: version {} comes after {known}", params.text_document.version));
+        return server.log(&format!("{uri}: version {} comes after {known}", params.text_document.version));
     }
     let before = Arc::clone(&document.text);
     document.change(params.content_changes, encoding);
     document.version = params.text_document.version;
     let (path, text) = (document.path.clone(), Arc::clone(&document.text));
-    if !world.documents.get(&uri).is_some_and(|document| world.documents.is_effective(document)) {
+    if !server.documents.get(&uri).is_some_and(|document| server.documents.is_effective(document)) {
         return;
     }
-    let file = world.file(&path);
-    world.edited(file, &text);
+    let file = server.file(&path);
+    server.edited(file, &text);
     if file.is_none() || shapes_workspace(&path) || !loads_alike(&before, &text) {
-        world.is_stale(&path);
+        server.is_stale(&path);
     }
 }
 
 /// A document was saved: its text is known, but not how it is stored now.
-pub(crate) fn saved(world: &mut World, params: DidSaveTextDocumentParams) {
-    let path = world.documents.get(&params.text_document.uri).map(|document| document.path.clone());
-    path.iter().for_each(|path| world.is_stale(path));
+pub(crate) fn saved(server: &mut ServerState, params: DidSaveTextDocumentParams) {
+    let path = server.documents.get(&params.text_document.uri).map(|document| document.path.clone());
+    path.iter().for_each(|path| server.is_stale(path));
 }
 
 /// A document was closed: the stored text counts again.
-pub(crate) fn closed(world: &mut World, params: DidCloseTextDocumentParams) {
-    let Some(document) = Arc::make_mut(&mut world.documents).close(&params.text_document.uri) else { return };
-    world.published.closed(&document);
-    if let Some(file) = world.file(&document.path) {
-        world.checks.edited(file);
+pub(crate) fn closed(server: &mut ServerState, params: DidCloseTextDocumentParams) {
+    let Some(document) = Arc::make_mut(&mut server.documents).close(&params.text_document.uri) else { return };
+    server.published.closed(&document);
+    if let Some(file) = server.file(&document.path) {
+        server.checks.edited(file);
     }
-    world.is_stale(&document.path);
+    server.is_stale(&document.path);
 }
 
 /// Files that say which other files there are.

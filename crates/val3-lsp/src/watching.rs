@@ -12,8 +12,8 @@ use tower_lsp::lsp_types::{
 use val3_analysis::system::{Disk, Kind, System as _};
 
 use crate::inbox::Inbox;
+use crate::server_state::ServerState;
 use crate::uri;
-use crate::world::World;
 
 /// Everything is watched. A folder that is moved or deleted is one event, whatever its name, and most clients
 /// distinguish letter case in patterns.
@@ -32,11 +32,11 @@ pub(crate) enum Change {
 }
 
 /// Begins to watch.
-pub(crate) fn start(world: &mut World) {
-    if world.session.client.watches_files {
-        world.outbox.ask::<RegisterCapability>(registration(), |_, _| {});
+pub(crate) fn start(server: &mut ServerState) {
+    if server.session.client.watches_files {
+        server.outbox.ask::<RegisterCapability>(registration(), |_, _| {});
     } else {
-        watch_disk(world);
+        watch_disk(server);
     }
 }
 
@@ -52,60 +52,60 @@ fn registration() -> RegistrationParams {
 }
 
 /// The client reports files and folders that changed.
-pub(crate) fn changed(world: &mut World, params: DidChangeWatchedFilesParams) {
+pub(crate) fn changed(server: &mut ServerState, params: DidChangeWatchedFilesParams) {
     let changes = params.changes.iter().filter_map(|event| {
         let is_content = event.typ == FileChangeType::CHANGED;
         Some((uri::path(&event.uri, None)?, if is_content { Change::Content } else { Change::Existence }))
     });
-    files_changed(world, changes.collect());
+    files_changed(server, changes.collect());
 }
 
 /// Files and folders changed on the disk. The text of an open document counts all the same.
-pub(crate) fn files_changed(world: &mut World, changes: Vec<(Utf8PathBuf, Change)>) {
+pub(crate) fn files_changed(server: &mut ServerState, changes: Vec<(Utf8PathBuf, Change)>) {
     for (path, change) in changes {
-        if matters(&path) || change == Change::Existence && may_be_folder(world, &path) {
-            world.is_stale(&path);
+        if matters(&path) || change == Change::Existence && may_be_folder(server, &path) {
+            server.is_stale(&path);
         }
     }
 }
 
 /// Whether this is, or was, a folder that may hold files of projects. A deleted folder is recognised by its files.
-fn may_be_folder(world: &World, path: &Utf8Path) -> bool {
+fn may_be_folder(server: &ServerState, path: &Utf8Path) -> bool {
     match Disk.kind(path) {
         Some(kind) => kind == Kind::Folder,
-        None => path.extension().is_none() || world.has_files_in(path),
+        None => path.extension().is_none() || server.has_files_in(path),
     }
 }
 
 /// Watches the folders of the workspace without the client.
-fn watch_disk(world: &mut World) {
-    let inbox = world.inbox.clone();
+fn watch_disk(server: &mut ServerState) {
+    let inbox = server.inbox.clone();
     let watcher = notify::recommended_watcher(move |event: notify::Result<Event>| tell(&inbox, event));
     let mut watcher = match watcher {
         Ok(watcher) => watcher,
-        Err(error) => return world.log(&format!("changes on the disk cannot be noticed: {error}")),
+        Err(error) => return server.log(&format!("changes on the disk cannot be noticed: {error}")),
     };
-    for folder in &world.session.folders.clone() {
+    for folder in &server.session.folders.clone() {
         if let Err(error) = watcher.watch(folder.as_std_path(), RecursiveMode::Recursive) {
-            world.log(&format!("changes in {folder} cannot be noticed: {error}"));
+            server.log(&format!("changes in {folder} cannot be noticed: {error}"));
         }
     }
-    world.watcher = Some(watcher);
+    server.watcher = Some(watcher);
 }
 
 fn tell(inbox: &Inbox, event: notify::Result<Event>) {
     match event {
-        Ok(event) if event.need_rescan() => inbox.post(World::all_is_stale),
+        Ok(event) if event.need_rescan() => inbox.post(ServerState::all_is_stale),
         Ok(event) => {
             let Some(change) = change(event.kind) else { return };
             let paths = event.paths.into_iter().filter_map(|path| Utf8PathBuf::from_path_buf(path).ok());
             let changes: Vec<_> =
                 paths.filter(|path| change == Change::Existence || matters(path)).map(|path| (path, change)).collect();
             if !changes.is_empty() {
-                inbox.post(move |world| files_changed(world, changes));
+                inbox.post(move |server| files_changed(server, changes));
             }
         }
-        Err(error) => inbox.post(move |world| world.log(&format!("a change on the disk cannot be read: {error}"))),
+        Err(error) => inbox.post(move |server| server.log(&format!("a change on the disk cannot be read: {error}"))),
     }
 }
 

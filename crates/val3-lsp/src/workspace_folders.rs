@@ -10,14 +10,14 @@ use tower_lsp::lsp_types::{
 use val3_analysis::paths::{is_same, normalise};
 
 use crate::options::{Options, SECTION};
+use crate::server_state::ServerState;
 use crate::session::Trace;
 use crate::uri;
 use crate::watching;
-use crate::world::World;
 
 /// Folders were added or removed.
-pub(crate) fn folders_changed(world: &mut World, params: DidChangeWorkspaceFoldersParams) {
-    let session = Arc::make_mut(&mut world.session);
+pub(crate) fn folders_changed(server: &mut ServerState, params: DidChangeWorkspaceFoldersParams) {
+    let session = Arc::make_mut(&mut server.session);
     let path = |uri| uri::path(uri, None).map(|path| normalise(&path));
     for folder in &params.event.removed {
         let removed = path(&folder.uri);
@@ -28,38 +28,38 @@ pub(crate) fn folders_changed(world: &mut World, params: DidChangeWorkspaceFolde
             session.folders.push(added);
         }
     }
-    if world.watcher.is_some() {
-        watching::start(world);
+    if server.watcher.is_some() {
+        watching::start(server);
     }
-    world.all_is_stale();
+    server.all_is_stale();
 }
 
 /// The settings of the editor changed. Clients that can be asked send nothing of use along.
-pub(crate) fn settings_changed(world: &mut World, params: DidChangeConfigurationParams) {
-    if world.session.client.has_settings {
-        world.ask_for_settings();
+pub(crate) fn settings_changed(server: &mut ServerState, params: DidChangeConfigurationParams) {
+    if server.session.client.has_settings {
+        server.ask_for_settings();
     } else {
-        world.set_options(Options::read_sent(&params.settings));
+        server.set_options(Options::read_sent(&params.settings));
     }
 }
 
 /// The client wants to know more or less.
-pub(crate) fn trace_set(world: &mut World, params: SetTraceParams) {
+pub(crate) fn trace_set(server: &mut ServerState, params: SetTraceParams) {
     let is_off = params.value == TraceValue::Off;
-    Arc::make_mut(&mut world.session).trace = if is_off { Trace::Off } else { Trace::On };
+    Arc::make_mut(&mut server.session).trace = if is_off { Trace::Off } else { Trace::On };
 }
 
-impl World {
+impl ServerState {
     /// Asks the client for the user's settings, if it has some.
     pub(crate) fn ask_for_settings(&mut self) {
         if !self.session.client.has_settings {
             return;
         }
         let item = ConfigurationItem { scope_uri: None, section: Some(SECTION.to_owned()) };
-        self.outbox.ask::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |world, settings| {
+        self.outbox.ask::<WorkspaceConfiguration>(ConfigurationParams { items: vec![item] }, |server, settings| {
             if let Some(settings) = settings.and_then(|settings| settings.into_iter().next()).filter(|it| !it.is_null())
             {
-                world.set_options(Options::read(&settings));
+                server.set_options(Options::read(&settings));
             }
         });
     }

@@ -1,12 +1,14 @@
 //! The observers of a run: the record, and people.
 
+use std::ops::ControlFlow;
+
 use val3_lang::ports::Time;
 use val3_machine::controller::{Controller, Outcome};
 use val3_machine::event::{Event, seconds};
 
 use super::End;
 use super::console::Console;
-use super::live::{Live, Wish};
+use super::live::Live;
 use super::record::Record;
 use super::replay::{Divergence, Recording};
 use crate::args::{Color, RunArgs};
@@ -85,8 +87,8 @@ impl Audience {
     }
 
     /// Lets the operator do something, if there is one.
-    pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<Wish, UserError> {
-        self.live.as_mut().map_or(Ok(Wish::GoOn), |live| live.attend(controller))
+    pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<ControlFlow<()>, UserError> {
+        self.live.as_mut().map_or(Ok(ControlFlow::Continue(())), |live| live.attend(controller))
     }
 
     /// Ends the output. The journal of the user page, which disappears, is printed and thus stays readable.

@@ -5,6 +5,7 @@ mod keyboard;
 mod view;
 
 use std::io::{self, IsTerminal};
+use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
 use ratatui::DefaultTerminal;
@@ -28,15 +29,6 @@ pub(super) struct Live {
     journal: Journal,
     drawn: Option<Instant>,
     interrupted: bool,
-}
-
-/// The operator's decision about the run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Wish {
-    /// The run continues.
-    GoOn,
-    /// The run ends immediately.
-    End,
 }
 
 /// Whether there is a terminal to show the page and to read keys from.
@@ -77,7 +69,7 @@ impl Live {
     ///
     /// # Errors
     /// The terminal was closed.
-    pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<Wish, UserError> {
+    pub(super) fn attend(&mut self, controller: &mut Controller) -> Result<ControlFlow<()>, UserError> {
         let wish = self.listen(controller).map_err(|error| refused(&error))?;
         if self.drawn.is_none_or(|drawn| drawn.elapsed() >= REFRESH) {
             self.draw(controller).map_err(|error| refused(&error))?;
@@ -90,32 +82,34 @@ impl Live {
         self.journal.take()
     }
 
-    fn listen(&mut self, controller: &mut Controller) -> io::Result<Wish> {
+    fn listen(&mut self, controller: &mut Controller) -> io::Result<ControlFlow<()>> {
         while event::poll(Duration::ZERO)? {
             match event::read()? {
-                Input::Key(key) if self.obey(keyboard::command(key), controller) == Wish::End => return Ok(Wish::End),
+                Input::Key(key) if self.obey(keyboard::command(key), controller).is_break() => {
+                    return Ok(ControlFlow::Break(()));
+                }
                 Input::Resize(..) => self.drawn = None,
                 _ => {}
             }
         }
-        Ok(Wish::GoOn)
+        Ok(ControlFlow::Continue(()))
     }
 
     /// The first interruption stops the application, so that its program `stop` runs; the second one ends the run.
-    fn obey(&mut self, command: Option<Command>, controller: &mut Controller) -> Wish {
+    fn obey(&mut self, command: Option<Command>, controller: &mut Controller) -> ControlFlow<()> {
         match command {
             Some(Command::Tap(code)) => controller.operate(Operation::Tap(code)),
             Some(Command::NextPage) => controller.operate(Operation::NextPage),
             Some(Command::PreviousPage) => controller.operate(Operation::PreviousPage),
-            Some(Command::Interrupt) if self.interrupted => return Wish::End,
+            Some(Command::Interrupt) if self.interrupted => return ControlFlow::Break(()),
             Some(Command::Interrupt) => {
                 self.interrupted = true;
                 controller.operate(Operation::Stop);
             }
-            None => return Wish::GoOn,
+            None => return ControlFlow::Continue(()),
         }
         self.drawn = None;
-        Wish::GoOn
+        ControlFlow::Continue(())
     }
 
     fn draw(&mut self, controller: &Controller) -> io::Result<()> {

@@ -70,7 +70,7 @@ impl Memory {
         self.check_link(self.owner(at.store), Link::Data(reference))
     }
 
-    /// Whether a value of an owner may be linked to a target.
+    /// Checks that a value of an owner may be linked to a target.
     ///
     /// # Errors
     /// 165 if it would outlive what it refers to. 82 if that belongs to a library which the owner does not declare, or

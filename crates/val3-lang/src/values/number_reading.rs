@@ -56,13 +56,13 @@ fn length(text: &str) -> Option<usize> {
     Some(text.len() - rest.len())
 }
 
-/// The rest of a text that starts with an exponent.
+/// The text after a leading exponent; `None` if there is none.
 fn exponent(text: &str) -> Option<&str> {
     let behind_mark = text.strip_prefix(['e', 'E'])?;
     some_digits(behind_mark.strip_prefix(['+', '-']).unwrap_or(behind_mark))
 }
 
-/// The rest of a text that starts with digits; `None` if it does not.
+/// The text after the leading digits; `None` if there are none.
 fn some_digits(text: &str) -> Option<&str> {
     Some(without_digits(text)).filter(|rest| rest.len() < text.len())
 }

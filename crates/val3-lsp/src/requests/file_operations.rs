@@ -5,10 +5,10 @@ use tower_lsp::lsp_types::*;
 use val3_ide::SourceChange;
 
 use crate::convert::workspace_edit;
+use crate::server_state::ServerState;
 use crate::snapshot::{Refusal, Snapshot};
 use crate::uri;
 use crate::watching::{Change, files_changed};
-use crate::world::World;
 
 type Answer = Result<Option<WorkspaceEdit>, Refusal>;
 
@@ -57,21 +57,21 @@ fn answer(snapshot: &Snapshot, change: &SourceChange) -> Answer {
     Ok(workspace_edit(snapshot, change).ok().filter(|_| !change.is_empty()))
 }
 
-pub(crate) fn renamed(world: &mut World, params: RenameFilesParams) {
+pub(crate) fn renamed(server: &mut ServerState, params: RenameFilesParams) {
     let uris = params.files.iter().flat_map(|file| [&file.old_uri, &file.new_uri]);
-    changed(world, uris.filter_map(|uri| path(uri)).collect());
+    changed(server, uris.filter_map(|uri| path(uri)).collect());
 }
 
-pub(crate) fn created(world: &mut World, params: CreateFilesParams) {
-    changed(world, params.files.iter().filter_map(|file| path(&file.uri)).collect());
+pub(crate) fn created(server: &mut ServerState, params: CreateFilesParams) {
+    changed(server, params.files.iter().filter_map(|file| path(&file.uri)).collect());
 }
 
-pub(crate) fn deleted(world: &mut World, params: DeleteFilesParams) {
-    changed(world, params.files.iter().filter_map(|file| path(&file.uri)).collect());
+pub(crate) fn deleted(server: &mut ServerState, params: DeleteFilesParams) {
+    changed(server, params.files.iter().filter_map(|file| path(&file.uri)).collect());
 }
 
-fn changed(world: &mut World, paths: Vec<Utf8PathBuf>) {
-    files_changed(world, paths.into_iter().map(|path| (path, Change::Existence)).collect());
+fn changed(server: &mut ServerState, paths: Vec<Utf8PathBuf>) {
+    files_changed(server, paths.into_iter().map(|path| (path, Change::Existence)).collect());
 }
 
 fn path(uri: &str) -> Option<Utf8PathBuf> {

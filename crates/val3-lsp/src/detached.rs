@@ -19,9 +19,9 @@ pub(crate) fn documents(documents: &Documents, db: &Database, before: &[Utf8Path
     };
     let ours = |path: &Utf8Path| before.iter().any(|known| known == path) || is_part(path);
     let open = documents.iter().map(|document| document.path.clone());
-    let mut loose: Vec<_> = open.filter(|path| ours(path) && !listed(path)).collect();
-    loose.sort_unstable();
-    loose
+    let mut detached: Vec<_> = open.filter(|path| ours(path) && !listed(path)).collect();
+    detached.sort_unstable();
+    detached
 }
 
 fn is_part(path: &Utf8Path) -> bool {

@@ -1,7 +1,7 @@
 //! The main loop and everything that only it may change.
 
+mod messages;
 mod reading;
-mod telling;
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -24,7 +24,7 @@ use crate::inbox::{Inbox, Message};
 use crate::log::Log;
 use crate::outbox::Outbox;
 use crate::panics::{self, contained};
-use crate::pool::{Lane, Pool};
+use crate::pool::{Pool, Priority};
 use crate::published::Published;
 use crate::reply::Reply;
 use crate::router::OnEdit;
@@ -38,7 +38,7 @@ pub(crate) struct Job {
     /// Its method, for messages.
     pub(crate) method: &'static str,
     /// Where it is computed.
-    pub(crate) lane: Lane,
+    pub(crate) priority: Priority,
     /// Handling of a change of the text meanwhile.
     pub(crate) on_edit: OnEdit,
     /// Gives the answer.
@@ -52,7 +52,7 @@ pub(crate) type Compute = Arc<dyn Fn(&Snapshot) -> Result<String> + Send + Sync>
 const TREES: usize = 64;
 
 /// The state of the server. One thread owns it; all others see snapshots.
-pub(crate) struct World {
+pub(crate) struct ServerState {
     /// Information that the client has given about itself.
     pub(crate) session: Arc<Session>,
     /// The open documents.
@@ -85,7 +85,7 @@ pub(crate) struct World {
     /// The database keeps results of earlier states.
     has_surplus: bool,
     /// Documents outside of every project have a project of their own.
-    loose: Vec<Utf8PathBuf>,
+    detached: Vec<Utf8PathBuf>,
     /// The faults of configurations.
     faults: Arc<Vec<ConfigError>>,
     /// The client asks for that, so that it is not sent as well.
@@ -95,8 +95,8 @@ pub(crate) struct World {
     log: Log,
 }
 
-impl World {
-    /// A world in which nothing is open.
+impl ServerState {
+    /// A server in which nothing is open.
     pub(crate) fn new(inbox: Inbox, outbox: Outbox, pool: Pool, log: Log) -> Self {
         Self {
             session: Arc::default(),
@@ -116,7 +116,7 @@ impl World {
             edits: 0,
             readers: Arc::default(),
             has_surplus: false,
-            loose: Vec::new(),
+            detached: Vec::new(),
             faults: Arc::default(),
             asks_for_configurations: false,
             complained: FxHashSet::default(),
@@ -165,17 +165,17 @@ impl World {
             return;
         }
         let (inbox, edits) = (self.inbox.clone(), self.edits);
-        self.pool.spawn(job.lane, move || {
+        self.pool.spawn(job.priority, move || {
             let outcome = contained(|| Cancelled::catch(std::panic::AssertUnwindSafe(|| (job.compute)(&snapshot))));
             // Before anything else, so that no writer waits for it.
             drop(snapshot);
             match outcome {
                 Ok(Ok(answer)) => reply.give(answer),
                 Ok(Err(Cancelled::Local)) => reply.give(Err(Error::request_cancelled())),
-                Ok(Err(_)) => inbox.post(move |world| world.ask_again(job, reply, edits)),
+                Ok(Err(_)) => inbox.post(move |server| server.ask_again(job, reply, edits)),
                 Err(reason) => {
                     reply.give(Err(panics::internal_error(job.method, &reason)));
-                    inbox.post(move |world| world.complain(job.method, &reason));
+                    inbox.post(move |server| server.complain(job.method, &reason));
                 }
             }
         });

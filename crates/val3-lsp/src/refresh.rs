@@ -11,11 +11,11 @@ use tower_lsp::lsp_types::request::{CodeLensRefresh, InlayHintRefreshRequest, Wo
 
 use crate::documents::Report;
 use crate::panics::contained;
-use crate::pool::Lane;
+use crate::pool::Priority;
 use crate::requests::{current_hints, current_lenses, current_report, current_uses};
+use crate::server_state::ServerState;
 use crate::shown::ShownIn;
 use crate::snapshot::Snapshot;
-use crate::world::World;
 
 /// The current values of everything that the client has cached and that is now stale.
 struct Outdated {
@@ -30,7 +30,7 @@ struct Parts {
     lenses: bool,
 }
 
-impl World {
+impl ServerState {
     /// Checks whether something that the client has cached has changed.
     pub(crate) fn look_again(&self, generation: u64) {
         let waits_for_findings = self.session.is_asked_for_findings() && self.session.client.pulls_again;
@@ -39,14 +39,14 @@ impl World {
             return;
         }
         let (snapshot, inbox) = (self.snapshot(), self.inbox.clone());
-        self.pool.spawn(Lane::Background, move || {
+        self.pool.spawn(Priority::Background, move || {
             let outcome = contained(|| Cancelled::catch(AssertUnwindSafe(|| outdated(&snapshot, has_findings))));
             drop(snapshot);
-            inbox.post(move |world| match outcome {
-                Ok(Ok(outdated)) => world.tell_to_ask_again(outdated),
-                Ok(Err(_)) if world.checks.is_current(generation) => world.look_again(generation),
+            inbox.post(move |server| match outcome {
+                Ok(Ok(outdated)) => server.tell_to_ask_again(outdated),
+                Ok(Err(_)) if server.checks.is_current(generation) => server.look_again(generation),
                 Ok(Err(_)) => {}
-                Err(reason) => world.complain("the check", &reason),
+                Err(reason) => server.complain("the check", &reason),
             });
         });
     }

@@ -3,10 +3,10 @@
 use tower_lsp::lsp_types::notification::LogTrace;
 use tower_lsp::lsp_types::{LogTraceParams, MessageType};
 
-use super::World;
+use super::ServerState;
 use crate::session::Trace;
 
-impl World {
+impl ServerState {
     /// Reports an internal error to the user once. The server continues.
     pub(crate) fn complain(&mut self, what: &str, reason: &str) {
         self.log(&format!("{what} failed: {reason}"));

@@ -13,9 +13,9 @@ use val3_check::settings::WorkspaceSettings;
 use val3_config::ConfigError;
 use val3_ide::CheckSettings;
 
-use super::World;
+use super::ServerState;
 use crate::convert;
-use crate::loose;
+use crate::detached;
 use crate::overlay;
 use crate::panics::contained;
 use crate::parent::project_above;
@@ -28,7 +28,7 @@ pub(super) enum Stale {
     Everything,
 }
 
-impl World {
+impl ServerState {
     /// A file, or everything in a folder, has to be read again.
     pub(crate) fn is_stale(&mut self, path: &Utf8Path) {
         let key = path_key(normalise(path).as_str());
@@ -68,9 +68,9 @@ impl World {
 
     fn read_again(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
         let mut errors = self.refresh(is_stale);
-        let loose = loose::documents(&self.documents, &self.workspace.db, &self.loose);
-        if loose != self.loose {
-            self.loose = loose;
+        let detached = detached::documents(&self.documents, &self.workspace.db, &self.detached);
+        if detached != self.detached {
+            self.detached = detached;
             errors = self.refresh(is_stale);
         }
         self.projects = Arc::new(self.workspace.projects.clone());
@@ -83,15 +83,15 @@ impl World {
         self.workspace = Workspace::empty();
         self.projects = Arc::default();
         self.settings = None;
-        self.loose.clear();
+        self.detached.clear();
         self.checks.forget();
     }
 
     fn refresh(&mut self, is_stale: &dyn Fn(&str) -> bool) -> Vec<ConfigError> {
-        let overlay = overlay::files(&self.documents, &self.loose);
+        let overlay = overlay::files(&self.documents, &self.detached);
         let folders = &self.session.folders;
         let above = self.documents.iter().filter_map(|document| project_above(&overlay, document, folders));
-        let given = self.loose.iter().map(|path| loose::manifest_path(path));
+        let given = self.detached.iter().map(|path| detached::manifest_path(path));
         let asked: Vec<Utf8PathBuf> = folders.iter().cloned().chain(above).chain(given).collect();
         self.workspace.refresh(&overlay, &asked, is_stale)
     }
