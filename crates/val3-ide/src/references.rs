@@ -44,7 +44,7 @@ pub(crate) fn uses(db: &dyn Db, symbol: &Symbol) -> impl Iterator<Item = (File, 
     places.collect::<Vec<_>>().into_iter()
 }
 
-/// The name as it is spelled there.
+/// The name of a symbol.
 pub(crate) fn text(symbol: &Symbol) -> &str {
     match symbol {
         Symbol::Local(_, name)

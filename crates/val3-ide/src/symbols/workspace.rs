@@ -21,7 +21,7 @@ pub fn workspace_symbols(db: &dyn Db, query: &str, limit: usize) -> Vec<Workspac
             }
         }
     }
-    // Names with the same score are sorted by the paths of their projects.
+    // By score, then by name. The sort is stable, so equal names keep the order of their projects.
     found.sort_by(|a, b| b.score.cmp(&a.score).then_with(|| a.name.cmp(&b.name)));
     // Places are looked up for those that are shown alone.
     found.into_iter().filter_map(|candidate| candidate.placed(db)).take(limit).collect()
