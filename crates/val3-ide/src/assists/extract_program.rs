@@ -291,6 +291,32 @@ mod tests {
     }
 
     #[test]
+    fn code_with_the_end_of_a_cdata_section_is_escaped() {
+        check(
+            ID,
+            "num nA[3]\nnum nB[3]\nbool bA\nstring s\n=== main/start.pgx\n<Programs><Program name=\"start\"><Code>begin\n$0bA=nA[nB[0]]&gt;2\ns=&quot;]]&gt;&quot;$0\nend</Code></Program></Programs>\n",
+            expect![[r#"
+                new usrapp/main/extracted.pgx
+                +<?xml version="1.0" encoding="utf-8"?>
+                +<Programs xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns="http://www.staubli.com/robotics/VAL3/Program/2">
+                +  <Program name="extracted">
+                +    <Code>begin
+                +  bA=nA[nB[0]]&gt;2
+                +  s=&quot;]]&gt;&quot;
+                +end</Code>
+                +  </Program>
+                +</Programs>
+                usrapp/main/main.pjx
+                +    <Program file="extracted.pgx" />
+                usrapp/main/start.pgx
+                -bA=nA[nB[0]]&gt;2
+                -s=&quot;]]&gt;&quot;
+                +call extracted()
+            "#]],
+        );
+    }
+
+    #[test]
     fn not_across_a_return_or_a_broken_line() {
         for code in ["$0return$0", "$0if true\n  return\nendIf$0", "$0putln(1)\nnA==$0", "putln$0(1)"] {
             assert_eq!(offered(&format!("num nA\n{code}"), ID), None, "{code}");

@@ -25,6 +25,10 @@ pub(super) fn offer(context: &Context<'_>, assists: &mut Assists<'_>) -> Option<
     let file = *context.items().programs.get(name)?;
     let inlined = Inlined { context, file, body: body(context.db, file), header: header(context.db, file) };
     let names = inlined.names(range, arguments)?;
+    // A CDATA section cannot contain its own end.
+    if !context.is_escaped() && inlined.lines(&names)?.iter().any(|line| line.contains("]]>")) {
+        return None;
+    }
     assists.add("inline-program", AssistKind::Inline, format!("Inline program `{name}`"), || {
         inlined.change(range, &names)
     });
@@ -246,6 +250,18 @@ mod tests {
                 +  endIf
             "#]],
         );
+    }
+
+    #[test]
+    fn not_the_end_of_a_cdata_section() {
+        let other = |code: &str| {
+            format!(
+                "num nA[3]\nnum nB[3]\nbool bA\ncall ot$0her()\n=== main/other.pgx\n<Programs><Program name=\"other\"><Code>begin\n\
+                 {code}\nend</Code></Program></Programs>\n"
+            )
+        };
+        assert_eq!(offered(&other("bA=nA[nB[0]]&gt;2"), ID), None);
+        assert!(offered(&other("bA=nA[0]&gt;2"), ID).is_some());
     }
 
     #[test]

@@ -53,10 +53,20 @@ fn new_program(new: &NewProgram) -> String {
         lines.extend(new.locals.iter().map(|local| format!("      {}", local_entry(false, local))));
         lines.push("    </Locals>".to_owned());
     }
-    lines.push("    <Code><![CDATA[begin".to_owned());
-    lines.extend(new.code.iter().cloned());
-    lines.extend(["end]]></Code>", "  </Program>", "</Programs>", ""].map(str::to_owned));
+    lines.extend(code(&new.code));
+    lines.extend(["  </Program>", "</Programs>", ""].map(str::to_owned));
     lines.join(new.line_end)
+}
+
+/// The element `Code` with these lines: in a CDATA section, or escaped if they contain its end.
+fn code(lines: &[String]) -> Vec<String> {
+    let is_escaped = lines.iter().any(|line| line.contains("]]>"));
+    let (open, close) = if is_escaped { ("", "") } else { ("<![CDATA[", "]]>") };
+    let line = |line: &String| if is_escaped { escaped(line) } else { line.clone() };
+    let mut code = vec![format!("    <Code>{open}begin")];
+    code.extend(lines.iter().map(line));
+    code.push(format!("end{close}</Code>"));
+    code
 }
 
 fn old_program(new: &NewProgram) -> String {
