@@ -57,7 +57,7 @@ impl Inner {
         if std::mem::replace(&mut self.state().is_answered, true) {
             return;
         }
-        self.waiting.map().remove(&self.id);
+        self.waiting.end(self);
         let id = json(&self.id);
         let message = match answer {
             Ok(result) => format!("{{\"jsonrpc\":\"2.0\",\"id\":{id},\"result\":{result}}}"),
@@ -102,7 +102,51 @@ impl Waiting {
         }
     }
 
+    /// Forgets an answered request. A later one with the same id keeps its entry.
+    fn end(&self, answered: &Inner) {
+        let mut waiting = self.map();
+        if waiting.get(&answered.id).is_some_and(|entry| std::ptr::eq(entry.as_ptr(), answered)) {
+            waiting.remove(&answered.id);
+        }
+    }
+
     fn map(&self) -> MutexGuard<'_, FxHashMap<Id, Weak<Inner>>> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Keeps the written bytes.
+    #[derive(Clone, Default)]
+    struct Written(Arc<Mutex<Vec<u8>>>);
+
+    impl std::io::Write for Written {
+        fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+            self.0.lock().unwrap().write(bytes)
+        }
+
+        fn flush(&mut self) -> std::io::Result<()> {
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn of_two_requests_with_one_id_the_later_can_be_cancelled() {
+        let (written, waiting, id) = (Written::default(), Waiting::default(), Id::Number(1));
+        let pump = Pump::start(written.clone(), || {}).unwrap();
+        let (first, second) = (waiting.begin(id.clone(), &pump), waiting.begin(id.clone(), &pump));
+        first.give(Ok("7".to_owned()));
+        waiting.cancel(&id);
+        second.give(Ok("8".to_owned()));
+        pump.finish();
+        let text = String::from_utf8(written.0.lock().unwrap().clone()).unwrap();
+        assert!(
+            text.contains("\"result\":7") && text.contains("\"error\"") && !text.contains("\"result\":8"),
+            "{text}"
+        );
+        assert!(waiting.map().is_empty());
     }
 }
