@@ -109,9 +109,9 @@ fn operand(operand: Operand, size: Lanes) -> String {
     };
     match operand {
         Operand::Frame(at) => lanes(at),
-        Operand::First(container, behind) if behind == Lanes::default() => format!("{container:?}"),
-        Operand::First(container, behind) => format!("{container:?}+{}", lanes(behind)),
-        Operand::Place(place, behind) if behind == Lanes::default() => format!("p{place}"),
-        Operand::Place(place, behind) => format!("p{place}+{}", lanes(behind)),
+        Operand::First(container, offset) if offset == Lanes::default() => format!("{container:?}"),
+        Operand::First(container, offset) => format!("{container:?}+{}", lanes(offset)),
+        Operand::Place(place, offset) if offset == Lanes::default() => format!("p{place}"),
+        Operand::Place(place, offset) => format!("p{place}+{}", lanes(offset)),
     }
 }

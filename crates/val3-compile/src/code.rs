@@ -42,7 +42,7 @@ impl Code {
     /// Code of a program in a file with this text.
     pub(crate) fn new(text: &str) -> Self {
         let ends = (1u32..).zip(text.bytes()).filter(|(_, byte)| *byte == b'\n');
-        Self { rows: std::iter::once(0).chain(ends.map(|(behind, _)| behind)).collect(), ..Self::default() }
+        Self { rows: std::iter::once(0).chain(ends.map(|(end, _)| end)).collect(), ..Self::default() }
     }
 
     /// Adds an operation.

@@ -49,8 +49,8 @@ impl Called {
             _ => None,
         };
         let (function, to, a) = (self.function?, number(&self.site.result.as_ref()?.0)?, argument(0)?);
-        let behind = |at: usize| if at < self.formals.len() { argument(at) } else { Some(a) };
-        Some(Op::Function { function, to, a, b: behind(1)?, c: behind(2)? })
+        let or_first = |at: usize| if at < self.formals.len() { argument(at) } else { Some(a) };
+        Some(Op::Function { function, to, a, b: or_first(1)?, c: or_first(2)? })
     }
 }
 

@@ -99,7 +99,7 @@ impl Coder<'_, '_> {
             }
             let offset = field_offset(base, arm, field.name).ok_or(Limit::Unclear)?;
             let field = Base::Builtin(field.ty, arm);
-            let [to, from] = [self.behind(to.location, offset)?, self.behind(from.location, offset)?];
+            let [to, from] = [self.after(to.location, offset)?, self.after(from.location, offset)?];
             self.copy(Value { location: to, base: field }, Value { location: from, base: field })?;
         }
         Ok(())

@@ -100,11 +100,11 @@ impl Coder<'_, '_> {
         let value = self.value(of, None)?;
         let Base::Builtin(base, arm) = value.base else { return Err(Limit::Unclear) };
         let offset = field_offset(base, arm.or(self.unit.items.arm), field).ok_or(Limit::Unclear)?;
-        self.behind(value.location, offset)
+        self.after(value.location, offset)
     }
 
     /// The location at an offset from another.
-    pub(crate) fn behind(&mut self, location: Location, offset: Lanes) -> Result<Location> {
+    pub(crate) fn after(&mut self, location: Location, offset: Lanes) -> Result<Location> {
         Ok(match location {
             Location::Frame(lanes) => Location::Frame(lanes + offset),
             Location::First(container, lanes) => Location::First(container, lanes + offset),

@@ -140,13 +140,13 @@ impl Assists<'_> {
     }
 }
 
-/// What can be done at a place: at the cursor if the range is empty, else with what is selected. `only` leaves out
+/// The assists at a cursor, if the range is empty, or for a selection. `only` leaves out
 /// other kinds.
 pub fn assists(db: &dyn Db, at: FileRange, only: Option<&[AssistKind]>) -> Vec<Assist> {
     collect(db, at, Assists { only, wanted: None, found: Vec::new(), change: None }).found
 }
 
-/// What an assist of this place changes; `None` if it is not offered there, or cannot be done after all.
+/// The changes of an assist; `None` if it is not offered at this place, or has nothing to change.
 pub fn resolve_assist(db: &dyn Db, id: &str, at: FileRange) -> Option<SourceChange> {
     let found = collect(db, at, Assists { only: None, wanted: Some(id), found: Vec::new(), change: None });
     Some(found.change?.sorted(db))

@@ -91,7 +91,7 @@ fn faults(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Faults {
     check_faults(db, unit, settings.settings(db))
 }
 
-/// Kept by itself: an edit that changes what the application does leaves it as it is in all programs but one.
+/// A separate query: most edits change the local findings of one program only.
 #[salsa::tracked]
 fn alone(db: &dyn Db, settings: CheckSettings, unit: Unit) -> Vec<Diagnostic> {
     check_local(db, unit, settings.settings(db), faults(db, settings, unit))

@@ -1,7 +1,7 @@
 //! The line of code around the cursor, token by token.
 //!
-//! A line that is being written is rarely whole. What stands before the cursor means the same whether or not the rest
-//! is there, so completion and signature help read the tokens of the line and not its tree.
+//! A line is usually incomplete while it is typed. The tokens before the cursor mean the same with and without the rest,
+//! so completion and signature help read the tokens of the line and not its tree.
 
 mod blocks;
 mod bracket;

@@ -32,5 +32,5 @@ pub(crate) fn set(call: &mut Call<'_>, ToolRef(tool): ToolRef, state: bool, time
 
 fn field(tool: Place, name: &str) -> Result<Place> {
     let offset = field_offset(BaseType::Tool, None, name).ok_or(Fault::INTERPRETER)?;
-    Ok(tool.behind(offset))
+    Ok(tool.after(offset))
 }

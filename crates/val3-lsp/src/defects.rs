@@ -1,5 +1,5 @@
-//! What is known to go wrong on tower-lsp, and does not here: each test first shows it on a server that is written
-//! the usual way (`naive`), then that ours stands it.
+//! Known defects of servers on tower-lsp. Each test first shows the defect on a server that is written in the usual way
+//! (`naive`), then that this server does not have it.
 
 mod naive;
 mod probes;

@@ -1,7 +1,7 @@
-//! Clients that ask for findings, hints and lenses are told to ask again when what they have is no longer right.
+//! Requests to the client to ask again for findings, hints and lenses that are stale.
 //!
-//! About a document that is edited clients ask without being told to. The others are compared, behind everything else,
-//! with what the client was told about them, so that it is bothered only where an edit elsewhere makes a difference.
+//! For an edited document, clients ask by themselves. For the others, the current values are compared in the background
+//! with those that the client has, so that it is asked only where an edit elsewhere makes a difference.
 
 use std::panic::AssertUnwindSafe;
 

@@ -22,7 +22,7 @@ impl TurnContext<'_> {
         site: &CallSite,
         (back, back_line): (usize, u32),
     ) -> Result<Frame> {
-        let base = frame.base.behind(scope.program);
+        let base = frame.base.after(scope.program);
         let (instance, program) = match (site.program, &site.passes) {
             (ProgramRef::Own(number), Some(passes)) => {
                 let callee = scope.instance.image.programs.get(usize::from(number)).ok_or(Fault::INTERPRETER)?;

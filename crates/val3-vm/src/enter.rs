@@ -14,7 +14,7 @@ use crate::task::Base;
 /// remains.
 pub(crate) fn enter(memory: &mut Memory, program: &Program, base: &Base, most: u32) -> Result<()> {
     enter_plain(memory, program, base, most)?;
-    let (end, stack, room) = (base.behind(program), &mut memory.stack, &mut memory.stores.room);
+    let (end, stack, room) = (base.after(program), &mut memory.stack, &mut memory.stores.room);
     fill(&mut stack.links, room, (base.link, end.link), Link::None)?;
     if let Some(links) = stack.links.get_mut(base.link as usize..end.link as usize) {
         links.fill(Link::None);

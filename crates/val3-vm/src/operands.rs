@@ -84,8 +84,8 @@ impl Scope<'_> {
     pub(crate) fn place(&self, memory: &Memory, operand: Operand) -> Result<Place> {
         match operand {
             Operand::Frame(lanes) => Ok(on_frame(&self.base, lanes)),
-            Operand::First(container, lanes) => Ok(memory.element(self.view(memory, container)?, 0)?.behind(lanes)),
-            Operand::Place(register, lanes) => Ok(located(memory, &self.base, register)?.behind(lanes)),
+            Operand::First(container, lanes) => Ok(memory.element(self.view(memory, container)?, 0)?.after(lanes)),
+            Operand::Place(register, lanes) => Ok(located(memory, &self.base, register)?.after(lanes)),
         }
     }
 

@@ -186,7 +186,7 @@ impl Base {
     /// The first lanes after the frame of a program that begins here.
     #[inline(always)]
     #[must_use]
-    pub fn behind(&self, program: &Program) -> Self {
+    pub fn after(&self, program: &Program) -> Self {
         let size = &program.frame;
         Self {
             num: self.num + size.lanes.num,

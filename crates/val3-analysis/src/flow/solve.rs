@@ -18,7 +18,7 @@ impl<S> Facts<S> {
     }
 
     /// The facts after the point, of a problem that was solved backward; `None` if no path reaches the end.
-    pub fn behind(&self, point: PointId) -> Option<&S> {
+    pub fn after(&self, point: PointId) -> Option<&S> {
         self.before(point)
     }
 }

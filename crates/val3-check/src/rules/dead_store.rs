@@ -57,7 +57,7 @@ fn check(program: &Program<'_>, found: &mut Findings) {
         let Some((bit, access)) = local_use.at(id).last().filter(|(_, access)| access.kind == AccessKind::Write) else {
             continue;
         };
-        let is_needed = needed.behind(id).is_none_or(|needed| needed & bit != 0);
+        let is_needed = needed.after(id).is_none_or(|needed| needed & bit != 0);
         let Root::Local(name) = &access.root else { continue };
         // An assignment to an output sets it.
         if program.inference.ty(access.id).base.builtin().is_some_and(BaseType::is_linkable) {

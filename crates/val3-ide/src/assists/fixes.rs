@@ -8,7 +8,7 @@ use val3_check::fix::{AddedError, FixGuard};
 use super::trial::Trial;
 use crate::edit::{FileEdit, SourceChange};
 
-/// What fixes are tried with before they are offered.
+/// The environment in which fixes are tried before they are offered.
 #[derive(Clone, Copy)]
 pub struct FixContext<'a> {
     /// The current files.

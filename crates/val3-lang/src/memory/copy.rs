@@ -90,8 +90,8 @@ impl Memory {
         self.copy_nums(from, to, num)?;
         for lane in 0..text {
             let lane = Lanes { text: lane, ..Lanes::default() };
-            let value = *self.text(from.behind(lane))?;
-            self.set_text(to.behind(lane), value)?;
+            let value = *self.text(from.after(lane))?;
+            self.set_text(to.after(lane), value)?;
         }
         (0..part).try_for_each(|lane| {
             let (from, to) = (self.part(from, lane)?, self.part(to, lane)?);
@@ -153,7 +153,7 @@ impl Memory {
         }
         for lane in 0..text {
             let lane = Lanes { text: lane, ..Lanes::default() };
-            if self.text(a.behind(lane))? != self.text(b.behind(lane))? {
+            if self.text(a.after(lane))? != self.text(b.after(lane))? {
                 return Ok(false);
             }
         }

@@ -51,7 +51,7 @@ impl Place {
 
     /// The place `lanes` after this one: a field.
     #[must_use]
-    pub fn behind(self, lanes: Lanes) -> Self {
+    pub fn after(self, lanes: Lanes) -> Self {
         Self::new(self.store, Lanes { num: self.num, text: self.text, link: self.link, part: self.part } + lanes)
     }
 }

@@ -43,7 +43,7 @@ impl Memory {
             _ if base.is_structured() => {
                 let field = |name: &str, ty| {
                     let offset = field_offset(base, arm, name).unwrap_or_default();
-                    self.shown_builtin((ty, arm), at.behind(offset))
+                    self.shown_builtin((ty, arm), at.after(offset))
                 };
                 let parts: Result<Vec<String>> =
                     fields(base, arm).iter().map(|found| field(found.name, found.ty)).collect();

@@ -1,5 +1,4 @@
-//! The thread that writes. Whoever has something to write leaves it here and goes on; a client that reads slowly
-//! holds up nobody.
+//! The thread that writes. Other threads leave their messages here and continue, so that a slow client delays none of them.
 
 use std::io::{self, Write};
 use std::pin::Pin;

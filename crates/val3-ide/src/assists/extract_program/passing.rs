@@ -149,7 +149,7 @@ impl Living {
 fn at(context: &Context<'_>, effects: &Effects<'_>, facts: &Facts<Names>, id: PointId) -> Names {
     let header = context.header();
     let all = || header.locals.iter().map(|it| &it.name).chain(header.params.iter().map(|it| &it.name));
-    match facts.behind(id) {
+    match facts.after(id) {
         Some(behind) if id != Flow::END => before(effects, id, behind),
         Some(end) => end.clone(),
         None => all().cloned().collect(),

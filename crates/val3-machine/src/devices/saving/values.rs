@@ -73,7 +73,7 @@ impl Saver<'_> {
         for attribute in attributes(base, arm) {
             let Some(offset) = path_offset(base, arm, attribute.field) else { continue };
             let spot = spot.clone().map(|(data, way, number, _)| (data, way, number, offset.link));
-            if let Some(text) = self.attribute(place.behind(offset), base, attribute, spot.as_ref())? {
+            if let Some(text) = self.attribute(place.after(offset), base, attribute, spot.as_ref())? {
                 written.push((attribute.name.into(), text));
             }
         }
@@ -139,7 +139,7 @@ impl Saver<'_> {
             }
         }
         for (lane, text) in (0..size.text).zip(&element.texts) {
-            if self.memory.text(place.behind(Lanes { text: lane, ..Lanes::default() }))? != text {
+            if self.memory.text(place.after(Lanes { text: lane, ..Lanes::default() }))? != text {
                 return Ok(false);
             }
         }
